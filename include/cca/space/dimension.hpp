@@ -1,0 +1,39 @@
+// A dimension is a named axis: a type, shared by all quantities that are measured along it, with a limit per quantity.
+//
+//   struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}}; };
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include <cca/space/fixed_string.hpp>
+#include <cca/space/quantity.hpp>
+
+namespace cca {
+
+template <fixed_string Name>
+struct dimension {
+  static constexpr std::string_view name = Name.view();
+};
+
+template <class Type>
+concept Dimension = requires { { Type::name } -> std::convertible_to<std::string_view>; };
+
+namespace detail {
+
+template <class Axis, class Quantity>
+constexpr bool axis_has_limits = false;
+
+template <class Axis, class Quantity>
+  requires requires { Axis::limits; }
+constexpr bool axis_has_limits<Axis, Quantity> = std::remove_cvref_t<decltype(Axis::limits)>::template has<Quantity>;
+
+}  // namespace detail
+
+// The cartesian axes.
+struct x : dimension<"x"> {};
+struct y : dimension<"y"> {};
+struct z : dimension<"z"> {};
+
+}  // namespace cca

@@ -1,0 +1,31 @@
+// A string that can be a template argument: names of nodes, ports and axes are types.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace cca {
+
+template <std::size_t Size>
+struct fixed_string {
+  char text[Size]{};
+
+  consteval fixed_string(const char (&literal)[Size]) {
+    for (std::size_t i = 0; i < Size; ++i) text[i] = literal[i];
+  }
+
+  constexpr std::string_view view() const { return {text, Size - 1}; }
+  constexpr operator std::string_view() const { return view(); }
+};
+
+namespace detail {
+
+// FNV-1a. The hash of a path goes on where that of its scope ended, so nested paths need no strings.
+constexpr std::uint64_t hash(std::string_view text, std::uint64_t seed = 14695981039346656037ull) {
+  for (const char c : text) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return seed;
+}
+
+}  // namespace detail
+}  // namespace cca

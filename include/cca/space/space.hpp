@@ -1,0 +1,79 @@
+// A space is a domain type, its axes in order and, where it has one, its update rate.
+//
+//   struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
+//
+// Spaces match when domain type (with its frame), ordered axes and rate agree, whatever their names; a rate that only
+// one of them states does not count.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <type_traits>
+
+#include <Eigen/Core>
+
+#include <cca/space/dimension.hpp>
+
+namespace cca {
+
+// Updates per second, of a space or of a graph.
+template <auto Hz>
+struct rate {
+  static_assert(Hz > 0, "cca::rate: a rate is a positive number of updates per second");
+  static constexpr double hz = Hz;
+};
+
+template <class... Axes>
+struct axes {
+  static constexpr int count = sizeof...(Axes);
+
+  template <class Axis>
+  static constexpr bool contains = (std::is_same_v<Axis, Axes> || ...);
+
+  template <class Axis>
+  static constexpr int index_of = [] {
+    int index = 0;
+    (void)((std::is_same_v<Axis, Axes> || (++index, false)) || ...);
+    return index;
+  }();
+};
+
+template <class Domain, class Axes, class Rate = void>
+struct space {
+  using domain = Domain;
+  using axes = Axes;
+  using rate = Rate;
+  static constexpr int size = Domain::width(Axes::count);  // stored coordinates; an orientation has four of them
+  using vector_type = Eigen::Matrix<double, size, 1>;
+};
+
+template <class Type>
+concept Space = requires {
+  typename Type::domain;
+  typename Type::axes;
+  typename Type::rate;
+  typename Type::vector_type;
+  { Type::size } -> std::convertible_to<int>;
+};
+
+// The part of a space along some of its axes.
+template <class Whole, class... Axes>
+struct sub_space : space<typename Whole::domain, axes<Axes...>, typename Whole::rate> {};
+
+namespace detail {
+
+// Coordinate i of the space's zero: what an input holds until a first sample has come.
+template <class Space>
+constexpr auto zero_of = [] {
+  std::array<double, static_cast<std::size_t>(Space::size)> zero{};
+  for (int i = 0; i < Space::size; ++i) zero[static_cast<std::size_t>(i)] = Space::domain::zero(i, Space::axes::count);
+  return zero;
+}();
+
+template <class Rate>
+constexpr double hz_of = 0;
+template <auto Hz>
+constexpr double hz_of<rate<Hz>> = rate<Hz>::hz;
+
+}  // namespace detail
+}  // namespace cca
