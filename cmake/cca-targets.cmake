@@ -1,0 +1,50 @@
+# The targets: cca::cca (the core), cca::config and cca::sim. All of them are headers only.
+
+include(GNUInstallDirs)
+
+# cca_add_headers(<name> <root>: the folder that users include from; FILES...)
+# makes the target cca::<name>, whose headers are installed and, where asked for, compiled each alone.
+function(cca_add_headers name root)
+  set(target cca)
+  if(NOT name STREQUAL "cca")
+    set(target cca_${name})
+  endif()
+  add_library(${target} INTERFACE)
+  add_library(cca::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
+  target_compile_features(${target} INTERFACE cxx_std_20)
+  target_sources(${target} INTERFACE FILE_SET HEADERS BASE_DIRS ${root} FILES ${ARGN})
+  install(TARGETS ${target} EXPORT cca-${name} FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+foreach(component IN LISTS CCA_COMPONENTS)
+  if(NOT component MATCHES "^(config|sim)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config and sim")
+  endif()
+endforeach()
+
+set(include ${PROJECT_SOURCE_DIR}/include)
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+set(config_headers ${headers})
+list(FILTER headers EXCLUDE REGEX "/cca/config(/|\\.hpp$)")
+list(FILTER config_headers INCLUDE REGEX "/cca/config(/|\\.hpp$)")
+
+find_package(Eigen3 3.4 REQUIRED CONFIG)
+find_package(Boost 1.74 REQUIRED CONFIG)
+cca_add_headers(cca ${include} ${headers})
+target_link_libraries(cca INTERFACE Eigen3::Eigen Boost::headers)
+
+if("config" IN_LIST CCA_COMPONENTS)
+  find_package(tomlplusplus REQUIRED CONFIG)
+  cca_add_headers(config ${include} ${config_headers})
+  target_link_libraries(cca_config INTERFACE cca tomlplusplus::tomlplusplus)
+endif()
+
+if("sim" IN_LIST CCA_COMPONENTS)
+  list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+  find_package(ODE REQUIRED)
+  set(include ${PROJECT_SOURCE_DIR}/sim/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(sim ${include} ${headers})
+  target_link_libraries(cca_sim INTERFACE cca ODE::ODE)
+endif()

@@ -1,0 +1,121 @@
+"""The checks themselves: each must let pass what is right and name what is wrong."""
+import pathlib
+import tempfile
+import unittest
+
+import includes
+import reject
+import rules
+import snippets
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        file = self.root / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        return file
+
+
+class Includes(Tree):
+    def found(self, name, *targets, more=""):
+        self.write(name, "// Why.\n#pragma once\n" + "".join(f"#include <{t}>\n" for t in targets) + more)
+        return list(includes.problems(self.root))
+
+    def test_right(self):
+        self.found("include/cca/graph/a.hpp", "vector", "Eigen/Core", "cca/space/b.hpp", "cca/graph/c.hpp", "cca/version.hpp")
+        self.found("include/cca/runtime/a.hpp", "cca/graph/a.hpp")
+        self.found("include/cca/config/a.hpp", "toml++/toml.h", "cca/component/a.hpp")
+        self.found("include/cca/config.hpp", "cca/config/a.hpp")
+        self.found("include/cca/cca.hpp", "cca/graph/a.hpp", "cca/runtime/a.hpp")
+        self.assertEqual(self.found("sim/include/cca/sim/a.hpp", "cca/robot/a.hpp", "cca/cca.hpp", "ode/ode.h", "cca/sim/b.hpp"), [])
+
+    def test_wrong(self):
+        for name, target in (("include/cca/space/a.hpp", "cca/graph/a.hpp"), ("include/cca/graph/a.hpp", "cca/runtime/a.hpp"),
+                             ("include/cca/runtime/a.hpp", "cca/robot/a.hpp"), ("include/cca/robot/a.hpp", "cca/config/a.hpp"),
+                             ("include/cca/graph/a.hpp", "cca/cca.hpp"), ("include/cca/cca.hpp", "cca/config/a.hpp"),
+                             ("include/cca/robot/a.hpp", "cca/sim/a.hpp"), ("include/cca/graph/a.hpp", "toml++/toml.h"),
+                             ("include/cca/graph/a.hpp", "ode/ode.h"), ("include/cca/graph/a.hpp", "boost/hana.hpp"),
+                             ("include/cca/odd/a.hpp", "cca/space/a.hpp"), ("include/cca/odd.hpp", "cca/space/a.hpp"),
+                             ("sim/include/cca/sim/a.hpp", "cca/hardware/a.hpp")):
+            with self.subTest(name=name, target=target):
+                self.setUp()
+                self.assertEqual(len(self.found(name, target)), 1)
+
+    def test_form(self):
+        self.assertEqual(len(self.found("include/cca/space/long.hpp", more="\n" * 300)), 1)
+        self.write("include/cca/space/long.hpp", "int x;\n")
+        self.assertEqual(len(list(includes.problems(self.root))), 2)
+
+    def test_one_door_to_hana(self):
+        self.found("include/cca/component/a.hpp", "boost/hana/tuple.hpp")
+        self.assertEqual(len(self.found("include/cca/graph/a.hpp", "boost/hana/tuple.hpp")), 1)
+
+
+class Snippets(Tree):
+    SOURCE = "int main() {\n  // [part]\n  f();\n    g();\n  // [part end]\n}\n"
+
+    def found(self, code, write=False):
+        self.write("a.cpp", self.SOURCE)
+        self.write("README.md", f"Text.\n\n<!-- from a.cpp: part -->\n```cpp\n{code}```\nMore.\n")
+        return list(snippets.check(self.root / "README.md", self.root, write))
+
+    def test_equal(self):
+        self.assertEqual(self.found("f();\n  g();\n"), [])
+
+    def test_different(self):
+        self.assertEqual(len(self.found("f();\n")), 1)
+
+    def test_written(self):
+        self.found("f();\n", write=True)
+        self.assertIn("```cpp\nf();\n  g();\n```\nMore.\n", (self.root / "README.md").read_text())
+        self.assertEqual(list(snippets.check(self.root / "README.md", self.root, False)), [])
+
+    def test_no_source(self):
+        page = self.write("README.md", "```cpp\nf();\n```\n\n<!-- from b.cpp: part -->\n```cpp\nf();\n```\n")
+        self.assertEqual(len(list(snippets.check(page, self.root, False))), 2)
+
+
+class Rules(Tree):
+    def test_rules(self):
+        self.write("include/cca/graph/a.hpp", '// "node.comment"\nauto a = "space.mismatch"; auto b = "wire.direction: " + wire<"node.x", "graph.y">{};\n')
+        self.write("tests/rejects/space.mismatch.cpp", "")
+        self.write("tests/rejects/space.mismatch-axes.cpp", "")
+        self.write("tests/rejects/rate.gone.cpp", "")
+        self.assertEqual(sorted(rules.rules(self.root)), ["space.mismatch", "wire.direction"])
+        self.assertEqual(len(list(rules.problems(self.root))), 2)
+
+
+class Rejects(Tree):
+    SOUND = '// EXPECT: space\\.mismatch: a and b\n#if CCA_REJECT\nstatic_assert(false, "space.mismatch: a and b");\n#endif\n'
+
+    def wrong(self, text, name="space.mismatch.cpp"):
+        return reject.verdict(self.write(name, text), ["g++", "-std=c++20"])[0]
+
+    def test_sound(self):
+        self.assertEqual(self.wrong(self.SOUND), "")
+        self.assertEqual(self.wrong(self.SOUND, "space.mismatch-axes.cpp"), "")
+
+    def test_instantiated_only_when_used(self):
+        self.assertEqual(self.wrong(self.SOUND.replace("static_assert(false", "template <class T> void f(T) { static_assert(sizeof(T) == 0")
+                                    .replace(");\n#endif", "); }\nint main() { f(0); }\n#endif")), "")
+
+    def test_unsound(self):
+        self.assertIn("first line", self.wrong("int x;\n"))
+        self.assertIn("rule's id", self.wrong(self.SOUND, "space.other.cpp"))
+        self.assertIn("without the mistake", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if 1")))
+        self.assertIn("accepts", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if 0")))
+        self.assertIn("does not match", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if CCA_REJECT\nint x = y;")))
+        self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"int x{i} = y;" for i in range(30)) + "\n#endif")))
+
+    def test_columns_are_joined(self):
+        self.assertIn("a sentence in columns", reject.readings('error: t<c{"a sentence  "}, c{"in columns"}>')[2])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,6 @@
+// The header's version is the one that CMake reads from it.
+#include <cca/version.hpp>
+
+static_assert(cca::version_major == EXPECTED_MAJOR);
+static_assert(cca::version_minor == EXPECTED_MINOR);
+static_assert(cca::version_patch == EXPECTED_PATCH);
