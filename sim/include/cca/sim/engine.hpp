@@ -1,0 +1,63 @@
+#pragma once
+// One world of the Open Dynamics Engine, owned: the library, this thread's share of it, the world, its threading.
+//
+// Each world gets a self-threaded implementation of its own: with the shared default, two worlds stepped in two threads abort
+// in `ReleaseAJob`. The step's memory is reserved at once, so that a beat with more contacts than before does not allocate.
+#include <memory>
+#include <stdexcept>
+
+#include <ode/ode.h>
+
+#include <cca/sim/oncilla_model.hpp>
+
+namespace cca::sim {
+
+// The library, once in a process, and its data of the calling thread, once in a thread.
+inline void prepare_engine() {
+  static const bool library = dInitODE2(0) != 0;
+  thread_local const bool data = library && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  if (!data) throw std::runtime_error("the Open Dynamics Engine cannot be initialised");
+}
+
+struct engine_release {
+  void operator()(dxThreadingImplementation* t) const { dThreadingFreeImplementation(t); }
+  void operator()(dxWorld* w) const { dWorldDestroy(w); }
+  void operator()(dxJointGroup* g) const { dJointGroupDestroy(g); }
+  void operator()(dxGeom* g) const { dGeomDestroy(g); }
+};
+
+template <class T>
+using engine_handle = std::unique_ptr<T, engine_release>;
+
+class engine {
+ public:
+  explicit engine(const oncilla_model& m) {
+    prepare_engine();
+    threading_.reset(dThreadingAllocateSelfThreadedImplementation());
+    world_.reset(dWorldCreate());
+    contacts_.reset(dJointGroupCreate(0));
+    dWorldSetStepThreadingImplementation(id(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
+    const dWorldStepReserveInfo reserve{sizeof(dWorldStepReserveInfo), 1.2F, step_memory};
+    dWorldSetStepMemoryReservationPolicy(id(), &reserve);
+    dWorldSetGravity(id(), 0, 0, -m.gravity);
+    dWorldSetERP(id(), m.world_erp);
+    dWorldSetCFM(id(), m.world_cfm);
+    dWorldSetAutoDisableFlag(id(), 0);
+    dWorldSetContactMaxCorrectingVel(id(), m.correcting_speed);
+    dWorldSetContactSurfaceLayer(id(), m.surface_layer);
+  }
+
+  dWorldID id() const { return world_.get(); }
+  dJointGroupID contacts() const { return contacts_.get(); }
+
+  void step(double dt) { dWorldStep(id(), dt); }
+
+ private:
+  static constexpr unsigned step_memory = 1U << 20;
+
+  engine_handle<dxThreadingImplementation> threading_;  // outlives the world
+  engine_handle<dxWorld> world_;
+  engine_handle<dxJointGroup> contacts_;  // goes before the world
+};
+
+}  // namespace cca::sim

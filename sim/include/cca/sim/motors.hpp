@@ -1,0 +1,59 @@
+#pragma once
+// What the motors give: a servo that follows a target within a torque-speed line, and a winch that pulls a knee by a cable.
+//
+// Both are plain arithmetic on a state of a few numbers, which belongs to the world's state; neither knows the engine.
+#include <algorithm>
+#include <cmath>
+
+#include <cca/sim/oncilla_model.hpp>
+
+namespace cca::sim {
+
+// The largest torque that a motor gives at a speed, in the direction of that speed.
+inline double available_torque(motor_line line, double speed) {
+  return line.torque * std::clamp(2 * (1 - std::abs(speed) / line.no_load_speed), 0.0, 1.0);
+}
+
+// The largest speed that a motor keeps up against a load: the same line, read from the other side.
+inline double available_speed(motor_line line, double load) {
+  if (load >= line.torque) return 0;
+  return line.no_load_speed * (1 - std::max(load, 0.0) / (2 * line.torque));
+}
+
+// Braking takes the full torque, driving only what the line leaves.
+inline double limit_torque(motor_line line, double torque, double speed) {
+  const double limit = torque * speed > 0 ? available_torque(line, speed) : line.torque;
+  return std::clamp(torque, -limit, limit);
+}
+
+struct servo_gains {
+  double stiffness;  // N m/rad
+  double damping;    // N m s/rad
+};
+
+inline double servo_torque(motor_line line, servo_gains g, double angle_error, double speed_error, double speed) {
+  return limit_torque(line, g.stiffness * angle_error + g.damping * speed_error, speed);
+}
+
+// The knee's cable on its pulley. It can only pull: it flexes the knee or hangs slack, extension is the spring's work.
+struct cable_winch {
+  double position = 0;  // rad of knee flexion that the wound cable stands for
+  double speed = 0;
+  double torque = 0;    // what it pulled with last, >= 0
+
+  void wind(const oncilla_model& m, double target, double dt) {
+    const double wanted = (target - position) / dt;
+    speed = std::clamp(wanted, -m.knee_motor.no_load_speed, available_speed(m.knee_motor, torque));
+    position += speed * dt;
+  }
+
+  double pull(const oncilla_model& m, double knee, double knee_speed) {
+    const double stretch = position - knee;
+    torque = stretch > 0 ? std::clamp(m.cable_stiffness * stretch + m.cable_damping * (speed - knee_speed), 0.0,
+                                      m.knee_motor.torque)
+                         : 0.0;
+    return torque;
+  }
+};
+
+}  // namespace cca::sim

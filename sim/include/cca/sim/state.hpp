@@ -1,0 +1,85 @@
+#pragma once
+// The state of a world as a plain value: what must be put back for a run to go on bit for bit.
+//
+// The engine's own part is exactly position, rotation (as quaternion and as matrix: the engine keeps both, and normalising one
+// anew would change bits), velocity and angular velocity of every body. Forces are cleared by each step, contacts are made anew
+// in each, joints hold no state that isn't in the bodies (measured: tests/runtime/sim/snapshot.cpp).
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include <ode/ode.h>
+
+#include <cca/sim/interface.hpp>
+#include <cca/sim/motors.hpp>
+
+namespace cca::sim {
+
+inline constexpr std::size_t body_count = 1 + 4 * leg_count;  // trunk; upper, middle, lower, toe of each leg
+
+struct body_state {
+  std::array<double, 3> position;
+  std::array<double, 4> quaternion;
+  std::array<double, 12> rotation;  // the engine's 3 x 4 rows
+  std::array<double, 3> velocity;
+  std::array<double, 3> angular_velocity;
+};
+
+// Motors with what they remember: targets that were taken last, the feed-forward's former target, the cable.
+struct leg_motors {
+  leg_command target;
+  double former_hip_target = 0;
+  double hip_target_speed = 0;
+  cable_winch cable;
+};
+
+struct world_state {
+  std::array<body_state, body_count> bodies;
+  std::array<leg_motors, leg_count> motors{};
+  robot_reading reading{};
+  vector3 push{};              // N on the trunk, until it is set anew
+  double positive_work = 0;    // J, mechanical work that the motors gave, braking not counted
+  double absolute_work = 0;    // J, the same with braking counted as spent
+  double pantograph_error = 0; // rad, the largest so far
+  std::int64_t beats = 0;
+  std::int64_t commands = 0;        // that were given
+  std::int64_t trunk_contacts = 0;  // physics steps with the trunk on the ground
+  std::int64_t knee_contacts = 0;   // contacts of knees and ankles
+};
+
+static_assert(std::is_trivially_copyable_v<world_state>);
+static_assert(sizeof(world_state) % sizeof(double) == 0, "eight-byte members only: no padding, so bytes are the value");
+
+inline bool same_bits(const world_state& a, const world_state& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+// FNV-1a over all bytes.
+inline std::uint64_t hash(const world_state& s) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(&s);
+  std::uint64_t h = 0xcbf29ce484222325U;
+  for (std::size_t i = 0; i < sizeof s; ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
+  return h;
+}
+
+inline body_state save_body(dBodyID body) {
+  body_state s;
+  std::memcpy(s.position.data(), dBodyGetPosition(body), sizeof s.position);
+  std::memcpy(s.quaternion.data(), dBodyGetQuaternion(body), sizeof s.quaternion);
+  std::memcpy(s.rotation.data(), dBodyGetRotation(body), sizeof s.rotation);
+  std::memcpy(s.velocity.data(), dBodyGetLinearVel(body), sizeof s.velocity);
+  std::memcpy(s.angular_velocity.data(), dBodyGetAngularVel(body), sizeof s.angular_velocity);
+  return s;
+}
+
+inline void restore_body(dBodyID body, const body_state& s) {
+  dBodySetPosition(body, s.position[0], s.position[1], s.position[2]);  // also tells the body's geometry that it moved
+  // dBodySetQuaternion would normalise: bits are written where the engine keeps them.
+  std::memcpy(const_cast<dReal*>(dBodyGetQuaternion(body)), s.quaternion.data(), sizeof s.quaternion);
+  std::memcpy(const_cast<dReal*>(dBodyGetRotation(body)), s.rotation.data(), sizeof s.rotation);
+  dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);
+  dBodySetAngularVel(body, s.angular_velocity[0], s.angular_velocity[1], s.angular_velocity[2]);
+  dBodySetForce(body, 0, 0, 0);
+  dBodySetTorque(body, 0, 0, 0);
+}
+
+}  // namespace cca::sim
