@@ -1,0 +1,82 @@
+// Types for the fields of a `parameters` struct that say more than `double` does: a range, a unit, a short text.
+//
+//   (cca::bounded<double, 0.1, 5.0>, frequency)           0.1 to 5
+//   (cca::quantity<cca::angle>, offset)                   with a unit: "30 deg" in a file, radians here
+//   (cca::quantity<cca::angle, -0.9, 0.9>, hip)           with a unit and a range, in SI units
+//   (cca::text<16>, name)                                 up to 16 bytes, without the heap
+//
+// All convert to the plain type by themselves. They hold what they are given: the range is checked where values come
+// from outside, when parameters are loaded or set, so that a beat pays nothing for it. A bound that is infinite lets
+// that infinity in; everywhere else a number is finite. NaN is refused always.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include <cca/space/quantity.hpp>
+
+namespace cca {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+namespace detail {
+
+template <class Type, Type Lower, Type Upper>
+struct ranged {
+  static_assert(Lower <= Upper, "cca: the lower bound of a parameter lies above the upper one");
+  using value_type = Type;
+  static constexpr Type lower = Lower, upper = Upper;
+
+  constexpr ranged() = default;
+  constexpr ranged(Type value) : held(value) {}
+  constexpr operator Type() const { return held; }
+  constexpr Type value() const { return held; }
+
+private:
+  Type held = Lower > Type{0} ? Lower : Upper < Type{0} ? Upper : Type{0};
+};
+
+inline constexpr double most = std::numeric_limits<double>::max();
+
+}  // namespace detail
+
+// A number from Lower to Upper, both included. The bounds are written as they come: `bounded<double, 0, 5>`.
+template <class Type, auto Lower, auto Upper>
+struct bounded : detail::ranged<Type, static_cast<Type>(Lower), static_cast<Type>(Upper)> {
+  using detail::ranged<Type, static_cast<Type>(Lower), static_cast<Type>(Upper)>::ranged;
+};
+
+// A number with the unit of a quantity.
+template <class Quantity, auto Lower = -detail::most, auto Upper = detail::most>
+struct quantity : detail::ranged<double, static_cast<double>(Lower), static_cast<double>(Upper)> {
+  using detail::ranged<double, static_cast<double>(Lower), static_cast<double>(Upper)>::ranged;
+  using measures = Quantity;
+};
+
+template <std::size_t Capacity>
+struct text {
+  static constexpr std::size_t capacity = Capacity;
+
+  constexpr text() = default;
+  template <std::size_t Size>
+    requires(Size <= Capacity + 1)
+  constexpr text(const char (&literal)[Size]) { (void)assign({literal, Size - 1}); }
+
+  // False, and nothing is changed, if it's too long.
+  [[nodiscard]] constexpr bool assign(std::string_view from) {
+    if (from.size() > Capacity) return false;
+    for (std::size_t i = 0; i < Capacity; ++i) held[i] = i < from.size() ? from[i] : '\0';
+    size = from.size();
+    return true;
+  }
+  constexpr std::string_view view() const { return {held, size}; }
+  constexpr operator std::string_view() const { return view(); }
+  friend constexpr bool operator==(const text& a, const text& b) { return a.view() == b.view(); }
+
+private:
+  char held[Capacity + 1]{};
+  std::size_t size = 0;
+};
+
+}  // namespace cca

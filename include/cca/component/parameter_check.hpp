@@ -1,0 +1,121 @@
+// Whether the values of a parameters struct are allowed: each number finite and in its range, each choice one of its
+// names, and the struct's own `check()` content. Runs between beats, where it may allocate.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/component/schema.hpp>
+
+namespace cca::detail {
+
+struct complaint {
+  std::string path, what;
+};
+
+inline std::string number_text(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+inline std::string number_text(const schema& type, double value) {
+  if (!type.single) return number_text(value);
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, static_cast<float>(value)).ptr};
+}
+
+inline std::string with_unit(std::string text, const schema& type) {
+  return type.units ? text.append(" ").append(type.units->text) : text;
+}
+
+// "0.1 to 5", "at least 0 rad", or empty for any number.
+inline std::string range_text(const schema& type) {
+  if (type.what == kind::integer) return std::to_string(type.lowest) + " to " + std::to_string(type.highest);
+  const double all = type.single ? static_cast<double>(std::numeric_limits<float>::max()) : most;
+  const bool below = type.lower > -all, above = type.upper < all;
+  const std::string from = number_text(type, type.lower), to = number_text(type, type.upper);
+  if (!below && !above) return {};
+  if (!above) return with_unit("at least " + from, type);
+  if (!below) return with_unit("at most " + to, type);
+  return with_unit(from + " to " + to, type);
+}
+
+// "flat, slope or steps"
+inline std::string names_text(const schema& type) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < type.count; ++i)
+    if (!type.names[i].empty()) names.push_back(type.names[i]);
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
+  return text;
+}
+
+// What is wrong with a number, or empty. `shown` is how the user wrote it.
+inline std::string number_complaint(const schema& type, double value, const std::string& shown) {
+  if (value >= type.lower && value <= type.upper) return {};
+  const std::string range = range_text(type);
+  if (!std::isfinite(value)) return shown + " is not allowed, expected " + (range.empty() ? "a finite number" : range);
+  return range.empty() ? shown + " is too large for a float" : shown + " is out of range, expected " + range;
+}
+
+inline std::string integer_complaint(const schema& type, std::int64_t value) {
+  if (value >= type.lowest && value <= type.highest) return {};
+  return std::to_string(value) + " is out of range, expected " + range_text(type);
+}
+
+// TOML is UTF-8: what isn't can't be written to a file.
+constexpr bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    const int more = lead < 0x80 ? 0 : lead >= 0xC2 && lead < 0xE0 ? 1 : lead >= 0xE0 && lead < 0xF0 ? 2 : lead >= 0xF0 && lead < 0xF5 ? 3 : -1;
+    if (more < 0) return false;
+    for (int k = 0; k < more; ++k, ++i) {
+      const auto next = i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+      const bool overlong = k == 0 && ((lead == 0xE0 && next < 0xA0) || (lead == 0xF0 && next < 0x90));
+      const bool outside = k == 0 && ((lead == 0xED && next > 0x9F) || (lead == 0xF4 && next > 0x8F));
+      if ((next & 0xC0) != 0x80 || overlong || outside) return false;
+    }
+  }
+  return true;
+}
+
+inline std::string value_complaint(const schema& type, const void* value) {
+  switch (type.what) {
+    case kind::integer: return integer_complaint(type, type.integer(value));
+    case kind::number: return number_complaint(type, type.number(value), with_unit(number_text(type, type.number(value)), type));
+    case kind::choice: {
+      const std::int64_t i = type.integer(value);
+      if (i >= 0 && i < static_cast<std::int64_t>(type.count) && !type.names[i].empty()) return {};
+      return "the value " + std::to_string(i) + " has no name, expected " + names_text(type);
+    }
+    case kind::text: return is_utf8(type.characters(value)) ? "" : "the text is not UTF-8";
+    default: return {};
+  }
+}
+
+inline std::string member_path(const std::string& table, std::string_view name) {
+  return table.empty() ? std::string(name) : std::string(table).append(".").append(name);
+}
+
+inline std::string element_path(const std::string& array, std::size_t i) { return array + "[" + std::to_string(i) + "]"; }
+
+// A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN.
+inline void check(const schema& type, const void* value, const std::string& path, std::vector<complaint>& found) {
+  const std::size_t before = found.size();
+  if (type.what == kind::table) {
+    for (std::size_t i = 0; i < type.count; ++i)
+      check(*type.members[i].type, type.members[i].of(value), member_path(path, type.members[i].name), found);
+    if (!type.complaint || found.size() != before) return;
+    if (auto what = type.complaint(value); !what.empty()) found.push_back({path, std::move(what)});
+  } else if (type.what == kind::array) {
+    for (std::size_t i = 0; i < type.count; ++i) check(*type.element, type.at(value, i), element_path(path, i), found);
+  } else if (auto what = value_complaint(type, value); !what.empty()) {
+    found.push_back({path, std::move(what)});
+  }
+}
+
+}  // namespace cca::detail

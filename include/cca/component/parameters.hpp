@@ -1,0 +1,121 @@
+// Parameters: what a user may set of a component, from a file or between two beats.
+//
+//   struct hopf {
+//     struct parameters { BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency), (cca::quantity<cca::angle>, offset)); };
+//     parameters p{1.5, 0.0};
+//
+// A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a std::array or
+// fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a `check() const`, which returns
+// a text: empty, or what is wrong. Errors: rule parameters.unsupported_type; `cca::refused` for values.
+// Example: docs/parameters.md.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <cca/component/parameter_check.hpp>
+#include <cca/component/refused.hpp>
+#include <cca/component/schema.hpp>
+
+namespace cca {
+
+template <class Component>
+concept HasParameters = requires(Component& component) {
+  typename Component::parameters;
+  requires std::same_as<decltype(component.p), typename Component::parameters>;
+};
+
+namespace detail {
+
+// The dotted name of the first field that no file can hold, and its type as spelled by the compiler; both empty if
+// there is none.
+struct unsupported {
+  char path[128]{};
+  std::size_t size = 0;
+  std::string_view type{};
+};
+
+constexpr bool find_unsupported(const schema& type, std::size_t size, unsupported& found) {
+  if (type.what == kind::array) return find_unsupported(*type.element, size, found);
+  if (type.what == kind::unsupported) {
+    found.size = size;
+    found.type = type.spelling;
+    return true;
+  }
+  if (type.what != kind::table) return false;
+  for (std::size_t i = 0; i < type.count; ++i) {
+    std::size_t end = size;
+    if (size != 0 && end < sizeof found.path) found.path[end++] = '.';
+    for (const char c : type.members[i].name)
+      if (end < sizeof found.path) found.path[end++] = c;
+    if (find_unsupported(*type.members[i].type, end, found)) return true;
+  }
+  return false;
+}
+
+template <class Parameters>
+inline constexpr unsupported first_unsupported = [] {
+  unsupported found;
+  // Not a table at all: there is no BOOST_HANA_DEFINE_STRUCT in it.
+  if (schema_of<Parameters>.what != kind::table) {
+    found.path[0] = 'p';
+    found.size = 1;
+    found.type = spelled<Parameters>();
+  } else if (!std::is_copy_constructible_v<Parameters> || !std::is_copy_assignable_v<Parameters>) {
+    if (!find_unsupported(schema_of<Parameters>, 0, found)) {
+      found.path[0] = 'p';
+      found.size = 1;
+      found.type = spelled<Parameters>();
+    }
+  } else {
+    find_unsupported(schema_of<Parameters>, 0, found);
+  }
+  return found;
+}();
+
+template <class Parameters>
+constexpr std::string_view unsupported_field() {
+  return {first_unsupported<Parameters>.path, first_unsupported<Parameters>.size};
+}
+
+template <class Parameters>
+constexpr std::string_view unsupported_type() {
+  return first_unsupported<Parameters>.type;
+}
+
+// A `parameters` struct without the member `p` would be ignored in silence.
+template <class Component>
+concept ForgotParameters = requires { typename Component::parameters; } && !HasParameters<Component>;
+
+inline void refuse(const std::vector<complaint>& found) {
+  if (found.empty()) return;
+  std::string text;
+  for (const complaint& one : found)
+    text.append(text.empty() ? "" : "\n").append(one.path).append(one.path.empty() ? "" : ": ").append(one.what);
+  throw refused(text);
+}
+
+}  // namespace detail
+
+// Throws `cca::refused` with all that is wrong, a line each: `cpg.frequency: 9 is out of range, expected 0.1 to 5`.
+template <class Parameters>
+void check_parameters(const Parameters& values, std::string_view path = {}) {
+  std::vector<detail::complaint> found;
+  detail::check(detail::schema_of<Parameters>, &values, std::string(path), found);
+  detail::refuse(found);
+}
+
+namespace detail {
+
+// Whole and checked before: if they are refused, the component keeps its old ones.
+template <HasParameters Component>
+void apply_parameters(Component& component, const typename Component::parameters& values, std::string_view path = {}) {
+  check_parameters(values, path);
+  component.p = values;
+}
+
+}  // namespace detail
+}  // namespace cca
