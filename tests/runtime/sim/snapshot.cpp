@@ -1,0 +1,107 @@
+// Same commands, same bits: again, after a copy, after save and restore, and in two threads at once.
+#include <thread>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "standing.hpp"
+
+using namespace test;
+
+TEST_SUITE("sim snapshot") {
+  TEST_CASE("two worlds built alike and commanded alike are bit-identical") {
+    sim::world a(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+    sim::world b(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+    for (int part = 0; part < 4; ++part) {  // stepped in turns, so that state shared by accident would show
+      run(a, 250 * part, 250 * (part + 1));
+      run(b, 250 * part, 250 * (part + 1));
+      REQUIRE(a.hash() == b.hash());
+    }
+  }
+
+  TEST_CASE("one bit less of friction is another run") {
+    sim::world a(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+    sim::world b(sim::oncilla_defaults, sim::terrain::flat().with_friction(std::nextafter(0.75, 0)), crouched());
+    run(a, 0, 1000);
+    run(b, 0, 1000);
+    CHECK(a.hash() != b.hash());
+  }
+
+  TEST_CASE("a copy is a snapshot: original and copy go on bit for bit") {
+    for (const char* ground : {"flat", "slope:4", "steps:8"}) {
+      sim::world original(sim::oncilla_defaults, sim::terrain::named(ground), crouched());
+      run(original, 0, 777);
+      sim::world copy(original);
+      CHECK(sim::same_bits(copy.save(), original.save()));
+      run(original, 777, 1500);
+      CHECK(!sim::same_bits(copy.save(), original.save()));
+      run(copy, 777, 1500);
+      CHECK(sim::same_bits(copy.save(), original.save()));
+
+      sim::world assigned;
+      assigned = original;
+      sim::world moved(std::move(original));
+      run(assigned, 1500, 1800);
+      run(moved, 1500, 1800);
+      run(copy, 1500, 1800);
+      CHECK(sim::same_bits(assigned.save(), copy.save()));
+      CHECK(sim::same_bits(moved.save(), copy.save()));
+    }
+  }
+
+  TEST_CASE("save, run on, restore, run again: the same bits, beat by beat") {
+    sim::world w(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+    run(w, 0, 600);
+    const sim::world_state saved = w.save();
+    std::vector<std::uint64_t> first;
+    for (int k = 600; k < 900; ++k) {
+      run(w, k, k + 1);
+      first.push_back(w.hash());
+    }
+    w.restore(saved);
+    CHECK(sim::same_bits(w.save(), saved));
+    for (int k = 600; k < 900; ++k) {
+      run(w, k, k + 1);
+      REQUIRE(w.hash() == first[static_cast<std::size_t>(k - 600)]);
+    }
+  }
+
+  TEST_CASE("restoring keeps every bit, also where the engine would normalise") {
+    sim::world w(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+    run(w, 0, 333);
+    for (int k = 333; k < 400; ++k) {
+      const sim::world_state s = w.save();
+      w.restore(s);
+      REQUIRE(sim::same_bits(w.save(), s));
+      run(w, k, k + 1);
+    }
+  }
+
+  TEST_CASE("two worlds in two threads are what one is alone") {
+    const auto hash_of_run = [] {
+      sim::world w(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+      run(w, 0, 1500);
+      return w.hash();
+    };
+    const std::uint64_t alone = hash_of_run();
+    std::uint64_t left = 0, right = 0;
+    std::thread a([&] { left = hash_of_run(); });
+    std::thread b([&] { right = hash_of_run(); });
+    a.join();
+    b.join();
+    CHECK(left == alone);
+    CHECK(right == alone);
+  }
+
+  TEST_CASE("a world may be built in one thread, stepped in another and copied in a third") {
+    sim::world w(sim::oncilla_defaults, sim::terrain::flat(), crouched());
+    sim::world reference(w);
+    run(reference, 0, 400);
+    std::thread([&] { run(w, 0, 200); }).join();
+    std::thread([&] {
+      sim::world copy(w);
+      run(copy, 200, 400);
+      CHECK(copy.hash() == reference.hash());
+    }).join();
+  }
+}

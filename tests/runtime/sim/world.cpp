@@ -1,0 +1,175 @@
+// The world: what the robot weighs and how tall it stands, forces that balance, limits that hold, input that is not a number.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "standing.hpp"
+
+using namespace test;
+
+namespace {
+const sim::oncilla_model& m = sim::oncilla_defaults;
+
+sim::world standing(const sim::terrain& ground = sim::terrain::flat()) {
+  sim::world w(m, ground, crouched());
+  for (int k = 0; k < 3000; ++k) w.advance(stand());
+  return w;
+}
+}  // namespace
+
+TEST_SUITE("sim world") {
+  TEST_CASE("it weighs 5.1 kg and stands with its hips 0.16 to 0.18 m high") {
+    const sim::world w = standing();
+    CHECK(w.mass() == doctest::Approx(5.1));
+    CHECK(w.hip_height() > 0.16);
+    CHECK(w.hip_height() < 0.18);
+    CHECK(!w.fallen());
+    CHECK(w.knee_contacts() == 0);
+  }
+
+  TEST_CASE("standing, the feet carry the weight and the sensors show gravity") {
+    sim::world w = standing();
+    sim::vector3 sum{}, force{};
+    constexpr int beats = 2000;  // the springs still swing a little: compare means
+    for (int k = 0; k < beats; ++k) {
+      w.advance(stand());
+      for (const auto& l : w.reading().legs) {
+        for (std::size_t a = 0; a < 3; ++a) sum[a] += l.foot_force[a] / beats;
+      }
+      for (std::size_t a = 0; a < 3; ++a) force[a] += w.reading().trunk.specific_force[a] / beats;
+    }
+    CHECK(sum[2] == doctest::Approx(w.mass() * m.gravity).epsilon(0.01));
+    CHECK(std::abs(sum[0]) < 0.5);
+    CHECK(std::abs(sum[1]) < 0.5);
+    CHECK(std::hypot(force[0], force[1], force[2]) == doctest::Approx(m.gravity).epsilon(0.01));
+    for (const auto& l : w.reading().legs) CHECK(l.contact());
+  }
+
+  TEST_CASE("in the air there is no contact and no specific force") {
+    sim::oncilla_model weightless = m;
+    weightless.gravity = 0;
+    sim::initial_posture up = crouched();
+    up.trunk_velocity = {0, 0, 1};
+    sim::world w(weightless, sim::terrain::flat(), up);
+    for (int k = 0; k < 300; ++k) w.advance(stand());
+    for (const auto& l : w.reading().legs) CHECK(!l.contact());
+    CHECK(w.trunk_position()[2] > 0.25);
+  }
+
+  TEST_CASE("torques stay within the motors whatever is commanded") {
+    sim::world w(m, sim::terrain::flat(), crouched());
+    for (int k = 0; k < 1500; ++k) {
+      sim::robot_command wild;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double s = (k / 40 + static_cast<int>(i)) % 2 == 0 ? 1e6 : -1e6;
+        wild[i] = {s, -s, s, 1e9};
+      }
+      w.advance(wild);
+      for (const auto& l : w.reading().legs) {
+        REQUIRE(std::abs(l.hip.torque) <= m.hip_motor.torque);
+        REQUIRE(l.knee.torque >= 0);
+        REQUIRE(l.knee.torque <= m.knee_motor.torque);
+        REQUIRE(std::abs(l.abduction.torque) <= m.abduction_motor.torque);
+        REQUIRE(std::isfinite(l.hip.angle + l.knee.angle + l.abduction.angle + l.toe.angle));
+        REQUIRE(l.knee.angle > m.knee_range.low - 0.1);
+        REQUIRE(l.knee.angle < m.knee_range.high + 0.1);
+        REQUIRE(std::abs(l.toe.angle) < m.toe_range.high + 0.15);
+      }
+    }
+  }
+
+  TEST_CASE("a target that is not finite is not taken: the last finite one is kept, bit for bit") {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    sim::world sound(m, sim::terrain::flat(), crouched()), fed(sound);
+    run(sound, 0, 500);
+    run(fed, 0, 500);
+    const sim::robot_command last = swinging(499);
+    for (int k = 0; k < 200; ++k) {
+      sim::robot_command bad;
+      for (std::size_t i = 0; i < 4; ++i) bad[i] = {nan, inf, -inf, nan};
+      bad[2].hip_stiffness = -5;
+      fed.push({nan, inf, 0});
+      sound.push({sound.save().push[0], sound.save().push[1], 0});
+      fed.advance(bad);
+      sound.advance(last);
+    }
+    CHECK(fed.hash() == sound.hash());
+
+    sim::world never_told(m, sim::terrain::flat(), crouched());
+    sim::robot_command bad;
+    for (auto& c : bad) c = {nan, nan, nan, nan};
+    for (int k = 0; k < 1000; ++k) never_told.advance(bad);
+    CHECK(!never_told.fallen());
+  }
+
+  TEST_CASE("a push moves it, along the push") {
+    sim::world w = standing();
+    const double before = w.trunk_position()[1];
+    w.push({0, 12, 0});
+    for (int k = 0; k < 60; ++k) w.advance(stand());
+    w.push({});
+    CHECK(w.trunk_velocity()[1] > 0.03);
+    CHECK(w.trunk_position()[1] > before);
+    for (int k = 0; k < 2000; ++k) w.advance(stand());
+    CHECK(!w.fallen());
+  }
+
+  TEST_CASE("pushed on ice it slides away, pushed on rubber it leans and stays") {
+    const auto moved_by_push = [](double friction) {
+      sim::world w = standing(sim::terrain::flat().with_friction(friction));
+      const double before = w.trunk_position()[1];
+      w.push({0, 6, 0});
+      for (int k = 0; k < 300; ++k) w.advance(stand());
+      w.push({});
+      for (int k = 0; k < 1000; ++k) w.advance(stand());
+      return std::abs(w.trunk_position()[1] - before);
+    };
+    CHECK(moved_by_push(0.8) < 0.03);
+    CHECK(moved_by_push(0.02) > 0.15);
+  }
+
+  TEST_CASE("on a slope that falls away under it, every foot finds the ground") {
+    const sim::terrain ramp = sim::terrain::slope(sim::degrees(-6), 0.0);
+    sim::world w(m, ramp, crouched());
+    for (int k = 0; k < 1000; ++k) w.advance(stand());
+    for (std::size_t i = 0; i < 4; ++i) {
+      const sim::vector3 foot = w.foot_position(i);
+      CHECK(foot[2] - ramp.height(foot[0]) == doctest::Approx(m.foot_radius).epsilon(0.25));
+    }
+  }
+
+  TEST_CASE("terrain: heights, names and what is refused") {
+    CHECK(sim::terrain::flat().height(7) == 0);
+    const sim::terrain slope = sim::terrain::named("slope:5");
+    CHECK(slope.height(1.0) == 0);
+    CHECK(slope.height(2.5) == doctest::Approx(std::tan(sim::degrees(5))));
+    CHECK(sim::terrain::named("slope:-5").height(0) == 0);
+    const sim::terrain steps = sim::terrain::named("steps:10");
+    CHECK(steps.height(1.4) == 0);
+    CHECK(steps.height(1.6) == doctest::Approx(0.010));
+    CHECK(steps.height(2.2) == doctest::Approx(0.020));
+    for (const char* bad : {"", "hill", "slope:", "slope:x", "slope:5x", "slope:60", "flat:1", "steps:nan"})
+      CHECK_THROWS_AS(sim::terrain::named(bad), std::invalid_argument);
+  }
+
+  TEST_CASE("disturbances come from their seed and stay in their ranges") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const auto d = sim::disturbance::from_seed(seed, 20), again = sim::disturbance::from_seed(seed, 20);
+      CHECK(d.friction == again.friction);
+      CHECK(d.pushes[2].force == again.pushes[2].force);
+      CHECK(d.friction >= 0.6);
+      CHECK(d.friction < 0.9);
+      for (const sim::push& p : d.pushes) {
+        const double strength = std::hypot(p.force[0], p.force[1]);
+        CHECK(strength >= 8 - 1e-12);
+        CHECK(strength <= 16);
+        CHECK(p.start >= 2);
+        CHECK(p.start < 19);
+      }
+      for (double x : d.hip_offset) CHECK(std::abs(x) <= 0.06);
+      for (double x : d.knee_offset) CHECK(std::abs(x) <= 0.08);
+    }
+  }
+}
