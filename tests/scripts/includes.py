@@ -13,7 +13,7 @@ import sys
 MOST_LINES = 300
 FOLDERS = ["space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["space", "component", "graph"], "config": ["space", "component"]}
-UMBRELLAS = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"]}  # directly in cca/: each collects what it names
+TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"]}  # directly in cca/: what each may include
 FREE = ["version.hpp"]  # needs nothing, so anything may include it
 
 
@@ -34,25 +34,18 @@ def cca_include(where, target, core):
         return "an adapter includes another one" if outside and target.split("/")[0] != where.split("/")[0] else None
     if outside:
         return "the core includes an adapter"
-    if "/" in where:
-        may = allowed(where.split("/")[0])
-        if may is None:
-            return "its folder is not in the layout"
-    elif where in UMBRELLAS:
-        may = UMBRELLAS[where]
-        if target in UMBRELLAS and UMBRELLAS[target] is not may:
-            return None if where == "config.hpp" and target == "cca.hpp" else "an umbrella includes another one"
-    else:
-        return "only cca.hpp, config.hpp and version.hpp stand directly in cca/"
     if "/" not in target:
-        return f"includes the umbrella {target}: include what is needed"
+        return f"no header includes {target}: include what is needed"
+    may = allowed(where.split("/")[0]) if "/" in where else TOP.get(where)
+    if may is None:
+        return "this header has no place in the layout"
     return None if target.split("/")[0] in may else f"may include only from: {' '.join(may)}"
 
 
 def other_include(where, target, core):
     """The same for a header of another library."""
-    if target.startswith("toml++/") and not where.startswith("config/"):
-        return "toml++ belongs in config/"
+    if target.startswith("toml++/") and not where.startswith(("config/", "config.hpp")):
+        return "toml++ belongs in config.hpp and config/"
     if target.startswith("ode/") and (core or not where.startswith("sim/")):
         return "the physics engine belongs in sim/"
     if target == "boost/hana.hpp":

@@ -31,7 +31,7 @@ class Includes(Tree):
         self.found("include/cca/graph/a.hpp", "vector", "Eigen/Core", "cca/space/b.hpp", "cca/graph/c.hpp", "cca/version.hpp")
         self.found("include/cca/runtime/a.hpp", "cca/graph/a.hpp")
         self.found("include/cca/config/a.hpp", "toml++/toml.h", "cca/component/a.hpp")
-        self.found("include/cca/config.hpp", "cca/config/a.hpp")
+        self.found("include/cca/config.hpp", "toml++/toml.h", "cca/config/a.hpp", "cca/component/a.hpp")
         self.found("include/cca/cca.hpp", "cca/graph/a.hpp", "cca/runtime/a.hpp")
         self.assertEqual(self.found("sim/include/cca/sim/a.hpp", "cca/robot/a.hpp", "cca/cca.hpp", "ode/ode.h", "cca/sim/b.hpp"), [])
 
