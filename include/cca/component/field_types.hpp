@@ -37,7 +37,7 @@ private:
   Type held = Lower > Type{0} ? Lower : Upper < Type{0} ? Upper : Type{0};
 };
 
-inline constexpr double most = std::numeric_limits<double>::max();
+inline constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace detail
 
@@ -48,10 +48,10 @@ struct bounded : detail::ranged<Type, static_cast<Type>(Lower), static_cast<Type
 };
 
 // A number with the unit of a quantity.
-template <class Quantity, auto Lower = -detail::most, auto Upper = detail::most>
+template <Quantity Measures, auto Lower = -detail::largest_double, auto Upper = detail::largest_double>
 struct quantity : detail::ranged<double, static_cast<double>(Lower), static_cast<double>(Upper)> {
   using detail::ranged<double, static_cast<double>(Lower), static_cast<double>(Upper)>::ranged;
-  using measures = Quantity;
+  using measures = Measures;
 };
 
 template <std::size_t Capacity>

@@ -10,10 +10,10 @@ namespace cca::detail {
 
 // Number of letters to insert, remove, replace or swap with their neighbour. Long names are compared by their first part.
 constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
-  constexpr std::size_t most = 48;
-  a = a.substr(0, most);
-  b = b.substr(0, most);
-  std::array<std::array<std::size_t, most + 1>, 3> rows{};
+  constexpr std::size_t longest = 48;
+  a = a.substr(0, longest);
+  b = b.substr(0, longest);
+  std::array<std::array<std::size_t, longest + 1>, 3> rows{};
   for (std::size_t j = 0; j <= b.size(); ++j) rows[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     auto& row = rows[i % 3];

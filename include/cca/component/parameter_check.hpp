@@ -28,13 +28,13 @@ inline std::string number_text(const schema& type, double value) {
 }
 
 inline std::string with_unit(std::string text, const schema& type) {
-  return type.units ? text.append(" ").append(type.units->text) : text;
+  return type.unit.empty() ? text : text.append(" ").append(type.unit);
 }
 
 // "0.1 to 5", "at least 0 rad", or empty for any number.
 inline std::string range_text(const schema& type) {
   if (type.what == kind::integer) return std::to_string(type.lowest) + " to " + std::to_string(type.highest);
-  const double all = type.single ? static_cast<double>(std::numeric_limits<float>::max()) : most;
+  const double all = type.single ? static_cast<double>(std::numeric_limits<float>::max()) : largest_double;
   const bool below = type.lower > -all, above = type.upper < all;
   const std::string from = number_text(type, type.lower), to = number_text(type, type.upper);
   if (!below && !above) return {};

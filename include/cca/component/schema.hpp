@@ -16,8 +16,8 @@
 #include <cca/component/enumerators.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/component/reflect.hpp>
-#include <cca/component/unit_spellings.hpp>
 #include <cca/space/type_name.hpp>
+#include <cca/space/units.hpp>
 
 namespace cca::detail {
 
@@ -45,8 +45,10 @@ struct schema {
   double (*number)(const void*) = nullptr;
   void (*set_number)(void*, double) = nullptr;
   double lower = 0, upper = 0;
+  bool stated_range = false;  // by `bounded` or `quantity`, not only by what the type holds
   bool single = false;
-  const unit_spelling* units = nullptr;  // ends with an empty one; the first is the SI unit
+  std::string_view unit{};  // the SI unit, empty for a plain number
+  const cca::unit* units = nullptr;  // in which it may be written, as in units_of
 
   // text, of at most `count` bytes
   std::string_view (*characters)(const void*) = nullptr;
@@ -145,8 +147,12 @@ constexpr schema ranged_schema() {
     result = integer_schema<held>(clipped(Type::lower), clipped(Type::upper));
   } else {
     result = number_schema<held>(Type::lower, Type::upper);
-    if constexpr (requires { typename Type::measures; }) result.units = unit_spellings_of<typename Type::measures>;
+    if constexpr (requires { typename Type::measures; }) {
+      result.unit = Type::measures::unit;
+      result.units = units_of<typename Type::measures>;
+    }
   }
+  result.stated_range = true;
   return result;
 }
 

@@ -1,0 +1,54 @@
+// All that is wrong with a file, told at once: `trot.toml:12: cpg.frequency: expected a number, got a string "fast"`.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include <cca/component/refused.hpp>
+
+namespace cca::detail {
+
+class problems {
+public:
+  explicit problems(std::string_view file) : name(file) {}
+
+  // `where` may be null: then it's a thing that the file doesn't mention.
+  void add(const toml::source_region* where, std::string_view path, std::string what) {
+    found.push_back({where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path), std::move(what)});
+  }
+  void add(const toml::node& where, std::string_view path, std::string what) { add(&where.source(), path, std::move(what)); }
+
+  std::size_t count() const { return found.size(); }
+  const std::string& file() const { return name; }
+
+  // Throws what was found, in the order of the file.
+  void refuse() {
+    if (found.empty()) return;
+    std::ranges::stable_sort(found, [](const problem& a, const problem& b) { return std::pair(a.line, a.column) < std::pair(b.line, b.column); });
+    constexpr std::size_t shown = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(shown, found.size()); ++i) {
+      text.append(i ? "\n" : "").append(name).append(":");
+      if (found[i].line) text.append(std::to_string(found[i].line)).append(":");
+      text.append(" ").append(found[i].path).append(found[i].path.empty() ? "" : ": ").append(found[i].what);
+    }
+    if (found.size() > shown) text.append("\n").append(name).append(": and ").append(std::to_string(found.size() - shown)).append(" more");
+    throw refused(text);
+  }
+
+private:
+  struct problem {
+    unsigned line, column;
+    std::string path, what;
+  };
+  std::string name;
+  std::vector<problem> found;
+};
+
+}  // namespace cca::detail
