@@ -2,7 +2,7 @@
 
 include(CMakePackageConfigHelpers)
 
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/cca)
+set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/cca)  # headers only: the same on every architecture
 foreach(component cca ${CCA_COMPONENTS})
   install(EXPORT cca-${component} FILE cca-${component}-targets.cmake NAMESPACE cca:: DESTINATION ${package_dir})
 endforeach()

@@ -1,6 +1,7 @@
 # Makes a repository of what a user's project fetches, as it stands in the work tree: the headers and the CMake files.
 
-file(REMOVE_RECURSE ${snapshot})
+file(REMOVE_RECURSE ${work})
+set(snapshot ${work}/snapshot)
 file(COPY ${source}/include ${source}/sim ${source}/cmake ${source}/CMakeLists.txt ${source}/LICENSE DESTINATION ${snapshot})
 
 foreach(command "init;--quiet;--initial-branch=main" "add;--all" "-c;user.name=cca;-c;user.email=cca@localhost;commit;--quiet;--message=snapshot")
