@@ -15,7 +15,7 @@ namespace cca::sim {
 // The library, once in a process, and its data of the calling thread, once in a thread.
 inline void prepare_engine() {
   static const bool library = dInitODE2(0) != 0;
-  thread_local const bool data = library && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  thread_local const bool data = library && dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
   if (!data) throw std::runtime_error("the Open Dynamics Engine cannot be initialised");
 }
 
