@@ -5,6 +5,7 @@
 // Example: docs/parameters.md.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,12 +20,18 @@
 
 namespace cca::detail {
 
-inline toml::table parse(std::string_view text, problems& found) {
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+inline toml::table parse(std::string_view text, const problems& found) {
   try {
     return toml::parse(text, found.file());
   } catch (const toml::parse_error& error) {
     const auto at = error.source().begin;
-    throw refused(found.file() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": not TOML: " + std::string(error.description()));
+    for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    const auto line = text.substr(0, text.find_first_of("\r\n"));
+    const char saw = at.column >= 1 && at.column <= line.size() ? line[at.column - 1] : ' ';
+    throw refused(found.file() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": not TOML: " + std::string(error.description()) +
+                  ", in `" + shortened(line) + "`" + (is_letter(saw) ? " (a text, or a number with its unit, stands in quotes)" : ""));
   }
 }
 

@@ -20,17 +20,19 @@ public:
 
   // `where` may be null: then it's a thing that the file doesn't mention.
   void add(const toml::source_region* where, std::string_view path, std::string what) {
-    found.push_back({where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path), std::move(what)});
+    problem next{where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path), std::move(what)};
+    // In the order of the file, whatever the order of reading.
+    const auto before = [](const problem& a, const problem& b) { return std::pair(a.line, a.column) < std::pair(b.line, b.column); };
+    found.insert(std::ranges::upper_bound(found, next, before), std::move(next));
   }
   void add(const toml::node& where, std::string_view path, std::string what) { add(&where.source(), path, std::move(what)); }
 
   std::size_t count() const { return found.size(); }
   const std::string& file() const { return name; }
 
-  // Throws what was found, in the order of the file.
-  void refuse() {
+  // Throws what was found.
+  void refuse() const {
     if (found.empty()) return;
-    std::ranges::stable_sort(found, [](const problem& a, const problem& b) { return std::pair(a.line, a.column) < std::pair(b.line, b.column); });
     constexpr std::size_t shown = 20;
     std::string text;
     for (std::size_t i = 0; i < std::min(shown, found.size()); ++i) {

@@ -1,0 +1,81 @@
+// A controller for these tests: components at their paths, as a real one shows them to <cca/config.hpp>.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+#include <cca/config.hpp>
+
+namespace config_test {
+
+enum class terrain { flat, slope, steps };
+
+struct coupling {
+  BOOST_HANA_DEFINE_STRUCT(coupling, (double, strength), (std::array<cca::quantity<cca::angle>, 2>, offsets));
+  const char* check() const { return strength > 10 ? "so strong a coupling makes the phases jump" : ""; }
+};
+
+struct leg {
+  BOOST_HANA_DEFINE_STRUCT(leg, (cca::quantity<cca::angle, -1.8, 0.0>, knee), (bool, front));
+};
+
+struct hopf {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency), (cca::bounded<double, 0.1, 5>, gain), (coupling, links));
+    std::string check() const { return frequency == gain ? "frequency and gain are the same" : ""; }
+  };
+  parameters p{1.5, 1.0, {3.0, {0.0, 0.5}}};
+};
+
+struct posture {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::angle, -0.9, 0.9>, hip), (cca::quantity<cca::torque>, load),
+                             (Eigen::Vector2d, offset), (Eigen::Matrix2d, mixing), (cca::bounded<int, 0, 3>, mode),
+                             (std::uint8_t, retries), (bool, stiff), (terrain, ground), (cca::text<8>, label), (float, slack),
+                             (cca::bounded<double, 0.0, cca::infinity>, patience), (std::array<leg, 2>, legs),
+                             (cca::quantity<cca::value, 0.0, 1.0>, duty), (std::int64_t, seed));
+  };
+  parameters p{0.25, 2.0, {1, 2}, Eigen::Matrix2d::Identity(), 1, 3, true, terrain::slope, "trot", 0.1f, 2.0, {{{-0.5, true}, {-1.0, false}}}, 0.5, 7};
+};
+
+struct adder {};
+
+struct controller {
+  hopf cpg, ode;
+  adder sum;
+  posture pose;
+
+  template <class F>
+  void for_each_component(F f) { each(*this, f); }
+  template <class F>
+  void for_each_component(F f) const { each(*this, f); }
+
+  void load(std::string_view file) { cca::detail::config_backend<controller>::load(*this, file); }
+  void save(std::string_view file) const { cca::detail::config_backend<controller>::save(*this, file); }
+  std::string text() const { return cca::detail::parameters_text(*this, "trot.toml"); }
+
+  // Empty if it was accepted.
+  std::string refusal(std::string_view text) {
+    try {
+      cca::detail::load_parameters_from_text(*this, text, "trot.toml");
+    } catch (const cca::refused& refusal) {
+      return refusal.what();
+    }
+    return {};
+  }
+
+private:
+  template <class Self, class F>
+  static void each(Self& self, F& f) {
+    f("cpg", self.cpg);
+    f("sum", self.sum);
+    f("dmp.ode", self.ode);
+    f("pose", self.pose);
+  }
+};
+
+}  // namespace config_test
