@@ -15,6 +15,7 @@ namespace cca {
 template <fixed_string Name>
 struct dimension {
   static constexpr std::string_view name = Name.view();
+  static constexpr auto label = Name;  // the name as a template argument
 };
 
 template <class Type>

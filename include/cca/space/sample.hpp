@@ -1,16 +1,30 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
 // It is read by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
+//
+// Cost: up to 16 coordinates are copied one by one. A packet copy of what has just been stored one by one waits for the
+// stores (8 ns); and one by one the compiler drops the copy.
 #pragma once
 
 #include <cstdint>
-#include <limits>
+#include <type_traits>
 
+#include <cca/space/origin.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
 
-// The time of origin of a value that no sample has replaced yet.
-inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::lowest();
+namespace detail {
+
+struct to_be_filled {};  // leaves the coordinates to the loop
+
+// The other space says the same by another name.
+template <class From, class To>
+concept Renames = !std::is_same_v<From, To> && std::is_same_v<typename From::domain, typename To::domain> &&
+                  std::is_same_v<typename From::axes, typename To::axes> &&
+                  (hz_of<typename From::rate> == hz_of<typename To::rate> || hz_of<typename From::rate> == 0 ||
+                   hz_of<typename To::rate> == 0);
+
+}  // namespace detail
 
 template <class Space>
 class sample : public Space::domain::template methods<sample<Space>> {
@@ -19,10 +33,20 @@ public:
   using vector_type = typename Space::vector_type;
 
   constexpr sample() {
-    for (int i = 0; i < Space::size; ++i) value[i] = detail::zero_of<Space>[static_cast<std::size_t>(i)];
+    for (int i = 0; i < Space::size; ++i) value.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
   }
+  explicit sample(detail::to_be_filled) {}
+  explicit constexpr sample(const vector_type& v, std::int64_t from = never) : time(from) { copy(v); }
   template <class Vector>
   explicit constexpr sample(const Eigen::MatrixBase<Vector>& v, std::int64_t from = never) : value(v), time(from) {}
+  template <detail::Renames<Space> Other>
+  constexpr sample(const sample<Other>& other) : time(other.origin()) { copy(other.vector()); }
+  constexpr sample(const sample& other) : Space::domain::template methods<sample<Space>>(), time(other.time) { copy(other.value); }
+  constexpr sample& operator=(const sample& other) {
+    copy(other.value);
+    time = other.time;
+    return *this;
+  }
 
   // Coordinates in the order of the axes, in the domain's units.
   constexpr const vector_type& vector() const { return value; }
@@ -34,20 +58,28 @@ public:
   constexpr double operator[](Axis) const {
     static_assert(Space::axes::template contains<Axis>, "cca::sample: this space has no such axis");
     static_assert(Space::size == Space::axes::count, "cca::sample: this domain type has no value per axis");
-    return value[Space::axes::template index_of<Axis>];
+    return value.coeff(Space::axes::template index_of<Axis>);
   }
 
   template <class... Axes>
   constexpr auto on() const {
     Eigen::Matrix<double, sizeof...(Axes), 1> part;
     int i = 0;
-    ((part[i++] = (*this)[Axes{}]), ...);
+    ((part.coeffRef(i++) = (*this)[Axes{}]), ...);
     return sample<sub_space<Space, Axes...>>(part, time);
   }
 
 protected:
   vector_type value;
   std::int64_t time = never;
+
+private:
+  constexpr void copy(const vector_type& from) {
+    if constexpr (Space::size <= 16)
+      for (int i = 0; i < Space::size; ++i) value.coeffRef(i) = from.coeff(i);
+    else
+      value = from;
+  }
 };
 
 }  // namespace cca

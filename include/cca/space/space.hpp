@@ -10,9 +10,8 @@
 #include <concepts>
 #include <type_traits>
 
-#include <Eigen/Core>
-
 #include <cca/space/dimension.hpp>
+#include <cca/space/eigen.hpp>
 
 namespace cca {
 
@@ -59,6 +58,10 @@ concept Space = requires {
 // The part of a space along some of its axes.
 template <class Whole, class... Axes>
 struct sub_space : space<typename Whole::domain, axes<Axes...>, typename Whole::rate> {};
+
+// A space over the same axes of another domain type: what an operation makes of a sample of the first.
+template <class Whole, class Domain>
+struct with_domain : space<Domain, typename Whole::axes, typename Whole::rate> {};
 
 namespace detail {
 

@@ -1,0 +1,17 @@
+// The core of the Compliant Control Architecture: spaces, components, graphs, controllers.
+// Parameters from a file need <cca/config.hpp> as well.
+#pragma once
+
+#include <cca/component/component.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/graph/diagnosis.hpp>
+#include <cca/graph/graph.hpp>
+#include <cca/robot/limiter.hpp>
+#include <cca/robot/watchdog.hpp>
+#include <cca/runtime/controller.hpp>
+#include <cca/runtime/pace.hpp>
+#include <cca/skeleton/collector.hpp>
+#include <cca/skeleton/splitter.hpp>
+#include <cca/space/domain.hpp>
+#include <cca/space/sample.hpp>
+#include <cca/version.hpp>

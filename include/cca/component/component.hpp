@@ -1,0 +1,72 @@
+// A component is a plain struct with a function `process`, whose signature is its interface. A resource node has
+// `sense` (outputs) and `act` (inputs) instead: the first runs before, the second after all components of the beat.
+// Hooks, each optional: `on_load`, `on_save`, `on_start`, `on_stop`, `on_fault`, all `void()`.
+#pragma once
+
+#include <string_view>
+#include <type_traits>
+
+#include <cca/component/hooks.hpp>
+#include <cca/component/signature.hpp>
+
+namespace cca {
+namespace detail {
+
+template <class Type> concept HasProcess = requires { &Type::process; };
+template <class Type> concept HasSense = requires { &Type::sense; };
+template <class Type> concept HasAct = requires { &Type::act; };
+template <class Type> concept IsResource = !HasProcess<Type> && (HasSense<Type> || HasAct<Type>);
+
+// What runs when: all senses of a beat, then all components, then all acts.
+enum class phase_of_beat : std::uint8_t { sense, process, act };
+
+template <class Type, phase_of_beat Phase> struct function_of;
+template <class Type> struct function_of<Type, phase_of_beat::sense> { using type = decltype(&Type::sense); };
+template <class Type> struct function_of<Type, phase_of_beat::process> { using type = decltype(&Type::process); };
+template <class Type> struct function_of<Type, phase_of_beat::act> { using type = decltype(&Type::act); };
+
+template <class Type, phase_of_beat Phase>
+using half_of_component = half_of<typename function_of<Type, Phase>::type>;
+
+struct component_info {
+  std::string_view name{};
+  const half_info* sense = nullptr;
+  const half_info* process = nullptr;
+  const half_info* act = nullptr;
+  std::string_view bad_hook{};       // name of a hook with another signature
+  std::string_view bad_field{};      // name of a parameter of a type that can't be configured
+  bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
+  bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
+  int unlimited_axis = -1;           // of a limiter's space
+  constexpr bool resource() const { return sense || act; }
+};
+
+template <class Type>
+constexpr std::string_view bad_field_of = {};
+
+template <class Type>
+inline constexpr component_info component_of = [] {
+  component_info info;
+  info.name = type_name<Type>();
+  if constexpr (HasProcess<Type>) {
+    info.process = &half_of_component<Type, phase_of_beat::process>::value;
+  } else {
+    if constexpr (HasSense<Type>) info.sense = &half_of_component<Type, phase_of_beat::sense>::value;
+    if constexpr (HasAct<Type>) info.act = &half_of_component<Type, phase_of_beat::act>::value;
+  }
+  info.bad_hook = bad_hook<Type>();
+  info.bad_field = bad_field_of<Type>;
+  if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
+  if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;
+  return info;
+}();
+
+}  // namespace detail
+
+template <class Type>
+concept Component = detail::HasProcess<Type> || detail::IsResource<Type>;
+
+template <class Type>
+concept ResourceNode = detail::IsResource<Type>;
+
+}  // namespace cca

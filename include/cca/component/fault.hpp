@@ -1,0 +1,18 @@
+// What a component returns that may have to stop: empty, or a reason. The reason is not copied: give it a literal.
+#pragma once
+
+namespace cca {
+
+class fault {
+public:
+  constexpr fault() = default;
+  explicit constexpr fault(const char* reason) : why(reason) {}
+
+  explicit constexpr operator bool() const { return why != nullptr; }
+  constexpr const char* reason() const { return why ? why : ""; }
+
+private:
+  const char* why = nullptr;
+};
+
+}  // namespace cca

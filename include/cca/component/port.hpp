@@ -1,0 +1,151 @@
+// Ports, in the signature of `process`: what a component reads and what it publishes.
+//
+//   auto process(cca::in<"amplitude", amplitude> a, cca::beat now) -> cca::out<"phase", phase>;
+//
+// Cost: a port is a value of the size of its sample; after inlining the coordinates are all that is left.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include <cca/space/fixed_string.hpp>
+#include <cca/space/sample.hpp>
+
+namespace cca {
+
+// An input: the sample that the component sees in this firing. `fresh()`: it arrived since the component last fired.
+template <fixed_string Name, class Space>
+class in : public sample<Space> {
+public:
+  static constexpr std::string_view name = Name.view();
+
+  constexpr in() = default;
+  explicit in(detail::to_be_filled tag) : sample<Space>(tag) {}
+  template <class Vector>
+  constexpr in(const Eigen::MatrixBase<Vector>& v, std::int64_t origin, bool is_fresh)
+      : sample<Space>(v, origin), arrived(is_fresh) {}
+
+  constexpr bool fresh() const { return arrived; }
+
+  // For the loop that fills it.
+  constexpr void set(int i, double coordinate) { this->value[i] = coordinate; }
+  constexpr void set(std::int64_t origin, bool is_fresh) { this->time = origin; arrived = is_fresh; }
+
+private:
+  bool arrived = false;
+};
+
+// An input that need not be wired; `if (port)` asks whether it is.
+template <fixed_string Name, class Space>
+class optional_in : public in<Name, Space> {
+public:
+  using in<Name, Space>::in;
+  explicit constexpr operator bool() const { return wired; }
+  constexpr void set_wired() { wired = true; }
+
+private:
+  bool wired = false;
+};
+
+// An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates at the
+// oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
+template <fixed_string Name, class Space>
+class out {
+public:
+  static constexpr std::string_view name = Name.view();
+  using space = Space;
+  using vector_type = typename Space::vector_type;
+
+  constexpr out() : out(sample<Space>{}) {}
+  constexpr out(const sample<Space>& value) : coordinates(value.vector()) {}
+  template <class Vector>
+  constexpr out(const Eigen::MatrixBase<Vector>& v) : coordinates(v) {}
+  constexpr out(double number)
+    requires(Space::size == 1)
+  {
+    coordinates[0] = number;
+  }
+
+  template <class Axis>
+  constexpr double& operator[](Axis) {
+    static_assert(Space::axes::template contains<Axis>, "cca::out: this space has no such axis");
+    static_assert(Space::size == Space::axes::count, "cca::out: this domain type has no value per axis");
+    return coordinates[Space::axes::template index_of<Axis>];
+  }
+  template <class Axis>
+  constexpr double operator[](Axis axis) const { return const_cast<out&>(*this)[axis]; }
+
+  constexpr out& with_origin(std::int64_t t) & { time = t; return *this; }
+  constexpr out&& with_origin(std::int64_t t) && { time = t; return static_cast<out&&>(*this); }
+
+  constexpr const vector_type& vector() const { return coordinates; }
+  constexpr std::int64_t origin() const { return time; }  // `never`: not set by the component
+
+private:
+  vector_type coordinates;
+  std::int64_t time = never;
+};
+
+// An output that is not published each time: empty, nothing is published.
+template <fixed_string Name, class Space>
+class maybe : public out<Name, Space> {
+public:
+  constexpr maybe() = default;
+  constexpr maybe(const sample<Space>& value) : out<Name, Space>(value), published(true) {}
+  constexpr maybe(const out<Name, Space>& value) : out<Name, Space>(value), published(true) {}
+  template <class Vector>
+  constexpr maybe(const Eigen::MatrixBase<Vector>& v) : out<Name, Space>(v), published(true) {}
+  constexpr maybe(double number)
+    requires(Space::size == 1)
+      : out<Name, Space>(number), published(true) {}
+
+  // Filling it by axis publishes it.
+  template <class Axis>
+  constexpr double& operator[](Axis axis) {
+    published = true;
+    return out<Name, Space>::operator[](axis);
+  }
+
+  constexpr maybe& with_origin(std::int64_t t) & { out<Name, Space>::with_origin(t); return *this; }
+  constexpr maybe&& with_origin(std::int64_t t) && { out<Name, Space>::with_origin(t); return static_cast<maybe&&>(*this); }
+
+  explicit constexpr operator bool() const { return published; }
+
+private:
+  bool published = false;
+};
+
+struct latest;  // the default policy of a wire, in graph/graph.hpp
+
+// One of the samples under a scope that an `observe` listens to.
+struct observation {
+  std::string_view path;            // "dmp.status.component"
+  std::span<const double> values;   // coordinates in the order of the axes
+  std::int64_t origin;              // `never`: nothing has been published yet
+  bool fresh;
+};
+
+// An input that listens to a scope, whatever its ports' spaces: `observe<"dmp.status.*">`, with a wire's policy where
+// the scope is fed by this component: `observe<"dmp.status.*", cca::delayed<1>>`.
+template <fixed_string Scope, class Policy = latest>
+class observe {
+public:
+  static constexpr std::string_view name = Scope.view();
+
+  constexpr observe(const observation* first, std::size_t count) : all(first, count) {}
+
+  constexpr auto begin() const { return all.begin(); }
+  constexpr auto end() const { return all.end(); }
+  constexpr std::size_t size() const { return all.size(); }
+  constexpr bool fresh() const {
+    for (const auto& one : all)
+      if (one.fresh) return true;
+    return false;
+  }
+
+private:
+  std::span<const observation> all;
+};
+
+}  // namespace cca

@@ -1,0 +1,12 @@
+// What a call outside of the loop throws that can't be done: the message says what, where and what to do.
+#pragma once
+
+#include <stdexcept>
+
+namespace cca {
+
+struct refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace cca

@@ -1,0 +1,174 @@
+// The interface of a component, read from the address of its `process` (a resource node: `sense` and `act`).
+// A function has inputs and outputs; `half_of` is that as a value, `half_types` as types.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include <cca/component/beat.hpp>
+#include <cca/component/fault.hpp>
+#include <cca/component/port.hpp>
+#include <cca/space/info.hpp>
+
+namespace cca::detail {
+
+template <class...>
+struct list {};
+
+struct port_info {
+  std::string_view name{};
+  const space_info* space = nullptr;  // null: an observer, which listens to any space
+  bool optional = false;
+  bool maybe = false;
+  int observed_delay = 0;
+};
+
+// Parameters of the function.
+enum class parameter_kind : std::uint8_t { input, beat, bad };
+
+template <class Type>
+struct parameter_facts {
+  static constexpr auto kind = parameter_kind::bad;
+  static constexpr port_info port{};
+};
+template <>
+struct parameter_facts<beat> {
+  static constexpr auto kind = parameter_kind::beat;
+  static constexpr port_info port{};
+};
+template <fixed_string Name, class Space>
+struct parameter_facts<in<Name, Space>> {
+  static constexpr auto kind = parameter_kind::input;
+  static constexpr port_info port{Name.view(), &space_of<Space>};
+};
+template <fixed_string Name, class Space>
+struct parameter_facts<optional_in<Name, Space>> {
+  static constexpr auto kind = parameter_kind::input;
+  static constexpr port_info port{Name.view(), &space_of<Space>, true};
+};
+
+template <class Policy>
+constexpr int delay_of_policy = 0;
+
+template <fixed_string Scope, class Policy>
+struct parameter_facts<observe<Scope, Policy>> {
+  static constexpr auto kind = parameter_kind::input;
+  static constexpr port_info port{Scope.view(), nullptr, true, false, delay_of_policy<Policy>};
+};
+
+// A parameter may be taken by value or by reference to const.
+template <class Type>
+using bare_parameter = std::conditional_t<std::is_lvalue_reference_v<Type> && !std::is_const_v<std::remove_reference_t<Type>>,
+                                          Type, std::remove_cvref_t<Type>>;
+
+// Results of the function.
+enum class result_kind : std::uint8_t { output, fault, bad };
+
+template <class Type>
+struct result_facts {
+  static constexpr auto kind = result_kind::bad;
+  static constexpr port_info port{};
+};
+template <>
+struct result_facts<fault> {
+  static constexpr auto kind = result_kind::fault;
+  static constexpr port_info port{};
+};
+template <fixed_string Name, class Space>
+struct result_facts<out<Name, Space>> {
+  static constexpr auto kind = result_kind::output;
+  static constexpr port_info port{Name.view(), &space_of<Space>};
+};
+template <fixed_string Name, class Space>
+struct result_facts<maybe<Name, Space>> {
+  static constexpr auto kind = result_kind::output;
+  static constexpr port_info port{Name.view(), &space_of<Space>, false, true};
+};
+
+template <class Result>
+struct results_of { using type = list<Result>; };
+template <>
+struct results_of<void> { using type = list<>; };
+template <class... Results>
+struct results_of<std::tuple<Results...>> { using type = list<Results...>; };
+
+// A member function taken apart.
+template <class Function>
+struct function_facts;
+template <class Result, class... Parameters>
+struct function_facts<Result(Parameters...)> {
+  using parameters = list<bare_parameter<Parameters>...>;
+  using result = Result;
+  using results = typename results_of<Result>::type;
+};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...)> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const noexcept> : function_facts<R(P...)> {};
+template <class R, class... P> struct function_facts<R (*)(P...)> : function_facts<R(P...)> {};
+template <class R, class... P> struct function_facts<R (*)(P...) noexcept> : function_facts<R(P...)> {};
+
+// One function of a component as a value.
+struct half_info {
+  const port_info* inputs = nullptr;
+  const port_info* outputs = nullptr;
+  int input_count = 0, output_count = 0;
+  bool may_fault = false;
+  std::string_view bad_parameter{}, bad_result{};  // names of types; empty: none
+};
+
+template <class Parameters, class Results>
+struct half_facts;
+
+template <class... Parameters, class... Results>
+struct half_facts<list<Parameters...>, list<Results...>> {
+  static constexpr int input_count = ((parameter_facts<Parameters>::kind == parameter_kind::input) + ... + 0);
+  static constexpr int output_count = ((result_facts<Results>::kind == result_kind::output) + ... + 0);
+
+  static constexpr auto inputs = [] {
+    std::array<port_info, input_count + 1> found{};
+    std::size_t n = 0;
+    ((parameter_facts<Parameters>::kind == parameter_kind::input ? void(found[n++] = parameter_facts<Parameters>::port) : void()), ...);
+    return found;
+  }();
+  static constexpr auto outputs = [] {
+    std::array<port_info, output_count + 1> found{};
+    std::size_t n = 0;
+    ((result_facts<Results>::kind == result_kind::output ? void(found[n++] = result_facts<Results>::port) : void()), ...);
+    return found;
+  }();
+
+  // Position among the inputs of each parameter, among the outputs of each result; -1 for a beat or a fault.
+  static constexpr auto input_of_parameter = [] {
+    std::array<int, sizeof...(Parameters) + 1> position{};
+    int n = 0;
+    std::size_t i = 0;
+    ((position[i++] = parameter_facts<Parameters>::kind == parameter_kind::input ? n++ : -1), ...);
+    return position;
+  }();
+  static constexpr auto output_of_result = [] {
+    std::array<int, sizeof...(Results) + 1> position{};
+    int n = 0;
+    std::size_t i = 0;
+    ((position[i++] = result_facts<Results>::kind == result_kind::output ? n++ : -1), ...);
+    return position;
+  }();
+
+  static constexpr half_info value = [] {
+    half_info half{inputs.data(), outputs.data(), input_count, output_count};
+    half.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
+    ((parameter_facts<Parameters>::kind == parameter_kind::bad && half.bad_parameter.empty()
+          ? void(half.bad_parameter = type_name<Parameters>()) : void()), ...);
+    ((result_facts<Results>::kind == result_kind::bad && half.bad_result.empty()
+          ? void(half.bad_result = type_name<Results>()) : void()), ...);
+    return half;
+  }();
+};
+
+template <class Function>
+using half_of = half_facts<typename function_facts<Function>::parameters, typename function_facts<Function>::results>;
+
+}  // namespace cca::detail

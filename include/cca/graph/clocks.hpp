@@ -1,0 +1,145 @@
+// Fourth step: the rate of the graph, and the clock of each function, in the order of the beat. Checks rates, strategies
+// that never fire and queues that overflow.
+#pragma once
+
+#include <cca/graph/order.hpp>
+
+namespace cca::detail {
+
+struct clocking {
+  flat_view g;
+
+  constexpr void refuse(rule broken, const item_info* item, int scope, int a = -1, int b = -1) {
+    if (g.found.broken == rule::none) g.found = {broken, a, b, -1, item, scope};
+  }
+  constexpr int scope_of(int turn_index) const { return g.leaves[g.turns[turn_index].leaf].scope; }
+
+  // From the outermost graph, or else from the fastest of its spaces.
+  constexpr void find_rate() {
+    for (int s = 0; s < g.scope_count; ++s)
+      for (int i = 0; i < g.scopes[s].graph->count; ++i) {
+        const auto& item = g.scopes[s].graph->items[i];
+        if (item.kind == item_kind::rate && s == 0) g.hz = item.hz;
+      }
+    if (g.hz == 0) {
+      for (int i = 0; i < g.input_count; ++i)
+        if (const auto* space = port_of(g, g.inputs[i]).space; space && space->hz > g.hz) g.hz = space->hz;
+      for (int o = 0; o < g.output_count; ++o)
+        if (const auto* space = port_of(g, g.outputs[o]).space; space->hz > g.hz) g.hz = space->hz;
+    }
+    if (g.hz == 0) return refuse(rule::rate_missing, nullptr, 0);
+    g.period = static_cast<std::int64_t>(1e9 / g.hz);
+    for (int s = 1; s < g.scope_count; ++s)
+      for (int i = 0; i < g.scopes[s].graph->count; ++i) {
+        const auto& item = g.scopes[s].graph->items[i];
+        if (item.kind == item_kind::rate && item.hz != g.hz) refuse(rule::rate_mismatch, &item, s);
+      }
+  }
+
+  constexpr int wired_inputs(const turn& t) const {
+    int count = 0;
+    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) count += g.inputs[i].wired;
+    return count;
+  }
+
+  constexpr clock arrivals(const input& i) const {
+    if (i.writer < 0) return port_of(g, i).space ? never_clock : dynamic_clock;
+    return shifted(published(g, g.outputs[i.writer]), delay_of(i));
+  }
+
+  // Fires when any of the inputs is fresh; an input's samples wait, so it suffices to look at arrivals.
+  constexpr clock of_any(const turn& t, const strategy_info& strategy) const {
+    clock any = never_clock;
+    bool queued = false, all_equal = true, first = true;
+    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
+      const auto& in = g.inputs[i];
+      if (!in.wired) continue;
+      if (strategy.kind == strategy_kind::port_triggered) {
+        bool named = false;
+        for (int n = 0; n < strategy.count; ++n) named |= strategy.names[n] == port_of(g, in).name;
+        if (!named) continue;
+      }
+      const auto arrival = arrivals(in);
+      if (arrival.every_beat() && in.queue < 0) return arrival;
+      all_equal &= first || arrival == any;
+      any = first ? arrival : either(any, arrival);
+      queued |= in.queue >= 0;
+      first = false;
+    }
+    return queued && !all_equal ? dynamic_clock : any;
+  }
+
+  // Fires when all inputs are fresh. With the slowest input last in its first round, it fires with that one.
+  constexpr clock of_all(const turn& t) const {
+    clock slowest = never_clock;
+    bool queued = false, all_equal = true;
+    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
+      if (!g.inputs[i].wired) continue;
+      const auto arrival = arrivals(g.inputs[i]);
+      if (arrival.never()) return never_clock;
+      if (arrival.dynamic()) return dynamic_clock;
+      if (slowest.known()) all_equal &= arrival == slowest;
+      queued |= g.inputs[i].queue >= 0;
+      if (arrival.period > slowest.period || (arrival.period == slowest.period && arrival.first > slowest.first)) slowest = arrival;
+    }
+    if (queued && !all_equal) return dynamic_clock;
+    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
+      if (g.inputs[i].wired && arrivals(g.inputs[i]).first > slowest.first) return dynamic_clock;
+    return slowest;
+  }
+
+  constexpr clock of_strategy(const turn& t) const {
+    const auto strategy = strategy_of_turn(g, t);
+    switch (strategy.kind) {
+      case strategy_kind::restless:
+      case strategy_kind::port_triggered: return of_any(t, strategy);
+      case strategy_kind::moderate: return of_all(t);
+      default: return pure_clock(strategy);
+    }
+  }
+
+  constexpr void check_strategy(int turn_index) {
+    const auto& t = g.turns[turn_index];
+    const auto strategy = strategy_of_turn(g, t);
+    if (needs_inputs(strategy) && wired_inputs(t) == 0) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
+    if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);
+  }
+
+  constexpr void check_rates() {
+    for (int o = 0; o < g.output_count; ++o) {
+      const auto c = published(g, g.outputs[o]);
+      const auto* space = port_of(g, g.outputs[o]).space;
+      if (c.known() && space->hz > 0 && space->hz * static_cast<double>(c.period) != g.hz)
+        refuse(rule::rate_mismatch, &node_of(g, g.turns[g.outputs[o].turn]), scope_of(g.outputs[o].turn), o, 1);
+    }
+    for (int i = 0; i < g.input_count; ++i) {
+      const auto& in = g.inputs[i];
+      if (in.writer < 0) continue;
+      const auto from = published(g, g.outputs[in.writer]), to = g.turns[in.turn].fires;
+      if (in.wire->policy == policy_kind::unstated && differ(from, to)) refuse(rule::rate_unstated, in.wire, scope_of(in.turn), in.writer, i);
+      if (in.wire->policy == policy_kind::queue && in.wire->full == full_kind::reject && from.known() &&
+          (to.never() || (to.known() && from.period < to.period)))
+        refuse(rule::queue_overflow, in.wire, scope_of(in.turn), in.writer, i);
+    }
+  }
+
+  constexpr void run() {
+    find_rate();
+    if (g.found.broken != rule::none) return;
+    for (int t = 0; t < g.turn_count; ++t) g.turns[t].fires = pure_clock(strategy_of_turn(g, g.turns[t]));
+    for (int r = 0; r < g.turn_count; ++r) {
+      auto& t = g.turns[g.order[r]];
+      if (t.fires.dynamic()) t.fires = of_strategy(t);
+    }
+    check_rates();
+  }
+};
+
+constexpr bool uses_coordination(const strategy_info& strategy) {
+  if (strategy.kind == strategy_kind::coordinated) return true;
+  for (int i = 0; strategy.parts && i < strategy.count; ++i)
+    if (uses_coordination(*strategy.parts[i])) return true;
+  return false;
+}
+
+}  // namespace cca::detail

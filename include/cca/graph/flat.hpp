@@ -1,0 +1,127 @@
+// A graph laid flat: every component, input and output of all inner graphs in arrays, depth first in declaration order.
+// The functions of this folder fill it in turn: ports, wires, order, clocks, memory. They take a view of pointers, so
+// that they are compiled once and not anew for each graph.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <cca/graph/clock.hpp>
+#include <cca/graph/items.hpp>
+#include <cca/graph/rules.hpp>
+
+namespace cca::detail {
+
+// The outermost graph or an inner one; its hash is that of its path.
+struct scope {
+  int parent = -1;
+  const item_info* item = nullptr;
+  const graph_info* graph = nullptr;
+  std::uint64_t hash = 0;
+};
+
+// A component.
+struct leaf {
+  const item_info* item = nullptr;
+  int scope = 0;
+  int first_turn = 0, turn_count = 0;
+};
+
+// One function of a component: `process`, or `sense` and `act` of a resource node.
+struct turn {
+  int leaf = 0;
+  phase_of_beat phase = phase_of_beat::process;
+  const half_info* half = nullptr;
+  int first_input = 0, first_output = 0;
+  int rank = 0;        // place in the order of a beat
+  clock fires{};
+  bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
+};
+
+struct input {
+  int turn = 0, port = 0;
+  int writer = -1;                  // an output, or -1
+  const item_info* wire = nullptr;
+  int next_of_writer = -1;          // the next input of the same output
+  bool wired = false;               // by a wire or shown outside
+  bool counts = true;               // for the time of origin
+  bool is_kept = false;             // read from where it is kept beyond the beat
+  bool in_beat = false;             // surely published in the beat of the reader's firing
+  bool own_initial = false;         // its initial value is not that of the kept sample
+  int queue = -1;                   // number of its queue
+};
+
+struct output {
+  int turn = 0, port = 0;
+  int first_reader = -1;
+  bool kept = false;                // some later beat reads it: a member; else a local of the beat
+  bool stamped = false;             // the beat of its publication is kept too
+  bool local = false;               // some input reads it in the same beat
+  int ring = 0;                     // samples of the past that delayed readers need; 0: none
+  const item_info* initial_of = nullptr;
+};
+
+// An output that an observer listens to.
+struct link {
+  int input = 0, output = 0;
+};
+
+struct table_entry {
+  std::uint64_t hash = 0;
+  int index = -1;
+};
+
+struct flat_view {
+  scope* scopes; leaf* leaves; turn* turns; input* inputs; output* outputs; link* links; int* order;
+  int scope_count = 0, leaf_count = 0, turn_count = 0, input_count = 0, output_count = 0, link_count = 0, queue_count = 0;
+  double hz = 0;
+  std::int64_t period = 0;  // nanoseconds a beat
+  bool may_fault = false;
+  verdict found{};
+};
+
+template <int Scopes, int Leaves, int Turns, int Inputs, int Outputs, int Links>
+struct flat {
+  std::array<scope, Scopes + 1> scopes{};
+  std::array<leaf, Leaves + 1> leaves{};
+  std::array<turn, Turns + 1> turns{};
+  std::array<input, Inputs + 1> inputs{};
+  std::array<output, Outputs + 1> outputs{};
+  std::array<link, Links + 1> links{};
+  std::array<int, Turns + 1> order{};
+  flat_view counts{};  // its pointers are null: a value must not point into itself
+
+  constexpr flat_view view() {
+    flat_view v = counts;
+    v.scopes = scopes.data(); v.leaves = leaves.data(); v.turns = turns.data(); v.inputs = inputs.data();
+    v.outputs = outputs.data(); v.links = links.data(); v.order = order.data();
+    return v;
+  }
+  constexpr void keep(flat_view v) {
+    v.scopes = nullptr; v.leaves = nullptr; v.turns = nullptr; v.inputs = nullptr;
+    v.outputs = nullptr; v.links = nullptr; v.order = nullptr;
+    counts = v;
+  }
+};
+
+constexpr const port_info& port_of(const flat_view& g, const input& i) { return g.turns[i.turn].half->inputs[i.port]; }
+constexpr const port_info& port_of(const flat_view& g, const output& o) { return g.turns[o.turn].half->outputs[o.port]; }
+constexpr const item_info& node_of(const flat_view& g, const turn& t) { return *g.leaves[t.leaf].item; }
+
+// The strategy of a component, the default filled in.
+constexpr strategy_info strategy_of_turn(const flat_view& g, const turn& t) {
+  const auto& item = node_of(g, t);
+  if (item.strategy->kind != strategy_kind::by_default) return *item.strategy;
+  if (item.component->resource() || t.half->input_count == 0) return {strategy_kind::timed, 1};
+  return {strategy_kind::restless};
+}
+
+constexpr int delay_of(const input& i) { return i.wire && i.wire->policy == policy_kind::delayed ? i.wire->number : 0; }
+
+// When samples of an output are published, as far as it is known.
+constexpr clock published(const port_info& port, const turn& t) {
+  return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;
+}
+constexpr clock published(const flat_view& g, const output& o) { return published(port_of(g, o), g.turns[o.turn]); }
+
+}  // namespace cca::detail

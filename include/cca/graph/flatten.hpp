@@ -1,0 +1,136 @@
+// First step: components, functions and ports of all inner graphs into arrays, their paths into the table.
+// Checks what can be seen of a component alone.
+#pragma once
+
+#include <utility>
+
+#include <cca/graph/names.hpp>
+
+namespace cca::detail {
+
+struct flattening {
+  flat_view g;
+  name_table names;
+
+  constexpr void refuse(rule broken, const item_info* item, int scope, int a = -1, int b = -1) {
+    if (g.found.broken == rule::none) g.found = {broken, a, b, -1, item, scope};
+  }
+
+  constexpr void add_ports(const half_info& half, int turn_index, const item_info& item, int in_scope, std::uint64_t node_hash) {
+    auto& t = g.turns[turn_index];
+    t.first_input = g.input_count;
+    t.first_output = g.output_count;
+    const auto base = hash(".", node_hash);
+    for (int p = 0; p < half.input_count; ++p) {
+      const auto& port = half.inputs[p];
+      const auto key = hash(port.name, base) ^ as_input;
+      if (find(names.entries, names.mask, key) >= 0) refuse(rule::component_bad_parameter, &item, in_scope, p, 1);
+      if (port.space) names.insert(key, g.input_count);
+      if (port.space && port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, g.input_count, 0);
+      g.inputs[g.input_count++] = {.turn = turn_index, .port = p};
+    }
+    for (int p = 0; p < half.output_count; ++p) {
+      const auto& port = half.outputs[p];
+      const auto key = hash(port.name, base) ^ as_output;
+      if (find(names.entries, names.mask, key) >= 0) refuse(rule::component_bad_result, &item, in_scope, p, 1);
+      names.insert(key, g.output_count);
+      if (port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, g.output_count, 1);
+      g.outputs[g.output_count++] = {.turn = turn_index, .port = p};
+    }
+  }
+
+  constexpr void check_half(const half_info& half, const item_info& item, int in_scope) {
+    if (!half.bad_parameter.empty()) refuse(rule::component_bad_parameter, &item, in_scope);
+    if (!half.bad_result.empty()) refuse(rule::component_bad_result, &item, in_scope);
+    g.may_fault |= half.may_fault;
+  }
+
+  constexpr bool has_input(const item_info& item, std::string_view name) const {
+    for (const half_info* half : {item.component->process, item.component->act, item.component->sense})
+      for (int p = 0; half && p < half->input_count; ++p)
+        if (half->inputs[p].name == name) return true;
+    return false;
+  }
+
+  constexpr void check_strategy(const strategy_info& strategy, const item_info& item, int in_scope) {
+    if (strategy.kind == strategy_kind::port_triggered)
+      for (int i = 0; i < strategy.count; ++i)
+        if (!has_input(item, strategy.names[i])) {
+          // The name is told through the item's strategy and its index.
+          refuse(rule::strategy_unknown_port, &item, in_scope, i);
+          if (g.found.item == &item && g.found.broken == rule::strategy_unknown_port) unknown_trigger = strategy.names[i];
+        }
+    for (int i = 0; strategy.parts && i < strategy.count; ++i) check_strategy(*strategy.parts[i], item, in_scope);
+  }
+  std::string_view unknown_trigger{};
+
+  constexpr void add_leaf(const item_info& item, int in_scope, std::uint64_t node_hash) {
+    const auto& component = *item.component;
+    const int leaf_index = g.leaf_count++;
+    auto& l = g.leaves[leaf_index];
+    l = {.item = &item, .scope = in_scope, .first_turn = g.turn_count};
+    if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope);
+    for (const auto& [half, phase] : {std::pair{component.sense, phase_of_beat::sense}, std::pair{component.process, phase_of_beat::process},
+                                     std::pair{component.act, phase_of_beat::act}}) {
+      if (!half) continue;
+      check_half(*half, item, in_scope);
+      const int turn_index = g.turn_count++;
+      g.turns[turn_index] = {.leaf = leaf_index, .phase = phase, .half = half};
+      ++l.turn_count;
+      add_ports(*half, turn_index, item, in_scope, node_hash);
+    }
+    if (!component.bad_hook.empty()) refuse(rule::component_hook_signature, &item, in_scope);
+    if (!component.bad_field.empty()) refuse(rule::parameters_unsupported_type, &item, in_scope);
+    check_strategy(*item.strategy, item, in_scope);
+    if (component.resource()) {
+      const auto kind = item.strategy->kind;
+      if (kind != strategy_kind::by_default && kind != strategy_kind::timed && kind != strategy_kind::full_speed && kind != strategy_kind::inactive)
+        refuse(rule::strategy_misplaced, &item, in_scope);
+    }
+  }
+
+  // What a graph exposes is found under the graph's own name.
+  constexpr void add_expose(const item_info& item, int in_scope) {
+    const auto& from = g.scopes[in_scope];
+    const auto inner = from.parent < 0 ? hash(item.from) : hash(item.from, hash(".", from.hash));
+    const auto outer = from.parent < 0 ? hash(item.to, hash(".outside.")) : hash(item.to, hash(".", from.hash));
+    bool found = false;
+    if (names_port(item.from)) {
+      name_search writers(names.entries, names.mask, inner ^ as_output);
+      for (int o = writers.next(); o >= 0; o = writers.next()) {
+        found = true;
+        if (find(names.entries, names.mask, outer ^ as_output) >= 0) refuse(rule::node_duplicate_name, &item, in_scope, 1);
+        names.insert(outer ^ as_output, o);
+      }
+      name_search readers(names.entries, names.mask, inner ^ as_input);
+      for (int i = readers.next(); i >= 0; i = readers.next()) {
+        found = true;
+        names.insert(outer ^ as_input, i);
+        if (from.parent < 0) g.inputs[i].wired = true;
+      }
+    }
+    if (!found) refuse(rule::wire_unknown_port, &item, in_scope, 0);
+  }
+
+  constexpr void add_graph(const graph_info& graph, int parent, const item_info* item, std::uint64_t scope_hash) {
+    const int index = g.scope_count++;
+    g.scopes[index] = {parent, item, &graph, scope_hash};
+    for (int i = 0; i < graph.count; ++i) {
+      const auto& part = graph.items[i];
+      if (part.kind != item_kind::node && part.kind != item_kind::graph) continue;
+      const auto node_hash = path_hash(g.scopes[index], part.from, part.from_hash);
+      if (find(names.entries, names.mask, node_hash ^ as_node) >= 0) refuse(rule::node_duplicate_name, &part, index, 0);
+      names.insert(node_hash ^ as_node, 0);
+      if (part.kind == item_kind::node) {
+        add_leaf(part, index, node_hash);
+      } else {
+        if (part.strategy->kind != strategy_kind::by_default) refuse(rule::strategy_misplaced, &part, index);
+        add_graph(*part.inner, index, &part, node_hash);
+      }
+    }
+    for (int i = 0; i < graph.count; ++i)
+      if (graph.items[i].kind == item_kind::expose) add_expose(graph.items[i], index);
+  }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,74 @@
+// An architecture: nodes, wires, and what it shows outside. A graph is a named struct,
+//
+//   struct trot : cca::graph<cca::rate<1000>, cca::node<"cpg", hopf>, cca::wire<"cpg.phase", "gait.phase">> {};
+//
+// and a graph is a component: it can be a node of another one, with the ports that it exposes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <cca/component/component.hpp>
+#include <cca/component/strategy.hpp>
+#include <cca/space/fixed_string.hpp>
+#include <cca/space/space.hpp>
+
+namespace cca {
+
+template <class... Items>
+struct graph {
+  using cca_items = detail::list<Items...>;
+};
+
+// A component, or a graph, under a name.
+template <fixed_string Name, class Component, class Strategy = detail::by_default>
+struct node {};
+
+// From an output to an input. Options: a policy, and an `initial`.
+template <fixed_string From, fixed_string To, class... Options>
+struct wire {};
+
+// Shows a port of a node outside of the graph, under another name.
+template <fixed_string Inner, fixed_string Outer>
+struct expose {};
+
+// Policies of a wire.
+struct latest {};  // the newest sample published so far, this beat included
+
+// A sample published in beat j arrives when beat j + Beats begins.
+template <int Beats>
+struct delayed {
+  static_assert(Beats >= 1, "cca::delayed<N>: N is a number of beats, at least one; without a delay it is `cca::latest`");
+};
+
+struct drop_oldest {};  // on a full queue the oldest waiting sample makes place
+struct drop_newest {};  // on a full queue the arriving sample is lost
+struct reject {};       // a full queue is a mistake: refused if the clocks prove it, else a fault
+
+template <int Capacity, class Full>
+struct queue {
+  static_assert(Capacity >= 1, "cca::queue<C, F>: C is a number of samples, at least one");
+};
+
+// What the input holds until a first sample has come: a number for each coordinate, or one for all.
+template <auto... Coordinates>
+struct initial {};
+
+// Refuses a graph in which a sample of the first port can be older than the bound when the second port is read.
+template <class Property, class Bound>
+struct require {};
+template <fixed_string From, fixed_string To>
+struct latency {};
+template <int Count>
+struct beats {};
+
+template <class Type>
+concept Graph = requires { typename Type::cca_items; };
+
+namespace detail {
+
+template <int Beats>
+constexpr int delay_of_policy<delayed<Beats>> = Beats;
+
+}  // namespace detail
+}  // namespace cca

@@ -1,0 +1,158 @@
+// The items of a graph as values: what the constexpr functions of this folder work on instead of type lists.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <cca/graph/graph.hpp>
+
+namespace cca::detail {
+
+enum class item_kind : std::uint8_t { node, graph, wire, expose, rate, require, observe, unknown };
+enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue };
+enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject };
+
+struct graph_info;
+
+struct item_info {
+  item_kind kind = item_kind::unknown;
+  std::string_view from{}, to{};              // a node: its name; expose: inner and outer name
+  const component_info* component = nullptr;  // node
+  const graph_info* inner = nullptr;          // graph
+  const strategy_info* strategy = nullptr;    // node, graph
+  policy_kind policy = policy_kind::unstated; // wire
+  full_kind full = full_kind::drop_oldest;
+  int number = 0;                             // delay, capacity, or the bound in beats of a require
+  const double* initial = nullptr;
+  int initial_count = 0;
+  double hz = 0;                              // rate
+  std::uint64_t from_hash = 0, to_hash = 0;   // as paths of the outermost graph
+};
+
+// How many of each a graph has, inner graphs included.
+struct graph_sizes {
+  int leaves = 0, scopes = 0, turns = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0;
+};
+
+struct graph_info {
+  std::string_view name;
+  const item_info* items = nullptr;
+  int count = 0;
+  graph_sizes sizes;
+};
+
+template <class Graph>
+struct graph_facts;
+
+template <class Component>
+constexpr void describe_node(item_info& item) {
+  if constexpr (Graph<Component>) {
+    item.kind = item_kind::graph;
+    item.inner = &graph_facts<Component>::value;
+  } else {
+    item.kind = item_kind::node;
+    item.component = &component_of<Component>;
+  }
+}
+
+template <auto... Coordinates>
+inline constexpr std::array<double, sizeof...(Coordinates) + 1> initial_values{static_cast<double>(Coordinates)..., 0.0};
+
+template <class Option>
+struct wire_option;  // no such option of a wire: a policy (latest, delayed, queue) or an `initial`
+template <> struct wire_option<latest> {
+  static constexpr void set(item_info& item) { item.policy = policy_kind::latest; }
+};
+template <int Beats> struct wire_option<delayed<Beats>> {
+  static constexpr void set(item_info& item) { item.policy = policy_kind::delayed; item.number = Beats; }
+};
+template <class Full> constexpr full_kind full_of = full_kind::drop_oldest;
+template <> inline constexpr full_kind full_of<drop_newest> = full_kind::drop_newest;
+template <> inline constexpr full_kind full_of<reject> = full_kind::reject;
+template <int Capacity, class Full> struct wire_option<queue<Capacity, Full>> {
+  static constexpr void set(item_info& item) { item.policy = policy_kind::queue; item.number = Capacity; item.full = full_of<Full>; }
+};
+template <auto... Coordinates> struct wire_option<initial<Coordinates...>> {
+  static constexpr void set(item_info& item) { item.initial = initial_values<Coordinates...>.data(); item.initial_count = sizeof...(Coordinates); }
+};
+
+template <class Item>
+inline constexpr item_info item_of{};
+
+template <fixed_string Name, class Component, class Strategy>
+inline constexpr item_info item_of<node<Name, Component, Strategy>> = [] {
+  static_assert(ProcessingStrategy<Strategy>, "cca::node: the third argument is no processing strategy: use one of "
+                "cca/component/strategy.hpp or a type with `bool fires(cca::beat, const Inputs&)`");
+  item_info item{.from = Name.view(), .strategy = &strategy_of<Strategy>, .from_hash = hash(Name.view())};
+  describe_node<Component>(item);
+  return item;
+}();
+
+template <fixed_string From, fixed_string To, class... Options>
+inline constexpr item_info item_of<wire<From, To, Options...>> = [] {
+  item_info item{.kind = item_kind::wire, .from = From.view(), .to = To.view(),
+                 .from_hash = hash(From.view()), .to_hash = hash(To.view())};
+  (wire_option<Options>::set(item), ...);
+  return item;
+}();
+
+template <fixed_string Inner, fixed_string Outer>
+inline constexpr item_info item_of<expose<Inner, Outer>>{.kind = item_kind::expose, .from = Inner.view(), .to = Outer.view()};
+
+template <auto Hz>
+inline constexpr item_info item_of<rate<Hz>>{.kind = item_kind::rate, .hz = rate<Hz>::hz};
+
+template <fixed_string From, fixed_string To, int Count>
+inline constexpr item_info item_of<require<latency<From, To>, beats<Count>>>{
+    .kind = item_kind::require, .from = From.view(), .to = To.view(), .number = Count};
+
+template <fixed_string Scope, class Policy>
+inline constexpr item_info item_of<observe<Scope, Policy>>{.kind = item_kind::observe, .from = Scope.view()};
+
+constexpr graph_sizes sizes_of(const item_info* items, int count) {
+  graph_sizes sizes;
+  sizes.scopes = 1;
+  for (int i = 0; i < count; ++i) {
+    const auto& item = items[i];
+    if (item.kind == item_kind::graph) {
+      const auto& inner = item.inner->sizes;
+      sizes.leaves += inner.leaves;
+      sizes.scopes += inner.scopes;
+      sizes.turns += inner.turns;
+      sizes.inputs += inner.inputs;
+      sizes.outputs += inner.outputs;
+      sizes.exposes += inner.exposes;
+      sizes.observers += inner.observers;
+    } else if (item.kind == item_kind::node) {
+      ++sizes.leaves;
+      for (const half_info* half : {item.component->sense, item.component->process, item.component->act}) {
+        if (!half) continue;
+        ++sizes.turns;
+        sizes.inputs += half->input_count;
+        sizes.outputs += half->output_count;
+        for (int p = 0; p < half->input_count; ++p) sizes.observers += half->inputs[p].space == nullptr;
+      }
+    } else if (item.kind == item_kind::expose) {
+      ++sizes.exposes;
+    }
+  }
+  return sizes;
+}
+
+template <class Items>
+struct items_facts;
+
+template <class... Items>
+struct items_facts<list<Items...>> {
+  static constexpr int count = sizeof...(Items);
+  static constexpr std::array<item_info, sizeof...(Items) + 1> items{item_of<Items>..., item_info{}};
+};
+
+template <class Graph>
+struct graph_facts {
+  using facts = items_facts<typename Graph::cca_items>;
+  static constexpr graph_info value{type_name<Graph>(), facts::items.data(), facts::count, sizes_of(facts::items.data(), facts::count)};
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,155 @@
+// Last step: what outlives a beat. A sample that no later beat reads stays a local of the loop; delayed readers need
+// some past; an input whose delayed wire closes a loop does not count for the time of origin.
+#pragma once
+
+#include <cca/graph/clocks.hpp>
+
+namespace cca::detail {
+
+// Strongly connected components over all wires, delayed ones too (Tarjan 1972, without recursion).
+struct loop_search {
+  const flat_view& g;
+  scratch group, low, number, stack, frame_leaf, frame_edge, edge_head, edge_next, edge_to;
+  int counter = 0, depth = 0, edges = 0;
+
+  constexpr explicit loop_search(const flat_view& graph)
+      : g(graph), group(g.leaf_count, -1), low(g.leaf_count), number(g.leaf_count, -1), stack(g.leaf_count), frame_leaf(g.leaf_count),
+        frame_edge(g.leaf_count), edge_head(g.leaf_count, -1), edge_next(g.input_count + g.link_count), edge_to(g.input_count + g.link_count) {
+    for (int i = 0; i < g.input_count; ++i)
+      if (g.inputs[i].writer >= 0) add_edge(g.outputs[g.inputs[i].writer].turn, g.inputs[i].turn);
+    for (int l = 0; l < g.link_count; ++l) add_edge(g.outputs[g.links[l].output].turn, g.inputs[g.links[l].input].turn);
+    for (int v = 0; v < g.leaf_count; ++v)
+      if (number[v] < 0) visit(v);
+  }
+
+  constexpr void add_edge(int from_turn, int to_turn) {
+    const int from = g.turns[from_turn].leaf;
+    edge_to[edges] = g.turns[to_turn].leaf;
+    edge_next[edges] = edge_head[from];
+    edge_head[from] = edges++;
+  }
+
+  constexpr void visit(int root) {
+    int frames = 0;
+    const auto enter = [&](int v) {
+      number[v] = low[v] = counter++;
+      stack[depth++] = v;
+      frame_leaf[frames] = v;
+      frame_edge[frames++] = edge_head[v];
+    };
+    enter(root);
+    while (frames > 0) {
+      const int v = frame_leaf[frames - 1];
+      const int e = frame_edge[frames - 1];
+      if (e >= 0) {
+        frame_edge[frames - 1] = edge_next[e];
+        const int w = edge_to[e];
+        if (number[w] < 0) enter(w);
+        else if (group[w] < 0 && number[w] < low[v]) low[v] = number[w];
+        continue;
+      }
+      if (low[v] == number[v]) {
+        int w = -1;
+        do {
+          w = stack[--depth];
+          group[w] = v;
+        } while (w != v);
+      }
+      if (--frames > 0 && low[v] < low[frame_leaf[frames - 1]]) low[frame_leaf[frames - 1]] = low[v];
+    }
+  }
+};
+
+struct remembering {
+  flat_view g;
+
+  constexpr bool has_delays() const {
+    for (int i = 0; i < g.input_count; ++i)
+      if (delay_of(g.inputs[i]) > 0) return true;
+    return false;
+  }
+
+  constexpr void find_loops() {
+    if (!has_delays()) return;
+    const loop_search loops(g);
+    for (int i = 0; i < g.input_count; ++i) {
+      auto& in = g.inputs[i];
+      if (delay_of(in) > 0) in.counts = loops.group[g.turns[in.turn].leaf] != loops.group[g.turns[g.outputs[in.writer].turn].leaf];
+    }
+  }
+
+  // It fires only when this input has just arrived: the only one, and no sample waits.
+  constexpr bool fires_with(const input& i) const {
+    const auto& t = g.turns[i.turn];
+    const auto kind = strategy_of_turn(g, t).kind;
+    if (kind != strategy_kind::restless && kind != strategy_kind::moderate && kind != strategy_kind::port_triggered) return false;
+    int wired = 0;
+    for (int other = t.first_input; other < t.first_input + t.half->input_count; ++other) wired += g.inputs[other].wired;
+    return wired == 1;
+  }
+
+  // Samples that a reader with a delay may still need: it may come before or after the writer in a beat.
+  constexpr int past(int delay, int reader_turn, int writer_turn) const {
+    return g.turns[reader_turn].rank < g.turns[writer_turn].rank ? delay : delay + 1;
+  }
+
+  static constexpr bool same_initial(const item_info* a, const item_info* b, int size) {
+    for (int c = 0; c < size; ++c) {
+      const auto value = [c](const item_info* w) { return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0; };
+      if ((a && a->initial) != (b && b->initial) || value(a) != value(b)) return false;
+    }
+    return true;
+  }
+
+  constexpr void place(int o) {
+    auto& out = g.outputs[o];
+    const auto c = published(g, out);
+    int deepest = 0;
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
+      auto& in = g.inputs[i];
+      const int delay = delay_of(in);
+      if (delay > 0) {
+        const int need = past(delay, in.turn, out.turn);
+        deepest = need > deepest ? need : deepest;
+      } else if (in.queue < 0) {
+        in.in_beat = contains(c, g.turns[in.turn].fires) || fires_with(in);
+        if (!in.in_beat) out.kept = true;
+      }
+    }
+    for (int l = 0; l < g.link_count; ++l)
+      if (g.links[l].output == o) {
+        out.kept = true;
+        const int delay = port_of(g, g.inputs[g.links[l].input]).observed_delay;
+        if (delay > 0) {
+          const int need = past(delay, g.inputs[g.links[l].input].turn, out.turn);
+          deepest = need > deepest ? need : deepest;
+        }
+      }
+    if (deepest == 1) out.kept = true;
+    if (deepest > 1) {
+      out.ring = 1;
+      while (out.ring < deepest) out.ring *= 2;
+    }
+    out.stamped = c.dynamic() && (out.kept || out.ring > 0);
+    bool first = true;
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
+      auto& in = g.inputs[i];
+      if (in.queue >= 0) continue;
+      const bool delayed = delay_of(in) > 0;
+      in.is_kept = out.kept && !(delayed && out.ring > 0);
+      if (!delayed && !out.kept) out.local = true;
+      if (!in.is_kept || in.in_beat) continue;
+      if (first) out.initial_of = in.wire;
+      first = false;
+      in.own_initial = !same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
+    }
+  }
+
+  constexpr void run() {
+    find_loops();
+    for (int t = 0; t < g.turn_count; ++t) g.turns[t].stored_seen = uses_coordination(strategy_of_turn(g, g.turns[t]));
+    for (int o = 0; o < g.output_count; ++o) place(o);
+  }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,108 @@
+// Third step: the order of a beat. All senses, then all components, then all acts; within each the topological order
+// over wires without delay: again and again the first declared one whose predecessors have all had their turn.
+#pragma once
+
+#include <cca/graph/flat.hpp>
+
+namespace cca::detail {
+
+// Numbers for the time of a constant evaluation.
+class scratch {
+public:
+  explicit constexpr scratch(int size, int fill = 0) : numbers(new int[static_cast<std::size_t>(size) + 1]) {
+    for (int i = 0; i <= size; ++i) numbers[i] = fill;
+  }
+  scratch(const scratch&) = delete;
+  scratch& operator=(const scratch&) = delete;
+  constexpr ~scratch() { delete[] numbers; }
+  constexpr int& operator[](int i) { return numbers[i]; }
+  constexpr int operator[](int i) const { return numbers[i]; }
+
+private:
+  int* numbers;
+};
+
+// Calls f(reader's turn) for each wire and observer without delay that leaves a turn.
+template <class F>
+constexpr void for_each_follower(const flat_view& g, int turn_index, F f) {
+  const auto& t = g.turns[turn_index];
+  for (int o = t.first_output; o < t.first_output + t.half->output_count; ++o) {
+    for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+      if (delay_of(g.inputs[i]) == 0) f(g.inputs[i].turn);
+    for (int l = 0; l < g.link_count; ++l)
+      if (g.links[l].output == o && port_of(g, g.inputs[g.links[l].input]).observed_delay == 0) f(g.inputs[g.links[l].input].turn);
+  }
+}
+
+// A heap with the lowest number on top.
+struct ready_turns {
+  scratch heap;
+  int size = 0;
+
+  constexpr void push(int turn_index) {
+    int at = size++;
+    while (at > 0 && heap[(at - 1) / 2] > turn_index) {
+      heap[at] = heap[(at - 1) / 2];
+      at = (at - 1) / 2;
+    }
+    heap[at] = turn_index;
+  }
+  constexpr int pop() {
+    const int top = heap[0], last = heap[--size];
+    int at = 0;
+    for (int child = 1; child < size; child = 2 * at + 1) {
+      if (child + 1 < size && heap[child + 1] < heap[child]) ++child;
+      if (heap[child] >= last) break;
+      heap[at] = heap[child];
+      at = child;
+    }
+    heap[at] = last;
+    return top;
+  }
+};
+
+struct ordering {
+  flat_view g;
+
+  constexpr bool in_declared_order() const {
+    for (int i = 0; i < g.input_count; ++i) {
+      const auto& to = g.inputs[i];
+      if (to.writer < 0 || delay_of(to) > 0) continue;
+      const auto& from = g.outputs[to.writer];
+      if (g.turns[from.turn].phase == g.turns[to.turn].phase ? from.turn >= to.turn : g.turns[from.turn].phase > g.turns[to.turn].phase)
+        return false;
+    }
+    return g.link_count == 0;
+  }
+
+  constexpr void run() {
+    int done = 0;
+    const bool declared = in_declared_order();
+    scratch pending(g.turn_count);
+    if (!declared)
+      for (int t = 0; t < g.turn_count; ++t)
+        for_each_follower(g, t, [&](int to) { ++pending[to]; });
+    for (const auto phase : {phase_of_beat::sense, phase_of_beat::process, phase_of_beat::act}) {
+      if (declared) {
+        for (int t = 0; t < g.turn_count; ++t)
+          if (g.turns[t].phase == phase) g.order[done++] = t;
+        continue;
+      }
+      ready_turns ready{scratch(g.turn_count)};
+      for (int t = 0; t < g.turn_count; ++t)
+        if (g.turns[t].phase == phase && pending[t] == 0) ready.push(t);
+      while (ready.size > 0) {
+        const int t = ready.pop();
+        g.order[done++] = t;
+        for_each_follower(g, t, [&](int to) {
+          if (--pending[to] == 0 && g.turns[to].phase == phase) ready.push(to);
+        });
+      }
+    }
+    for (int t = 0; t < g.turn_count; ++t) g.turns[t].rank = -1;
+    for (int i = 0; i < done; ++i) g.turns[g.order[i]].rank = i;
+    if (done < g.turn_count && g.found.broken == rule::none) g.found = {.broken = rule::graph_algebraic_loop};
+  }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,117 @@
+// From numbers back to types: the component and the strategy of each leaf.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include <cca/graph/plan.hpp>
+
+namespace cca::detail {
+
+template <class Type>
+struct box { using type = Type; };
+
+#if defined(__has_builtin) && __has_builtin(__type_pack_element)
+template <int I, class List>
+struct nth_of;
+template <int I, class... Types>
+struct nth_of<I, list<Types...>> { using type = __type_pack_element<I, Types...>; };
+template <int I, class List>
+using nth = typename nth_of<I, List>::type;
+#else
+// Without the builtin: a tree of blocks of sixteen, built once a list, searched by overload resolution within a block.
+template <int I, class Type>
+struct indexed {};
+template <class Indices, class... Types>
+struct block_of;
+template <int... I, class... Types>
+struct block_of<std::integer_sequence<int, I...>, Types...> : indexed<I, Types>... {};
+template <class... Types>
+using block = block_of<std::make_integer_sequence<int, sizeof...(Types)>, Types...>;
+template <int I, class Type>
+box<Type> pick(const indexed<I, Type>&);
+
+template <class Done, class... Types>
+struct blocks_of;
+template <class... Done, class T0, class T1, class T2, class T3, class T4, class T5, class T6, class T7, class T8, class T9, class T10,
+          class T11, class T12, class T13, class T14, class T15, class... Rest>
+struct blocks_of<list<Done...>, T0, T1, T2, T3, T4, T5, T6, T7, T8, T9, T10, T11, T12, T13, T14, T15, Rest...>
+    : blocks_of<list<Done..., block<T0, T1, T2, T3, T4, T5, T6, T7, T8, T9, T10, T11, T12, T13, T14, T15>>, Rest...> {};
+template <class... Done, class... Rest>
+struct blocks_of<list<Done...>, Rest...> { using type = list<Done..., block<Rest...>>; };
+
+template <class List>
+struct tree_of;
+template <class... Types>
+  requires(sizeof...(Types) <= 16)
+struct tree_of<list<Types...>> {
+  template <int I, int Stride>
+  using at = typename decltype(pick<I / Stride>(block<Types...>{}))::type;
+};
+template <class... Types>
+  requires(sizeof...(Types) > 16)
+struct tree_of<list<Types...>> {
+  using above = tree_of<typename blocks_of<list<>, Types...>::type>;
+  template <int I, int Stride>
+  using at = typename decltype(pick<(I / Stride) % 16>(typename above::template at<I, 16 * Stride>{}))::type;
+};
+template <int I, class List>
+using nth = typename tree_of<List>::template at<I, 1>;
+#endif
+
+// Where a leaf stands among the items of a graph: the item, and its number within that item's own graph.
+struct leaf_place {
+  int item = 0, inner = 0;
+};
+
+template <class Graph>
+inline constexpr auto leaf_places = [] {
+  std::array<leaf_place, static_cast<std::size_t>(graph_size<Graph>.leaves) + 1> places{};
+  std::size_t n = 0;
+  const auto& graph = graph_facts<Graph>::value;
+  for (int i = 0; i < graph.count; ++i) {
+    const auto& item = graph.items[i];
+    const int leaves = item.kind == item_kind::node ? 1 : item.kind == item_kind::graph ? item.inner->sizes.leaves : 0;
+    for (int inner = 0; inner < leaves; ++inner) places[n++] = {i, inner};
+  }
+  return places;
+}();
+
+template <class Node, int Inner>
+struct leaf_type;
+
+template <class Graph, int Leaf>
+struct leaf_of : leaf_type<nth<leaf_places<Graph>[Leaf].item, typename Graph::cca_items>, leaf_places<Graph>[Leaf].inner> {};
+
+template <fixed_string Name, class Component, class Strategy, int Inner>
+struct leaf_type<node<Name, Component, Strategy>, Inner> {
+  using component = Component;
+  using strategy = Strategy;
+};
+template <fixed_string Name, Graph Inner, class Strategy, int Leaf>
+struct leaf_type<node<Name, Inner, Strategy>, Leaf> : leaf_of<Inner, Leaf> {};
+
+// The default strategy filled in.
+template <class Strategy, bool HasInputs>
+struct strategy_or_default { using type = Strategy; };
+template <>
+struct strategy_or_default<by_default, true> { using type = restless; };
+template <>
+struct strategy_or_default<by_default, false> { using type = timed<1>; };
+
+// The numbers below `Count` that are chosen by a predicate, a type with a constexpr static call, as a sequence.
+template <int Count, class Predicate>
+inline constexpr auto chosen_numbers = [] {
+  std::pair<std::array<int, static_cast<std::size_t>(Count) + 1>, int> result{};
+  for (int i = 0; i < Count; ++i)
+    if (Predicate::holds(static_cast<std::size_t>(i))) result.first[static_cast<std::size_t>(result.second++)] = i;
+  return result;
+}();
+
+template <int Count, class Predicate, int... I>
+auto chosen_sequence(std::integer_sequence<int, I...>) -> std::integer_sequence<int, chosen_numbers<Count, Predicate>.first[I]...>;
+
+template <int Count, class Predicate>
+using chosen = decltype(chosen_sequence<Count, Predicate>(std::make_integer_sequence<int, chosen_numbers<Count, Predicate>.second>{}));
+
+}  // namespace cca::detail

@@ -1,0 +1,231 @@
+// The controller of a graph: all its components, folded into one loop. It is a value: a copy is a snapshot.
+//
+//   cca::controller<trot<cca::sim::oncilla>> c;
+//   c.load(); c.start(); c.run(cca::for_<10>{});
+//
+// Outside of the loop, what can't be done is refused by `cca::refused` with a message. In the loop nothing throws,
+// allocates or locks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cca/component/lifecycle.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/component/refused.hpp>
+#include <cca/graph/diagnosis.hpp>
+#include <cca/runtime/pace.hpp>
+#include <cca/runtime/turn.hpp>
+
+namespace cca {
+namespace detail {
+
+// Reading and writing files, in cca/config.hpp.
+template <class Controller>
+struct config_backend;
+
+template <class Graph, class Order>
+struct loop;
+template <class Graph, int... Rank>
+struct loop<Graph, std::integer_sequence<int, Rank...>> {
+  template <int Turn>
+  CCA_GLUE static void turn_unless_faulted(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
+    if constexpr (counts_of<Graph>.may_fault)
+      if (c.fault) return;
+    take_turn<Graph, Turn>(m, l, c, k);
+  }
+  CCA_GLUE static void beat(memory<Graph>& m, course& c, std::int64_t k) {
+    locals<Graph> l;
+    const int turns[] = {0, (turn_unless_faulted<plan_of<Graph>.order[Rank]>(m, l, c, k), 0)...};
+    (void)turns;
+  }
+};
+
+template <class Graph>
+constexpr int leaf_at(std::string_view path) {
+  for (int i = 0; i < counts_of<Graph>.leaf_count; ++i) {
+    const auto& l = plan_of<Graph>.leaves[static_cast<std::size_t>(i)];
+    std::string_view rest = path;
+    bool same = rest.ends_with(l.item->from);
+    if (!same) continue;
+    rest.remove_suffix(l.item->from.size());
+    for (int s = l.scope; same && plan_of<Graph>.scopes[static_cast<std::size_t>(s)].item; s = plan_of<Graph>.scopes[static_cast<std::size_t>(s)].parent) {
+      const auto name = plan_of<Graph>.scopes[static_cast<std::size_t>(s)].item->from;
+      same = rest.ends_with('.') && rest.substr(0, rest.size() - 1).ends_with(name);
+      if (same) rest.remove_suffix(name.size() + 1);
+    }
+    if (same && rest.empty()) return i;
+  }
+  return -1;
+}
+
+}  // namespace detail
+
+template <class Graph>
+class controller {
+public:
+  // Takes the default parameters.
+  void load() {
+    move(detail::transition::load, "load()");
+    for_each_component([]<class C>(std::string_view, C& component) {
+      if constexpr (detail::OnLoad<C>) component.on_load();
+    });
+  }
+
+  // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
+  void load(std::string_view file) {
+    check(detail::transition::load, "load(file)");
+    detail::config_backend<controller>::load(*this, file);
+    load();
+  }
+
+  void save() {
+    move(detail::transition::save, "save()");
+    for_each_component([]<class C>(std::string_view, C& component) {
+      if constexpr (detail::OnSave<C>) component.on_save();
+    });
+  }
+
+  void save(std::string_view file) {
+    check(detail::transition::save, "save(file)");
+    detail::config_backend<controller>::save(*this, file);
+    save();
+  }
+
+  void start() {
+    move(detail::transition::start, "start()");
+    for_each_component([]<class C>(std::string_view, C& component) {
+      if constexpr (detail::OnStart<C>) component.on_start();
+    });
+  }
+
+  void stop() {
+    move(detail::transition::stop, "stop()");
+    for_each_component([]<class C>(std::string_view, C& component) {
+      if constexpr (detail::OnStop<C>) component.on_stop();
+    });
+  }
+
+  // Goes on after a fault.
+  void resume() {
+    move(detail::transition::resume, "resume()");
+    reason = {};
+  }
+
+  // One beat. False, and nothing happens, where the life-cycle does not allow it: before start(), and after a fault.
+  bool step() noexcept {
+    if (!detail::is_legal(detail::transition::run, now)) return false;
+    advance();
+    return true;
+  }
+
+  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault.
+  template <class Duration, class Pace = as_fast_as_possible, class Between = void (*)(controller&)>
+  cca::state run(Duration duration, Pace pace = {}, Between between = [](controller&) {}) {
+    move(detail::transition::run, "run()");
+    const std::int64_t beats = duration.beats(detail::counts_of<Graph>.period);
+    pace.begin();
+    for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
+      pace.wait(i * detail::counts_of<Graph>.period);
+      advance();
+      between(*this);
+    }
+    if (now == cca::state::running) now = detail::after(detail::transition::pause, now);
+    return now;
+  }
+
+  cca::state state() const noexcept { return now; }
+
+  // The next beat.
+  std::int64_t beat_index() const noexcept { return k; }
+
+  // Nanoseconds a beat.
+  static constexpr std::int64_t period() { return detail::counts_of<Graph>.period; }
+
+  // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
+  cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
+  std::string fault_path() const { return reason.fault ? path_of(reason.leaf) : std::string(); }
+
+  // A component, by its path.
+  template <fixed_string Path>
+  auto& get() {
+    return cell_of<index_of<Path>()>(state_of_all).component;
+  }
+  template <fixed_string Path>
+  const auto& get() const {
+    return cell_of<index_of<Path>()>(state_of_all).component;
+  }
+
+  // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't hold.
+  template <fixed_string Path, class Parameters>
+  void set(const Parameters& parameters) {
+    detail::apply_parameters(get<Path>(), parameters);
+  }
+
+  // Calls f(path, component) for each component, in declaration order.
+  template <class F>
+  void for_each_component(F f) {
+    [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
+      const int all[] = {0, (f(std::string_view(path_of(Leaf)), cell_of<Leaf>(state_of_all).component), 0)...};
+      (void)all;
+    }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
+  }
+
+private:
+  template <int Leaf>
+  static auto& cell_of(detail::memory<Graph>& m) { return static_cast<detail::cell<Graph, Leaf>&>(m); }
+  template <int Leaf>
+  static const auto& cell_of(const detail::memory<Graph>& m) { return static_cast<const detail::cell<Graph, Leaf>&>(m); }
+
+  template <fixed_string Path>
+  static consteval int index_of() {
+    constexpr int leaf = detail::leaf_at<Graph>(Path.view());
+    static_assert(leaf >= 0, "cca::controller::get: no component has this path");
+    return leaf;
+  }
+
+  static std::string path_of(int leaf) {
+    const auto& plan = detail::plan_of<Graph>;
+    std::string path(plan.leaves[static_cast<std::size_t>(leaf)].item->from);
+    for (int s = plan.leaves[static_cast<std::size_t>(leaf)].scope; plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
+      path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
+    return path;
+  }
+
+  void check(detail::transition what, const char* call) const {
+    if (!detail::is_legal(what, now))
+      throw refused(std::string("cca::controller: ") + call + " is refused in the state `" + std::string(to_string(now)) + "`: " + std::string(detail::remedy(what, now)));
+  }
+  void move(detail::transition what, const char* call) {
+    check(what, call);
+    now = detail::after(what, now);
+  }
+
+  [[gnu::flatten]] void advance() noexcept {
+    detail::course course;
+    detail::loop<Graph, std::make_integer_sequence<int, detail::counts_of<Graph>.turn_count>>::beat(state_of_all, course, k);
+    ++k;
+    if constexpr (detail::counts_of<Graph>.may_fault)
+      if (course.fault) fail(course);
+  }
+
+  // In the beat of the fault, instead of what would still have come.
+  [[gnu::noinline]] void fail(const detail::course& course) noexcept {
+    reason = course;
+    [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
+      const auto one = []<class C>(C& component) {
+        if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
+      };
+      const int all[] = {0, (one(cell_of<Leaf>(state_of_all).component), 0)...};
+      (void)all;
+    }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
+    now = detail::after(detail::transition::fail, now);
+  }
+
+  detail::memory<Graph> state_of_all{};
+  std::int64_t k = 0;
+  detail::course reason{};
+  cca::state now = cca::state::created;
+};
+
+}  // namespace cca

@@ -1,0 +1,193 @@
+// Whether a component fires in beat k: settled at compile time wherever its clock is known, else asked of its strategy.
+#pragma once
+
+#include <cca/runtime/observe.hpp>
+
+namespace cca::detail {
+
+template <clock Clock>
+CCA_GLUE constexpr bool ticks(std::int64_t k) {
+  if constexpr (Clock.never()) return false;
+  else if constexpr (Clock.every_beat()) return true;
+  else if constexpr (Clock.period == 1) return k >= Clock.first;
+  else if constexpr (Clock.first < Clock.period) return static_cast<std::uint64_t>(k) % static_cast<std::uint64_t>(Clock.period) == static_cast<std::uint64_t>(Clock.first);
+  else return k >= Clock.first && (k - Clock.first) % Clock.period == 0;
+}
+
+// The state of a function whose clock is known only at run time, when its strategy is asked.
+template <class Graph, int Turn>
+struct question {
+  const memory<Graph>& m;
+  const locals<Graph>& l;
+  std::int64_t k;
+  const last_firing& self;
+
+  template <int Input>
+  CCA_GLUE bool fresh() const {
+    if constexpr (is_wired<Graph, Input>) return is_fresh<Graph, Input>(see<Graph, Input>(m, l, k), self.last);
+    else return false;
+  }
+  template <int... Input>
+  CCA_GLUE bool any_fresh(std::integer_sequence<int, Input...>) const {
+    return (fresh<Input>() || ... || any_observed());
+  }
+  template <int... Input>
+  CCA_GLUE bool all_fresh(std::integer_sequence<int, Input...>) const {
+    return ((!is_wired<Graph, Input> || fresh<Input>()) && ... && (!has_observers<Graph, Turn>() || any_observed()));
+  }
+
+  // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
+  template <int... Input>
+  CCA_GLUE bool together(std::integer_sequence<int, Input...>) const {
+    std::int64_t common = never;
+    bool all = true;
+    (join<Input>(common, all), ...);
+    return all && common > self.oldest;
+  }
+  template <int Input>
+  CCA_GLUE void join(std::int64_t& common, bool& all) const {
+    if constexpr (is_wired<Graph, Input>) {
+      const auto origin = see<Graph, Input>(m, l, k).origin;
+      if (common == never) common = origin;
+      all = all && origin != never && origin == common;
+    }
+  }
+
+  // Does an observer of this function listen to something fresh?
+  CCA_GLUE bool any_observed() const {
+    bool any = false;
+    for_each_observed<Graph, Turn>([&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
+    return any;
+  }
+};
+
+template <class Graph, int Turn>
+CCA_GLUE beat beat_of(std::int64_t k, const last_firing& self) {
+  return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
+}
+
+// What a user's strategy looks at.
+template <class Graph, int Turn>
+struct inputs_view {
+  const question<Graph, Turn>& asked;
+
+  template <fixed_string Name>
+  auto get() const {
+    using function = typename function_of<typename leaf_of<Graph, turn_of<Graph, Turn>.leaf>::component, turn_of<Graph, Turn>.phase>::type;
+    return find<Name>(typename function_facts<function>::parameters{});
+  }
+
+private:
+  template <fixed_string Name, class... Parameters>
+  auto find(list<Parameters...>) const {
+    constexpr int position = [] {
+      const half_info& half = *turn_of<Graph, Turn>.half;
+      for (int p = 0; p < half.input_count; ++p)
+        if (half.inputs[p].name == Name.view()) return p;
+      return -1;
+    }();
+    static_assert(position >= 0, "cca: the strategy asks for an input that the component does not have");
+    constexpr int parameter = [] {
+      const auto& positions = half_facts<list<Parameters...>, list<>>::input_of_parameter;
+      for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
+        if (positions[i] == position) return static_cast<int>(i);
+      return 0;
+    }();
+    constexpr int input = turn_of<Graph, Turn>.first_input + position;
+    const auto h = see<Graph, input>(asked.m, asked.l, asked.k);
+    nth<parameter, list<Parameters...>> port{to_be_filled{}};
+    fill_port<Graph, input>(port, h, asked.self.last);
+    return port;
+  }
+};
+
+template <class Strategy>
+struct asking {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return Strategy{}.fires(beat_of<Graph, Turn>(q.k, q.self), inputs_view<Graph, Turn>{q});
+  }
+};
+
+template <std::int64_t N, std::int64_t Phase>
+struct asking<timed<N, Phase>> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return ticks<pure_clock(strategy_of<timed<N, Phase>>)>(q.k);
+  }
+};
+
+template <>
+struct asking<full_speed> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>&) { return true; }
+};
+
+template <>
+struct asking<inactive> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>&) { return false; }
+};
+
+template <>
+struct asking<restless> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return q.any_fresh(inputs_of<Graph, Turn>{});
+  }
+};
+
+template <>
+struct asking<moderate> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return q.all_fresh(inputs_of<Graph, Turn>{});
+  }
+};
+
+template <fixed_string... Names>
+struct asking<port_triggered<Names...>> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return any_named(q, inputs_of<Graph, Turn>{});
+  }
+  template <class Graph, int Turn, int... Input>
+  CCA_GLUE static bool any_named(const question<Graph, Turn>& q, std::integer_sequence<int, Input...>) {
+    return ((is_named(input_port_of<Graph, Input>.name) && q.template fresh<Input>()) || ...);
+  }
+  static constexpr bool is_named(std::string_view name) { return ((name == Names.view()) || ...); }
+};
+
+template <std::int64_t N>
+struct asking<timeout<N>> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return q.k - (q.self.last < 0 ? 0 : q.self.last) >= N;
+  }
+};
+
+template <>
+struct asking<coordinated> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return q.together(inputs_of<Graph, Turn>{});
+  }
+};
+
+template <class... Strategies>
+struct asking<any_of<Strategies...>> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return (asking<Strategies>::template fires<Graph, Turn>(q) || ...);
+  }
+};
+
+template <class... Strategies>
+struct asking<all_of<Strategies...>> {
+  template <class Graph, int Turn>
+  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+    return (asking<Strategies>::template fires<Graph, Turn>(q) && ...);
+  }
+};
+
+}  // namespace cca::detail

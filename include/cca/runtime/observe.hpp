@@ -1,0 +1,107 @@
+// Listening to a scope: the samples of all outputs under it, as an array of observations.
+#pragma once
+
+#include <cca/runtime/read.hpp>
+
+namespace cca::detail {
+
+template <class Graph, int Turn>
+constexpr bool has_observers() {
+  for (int p = 0; p < turn_of<Graph, Turn>.half->input_count; ++p)
+    if (!turn_of<Graph, Turn>.half->inputs[p].space) return true;
+  return false;
+}
+
+// Calls f.template operator()<Link>() for each link of the observers of a function, or of one of them.
+template <class Graph, int Turn, int OnlyInput = -1, class F>
+CCA_GLUE void for_each_observed(F f) {
+  if constexpr (has_observers<Graph, Turn>()) {
+    [&]<int... L>(std::integer_sequence<int, L...>) {
+      const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
+        constexpr int input = plan_of<Graph>.links[Link].input;
+        if constexpr (input_of<Graph, input>.turn == Turn && (OnlyInput < 0 || OnlyInput == input)) f.template operator()<Link>();
+      };
+      (one(std::integral_constant<int, L>{}), ...);
+    }(std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
+  }
+}
+
+template <class Graph, int Link>
+CCA_GLUE auto observe_one(const memory<Graph>& m, std::int64_t k) {
+  constexpr int output = plan_of<Graph>.links[Link].output;
+  constexpr const auto& in = input_of<Graph, plan_of<Graph>.links[Link].input>;
+  constexpr int delay = turn_of<Graph, in.turn>.half->inputs[in.port].observed_delay;
+  if constexpr (delay > 0 && output_of<Graph, output>.ring > 0) {
+    return hold_past<Graph, plan_of<Graph>.links[Link].input, delay, output>(m, k);
+  } else {
+    constexpr int size = size_of_output<Graph, output>;
+    constexpr auto c = published_of<Graph, output>;
+    const kept_sample<Graph, output>& s = m;
+    held<size> h;
+    copy_coordinates<size>(h.value, s.value);
+    h.origin = s.origin;
+    if constexpr (c.known()) h.arrived = newest_tick({c.period, c.first + delay}, k);
+    else if constexpr (c.never()) h.arrived = -1;
+    else h.arrived = s.when < 0 ? -1 : s.when + delay;
+    return h;
+  }
+}
+
+// The path of an output from the outermost graph, as static text.
+template <class Graph, int Output>
+inline constexpr auto output_path = [] {
+  std::array<char, 256> text{};
+  std::array<std::string_view, 32> parts{};
+  std::size_t count = 0;
+  constexpr const auto& o = output_of<Graph, Output>;
+  const auto& t = plan_of<Graph>.turns[o.turn];
+  parts[count++] = t.half->outputs[o.port].name;
+  parts[count++] = plan_of<Graph>.leaves[t.leaf].item->from;
+  for (int s = plan_of<Graph>.leaves[t.leaf].scope; plan_of<Graph>.scopes[s].item; s = plan_of<Graph>.scopes[s].parent)
+    parts[count++] = plan_of<Graph>.scopes[s].item->from;
+  std::size_t at = 0;
+  while (count-- > 0) {
+    for (const char c : parts[count]) text[at++] = c;
+    if (count > 0) text[at++] = '.';
+  }
+  return std::pair{text, at};
+}();
+
+template <class Graph, int Output>
+constexpr std::string_view path_of_output() {
+  return {output_path<Graph, Output>.first.data(), output_path<Graph, Output>.second};
+}
+
+template <int Values, int Count>
+struct observations {
+  std::array<observation, Count + 1> entries;
+  std::array<double, Values + 1> values;
+  int count = 0, used = 0;
+};
+
+template <class Graph, int Input>
+CCA_GLUE auto observed(const memory<Graph>& m, std::int64_t k, std::int64_t last) {
+  constexpr auto sizes = [] {
+    std::pair<int, int> total{};
+    for (int l = 0; l < counts_of<Graph>.link_count; ++l)
+      if (plan_of<Graph>.links[l].input == Input) {
+        const auto& o = plan_of<Graph>.outputs[plan_of<Graph>.links[l].output];
+        total.first += plan_of<Graph>.turns[o.turn].half->outputs[o.port].space->size;
+        ++total.second;
+      }
+    return total;
+  }();
+  observations<sizes.first, sizes.second> all;
+  for_each_observed<Graph, input_of<Graph, Input>.turn, Input>([&]<int Link>() {
+    constexpr int output = plan_of<Graph>.links[Link].output;
+    constexpr int size = size_of_output<Graph, output>;
+    const auto h = observe_one<Graph, Link>(m, k);
+    double* values = all.values.data() + all.used;
+    copy_coordinates<size>(values, h.value);
+    all.entries[static_cast<std::size_t>(all.count++)] = {path_of_output<Graph, output>(), {values, static_cast<std::size_t>(size)}, h.origin, h.arrived > last};
+    all.used += size;
+  });
+  return all;
+}
+
+}  // namespace cca::detail

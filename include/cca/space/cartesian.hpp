@@ -1,0 +1,63 @@
+// Positions: points by their coordinates along axes of a frame, in m.
+//
+//   struct foot_in_hip : cca::space<cca::cartesian_position<hip_frame>, cca::axes<cca::x, cca::z>> {};
+//
+// The zero is the frame's origin. Points have no sum: their difference is a vector, and a point plus a vector is a point.
+// Errors: `frame.mismatch`.
+#pragma once
+
+#include <cmath>
+
+#include <cca/space/linear.hpp>
+
+namespace cca {
+
+template <class Frame>
+struct cartesian_position : detail::linear_domain {
+  using quantity = length;
+  using frame = Frame;
+  using frames = detail::frame_list<Frame>;
+
+  template <class Self>
+  struct methods : detail::on_a_line<Self> {
+    // From the other one to this one, in m along the frame's axes.
+    template <Sample Other>
+    constexpr auto difference(const Other& from) const {
+      auto v = this->self().vector();
+      if constexpr (detail::meet<Self, Other>()) v -= from.vector();
+      return v;
+    }
+
+    // In m.
+    template <Sample Other>
+    double distance(const Other& to) const {
+      const auto v = difference(to);
+      return std::sqrt(v.dot(v));
+    }
+
+    template <class Vector>
+    constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
+      return Self((this->self().vector() + by).eval(), this->self().origin());
+    }
+  };
+};
+
+namespace detail {
+
+template <class Domain>
+constexpr bool is_position = false;
+template <class Frame>
+constexpr bool is_position<cartesian_position<Frame>> = true;
+
+template <class Type>
+concept PositionSample = Sample<Type> && is_position<typename Type::space::domain>;
+
+// Moved by a rigid motion: only over three axes, which are x, y and z by their order.
+template <class Position>
+constexpr bool spatial() {
+  static_assert(Position::space::size == 3, "space.mismatch: a rotation moves positions over three axes, axes<x, y, z>");
+  return Position::space::size == 3;
+}
+
+}  // namespace detail
+}  // namespace cca

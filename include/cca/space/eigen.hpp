@@ -1,0 +1,21 @@
+// Eigen's fixed-size vectors, the only part of Eigen that the core includes (Eigen/Geometry would cost 0.1 s a file).
+//
+// Since C++17 `new` aligns as a type asks, so Eigen's check that an array is aligned never fires. Without NDEBUG it makes
+// the constructor of each vector too heavy for g++ 12 to inline: a beat would be full of calls.
+#pragma once
+
+#ifndef EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
+#define EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
+#endif
+
+#include <Eigen/Core>
+
+namespace cca::detail {
+
+using vector3 = Eigen::Matrix<double, 3, 1>;
+using vector4 = Eigen::Matrix<double, 4, 1>;
+
+template <class Type>
+concept EigenVector = requires { Type::RowsAtCompileTime; } && requires(const Type& v) { v.derived(); };
+
+}  // namespace cca::detail

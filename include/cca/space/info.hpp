@@ -1,0 +1,74 @@
+// What the checks need to know of a space, as a value: constexpr functions compare it and messages print it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <cca/space/space.hpp>
+#include <cca/space/type_name.hpp>
+
+namespace cca::detail {
+
+struct space_info {
+  std::string_view name;
+  std::string_view domain;
+  const std::string_view* axes;
+  int axis_count;
+  int size;
+  double hz;           // 0 where the space states no rate
+  std::uint64_t key;   // equal for equal domain types (with their frame) and equal axes in equal order
+  bool actuated;
+  int duplicate_axis;  // index, or -1
+  int missing_limits;  // index of the first axis without limits for the domain's quantity, or -1
+  std::string_view quantity;
+};
+
+template <class Axes>
+struct axes_facts;
+
+template <class... Axes>
+struct axes_facts<axes<Axes...>> {
+  static constexpr std::array<std::string_view, sizeof...(Axes) + 1> names{type_name<Axes>()..., {}};
+
+  static constexpr std::uint64_t key(std::uint64_t seed) {
+    ((seed = hash("|", hash(spelled<Axes>(), seed))), ...);
+    return seed;
+  }
+  static constexpr int duplicate() {
+    const std::array<std::string_view, sizeof...(Axes) + 1> all{spelled<Axes>()..., {}};
+    for (std::size_t i = 1; i < sizeof...(Axes); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (all[i] == all[j]) return static_cast<int>(i);
+    return -1;
+  }
+  template <class Quantity>
+  static constexpr int missing() {
+    const std::array<bool, sizeof...(Axes) + 1> has{axis_has_limits<Axes, Quantity>..., true};
+    for (std::size_t i = 0; i < sizeof...(Axes); ++i)
+      if (!has[i]) return static_cast<int>(i);
+    return -1;
+  }
+};
+
+template <class Space>
+inline constexpr space_info space_of = {
+    type_name<Space>(),
+    type_name<typename Space::domain>(),
+    axes_facts<typename Space::axes>::names.data(),
+    Space::axes::count,
+    Space::size,
+    hz_of<typename Space::rate>,
+    axes_facts<typename Space::axes>::key(hash(spelled<typename Space::domain>())),
+    Space::domain::actuated,
+    axes_facts<typename Space::axes>::duplicate(),
+    axes_facts<typename Space::axes>::template missing<typename Space::domain::quantity>(),
+    type_name<typename Space::domain::quantity>(),
+};
+
+// A rate that only one of them states does not count.
+constexpr bool matches(const space_info& a, const space_info& b) {
+  return a.key == b.key && (a.hz == b.hz || a.hz == 0 || b.hz == 0);
+}
+
+}  // namespace cca::detail

@@ -1,0 +1,104 @@
+// Domain types at joint level, one number an axis. All are actuated: where one is a command its axes must state limits.
+//
+//   domain type           unit      zero   methods
+//   joint_angles          rad       0      normalised, difference, plus, interpolated, within_limits, clamped
+//   joint_velocities      rad/s     0      sums, displacement(dt), interpolated, within_limits, clamped
+//   joint_accelerations   rad/s^2   0      sums, interpolated, within_limits, clamped
+//   joint_torques         N m       0      sums, power(velocities), interpolated, within_limits, clamped
+//   joint_stiffness       N m/rad   0      sums, torque(deflection), interpolated, within_limits, clamped
+#pragma once
+
+#include <cca/space/circle.hpp>
+#include <cca/space/linear.hpp>
+
+namespace cca {
+
+namespace detail {
+
+struct joint_domain : linear_domain {
+  static constexpr bool actuated = true;
+};
+
+}  // namespace detail
+
+// Interpolation is the straight line between the two numbers and never the short way around: two angles within the
+// limits have all between them within, which the short way would not keep. A joint that turns on and on is a `phase`.
+struct joint_angles : detail::joint_domain {
+  using quantity = angle;
+
+  template <class Self>
+  struct methods : detail::on_a_line<Self> {
+    // Into (-pi, pi].
+    constexpr Self normalised() const {
+      auto v = this->self().vector();
+      for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_signed(v.coeff(i));
+      return Self(v, this->self().origin());
+    }
+
+    // From the other one to this one the short way, each in (-pi, pi].
+    template <Sample Other>
+    constexpr auto difference(const Other& from) const {
+      auto v = this->self().vector();
+      if constexpr (detail::meet<Self, Other>())
+        for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
+      return v;
+    }
+
+    template <class Vector>
+    constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
+      return Self((this->self().vector() + by).eval(), this->self().origin());
+    }
+  };
+};
+
+struct joint_velocities : detail::joint_domain {
+  using quantity = velocity;
+
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    // rad, over dt in s: for `angles.plus(...)`.
+    constexpr auto displacement(double dt) const {
+      using vector = typename Self::space::vector_type;
+      return vector(dt * this->self().vector());
+    }
+  };
+};
+
+struct joint_accelerations : detail::joint_domain {
+  using quantity = acceleration;
+
+  template <class Self>
+  struct methods : detail::additive<Self> {};
+};
+
+struct joint_torques : detail::joint_domain {
+  using quantity = torque;
+
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    // W, into the joints.
+    template <Sample Velocities>
+    constexpr double power(const Velocities& velocities) const {
+      static_assert(std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
+                        std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
+                    "space.mismatch: the power of joint torques is that with joint_velocities over the same axes");
+      return this->self().vector().dot(velocities.vector());
+    }
+  };
+};
+
+struct joint_stiffness : detail::joint_domain {
+  using quantity = stiffness;
+
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    // N m: of springs that are turned by this much (rad) out of their rest; it draws back, so its sign is the opposite.
+    template <class Vector>
+    constexpr auto torque(const Eigen::MatrixBase<Vector>& deflection) const {
+      using vector = typename Self::space::vector_type;
+      return vector(-this->self().vector().cwiseProduct(deflection));
+    }
+  };
+};
+
+}  // namespace cca

@@ -1,0 +1,80 @@
+// The limits of a space's axes, as arrays in the order of the axes: infinite where an axis states none.
+//
+// Cost: constants; an axis without limits costs two comparisons that the compiler drops.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include <cca/space/dimension.hpp>
+
+namespace cca::detail {
+
+template <class Axis, class Quantity>
+constexpr double lower_limit_of = [] {
+  if constexpr (axis_has_limits<Axis, Quantity>) return Axis::limits.template of<Quantity>().lower;
+  else return -std::numeric_limits<double>::infinity();
+}();
+
+template <class Axis, class Quantity>
+constexpr double upper_limit_of = [] {
+  if constexpr (axis_has_limits<Axis, Quantity>) return Axis::limits.template of<Quantity>().upper;
+  else return std::numeric_limits<double>::infinity();
+}();
+
+template <class Axes, class Quantity>
+struct limits_along;
+
+template <template <class...> class List, class... Axes, class Quantity>
+struct limits_along<List<Axes...>, Quantity> {
+  static constexpr std::array<double, sizeof...(Axes)> lower{lower_limit_of<Axes, Quantity>...};
+  static constexpr std::array<double, sizeof...(Axes)> upper{upper_limit_of<Axes, Quantity>...};
+
+  // The first axis that states none, or whose lower limit lies above the upper one (or is NaN); or -1.
+  static constexpr int first_missing() {
+    const std::array<bool, sizeof...(Axes)> sound{
+        (axis_has_limits<Axes, Quantity> && lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>)...};
+    for (std::size_t i = 0; i < sizeof...(Axes); ++i)
+      if (!sound[i]) return static_cast<int>(i);
+    return -1;
+  }
+};
+
+// One number an axis.
+template <class Space, class Quantity>
+constexpr const auto& lower_limits = limits_along<typename Space::axes, Quantity>::lower;
+template <class Space, class Quantity>
+constexpr const auto& upper_limits = limits_along<typename Space::axes, Quantity>::upper;
+
+// Index of the first axis of an actuated space without limits for its quantity, or -1.
+template <class Space>
+constexpr int missing_limits = [] {
+  if constexpr (Space::domain::actuated) return limits_along<typename Space::axes, typename Space::domain::quantity>::first_missing();
+  else return -1;
+}();
+
+template <class Axes>
+struct repeated_in;
+
+template <template <class...> class List, class... Axes>
+struct repeated_in<List<Axes...>> {
+  static constexpr int first() {
+    // Two types differ if and only if the addresses of their tags do.
+    const std::array<const void*, sizeof...(Axes)> tags{&tag<Axes>...};
+    for (std::size_t i = 1; i < sizeof...(Axes); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (tags[i] == tags[j]) return static_cast<int>(i);
+    return -1;
+  }
+
+private:
+  template <class Axis>
+  static constexpr char tag = 0;
+};
+
+// Index of the first axis that stands twice in a space, or -1.
+template <class Space>
+constexpr int duplicate_axis = repeated_in<typename Space::axes>::first();
+
+}  // namespace cca::detail

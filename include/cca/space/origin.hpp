@@ -1,0 +1,22 @@
+// Times of origin, in nanoseconds since beat 0.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace cca {
+
+// The time of origin of a value that no sample has replaced yet.
+inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::lowest();
+
+namespace detail {
+
+// What is made of two samples originates where the older one does; an initial value doesn't count.
+constexpr std::int64_t older(std::int64_t a, std::int64_t b) {
+  if (a == never) return b;
+  if (b == never) return a;
+  return a < b ? a : b;
+}
+
+}  // namespace detail
+}  // namespace cca

@@ -1,0 +1,76 @@
+// Phases: points on a circle, in rad, one an axis. 0 and 2 pi are the same phase.
+//
+// A sample holds the number that it was given; `wrapped()` is its one name in [0, 2 pi). Everything else gives the same
+// for each of a phase's numbers.
+// Source of mean and coherence: Mardia and Jupp, Directional Statistics, 2000, section 2.2 (mean direction and mean
+// resultant length; the order parameter of coupled oscillators, Kuramoto 1984, is the latter).
+#pragma once
+
+#include <cmath>
+
+#include <cca/space/circle.hpp>
+#include <cca/space/linear.hpp>
+
+namespace cca {
+
+struct phase : detail::linear_domain {
+  using quantity = angle;
+
+  template <class Self>
+  struct methods : detail::mixin<Self> {
+    // Into [0, 2 pi).
+    constexpr Self wrapped() const { return advanced(0.0); }
+
+    // By so many rad along every axis; the result is wrapped.
+    constexpr Self advanced(double by) const {
+      auto v = this->self().vector();
+      for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_turn(v.coeff(i) + by);
+      return Self(v, this->self().origin());
+    }
+    template <class Vector>
+    constexpr Self advanced(const Eigen::MatrixBase<Vector>& by) const {
+      auto v = (this->self().vector() + by).eval();
+      for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_turn(v.coeff(i));
+      return Self(v, this->self().origin());
+    }
+
+    // From the other one to this one the short way, each in (-pi, pi]: positive if this one leads.
+    template <Sample Other>
+    constexpr auto difference(const Other& from) const {
+      auto v = this->self().vector();
+      if constexpr (detail::meet<Self, Other>())
+        for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
+      return v;
+    }
+
+    // Along the shorter arc; wrapped. Of two opposite phases that with growing phase.
+    template <Sample To>
+    constexpr Self interpolated(const To& to, double t) const {
+      auto v = this->self().vector();
+      if constexpr (detail::meet<Self, To>())
+        for (int i = 0; i < Self::space::size; ++i)
+          v.coeffRef(i) = wrap_turn(v.coeff(i) + t * wrap_signed(to.vector().coeff(i) - v.coeff(i)));
+      return Self(v, detail::older(this->self().origin(), to.origin()));
+    }
+
+    // Over the axes, in [0, 2 pi). Of phases that balance each other (coherence 0) it's as good as random.
+    double mean() const { return wrap_turn(std::atan2(sine(), cosine())); }
+
+    // Over the axes: 1 if all are equal, 0 if they balance each other.
+    double coherence() const { return std::hypot(sine(), cosine()) / Self::space::size; }
+
+  private:
+    double sine() const {
+      double sum = 0;
+      for (int i = 0; i < Self::space::size; ++i) sum += std::sin(this->self().vector().coeff(i));
+      return sum;
+    }
+    double cosine() const {
+      double sum = 0;
+      for (int i = 0; i < Self::space::size; ++i) sum += std::cos(this->self().vector().coeff(i));
+      return sum;
+    }
+  };
+};
+
+}  // namespace cca

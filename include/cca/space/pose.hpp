@@ -1,0 +1,120 @@
+// Poses: a position and an orientation in a frame, as seven numbers: x, y, z in m, then a unit quaternion x, y, z, w.
+// The zero is the frame's own pose.
+//
+//   struct foot_pose : cca::space<cca::pose<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
+//
+// `pose<Frame>` is where something (a body, another frame) is in Frame: the rigid motion that takes Frame to that thing.
+// `a * b` moves by b first, then by a, both in Frame. `express(p)` takes a position in the frame of the thing to Frame.
+// Preconditions: the quaternion is of unit length, to rounding. Errors: `frame.mismatch`.
+#pragma once
+
+#include <cca/space/orientation.hpp>
+
+namespace cca {
+
+template <class Frame>
+struct pose;
+
+namespace detail {
+
+template <class Domain>
+constexpr bool is_pose = false;
+template <class Frame>
+constexpr bool is_pose<pose<Frame>> = true;
+
+template <class Type>
+concept PoseSample = Sample<Type> && is_pose<typename Type::space::domain>;
+
+}  // namespace detail
+
+template <class Frame>
+struct pose {
+  using quantity = void;
+  using frame = Frame;
+  using frames = detail::frame_list<Frame>;
+  static constexpr bool actuated = false;
+  static constexpr int width(int axes) { return axes == 3 ? 7 : throw "cca::pose: its axes are axes<x, y, z>"; }
+  static constexpr double zero(int i, int) { return i == 6 ? 1 : 0; }
+
+  template <class Self>
+  struct methods : detail::mixin<Self> {
+    // Its two parts, as samples.
+    template <detail::PositionSample Position, detail::OrientationSample Orientation>
+    static Self of(const Position& p, const Orientation& o) {
+      static_assert(SameFrame<Frame, typename Position::space::domain::frame> &&
+                        SameFrame<Frame, typename Orientation::space::domain::frame>,
+                    "frame.mismatch: a pose is made of a position and an orientation in its own frame, and here one of them "
+                    "is in another; bring it there first, with `express(...)`");
+      return make(p.vector(), o.vector(), detail::older(p.origin(), o.origin()));
+    }
+    auto position() const {
+      return sample<with_domain<typename Self::space, cartesian_position<Frame>>>(translation(), this->self().origin());
+    }
+    auto orientation() const {
+      return sample<with_domain<typename Self::space, cca::orientation<Frame>>>(quaternion(), this->self().origin());
+    }
+
+    // First b, then this one.
+    template <detail::PoseSample Other>
+    Self operator*(const Other& b) const {
+      static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
+                    "frame.mismatch: two poses are composed that are motions in different frames; bring both into one frame "
+                    "first (what is given in a thing's frame goes through `express(...)` of its pose)");
+      return make(moved(b.vector().template head<3>()), rotation::product(quaternion(), b.vector().template tail<4>()),
+                  detail::older(this->self().origin(), b.origin()));
+    }
+    Self inverse() const {
+      const detail::vector4 back = rotation::inverse(quaternion());
+      return make(-rotation::rotate(back, translation()), back, this->self().origin());
+    }
+
+    // A point of Frame, moved in Frame.
+    template <detail::PositionSample Position>
+    auto transform(const Position& p) const {
+      static_assert(SameFrame<Frame, typename Position::space::domain::frame>,
+                    "frame.mismatch: a position is moved by a pose of another frame; if the position is given in the frame of "
+                    "the thing whose pose this is, `express(position)` takes it to this frame");
+      using result = sample<typename Position::space>;
+      if constexpr (detail::spatial<Position>())
+        return result(moved(p.vector()), detail::older(this->self().origin(), p.origin()));
+      else
+        return result(p.vector());
+    }
+    Eigen::Matrix<double, 3, 1> transform(const Eigen::Matrix<double, 3, 1>& p) const { return moved(p); }
+
+    // A position in the frame of the thing whose pose this is: the same point in Frame.
+    template <detail::PositionSample Position>
+    auto express(const Position& p) const {
+      (void)detail::spatial<Position>();
+      return detail::express<Position, Frame>(moved(p.vector()), detail::older(this->self().origin(), p.origin()));
+    }
+
+    // The position on a straight line, the orientation by slerp, each at its constant speed (not a screw motion).
+    template <detail::PoseSample To>
+    Self interpolated(const To& to, double t) const {
+      (void)detail::meet<Self, To>();
+      return make((1 - t) * translation() + t * to.vector().template head<3>(),
+                  rotation::slerp(quaternion(), to.vector().template tail<4>(), t),
+                  detail::older(this->self().origin(), to.origin()));
+    }
+
+    // In m, and in rad.
+    template <detail::PoseSample Other>
+    double distance(const Other& to) const { return position().distance(to.position()); }
+    template <detail::PoseSample Other>
+    double angle_to(const Other& to) const { return orientation().angle_to(to.orientation()); }
+
+  private:
+    static Self make(const detail::vector3& p, const detail::vector4& q, std::int64_t origin) {
+      typename Self::space::vector_type v;
+      for (int i = 0; i < 3; ++i) v.coeffRef(i) = p.coeff(i);
+      for (int i = 0; i < 4; ++i) v.coeffRef(3 + i) = q.coeff(i);
+      return Self(v, origin);
+    }
+    detail::vector3 translation() const { return this->self().vector().template head<3>(); }
+    detail::vector4 quaternion() const { return this->self().vector().template tail<4>(); }
+    detail::vector3 moved(const detail::vector3& p) const { return rotation::rotate(quaternion(), p) + translation(); }
+  };
+};
+
+}  // namespace cca

@@ -1,0 +1,101 @@
+// Twists and wrenches: how a body moves, and what acts on it, in six numbers. Source of all equations: Featherstone, Rigid
+// Body Dynamics Algorithms, 2008, chapter 2 (spatial vectors in Pluecker coordinates, angular part first).
+//
+//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the body's point at At's origin, in m/s
+//   wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
+//
+// `At` is the frame whose origin it acts at, `In` the frame along whose axes the numbers are: they change apart.
+// `orientation.express(t)` changes In; `moved_to<Point>(lever)` changes At. The zero is rest, and no load.
+// Errors: `frame.mismatch`, where two differ in At or In.
+#pragma once
+
+#include <cca/space/orientation.hpp>
+
+namespace cca {
+
+namespace detail {
+
+template <class At, class In>
+struct spatial_domain {
+  using quantity = void;  // two: one of the three angular numbers, one of the linear ones
+  using at = At;
+  using in = In;
+  using frames = frame_list<At, In>;
+  static constexpr bool actuated = false;
+  static constexpr int width(int axes) { return axes == 3 ? 6 : throw "cca::twist, cca::wrench: the axes are axes<x, y, z>"; }
+  static constexpr double zero(int, int) { return 0; }
+};
+
+// The vector from the old point to the new one, along the axes of In.
+template <class In, class Lever>
+vector3 lever_along(const Lever& lever) {
+  if constexpr (Sample<Lever>) {
+    static_assert(SameFrame<In, typename Lever::space::domain::frame>,
+                  "frame.mismatch: the lever arm is not expressed in the frame that the twist or wrench is expressed in; "
+                  "bring one into the other's frame first, with `express(...)` of an orientation");
+    return lever.vector();
+  } else {
+    return lever;
+  }
+}
+
+template <class Domain>
+constexpr bool is_twist = false;
+template <class At, class In>
+constexpr bool is_twist<twist<At, In>> = true;
+
+template <class Type>
+concept TwistSample = Sample<Type> && is_twist<typename Type::space::domain>;
+
+}  // namespace detail
+
+template <class At, class In>
+struct twist : detail::spatial_domain<At, In> {
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    Eigen::Matrix<double, 3, 1> angular() const { return this->self().vector().template head<3>(); }
+    Eigen::Matrix<double, 3, 1> linear() const { return this->self().vector().template tail<3>(); }
+
+    // Of the same motion, at another point: v_P = v_O + w x OP. `lever` is OP: a position in In, or a vector.
+    template <class Point, class Lever>
+    auto moved_to(const Lever& lever) const {
+      using result = sample<with_domain<typename Self::space, twist<Point, In>>>;
+      typename Self::space::vector_type v = this->self().vector();
+      v.template tail<3>() += rotation::cross(angular(), detail::lever_along<In>(lever));
+      return result(v, this->self().origin());
+    }
+  };
+};
+
+template <class At, class In>
+struct wrench : detail::spatial_domain<At, In> {
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    Eigen::Matrix<double, 3, 1> torque() const { return this->self().vector().template head<3>(); }
+    Eigen::Matrix<double, 3, 1> force() const { return this->self().vector().template tail<3>(); }
+
+    // The same load, about another point: n_P = n_O - OP x f. `lever` is OP: a position in In, or a vector.
+    template <class Point, class Lever>
+    auto moved_to(const Lever& lever) const {
+      using result = sample<with_domain<typename Self::space, wrench<Point, In>>>;
+      typename Self::space::vector_type v = this->self().vector();
+      v.template head<3>() -= rotation::cross(detail::lever_along<In>(lever), force());
+      return result(v, this->self().origin());
+    }
+
+    // W: what the load does on a body that moves so.
+    template <detail::TwistSample Twist>
+    double power(const Twist& motion) const {
+      using of = typename Twist::space::domain;
+      static_assert(SameFrame<At, typename of::at>,
+                    "frame.mismatch: the power of a wrench with a twist that acts at another point; move one to the other's "
+                    "point first, with `moved_to<point>(lever)`");
+      static_assert(!SameFrame<At, typename of::at> || SameFrame<In, typename of::in>,
+                    "frame.mismatch: the power of a wrench with a twist that is expressed in another frame; express one in "
+                    "the other's frame first, with `orientation.express(...)`");
+      return this->self().vector().dot(motion.vector());
+    }
+  };
+};
+
+}  // namespace cca
