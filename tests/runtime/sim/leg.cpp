@@ -21,14 +21,14 @@ TEST_SUITE("sim leg") {
   TEST_CASE("inverse kinematics undoes forward kinematics") {
     for (double hip = -1; hip <= 1; hip += 0.1)
       for (double knee = m.knee_range.low; knee <= m.knee_range.high; knee += 0.1) {
-        const sim::leg_angles_in_plane q = sim::leg_angles(m, sim::foot_position(m, {hip, knee}));
+        const sim::leg_angles_in_plane q = sim::leg_angles_for(m, sim::foot_position(m, {hip, knee}));
         CHECK(q.hip == doctest::Approx(hip).epsilon(1e-9));
         CHECK(q.knee == doctest::Approx(knee).epsilon(1e-9));
       }
   }
 
   TEST_CASE("out of reach the knee stays in its range and the leg points at the target") {
-    const sim::leg_angles_in_plane q = sim::leg_angles(m, {0.3, -0.3});
+    const sim::leg_angles_in_plane q = sim::leg_angles_for(m, {0.3, -0.3});
     CHECK(q.knee == m.knee_range.low);
     const sim::foot_in_plane foot = sim::foot_position(m, q);
     CHECK(std::atan2(foot.x, -foot.z) == doctest::Approx(std::atan2(0.3, 0.3)));

@@ -12,7 +12,7 @@ namespace sim = cca::sim;
 
 // Feet 40 mm ahead of the hips, 165 mm below them, where the springs carry the robot.
 inline sim::initial_posture crouched() {
-  const sim::leg_angles_in_plane q = sim::leg_angles(sim::oncilla_defaults, {0.04, -0.165});
+  const sim::leg_angles_in_plane q = sim::leg_angles_for(sim::oncilla_defaults, {0.04, -0.165});
   sim::initial_posture p;
   for (auto& l : p.legs) l = {q.hip, q.knee, 0};
   return p;

@@ -27,7 +27,7 @@ inline foot_in_plane foot_position(const oncilla_model& m, leg_angles_in_plane q
 }
 
 // The angles that bring the foot to a point, or, out of reach, towards it: the knee stays inside its range.
-inline leg_angles_in_plane leg_angles(const oncilla_model& m, foot_in_plane foot) {
+inline leg_angles_in_plane leg_angles_for(const oncilla_model& m, foot_in_plane foot) {
   const double a = m.upper_length + m.foot_lever(), b = m.middle_length;
   const double cosine = (foot.x * foot.x + foot.z * foot.z - a * a - b * b) / (2 * a * b);
   const double knee = m.knee_range.clamp(std::acos(std::clamp(cosine, -1.0, 1.0)));

@@ -83,6 +83,7 @@ struct oncilla_model {
   motor_line knee_motor{6.0, 16.0};
   motor_line abduction_motor{3.0, 6.0};
   double hip_stiffness = 30.0;         // N m/rad while trotting; 120 to stand and reach
+  double stiffest_hip = 200.0;         // N m/rad; an explicit torque beyond it chatters
   double hip_damping_time = 0.0125;    // damping = stiffness * this time, s
   double hip_feed_forward_speed = 20;  // rad/s, the fastest motion of the target that the drive believes
   double cable_stiffness = 80.0;       // N m/rad

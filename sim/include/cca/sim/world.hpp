@@ -182,7 +182,7 @@ class world {
       take(target.knee, command[i].knee, model_.knee_range);
       take(target.abduction, command[i].abduction, model_.abduction_range);
       take(target.hip_stiffness, command[i].hip_stiffness < 0 ? target.hip_stiffness : command[i].hip_stiffness,
-           {0, stiffest_hip});
+           {0, model_.stiffest_hip});
       const interval believable{-model_.hip_feed_forward_speed, model_.hip_feed_forward_speed};
       motors.hip_target_speed =
           first ? 0.0 : believable.clamp((target.hip - motors.former_hip_target) / model_.beat());
@@ -252,7 +252,6 @@ class world {
   static vector3 velocity(dBodyID body) { return vector(dBodyGetLinearVel(body)); }
 
   static constexpr double clearance = 0.001;
-  static constexpr double stiffest_hip = 200;  // N m/rad; beyond it the explicit torque chatters
   static constexpr std::size_t most_foot_contacts = 32;
 
   oncilla_model model_;
