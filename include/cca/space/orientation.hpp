@@ -101,9 +101,8 @@ struct orientation {
     Self canonical() const { return Self(rotation::canonical(this->self().vector()), this->self().origin()); }
 
     // The same rotation, to the last bit of a quaternion or of its opposite.
-    template <detail::OrientationSample Other>
-    bool operator==(const Other& b) const {
-      return detail::meet<Self, Other>() && rotation::canonical(this->self().vector()) == rotation::canonical(b.vector());
+    friend bool operator==(const Self& a, const Self& b) {
+      return rotation::canonical(a.vector()) == rotation::canonical(b.vector());
     }
 
     // Of the rotation, and of the one between two: in [0, pi].

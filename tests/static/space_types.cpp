@@ -1,0 +1,89 @@
+// Spaces, as the compiler sees them: sizes, zeros, limits, what their checks find, what a sample is.
+#include <cca/space/domain.hpp>
+#include <cca/space/sample.hpp>
+#include <cca/space/units.hpp>
+
+namespace {
+
+struct hip : cca::dimension<"hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}, cca::torque{-3.0, 3.0}};
+};
+struct knee : cca::dimension<"knee"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}};
+};
+struct toe : cca::dimension<"toe"> {};
+struct crossed : cca::dimension<"crossed"> {
+  static constexpr auto limits = cca::limits{cca::angle{1, -1}};
+};
+struct base : cca::frame<"base"> {};
+struct other;
+using xyz = cca::axes<cca::x, cca::y, cca::z>;
+
+struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
+struct leg_torques : cca::space<cca::joint_torques, cca::axes<hip, knee>> {};
+struct toe_angles : cca::space<cca::joint_angles, cca::axes<hip, toe, knee>> {};
+struct crossed_angles : cca::space<cca::joint_angles, cca::axes<crossed>> {};
+struct twice : cca::space<cca::joint_angles, cca::axes<hip, knee, hip>> {};
+struct plain : cca::space<cca::number, cca::axes<toe>> {};
+struct attitude : cca::space<cca::orientation<base>, xyz> {};
+struct placed : cca::space<cca::pose<base>, xyz> {};
+struct moving : cca::space<cca::twist<other, base>, xyz> {};
+struct loaded : cca::space<cca::wrench<other, base>, xyz> {};
+struct foot : cca::space<cca::cartesian_position<base>, cca::axes<cca::x, cca::z>> {};
+
+// Coordinates.
+static_assert(cca::Space<leg_angles> && leg_angles::size == 2);
+static_assert(attitude::size == 4 && placed::size == 7 && moving::size == 6 && loaded::size == 6 && foot::size == 2);
+static_assert(cca::detail::zero_of<attitude> == std::array{0.0, 0.0, 0.0, 1.0});
+static_assert(cca::detail::zero_of<placed> == std::array{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
+static_assert(cca::detail::zero_of<leg_angles> == std::array{0.0, 0.0});
+static_assert(cca::joint_stiffness::actuated && !cca::phase::actuated && !attitude::domain::actuated);
+
+// Limits.
+constexpr double infinite = std::numeric_limits<double>::infinity();
+static_assert(cca::detail::lower_limits<leg_angles, cca::angle> == std::array{-0.9, -1.8});
+static_assert(cca::detail::upper_limits<leg_angles, cca::angle> == std::array{0.9, 0.0});
+static_assert(cca::detail::upper_limits<leg_angles, cca::torque> == std::array{3.0, infinite});
+static_assert(cca::detail::lower_limits<leg_angles, cca::velocity> == std::array{-infinite, -infinite});
+
+// What the checks find.
+static_assert(cca::detail::missing_limits<leg_angles> == -1);
+static_assert(cca::detail::missing_limits<leg_torques> == 1);
+static_assert(cca::detail::missing_limits<toe_angles> == 1);
+static_assert(cca::detail::missing_limits<crossed_angles> == 0);
+static_assert(cca::detail::missing_limits<plain> == -1, "only what is actuated must state limits");
+static_assert(cca::detail::duplicate_axis<leg_angles> == -1 && cca::detail::duplicate_axis<plain> == -1);
+static_assert(cca::detail::duplicate_axis<twice> == 2);
+
+// Frames.
+static_assert(base::name == "base");
+static_assert(cca::SameFrames<cca::orientation<base>, cca::pose<base>>);
+static_assert(!cca::SameFrames<cca::orientation<base>, cca::orientation<other>>);
+static_assert(!cca::SameFrames<cca::twist<base, other>, cca::twist<other, base>>);
+static_assert(cca::SameFrames<cca::joint_angles, cca::joint_angles>);
+
+// A sample is its coordinates and a time: its methods weigh nothing.
+static_assert(sizeof(cca::sample<attitude>) <= 3 * 16);
+static_assert(sizeof(cca::sample<plain>) == 16);
+static_assert(std::is_convertible_v<cca::sample<leg_angles>, cca::sample<cca::sub_space<leg_angles, hip, knee>>>);
+static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<leg_torques>>);
+struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<100>> {};
+static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<slow_angles>>);
+
+// Units: every quantity's list begins with its own unit and ends.
+template <class... Quantities>
+constexpr bool listed() {
+  return ((cca::Quantity<Quantities> && cca::units_of<Quantities>[0].text == Quantities::unit &&
+           cca::units_of<Quantities>[0].factor == 1 && std::end(cca::units_of<Quantities>)[-1].text.empty()) && ...);
+}
+static_assert(listed<cca::angle, cca::velocity, cca::acceleration, cca::torque, cca::torque_rate, cca::stiffness, cca::damping,
+                     cca::length, cca::speed, cca::force, cca::linear_stiffness, cca::linear_damping, cca::mass, cca::duration,
+                     cca::power, cca::voltage, cca::current, cca::frequency, cca::value>());
+struct flow {
+  double lower, upper;
+  static constexpr std::string_view unit = "m^3/s";
+};
+static_assert(listed<flow>(), "a quantity of the user's own");
+static_assert(180 * cca::units_of<cca::angle>[2].factor == cca::pi);
+
+}  // namespace
