@@ -1,11 +1,14 @@
-// The first broken rule of a graph, as a constexpr value.
+// The first broken rule of a graph, as a constexpr value; a controller of such a graph fails to compile with its message.
 //
 //   static_assert(cca::well_formed<trot<cca::sim::oncilla>>);
 //   static_assert(cca::diagnosis<broken>.rule == "space.mismatch");
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <utility>
 
+#include <cca/graph/message.hpp>
 #include <cca/graph/types.hpp>
 
 namespace cca {
@@ -19,14 +22,79 @@ struct diagnosis_value {
 namespace detail {
 
 template <class Graph>
-inline constexpr rule broken_rule_of = counts_of<Graph>.found.broken;
+consteval report make_report() {
+  auto plan = plan_of<Graph>;
+  reporting r{plan.view(), flattened_of<Graph>.unknown_trigger};
+  r.tell();
+  return r.r;
+}
+template <class Graph>
+inline constexpr report report_of = make_report<Graph>();
+
+template <class Graph>
+consteval diagnosis_value make_diagnosis() {
+  constexpr auto broken = counts_of<Graph>.found.broken;
+  if constexpr (broken == rule::none) return {};
+  else return {rule_ids[static_cast<std::size_t>(broken)], report_of<Graph>.where.view(), report_of<Graph>.message.view()};
+}
+
+// Never defined: the compiler names it, and with it the message. g++ prints text in a template argument whole; clang cuts
+// it after 35 letters, so there it goes in lines of at most so many, broken between words.
+template <auto... Text>
+struct refused_graph;
+
+#if defined(__clang__)
+struct line {
+  char text[36]{};
+};
+
+struct broken_lines {
+  std::array<line, 96> lines{};
+  std::size_t count = 0;
+};
+
+constexpr broken_lines in_lines(std::string_view whole) {
+  constexpr std::size_t width = 35;
+  broken_lines broken;
+  while (!whole.empty() && broken.count < broken.lines.size()) {
+    std::size_t size = whole.size();
+    if (size > width) {
+      size = whole.rfind(' ', width);
+      if (size == whole.npos || size == 0) size = width;
+    }
+    auto& letters = broken.lines[broken.count++].text;
+    for (std::size_t i = 0; i < width; ++i) letters[i] = i < size ? whole[i] : ' ';
+    letters[width] = '\0';
+    whole.remove_prefix(size);
+    if (!whole.empty() && whole.front() == ' ') whole.remove_prefix(1);
+  }
+  return broken;
+}
+
+template <class Graph>
+inline constexpr broken_lines lines_of = in_lines(report_of<Graph>.message.view());
+template <class Graph, std::size_t... Line>
+auto refusal_of(std::index_sequence<Line...>) -> refused_graph<lines_of<Graph>.lines[Line]...>;
+template <class Graph>
+using refusal = decltype(refusal_of<Graph>(std::make_index_sequence<lines_of<Graph>.count>{}));
+#else
+template <std::size_t Size>
+struct message {
+  char text[Size + 1]{};
+  constexpr explicit message(std::string_view whole) {
+    for (std::size_t i = 0; i < Size; ++i) text[i] = whole[i];
+  }
+};
+template <class Graph>
+using refusal = refused_graph<message<report_of<Graph>.message.size>(report_of<Graph>.message.view())>;
+#endif
 
 }  // namespace detail
 
 template <class Graph>
-inline constexpr bool well_formed = detail::broken_rule_of<Graph> == detail::rule::none;
+inline constexpr bool well_formed = detail::counts_of<Graph>.found.broken == detail::rule::none;
 
 template <class Graph>
-inline constexpr diagnosis_value diagnosis = {detail::rule_ids[static_cast<std::size_t>(detail::broken_rule_of<Graph>)], {}, {}};
+inline constexpr diagnosis_value diagnosis = detail::make_diagnosis<Graph>();
 
 }  // namespace cca

@@ -228,4 +228,30 @@ private:
   cca::state now = cca::state::created;
 };
 
+// Of a graph that breaks a rule: one error that is the message. The calls are there so that nothing else is reported.
+template <class Graph>
+  requires(!well_formed<Graph>)
+class controller<Graph> {
+  enum { refused_because = sizeof(detail::refusal<Graph>) };
+
+public:
+  void load(std::string_view = {}) {}
+  void save(std::string_view = {}) {}
+  void start() {}
+  void stop() {}
+  void resume() {}
+  bool step() noexcept { return false; }
+  template <class... Options>
+  cca::state run(Options...) { return {}; }
+  cca::state state() const noexcept { return {}; }
+  cca::fault fault() const noexcept { return {}; }
+  std::int64_t beat_index() const noexcept { return 0; }
+  template <fixed_string Path>
+  auto& get() const { return *static_cast<typename detail::leaf_of<Graph, detail::leaf_at<Graph>(Path.view())>::component*>(nullptr); }
+  template <fixed_string Path, class Parameters>
+  void set(const Parameters&) {}
+  template <class F>
+  void for_each_component(F) {}
+};
+
 }  // namespace cca

@@ -1,0 +1,64 @@
+// The cycle of wires without delay that keeps a graph from being put in order.
+#pragma once
+
+#include <array>
+
+#include <cca/graph/order.hpp>
+
+namespace cca::detail {
+
+struct wire_cycle {
+  std::array<int, 64> inputs{};  // each is the input of a wire of the cycle, in order
+  int length = 0;
+  bool backwards = false;        // an act or a component feeds what comes before it in a beat
+};
+
+// An input without delay of this function whose writer has no place in the order either.
+constexpr int waiting_input(const flat_view& g, int turn_index) {
+  const auto& t = g.turns[turn_index];
+  for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
+    if (g.inputs[i].writer >= 0 && delay_of(g.inputs[i]) == 0 && g.turns[g.outputs[g.inputs[i].writer].turn].rank < 0) return i;
+  return -1;
+}
+
+constexpr wire_cycle find_cycle(const flat_view& g) {
+  wire_cycle found;
+  for (int i = 0; i < g.input_count; ++i) {
+    const auto& in = g.inputs[i];
+    if (in.writer < 0 || delay_of(in) > 0 || g.turns[in.turn].rank >= 0) continue;
+    if (g.turns[g.outputs[in.writer].turn].phase > g.turns[in.turn].phase) {
+      found.inputs[0] = i;
+      found.length = 1;
+      found.backwards = true;
+      return found;
+    }
+  }
+  int start = -1;
+  for (int t = 0; t < g.turn_count && start < 0; ++t)
+    if (g.turns[t].rank < 0 && waiting_input(g, t) >= 0) start = t;
+  if (start < 0) return found;
+  // Backwards along waiting inputs until a function comes again.
+  scratch visited(g.turn_count);
+  int at = start;
+  while (at >= 0 && !visited[at]) {
+    visited[at] = 1;
+    const int i = waiting_input(g, at);
+    if (i < 0) return found;
+    at = g.outputs[g.inputs[i].writer].turn;
+  }
+  const int first = at;
+  do {
+    const int i = waiting_input(g, at);
+    if (found.length < 64) found.inputs[static_cast<std::size_t>(found.length++)] = i;
+    at = g.outputs[g.inputs[i].writer].turn;
+  } while (at != first);
+  for (int i = 0; i < found.length / 2; ++i) {
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(found.length - 1 - i);
+    const int swapped = found.inputs[a];
+    found.inputs[a] = found.inputs[b];
+    found.inputs[b] = swapped;
+  }
+  return found;
+}
+
+}  // namespace cca::detail
