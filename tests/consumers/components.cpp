@@ -1,9 +1,37 @@
-// The headers of the components, each with a symbol that only its library has.
-#include <ode/ode.h>
-#include <toml++/toml.h>
+// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a step.
+#include <fstream>
 
-bool components_work() {
-  dInitODE();
-  dCloseODE();
-  return toml::parse("a = 1")["a"].value_or(0) == 1;
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/sim/world.hpp>
+
+struct hip : cca::dimension<"hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-0.5, 0.5}};
+};
+struct hip_angle : cca::space<cca::joint_angles, cca::axes<hip>, cca::rate<1000>> {};
+
+struct goal {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, angle));
+  };
+  parameters p{0.1};
+  auto process(cca::beat) -> cca::out<"angle", hip_angle> { return p.angle; }
+};
+struct joint {
+  void act(cca::in<"command", hip_angle> to) { at = to[hip{}]; }
+  double at = 0;
+};
+struct moving : cca::graph<cca::node<"goal", goal>, cca::node<"limits", cca::limiter<hip_angle>>, cca::node<"joint", joint>,
+                           cca::wire<"goal.angle", "limits.command">, cca::wire<"limits.safe", "joint.command">> {};
+
+int main() {
+  std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";
+  cca::controller<moving> c;
+  c.load("moving.toml");
+  c.start();
+  c.run(cca::for_beats<10>{});
+
+  cca::sim::world world;
+  world.advance({});
+  return c.get<"joint">().at == 0.25 && world.mass() > 5 ? 0 : 1;
 }
