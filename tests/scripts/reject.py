@@ -30,9 +30,9 @@ def first_error(output):
 
 
 def readings(text):
-    """The text, and its string literals joined: clang prints a sentence as a pack of short padded columns."""
-    joined = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', text))
-    return [text, joined, re.sub(r" +", " ", joined)]
+    """The text, and its string literals as one: clang prints a sentence as a pack of short padded columns."""
+    literals = re.findall(r'"((?:[^"\\]|\\.)*)"', text)
+    return [text] + [re.sub(r" +", " ", between.join(literals)) for between in (" ", "")]
 
 
 def verdict(file, command):

@@ -114,7 +114,9 @@ class Rejects(Tree):
         self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"int x{i} = y;" for i in range(30)) + "\n#endif")))
 
     def test_columns_are_joined(self):
-        self.assertIn("a sentence in columns", reject.readings('error: t<c{"a sentence  "}, c{"in columns"}>')[2])
+        found = reject.readings('error: t<c{"a sentence  "}, c{"in columns,"}, c{"of which a wo"}, c{"rd is cut"}>')
+        self.assertIn("a sentence in columns, of which", found[1])
+        self.assertIn("which a word is cut", found[2])
 
 
 if __name__ == "__main__":
