@@ -1,0 +1,67 @@
+// The random architectures: what the library did and what the interpreter does, firing by firing, bit for bit.
+#include <iostream>
+#include <string>
+
+#include "compare.hpp"
+
+namespace semantics {
+
+// The place of the first difference, or -1.
+long difference(const log& a, const log& b) {
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
+    if (i >= a.size() || i >= b.size() || !same(a[i], b[i])) return static_cast<long>(i);
+  return -1;
+}
+
+std::unique_ptr<interpreter> interpreted(std::unique_ptr<interpreter> i, int count) {
+  for (int k = 0; k < count; ++k) i->beat();
+  return i;
+}
+
+std::unique_ptr<interpreter> interpreted(const graph& g, int count) { return interpreted(std::make_unique<interpreter>(g), count); }
+
+void comparison::add(const std::string& text, const outcome& o, int count) {
+  const graph g = described(text);
+  const auto i = interpreted(g, count);
+  seen.add(*i);
+  const long at = difference(o.firings, i->firings);
+  if (at >= 0 || o.faulted != i->faulted || !o.copy_agrees) {
+    ++differences;
+    if (differences <= 5) tell(text, o, *i, at);
+    return;
+  }
+  for (std::size_t m = 0; m < all_mutants.size(); ++m) {
+    if (caught_in[m] != 0) continue;
+    const auto wrong = interpreted(all_mutants[m].made(g), count);
+    if (difference(o.firings, wrong->firings) >= 0 || o.faulted != wrong->faulted) caught_in[m] = seen.architectures;
+  }
+}
+
+void comparison::tell(const std::string& text, const outcome& o, const interpreter& i, long at) {
+  std::cout << "\n---- a difference ----\n" << text;
+  if (!o.copy_agrees) std::cout << "a copy of the controller did not go on like the original\n";
+  if (o.faulted != i.faulted) std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did" << (i.faulted ? "" : " not") << '\n';
+  if (at < 0) return;
+  const auto place = static_cast<std::size_t>(at);
+  std::cout << "firing " << at << "\n  the library:     ";
+  if (place < o.firings.size()) std::cout << o.firings[place]; else std::cout << "nothing more";
+  std::cout << "\n  the interpreter: ";
+  if (place < i.firings.size()) std::cout << i.firings[place]; else std::cout << "nothing more";
+  std::cout << '\n';
+}
+
+bool comparison::report() const {
+  std::cout << "\nWhat was exercised:\n";
+  const bool all_exercised = seen.report(std::cout);
+  std::cout << "\nMutants, and the architecture that caught each:\n";
+  bool all_caught = true;
+  for (std::size_t m = 0; m < all_mutants.size(); ++m) {
+    std::cout << std::setw(9) << caught_in[m] << "  " << all_mutants[m].mistake << (caught_in[m] ? "" : "   <- not caught") << '\n';
+    all_caught = all_caught && caught_in[m];
+  }
+  std::cout << '\n' << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples << " samples compared, "
+            << differences << " differences\n";
+  return all_exercised && all_caught && differences == 0;
+}
+
+}  // namespace semantics

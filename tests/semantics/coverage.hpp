@@ -1,0 +1,109 @@
+// What the random architectures exercised: counted from the interpreter after its run, so that only what happened counts.
+#pragma once
+
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <string>
+
+#include "interpreter.hpp"
+
+namespace semantics {
+
+class coverage {
+public:
+  void add(const interpreter& i) {
+    for (const auto& [name, n] : i.g.features) counts[name] += n;
+    for (const node& n : i.g.nodes) {
+      counts["nodes in a nested graph"] += n.path.find('.') != std::string::npos;
+      counts["nodes three graphs deep"] += std::count(n.path.begin(), n.path.end(), '.') >= 3;
+      counts["resource nodes"] += n.resource;
+    }
+    for (const turn& t : i.g.turns) {
+      const node& n = i.g.nodes[static_cast<std::size_t>(t.node)];
+      if (t.firings > 0) add(n.when, t.which == half::process ? "" : " (resource node)");
+      if (n.when.is == strategy::inactive && t.firings == 0) ++counts["inactive, never fired"];
+      counts["halves of resource nodes that fired"] += t.which != half::process && t.firings > 0;
+      counts["components with several outputs that fired"] += t.outputs.size() > 1 && t.firings > 0;
+      for (const input& in : t.inputs) add(in, i);
+      for (const output& out : t.outputs)
+        if (out.is_maybe && t.firings > 0) {
+          counts["maybe outputs that published"] += !out.history.empty();
+          counts["maybe outputs that once did not"] += out.history.size() < static_cast<std::size_t>(t.firings);
+        }
+    }
+    bool component_fault = false;
+    for (const firing& f : i.firings) {
+      component_fault = component_fault || f.fault;
+      if (f.fault) counts[f.which == half::sense ? "faults in sense" : f.which == half::act ? "faults in act" : "faults in process"]++;
+      counts["on_fault calls"] += f.which == half::on_fault;
+      for (const told& t : f.outputs) counts["samples with an origin of the component's own"] += t.sets_origin;
+      for (const seen& s : f.inputs) ++samples, counts["samples seen fresh"] += s.fresh;
+      samples += static_cast<long>(f.outputs.size());
+      ++firings;
+    }
+    counts["faults of a full queue"] += i.faulted && !component_fault;
+    ++architectures;
+  }
+
+  // False if anything was never exercised.
+  bool report(std::ostream& to) const {
+    bool all = true;
+    for (const char* name : wanted) {
+      const auto found = counts.find(name);
+      const long n = found == counts.end() ? 0 : found->second;
+      to << std::setw(9) << n << "  " << name << (n ? "" : "   <- never exercised") << '\n';
+      all = all && n;
+    }
+    return all;
+  }
+
+  long architectures = 0, samples = 0, firings = 0;
+
+private:
+  void add(const strategy& s, const std::string& where) {
+    constexpr const char* names[] = {"default", "timed", "restless", "moderate", "timeout", "port_triggered", "coordinated",
+                                     "full_speed", "inactive", "any_of", "all_of", "user"};
+    ++counts[(s.is == strategy::user ? "user: " + s.names[0] : names[s.is]) + where];
+    if (s.is == strategy::timed && s.phase != 0) ++counts["timed with a phase" + where];
+    for (const strategy& part : s.parts) add(part, where);
+  }
+
+  void add(const input& in, const interpreter& i) {
+    if (!in.wired) {
+      counts["optional_in, not wired"] += in.reads > 0;
+      return;
+    }
+    counts["optional_in, wired"] += in.optional && in.fresh_reads > 0;
+    if (in.fresh_reads == 0) return;
+    counts["initial"] += std::any_of(in.initial.begin(), in.initial.end(), [](double x) { return x != 0; });
+    const turn& writer = i.g.turns[static_cast<std::size_t>(in.writer)];
+    counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
+    if (in.is == policy::latest) ++counts["latest"];
+    if (in.is == policy::delayed) ++counts[in.delay == 1 ? "delayed<1>" : "delayed<N>"];
+    if (in.is == policy::delayed) counts["delayed, its own writer"] += &writer.inputs == &i.g.turns[static_cast<std::size_t>(in.writer)].inputs &&
+                                                                       std::any_of(writer.inputs.begin(), writer.inputs.end(), [&](const input& x) { return &x == &in; });
+    if (in.is != policy::queue) return;
+    constexpr const char* names[] = {"queue, drop_oldest", "queue, drop_newest", "queue, reject"};
+    const std::string name = names[static_cast<int>(in.full)];
+    ++counts[name];
+    counts[name + ": lost"] += in.full != when_full::reject && in.dropped > 0;
+    counts["queue, read empty after a sample"] += in.taken && in.reads > in.fresh_reads;
+  }
+
+  static constexpr const char* wanted[] = {
+      "default", "timed", "timed with a phase", "restless", "moderate", "timeout", "port_triggered", "coordinated", "full_speed",
+      "inactive, never fired", "any_of", "all_of", "user: on_beats", "user: patient", "user: above", "user: older", "user: fresh_on_odd",
+      "latest", "delayed<1>", "delayed<N>", "delayed, its own writer", "queue, drop_oldest", "queue, drop_oldest: lost", "queue, drop_newest",
+      "queue, drop_newest: lost", "queue, reject", "faults of a full queue", "queue, read empty after a sample", "initial", "policies left out",
+      "samples kept for a later beat", "samples seen fresh", "optional_in, wired", "optional_in, not wired",
+      "maybe outputs that published", "maybe outputs that once did not", "components with several outputs that fired",
+      "samples with an origin of the component's own", "resource nodes", "halves of resource nodes that fired", "default (resource node)",
+      "timed (resource node)", "full_speed (resource node)", "wires from sense to sense", "wires from act to act",
+      "nodes in a nested graph", "nodes three graphs deep", "exposes", "graphs used twice", "observers", "rated ports", "rate from the spaces",
+      "faults in sense", "faults in process", "faults in act", "on_fault calls"};
+
+  std::map<std::string, long> counts;
+};
+
+}  // namespace semantics

@@ -1,0 +1,155 @@
+// A flat graph as text, one thing a line, so that a failing one can be read, and shrunk, by hand:
+//
+//   architecture 17
+//   period 1000000
+//   feature 2 exposes                                   what the code has and the flat graph doesn't show
+//   component arm.mix any_of 2 moderate timeout 15      path, strategy; `resource` for a resource node
+//   habit 3 100 0 -1                                    id, publishes, origin, fault_at
+//   process                                             or sense, act: whose ports these are
+//   in x 2                                              name, axes; `optional`; `heard`, by an observer, under its path
+//   out y 1                                             `maybe`; and last, if it may stop, `fault`
+//   wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "interpreter.hpp"
+
+namespace semantics {
+
+inline strategy read_strategy(std::istream& from) {
+  strategy s;
+  std::string word;
+  from >> word;
+  const auto names = [&] {
+    int count = 0;
+    for (from >> count; count > 0; --count) s.names.emplace_back(), from >> s.names.back();
+  };
+  const auto parts = [&] {
+    int count = 0;
+    for (from >> count; count > 0; --count) s.parts.push_back(read_strategy(from));
+  };
+  if (word == "default") s.is = strategy::by_default;
+  else if (word == "timed") s.is = strategy::timed, from >> s.n >> s.phase;
+  else if (word == "restless") s.is = strategy::restless;
+  else if (word == "moderate") s.is = strategy::moderate;
+  else if (word == "timeout") s.is = strategy::timeout, from >> s.n;
+  else if (word == "port_triggered") s.is = strategy::port_triggered, names();
+  else if (word == "coordinated") s.is = strategy::coordinated;
+  else if (word == "full_speed") s.is = strategy::full_speed;
+  else if (word == "inactive") s.is = strategy::inactive;
+  else if (word == "any_of") s.is = strategy::any_of, parts();
+  else if (word == "all_of") s.is = strategy::all_of, parts();
+  else if (word == "user") s.is = strategy::user, s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
+  else throw std::runtime_error("description: no strategy '" + word + "'");
+  return s;
+}
+
+class describer {
+public:
+  graph g;
+
+  void line(const std::string& text) {
+    std::istringstream from(text);
+    std::string word;
+    if (!(from >> word)) return;
+    if (word == "architecture") from >> g.name;
+    else if (word == "period") from >> g.period;
+    else if (word == "component" || word == "resource") add_node(from, word == "resource");
+    else if (word == "habit") set_habit(from);
+    else if (word == "sense") add_turn(half::sense);
+    else if (word == "process") add_turn(half::process);
+    else if (word == "act") add_turn(half::act);
+    else if (word == "in" || word == "optional" || word == "heard") add_input(from, word == "optional");
+    else if (word == "out" || word == "maybe") add_output(from, word == "maybe");
+    else if (word == "fault") g.turns.back().may_fault = true;
+    else if (word == "wire") add_wire(from);
+    else if (word == "feature") add_feature(from);
+    else throw std::runtime_error("description: '" + text + "'");
+    if (from.fail()) throw std::runtime_error("description: '" + text + "' lacks something");
+  }
+
+private:
+  void add_node(std::istream& from, bool resource) {
+    node& n = g.nodes.emplace_back();
+    n.resource = resource;
+    from >> n.path;
+    n.when = read_strategy(from);
+    n.does = [](firing&) {};
+  }
+
+  void set_habit(std::istream& from) {
+    habit h;
+    from >> h.id >> h.publishes >> h.origin >> h.fault_at;
+    g.nodes.back().id = h.id;
+    g.nodes.back().does = [h, m = memory{}](firing& f) mutable { respond(h, m, f); };
+  }
+
+  void add_turn(half which) {
+    turn& t = g.turns.emplace_back();
+    t.node = static_cast<int>(g.nodes.size()) - 1;
+    t.which = which;
+  }
+
+  void add_input(std::istream& from, bool optional) {
+    input& in = g.turns.back().inputs.emplace_back();
+    in.optional = optional;
+    from >> in.name >> in.width;
+    in.initial.resize(static_cast<std::size_t>(in.width));
+  }
+
+  void add_output(std::istream& from, bool is_maybe) {
+    output& out = g.turns.back().outputs.emplace_back();
+    out.is_maybe = is_maybe;
+    from >> out.name >> out.width;
+  }
+
+  // A port by its path: turn and place in it. Names of ports may have dots too (an observer names what it hears by path).
+  template <class Ports>
+  std::pair<int, int> find(const std::string& path, Ports ports) const {
+    for (std::size_t t = 0; t < g.turns.size(); ++t)
+      for (std::size_t i = 0; i < (g.turns[t].*ports).size(); ++i)
+        if (g.nodes[static_cast<std::size_t>(g.turns[t].node)].path + "." + (g.turns[t].*ports)[i].name == path)
+          return {static_cast<int>(t), static_cast<int>(i)};
+    throw std::runtime_error("description: no port '" + path + "'");
+  }
+
+  void add_feature(std::istream& from) {
+    int count = 0;
+    std::string name;
+    from >> count >> std::ws;
+    std::getline(from, name);
+    g.features[name] += count;
+  }
+
+  void add_wire(std::istream& from) {
+    std::string writer, reader, word;
+    from >> writer >> reader >> word;
+    const auto [t, i] = find(reader, &turn::inputs);
+    input& in = g.turns[static_cast<std::size_t>(t)].inputs[static_cast<std::size_t>(i)];
+    if (in.wired) throw std::runtime_error("description: two writers of '" + reader + "'");
+    in.wired = true;
+    std::tie(in.writer, in.port) = find(writer, &turn::outputs);
+    if (word == "delayed") {
+      in.is = policy::delayed;
+      from >> in.delay;
+    } else if (word == "queue") {
+      in.is = policy::queue;
+      from >> in.capacity >> word;
+      in.full = word == "reject" ? when_full::reject : word == "drop_newest" ? when_full::drop_newest : when_full::drop_oldest;
+    }
+    if (!(from >> word)) return from.clear();
+    for (double& coordinate : in.initial) from >> coordinate;
+  }
+};
+
+inline graph described(const std::string& text) {
+  describer d;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) d.line(line);
+  return d.g;
+}
+
+}  // namespace semantics

@@ -1,0 +1,70 @@
+// What a test component writes down each time it fires, and what it does: the same on both sides of the comparison.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace semantics {
+
+inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::lowest();
+
+struct seen {
+  std::string name;
+  std::vector<double> value;
+  std::int64_t origin = never;
+  bool fresh = false, wired = false;
+};
+
+struct told {
+  std::vector<double> value;
+  bool is_maybe = false;
+  bool published = true;
+  bool sets_origin = false;
+  std::int64_t origin = never;  // only if the component sets it
+};
+
+enum class half : std::uint8_t { sense, process, act, on_fault };
+
+struct firing {
+  int id = 0;
+  half which = half::process;
+  std::int64_t beat = 0, time = 0;
+  double dt = 0;
+  std::vector<seen> inputs;
+  std::vector<told> outputs;
+  bool may_fault = false, fault = false;
+};
+
+using log = std::vector<firing>;
+
+// What makes a test component different from the others. A structural type: it is a template argument of the component.
+struct habit {
+  int id = 0;
+  int publishes = 100;  // of a hundred times, for the outputs that are `maybe`
+  int origin = 0;       // 0: never sets an origin; 1: two periods back, always; 2: sometimes the beat's, sometimes a period ahead
+  int fault_at = -1;    // from this beat on it returns a fault
+};
+
+// What a test component remembers from one firing to the next.
+struct memory {
+  double state = 0;
+  int firings = 0;
+};
+
+// Fills `f.outputs` (whose sizes are set) and `f.fault` from all that the component sees and remembers.
+void respond(const habit& h, memory& m, firing& f);
+
+// Components write here. Set before each run.
+inline log* recording = nullptr;
+
+// Bit for bit.
+bool same(const std::vector<double>& a, const std::vector<double>& b);
+bool same(const firing& a, const firing& b);
+
+std::ostream& operator<<(std::ostream& to, const firing& f);
+
+}  // namespace semantics

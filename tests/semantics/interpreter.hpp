@@ -1,0 +1,374 @@
+// The Semantics, told slowly: a graph as vectors, histories kept whole and read by the definitions of the text, in the
+// order of the text. Nothing here knows how the library does it. Each definition is a function of its own, virtual, so
+// that a mutant (mutants.hpp) can get one of them wrong.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firing.hpp"
+
+namespace semantics {
+
+// ---- a graph at run time, already flat ----
+
+struct strategy {
+  enum kind { by_default, timed, restless, moderate, timeout, port_triggered, coordinated, full_speed, inactive, any_of, all_of, user };
+  kind is = by_default;
+  std::int64_t n = 1, phase = 0;
+  std::vector<std::string> names;   // port_triggered; user: its name and its port
+  std::vector<strategy> parts;      // any_of, all_of
+};
+
+struct publication {
+  std::int64_t beat = 0;
+  std::vector<double> value;
+  std::int64_t origin = never;
+};
+
+struct output {
+  std::string name;
+  int width = 1;
+  bool is_maybe = false;
+  std::vector<publication> history;
+};
+
+enum class policy { latest, delayed, queue };
+enum class when_full { drop_oldest, drop_newest, reject };
+
+struct input {
+  std::string name;
+  int width = 1;
+  bool optional = false;
+  bool wired = false;
+  int writer = -1, port = -1;       // turn and output at the other end
+  policy is = policy::latest;
+  std::int64_t delay = 0;
+  std::size_t capacity = 0;
+  when_full full = when_full::drop_oldest;
+  std::vector<double> initial;
+
+  std::deque<publication> waiting;  // queue
+  std::optional<publication> taken;
+  int dropped = 0, reads = 0, fresh_reads = 0;  // for the count of what was exercised
+};
+
+// What has a turn in a beat: a component, or one half of a resource node.
+struct turn {
+  int node = -1;
+  half which = half::process;
+  std::vector<input> inputs;
+  std::vector<output> outputs;
+  bool may_fault = false;
+
+  std::int64_t last_fired = never;
+  std::int64_t oldest_seen = never;  // when it last fired
+  int firings = 0;
+};
+
+struct node {
+  std::string path;
+  bool resource = false;
+  strategy when;
+  int id = 0;
+  std::function<void(firing&)> does;
+};
+
+struct graph {
+  std::string name;
+  std::int64_t period = 1;  // T, in nanoseconds
+  std::vector<node> nodes;  // as declared, depth first
+  std::vector<turn> turns;  // as declared
+  std::map<std::string, int> features;  // counted by who made the graph
+};
+
+// An input as its component would see it.
+struct sight {
+  std::vector<double> value;
+  std::int64_t origin = never;  // of an initial value: never
+  bool arrived = false;         // a sample, no initial value
+  bool fresh = false;
+};
+
+class interpreter {
+public:
+  explicit interpreter(graph what) : g(std::move(what)) {}
+  virtual ~interpreter() = default;
+
+  graph g;
+  std::int64_t k = 0;
+  bool faulted = false;
+  log firings;
+
+  // ---- time ----
+
+  std::int64_t time() const { return k * g.period; }
+
+  // ---- one beat: every sense, every component, every act; each decides whether it fires ----
+
+  void beat() {
+    if (faulted) return;
+    for (const half which : {half::sense, half::process, half::act}) {
+      std::vector<bool> had_turn(g.turns.size(), false);
+      for (int next = next_turn(which, had_turn); next >= 0; next = next_turn(which, had_turn)) {
+        had_turn[static_cast<std::size_t>(next)] = true;
+        turn& t = g.turns[static_cast<std::size_t>(next)];
+        if (fires(when(t), t)) fire(t);
+        if (faulted) return on_fault();
+      }
+    }
+    ++k;
+  }
+
+  // The first declared whose predecessors, over wires without delay, have all had their turn.
+  virtual int next_turn(half which, const std::vector<bool>& had_turn) const {
+    for (std::size_t i = 0; i < g.turns.size(); ++i) {
+      if (g.turns[i].which != which || had_turn[i]) continue;
+      bool ready = true;
+      for (const input& in : g.turns[i].inputs) {
+        if (!in.wired || in.is == policy::delayed) continue;
+        const auto writer = static_cast<std::size_t>(in.writer);
+        if (g.turns[writer].which == which && !had_turn[writer]) ready = false;
+      }
+      if (ready) return static_cast<int>(i);
+    }
+    return -1;
+  }
+
+  void fire(turn& t) {
+    firing f;
+    f.id = g.nodes[static_cast<std::size_t>(t.node)].id;
+    f.which = t.which;
+    f.beat = k;
+    f.time = time();
+    f.dt = dt(t);
+    f.may_fault = t.may_fault;
+    std::vector<sight> sights;
+    for (input& in : t.inputs) {
+      sights.push_back(look(t, in));
+      take(in);
+      ++in.reads;
+      in.fresh_reads += sights.back().fresh;
+      f.inputs.push_back({in.name, sights.back().value, sights.back().origin, sights.back().fresh, in.wired});
+    }
+    for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(static_cast<std::size_t>(out.width)), out.is_maybe});
+
+    g.nodes[static_cast<std::size_t>(t.node)].does(f);
+    firings.push_back(f);
+
+    const std::int64_t from = origin(t, sights);
+    t.last_fired = k;
+    t.oldest_seen = oldest(t, sights);
+    ++t.firings;
+    if (f.fault) faulted = true;
+    for (std::size_t i = 0; i < t.outputs.size() && !faulted; ++i)
+      if (f.outputs[i].published) publish(t, i, {k, f.outputs[i].value, stamp(f.outputs[i], from)});
+  }
+
+  // Seconds since it last fired; the first time N beats for timed<N>, else one.
+  virtual double dt(const turn& t) const {
+    const strategy s = when(t);
+    const std::int64_t beats = t.last_fired != never ? k - t.last_fired : s.is == strategy::timed ? s.n : 1;
+    return static_cast<double>(beats * g.period) / 1e9;
+  }
+
+  void publish(turn& writer, std::size_t port, const publication& p) {
+    writer.outputs[port].history.push_back(p);
+    for (turn& t : g.turns)
+      for (input& in : t.inputs)
+        if (in.wired && in.is == policy::queue && &g.turns[static_cast<std::size_t>(in.writer)] == &writer && in.port == static_cast<int>(port))
+          push(in, p);
+  }
+
+  // ---- what an input sees ----
+
+  const std::vector<publication>& history(const input& in) const {
+    return g.turns[static_cast<std::size_t>(in.writer)].outputs[static_cast<std::size_t>(in.port)].history;
+  }
+
+  // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
+  virtual std::int64_t arrival(const input& in, const publication& p) const {
+    return in.is == policy::delayed ? p.beat + in.delay : p.beat;
+  }
+
+  // The newest that has arrived; none: nothing has come yet.
+  virtual const publication* newest(const input& in) const {
+    const publication* found = nullptr;
+    for (const publication& p : history(in))
+      if (arrival(in, p) <= k) found = &p;
+    return found;
+  }
+
+  virtual void push(input& in, const publication& p) {
+    if (in.waiting.size() < in.capacity) return in.waiting.push_back(p);
+    ++in.dropped;
+    if (in.full == when_full::reject) faulted = true;
+    if (in.full != when_full::drop_oldest) return;
+    in.waiting.pop_front();
+    in.waiting.push_back(p);
+  }
+
+  // The oldest waiting sample; if there is none, what it took last.
+  virtual const publication* head(const input& in) const {
+    if (!in.waiting.empty()) return &in.waiting.front();
+    return in.taken ? &*in.taken : nullptr;
+  }
+
+  virtual void take(input& in) const {
+    if (in.is != policy::queue || in.waiting.empty()) return;
+    in.taken = in.waiting.front();
+    in.waiting.pop_front();
+  }
+
+  virtual sight look(const turn& t, const input& in) const {
+    sight s;
+    s.value = in.initial;
+    if (!in.wired) return s;
+    const publication* p = in.is == policy::queue ? head(in) : newest(in);
+    if (p) s = {p->value, p->origin, true, false};
+    s.fresh = fresh(t, in);
+    return s;
+  }
+
+  // ---- fresh ----
+
+  virtual bool fresh(const turn& t, const input& in) const {
+    if (!in.wired) return false;
+    if (in.is == policy::queue) return !in.waiting.empty();
+    for (const publication& p : history(in))
+      if (arrival(in, p) <= k && arrival(in, p) > t.last_fired) return true;
+    return false;
+  }
+
+  // ---- when a component fires ----
+
+  virtual strategy when(const turn& t) const {
+    const strategy& s = g.nodes[static_cast<std::size_t>(t.node)].when;
+    if (s.is != strategy::by_default) return s;
+    strategy d;
+    d.is = t.which == half::process && !t.inputs.empty() ? strategy::restless : strategy::timed;
+    return d;
+  }
+
+  virtual bool fires(const strategy& s, const turn& t) const {
+    switch (s.is) {
+      case strategy::by_default: return false;  // see `when`
+      case strategy::timed: return (k - s.phase) % s.n == 0;
+      case strategy::restless:
+        for (const input& in : t.inputs)
+          if (fresh(t, in)) return true;
+        return false;
+      case strategy::moderate:
+        for (const input& in : t.inputs)
+          if (in.wired && !fresh(t, in)) return false;
+        return true;
+      case strategy::timeout: return k - std::max<std::int64_t>(t.last_fired, 0) >= s.n;
+      case strategy::port_triggered:
+        for (const std::string& name : s.names)
+          if (fresh(t, named(t, name))) return true;
+        return false;
+      case strategy::coordinated: return coordinated(t);
+      case strategy::full_speed: return true;
+      case strategy::inactive: return false;
+      case strategy::any_of:
+        for (const strategy& part : s.parts)
+          if (fires(part, t)) return true;
+        return false;
+      case strategy::all_of:
+        for (const strategy& part : s.parts)
+          if (!fires(part, t)) return false;
+        return true;
+      case strategy::user: return user_fires(s, t);
+    }
+    return false;
+  }
+
+  // Every input holds a sample that arrived, all of one time of origin, later than the oldest seen at the last firing.
+  virtual bool coordinated(const turn& t) const {
+    std::optional<std::int64_t> shared;
+    for (const input& in : t.inputs) {
+      if (!in.wired) continue;
+      const sight s = look(t, in);
+      if (!s.arrived) return false;
+      if (shared && *shared != s.origin) return false;
+      shared = s.origin;
+    }
+    return shared && *shared > t.oldest_seen;
+  }
+
+  // An initial value is older than any sample.
+  virtual std::int64_t oldest(const turn& t, const std::vector<sight>& sights) const {
+    std::optional<std::int64_t> found;
+    for (std::size_t i = 0; i < sights.size(); ++i)
+      if (t.inputs[i].wired) found = found ? std::min(*found, sights[i].origin) : sights[i].origin;
+    return found.value_or(never);
+  }
+
+  const input& named(const turn& t, const std::string& name) const {
+    return *std::find_if(t.inputs.begin(), t.inputs.end(), [&](const input& in) { return in.name == name; });
+  }
+
+  // The strategies of the user's own in probe.hpp: they look at the beat, and at freshness, origin and value of an input.
+  bool user_fires(const strategy& s, const turn& t) const {
+    const std::string& kind = s.names[0];
+    if (kind == "on_beats") return k % s.n == s.phase || k % 7 == 0;
+    if (kind == "patient") return dt(t) * 1e6 > static_cast<double>(s.n);
+    const sight x = look(t, named(t, s.names[1]));
+    if (kind == "above") return x.value[0] > static_cast<double>(s.n) * 0.25;
+    if (kind == "older") return x.origin == never || time() - x.origin > s.n;
+    return x.fresh && k % 2 == 1;  // fresh_on_odd
+  }
+
+  // ---- time of origin ----
+
+  virtual std::int64_t origin(const turn& t, const std::vector<sight>& sights) const {
+    if (t.which == half::sense) return time();
+    std::optional<std::int64_t> found;
+    for (std::size_t i = 0; i < sights.size(); ++i)
+      if (counts(t, t.inputs[i], sights[i])) found = found ? std::min(*found, sights[i].origin) : sights[i].origin;
+    return found.value_or(time());
+  }
+
+  // Unless the component sets it.
+  virtual std::int64_t stamp(const told& t, std::int64_t from) const { return t.sets_origin ? t.origin : from; }
+
+  virtual bool counts(const turn& t, const input& in, const sight& s) const {
+    if (!in.wired || !s.arrived) return false;
+    return in.is != policy::delayed || !feeds(t.node, g.turns[static_cast<std::size_t>(in.writer)].node);
+  }
+
+  // Over any wires; a node feeds itself only if a wire leads back to it. A resource node is one node.
+  virtual bool feeds(int from, int to) const {
+    std::vector<bool> reached(g.nodes.size(), false);
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const turn& t : g.turns)
+        for (const input& in : t.inputs) {
+          if (!in.wired || reached[static_cast<std::size_t>(t.node)]) continue;
+          const int writer = g.turns[static_cast<std::size_t>(in.writer)].node;
+          if (writer != from && !reached[static_cast<std::size_t>(writer)]) continue;
+          reached[static_cast<std::size_t>(t.node)] = grown = true;
+        }
+    }
+    return reached[static_cast<std::size_t>(to)];
+  }
+
+  // ---- faults: every resource node's on_fault, in the same beat ----
+
+  virtual void on_fault() {
+    for (const node& n : g.nodes) {
+      if (!n.resource) continue;
+      firing f;
+      f.id = n.id;
+      f.which = half::on_fault;
+      firings.push_back(f);
+    }
+  }
+};
+
+}  // namespace semantics

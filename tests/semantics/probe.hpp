@@ -1,0 +1,200 @@
+// The test components, spaces and strategies that generated architectures are made of: a probe writes down all that it
+// sees and answers as `respond` says.
+#pragma once
+
+#include <algorithm>
+#include <tuple>
+#include <type_traits>
+
+#include <cca/cca.hpp>
+
+#include "firing.hpp"
+
+namespace semantics {
+
+// ---- spaces: n numbers, with and without a rate, and two of joint level ----
+
+struct a0 : cca::dimension<"a0"> { static constexpr auto limits = cca::limits{cca::angle{-9, 9}}; };
+struct a1 : cca::dimension<"a1"> { static constexpr auto limits = cca::limits{cca::angle{-9, 9}}; };
+struct a2 : cca::dimension<"a2"> { static constexpr auto limits = cca::limits{cca::angle{-9, 9}}; };
+
+struct num1 : cca::space<cca::number, cca::axes<a0>> {};
+struct num2 : cca::space<cca::number, cca::axes<a0, a1>> {};
+struct num3 : cca::space<cca::number, cca::axes<a0, a1, a2>> {};
+struct ang1 : cca::space<cca::joint_angles, cca::axes<a1>> {};
+struct ang2 : cca::space<cca::joint_angles, cca::axes<a0, a2>> {};
+
+// The same under another name.
+struct also_num1 : cca::space<cca::number, cca::axes<a0>> {};
+struct also_num2 : cca::space<cca::number, cca::axes<a0, a1>> {};
+struct also_num3 : cca::space<cca::number, cca::axes<a0, a1, a2>> {};
+struct also_ang1 : cca::space<cca::joint_angles, cca::axes<a1>> {};
+struct also_ang2 : cca::space<cca::joint_angles, cca::axes<a0, a2>> {};
+
+template <class Space, int Hz>
+struct at : cca::space<typename Space::domain, typename Space::axes, cca::rate<Hz>> {};
+
+// ---- components ----
+
+template <class... Ports> struct reads {};
+template <class... Ports> struct tells {};
+
+namespace detail {
+
+template <class... Results> struct result { using type = std::tuple<Results...>; };
+template <class Result> struct result<Result> { using type = Result; };
+template <> struct result<> { using type = void; };
+
+template <class Vector>
+std::vector<double> copied(const Vector& v) { return std::vector<double>(v.data(), v.data() + v.size()); }
+
+template <cca::fixed_string Name, class Space>
+void note(firing& f, const cca::in<Name, Space>& x) {
+  f.inputs.push_back({std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), true});
+}
+template <cca::fixed_string Name, class Space>
+void note(firing& f, const cca::optional_in<Name, Space>& x) {
+  f.inputs.push_back({std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), static_cast<bool>(x)});
+}
+// The text says nothing of the order of what an observer hears: by path.
+template <cca::fixed_string Scope, class Policy>
+void note(firing& f, const cca::observe<Scope, Policy>& all) {
+  const auto before = static_cast<std::ptrdiff_t>(f.inputs.size());
+  for (const auto& one : all)
+    f.inputs.push_back({std::string(one.path), std::vector<double>(one.values.begin(), one.values.end()), one.origin, one.fresh, true});
+  std::sort(f.inputs.begin() + before, f.inputs.end(), [](const seen& a, const seen& b) { return a.name < b.name; });
+}
+
+template <cca::fixed_string Name, class Space>
+told blank(const cca::out<Name, Space>*) { return {std::vector<double>(static_cast<std::size_t>(Space::size))}; }
+template <cca::fixed_string Name, class Space>
+told blank(const cca::maybe<Name, Space>*) { return {std::vector<double>(static_cast<std::size_t>(Space::size)), true}; }
+
+template <class Port>
+Port spoken(const Port*, const firing& f, std::size_t& next) {
+  const told& t = f.outputs[next++];
+  Port port;
+  if constexpr (Port::space::size == 1) {
+    if (t.published) port = Port(t.value[0]);
+  } else {
+    if (t.published) port = Port(Eigen::Map<const typename Port::vector_type>(t.value.data()));
+  }
+  if (t.sets_origin) port.with_origin(t.origin);
+  return port;
+}
+inline cca::fault spoken(const cca::fault*, const firing& f, std::size_t&) { return f.fault ? cca::fault{"as planned"} : cca::fault{}; }
+
+inline void add_blank(firing&, const cca::fault*) {}
+template <class Port>
+void add_blank(firing& f, const Port* port) { f.outputs.push_back(blank(port)); }
+
+template <class... Results, class... Inputs>
+auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs) -> typename result<Results...>::type {
+  firing f;
+  f.id = h.id;
+  f.which = which;
+  f.beat = now.index();
+  f.time = now.time();
+  f.dt = now.dt();
+  f.may_fault = (std::is_same_v<Results, cca::fault> || ...);
+  (note(f, inputs), ...);
+  (add_blank(f, static_cast<const Results*>(nullptr)), ...);
+  respond(h, m, f);
+  recording->push_back(f);
+  [[maybe_unused]] std::size_t next = 0;
+  if constexpr (sizeof...(Results) > 0)
+    return typename result<Results...>::type{spoken(static_cast<const Results*>(nullptr), f, next)...};
+}
+
+}  // namespace detail
+
+template <habit H, class Inputs, class Outputs>
+struct probe;
+
+template <habit H, class... Inputs, class... Outputs>
+struct probe<H, reads<Inputs...>, tells<Outputs...>> {
+  memory m;
+  auto process(Inputs... inputs, cca::beat now) -> typename detail::result<Outputs...>::type {
+    return detail::answer<Outputs...>(H, half::process, m, now, inputs...);
+  }
+};
+
+namespace detail {
+
+template <habit H>
+struct with_on_fault {
+  memory m;
+  void on_fault() {
+    firing f;
+    f.id = H.id;
+    f.which = half::on_fault;
+    recording->push_back(f);
+  }
+};
+
+}  // namespace detail
+
+// A resource node with both halves, with `sense` alone, with `act` alone.
+template <habit H, class SenseInputs, class SenseOutputs, class ActInputs = void, class ActOutputs = void>
+struct device;
+
+template <habit H, class... SI, class... SO, class... AI, class... AO>
+struct device<H, reads<SI...>, tells<SO...>, reads<AI...>, tells<AO...>> : detail::with_on_fault<H> {
+  auto sense(SI... inputs, cca::beat now) -> typename detail::result<SO...>::type {
+    return detail::answer<SO...>(H, half::sense, this->m, now, inputs...);
+  }
+  auto act(AI... inputs, cca::beat now) -> typename detail::result<AO...>::type {
+    return detail::answer<AO...>(H, half::act, this->m, now, inputs...);
+  }
+};
+
+template <habit H, class... SI, class... SO>
+struct device<H, reads<SI...>, tells<SO...>, void, void> : detail::with_on_fault<H> {
+  auto sense(SI... inputs, cca::beat now) -> typename detail::result<SO...>::type {
+    return detail::answer<SO...>(H, half::sense, this->m, now, inputs...);
+  }
+};
+
+template <habit H, class... AI, class... AO>
+struct device<H, void, void, reads<AI...>, tells<AO...>> : detail::with_on_fault<H> {
+  auto act(AI... inputs, cca::beat now) -> typename detail::result<AO...>::type {
+    return detail::answer<AO...>(H, half::act, this->m, now, inputs...);
+  }
+};
+
+// ---- strategies of the user's own ----
+
+template <int N, int Phase>
+struct on_beats {
+  template <class Inputs>
+  static bool fires(cca::beat now, const Inputs&) { return now.index() % N == Phase || now.index() % 7 == 0; }
+};
+
+template <int Microseconds>
+struct patient {
+  template <class Inputs>
+  bool fires(cca::beat now, const Inputs&) const { return now.dt() * 1e6 > static_cast<double>(Microseconds); }
+};
+
+template <cca::fixed_string Port, int Quarters>
+struct above {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) { return in.template get<Port>().vector()[0] > Quarters * 0.25; }
+};
+
+template <cca::fixed_string Port, int Nanoseconds>
+struct older {
+  template <class Inputs>
+  bool fires(cca::beat now, const Inputs& in) {
+    const auto origin = in.template get<Port>().origin();
+    return origin == cca::never || now.time() - origin > Nanoseconds;
+  }
+};
+
+template <cca::fixed_string Port>
+struct fresh_on_odd {
+  template <class Inputs>
+  static bool fires(cca::beat now, const Inputs& in) { return in.template get<Port>().fresh() && now.index() % 2 == 1; }
+};
+
+}  // namespace semantics

@@ -1,0 +1,39 @@
+// Runs an architecture on the library; what its components write down is compared with what the interpreter does.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <cca/cca.hpp>
+
+#include "outcome.hpp"
+#include "probe.hpp"
+
+namespace semantics {
+
+template <class Graph>
+outcome run(int copy_at) {
+  outcome o;
+  log of_copy;
+  std::size_t before_copy = 0;
+  recording = &o.firings;
+  auto c = std::make_unique<cca::controller<Graph>>();
+  std::unique_ptr<cca::controller<Graph>> copy;
+  c->load();
+  c->start();
+  for (int k = 0; k < beats; ++k) {
+    if (k == copy_at) {
+      copy = std::make_unique<cca::controller<Graph>>(*c);
+      before_copy = o.firings.size();
+    }
+    c->step();
+  }
+  recording = &of_copy;
+  for (int k = copy_at; k < beats; ++k) copy->step();
+  recording = nullptr;
+  o.faulted = c->state() == cca::state::faulted;
+  o.copy_agrees = agree(o.firings, before_copy, of_copy) && copy->state() == c->state();
+  return o;
+}
+
+}  // namespace semantics
