@@ -74,7 +74,7 @@ constexpr broken_lines in_lines(std::string_view whole) {
 template <class Graph>
 inline constexpr broken_lines lines_of = in_lines(report_of<Graph>.message.view());
 template <class Graph, std::size_t... Line>
-auto refusal_of(std::index_sequence<Line...>) -> refused_graph<lines_of<Graph>.lines[Line]...>;
+auto refusal_of(std::index_sequence<Line...>) -> refused_graph<line(lines_of<Graph>.lines[Line])...>;
 template <class Graph>
 using refusal = decltype(refusal_of<Graph>(std::make_index_sequence<lines_of<Graph>.count>{}));
 #else

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cca/graph/actuation.hpp>
+#include <cca/graph/coordination.hpp>
 #include <cca/graph/flatten.hpp>
+#include <cca/graph/latency.hpp>
 #include <cca/graph/memory.hpp>
 #include <cca/graph/wiring.hpp>
 
@@ -84,9 +86,13 @@ consteval flat_of<Graph> remember() {
   if (result.counts.found.broken != rule::none) return result;
   remembering step{result.view()};
   step.run();
-  actuation check{step.g};
-  check.run();
-  result.keep(check.g);
+  coordinating origins{step.g};
+  origins.run();
+  actuation commands{origins.g};
+  commands.run();
+  requiring ages{commands.g, flattened_of<Graph>.names.data(), names_size<Graph> - 1};
+  ages.run();
+  result.keep(ages.g);
   return result;
 }
 template <class Graph>

@@ -232,7 +232,7 @@ private:
 template <class Graph>
   requires(!well_formed<Graph>)
 class controller<Graph> {
-  enum { refused_because = sizeof(detail::refusal<Graph>) };
+  static_assert(sizeof(detail::refusal<Graph>) != 0);
 
 public:
   void load(std::string_view = {}) {}
@@ -247,7 +247,7 @@ public:
   cca::fault fault() const noexcept { return {}; }
   std::int64_t beat_index() const noexcept { return 0; }
   template <fixed_string Path>
-  auto& get() const { return *static_cast<typename detail::leaf_of<Graph, detail::leaf_at<Graph>(Path.view())>::component*>(nullptr); }
+  auto get() const -> typename detail::leaf_of<Graph, detail::leaf_at<Graph>(Path.view())>::component&;
   template <fixed_string Path, class Parameters>
   void set(const Parameters&) {}
   template <class F>

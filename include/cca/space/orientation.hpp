@@ -57,7 +57,7 @@ template <class Vector>
 Vector turned(const vector4& q, const Vector& v) {
   Vector result;
   for (int i = 0; i + 3 <= Vector::RowsAtCompileTime; i += 3)
-    result.template segment<3>(i) = rotation::rotate(q, v.template segment<3>(i));
+    result.template segment<3>(i) = rotation::rotate(q, vector3(v.template segment<3>(i)));
   return result;
 }
 

@@ -60,7 +60,7 @@ struct pose {
       static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
                     "frame.mismatch: two poses are composed that are motions in different frames; bring both into one frame "
                     "first (what is given in a thing's frame goes through `express(...)` of its pose)");
-      return make(moved(b.vector().template head<3>()), rotation::product(quaternion(), b.vector().template tail<4>()),
+      return make(moved(detail::vector3(b.vector().template head<3>())), rotation::product(quaternion(), detail::vector4(b.vector().template tail<4>())),
                   detail::older(this->self().origin(), b.origin()));
     }
     Self inverse() const {
@@ -94,7 +94,7 @@ struct pose {
     Self interpolated(const To& to, double t) const {
       (void)detail::meet<Self, To>();
       return make((1 - t) * translation() + t * to.vector().template head<3>(),
-                  rotation::slerp(quaternion(), to.vector().template tail<4>(), t),
+                  rotation::slerp(quaternion(), detail::vector4(to.vector().template tail<4>()), t),
                   detail::older(this->self().origin(), to.origin()));
     }
 

@@ -1,0 +1,123 @@
+// `require<latency<"a.y", "b.x">, beats<N>>`: the greatest age, in beats, that a sample of a.y can have when b fires,
+// over all ways that close no loop; unbounded if a clock between is known only at run time.
+#pragma once
+
+#include <cca/graph/names.hpp>
+#include <cca/graph/order.hpp>
+
+namespace cca::detail {
+
+struct ageing {
+  const flat_view& g;
+  int from;                // an output
+  scratch way;             // inputs on the way, from the last one back
+  scratch visited;         // components on the way
+  int length = 0;
+  std::int64_t oldest = 0;
+  bool unbounded = false, reached = false;
+
+  constexpr ageing(const flat_view& graph, int output_index)
+      : g(graph), from(output_index), way(graph.leaf_count), visited(graph.leaf_count) {}
+
+  // The newest beat, up to k, in which the writer of an input published what the input shows in beat k.
+  constexpr std::int64_t published_by(const input& in, std::int64_t k, clock writer, clock reader) const {
+    const auto newest = k - delay_of(in);
+    auto tick = newest - ((newest - writer.first) % writer.period);
+    // A queue that is filled faster than it is read is full: the oldest waits for its turn.
+    if (in.queue >= 0 && reader.known() && writer.period < reader.period) {
+      if (in.wire->full == full_kind::drop_oldest) {
+        tick -= (in.wire->number - 1) * writer.period;
+      } else {
+        const auto taken_before = k - in.wire->number * reader.period;  // this sample came in right after that
+        tick = taken_before - ((taken_before - writer.first) % writer.period) + writer.period;
+      }
+    }
+    return tick;
+  }
+
+  constexpr clock writer_clock(const input& in) const { return published(g, g.outputs[in.writer]); }
+
+  // The way is complete: `way[0]` is the input asked for, `way[length - 1]` reads the output asked for.
+  constexpr void measure() {
+    reached = true;
+    std::int64_t start = 0, common = 1;
+    for (int w = 0; w < length; ++w) {
+      const auto& in = g.inputs[way[w]];
+      const auto c = writer_clock(in);
+      if (c.never()) return;
+      if (c.dynamic()) {
+        unbounded = true;
+        return;
+      }
+      start += c.first + 2 * c.period + delay_of(in);
+      if (in.queue >= 0) start += in.wire->number * (c.period + 2 * g.turns[in.turn].fires.period);
+      common = common / gcd(common, c.period) * c.period;
+    }
+    auto last = g.turns[g.inputs[way[0]].turn].fires;
+    if (last.never()) return;
+    if (last.dynamic()) last = {1, 0};  // it may fire in any beat
+    common = common / gcd(common, last.period) * last.period;
+    for (auto k = last.first + ((start + common) / last.period + 1) * last.period, end = k + common; k < end; k += last.period) {
+      auto at = k;
+      clock reader = last;
+      for (int w = 0; w < length; ++w) {
+        const auto c = writer_clock(g.inputs[way[w]]);
+        at = published_by(g.inputs[way[w]], at, c, reader);
+        reader = c;
+      }
+      oldest = k - at > oldest ? k - at : oldest;
+    }
+  }
+
+  constexpr void follow(int input_index) {
+    const auto& in = g.inputs[input_index];
+    if (in.writer < 0) return;
+    way[length++] = input_index;
+    if (in.writer == from) {
+      measure();
+    } else {
+      const auto& t = g.turns[g.outputs[in.writer].turn];
+      if (!visited[t.leaf]) {
+        visited[t.leaf] = 1;
+        for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) follow(i);
+        visited[t.leaf] = 0;
+      }
+    }
+    --length;
+  }
+};
+
+struct requiring {
+  flat_view g;
+  const table_entry* names;
+  std::uint64_t mask;
+
+  constexpr void refuse(rule broken, const item_info& item, int scope, int a) {
+    if (g.found.broken == rule::none) g.found = {broken, a, -1, -1, &item, scope};
+  }
+
+  constexpr void check(const item_info& item, int in_scope) {
+    const auto& s = g.scopes[in_scope];
+    const int output_index = names_port(item.from) ? find(names, mask, path_hash(s, item.from, hash(item.from)) ^ as_output) : -1;
+    if (output_index < 0) return refuse(rule::wire_unknown_port, item, in_scope, 0);
+    bool found = false;
+    name_search readers(names, mask, path_hash(s, item.to, hash(item.to)) ^ as_input);
+    for (int i = names_port(item.to) ? readers.next() : -1; i >= 0; i = readers.next()) {
+      found = true;
+      ageing ages(g, output_index);
+      ages.visited[g.turns[g.inputs[i].turn].leaf] = 1;
+      ages.follow(i);
+      if (ages.unbounded) refuse(rule::latency_exceeded, item, in_scope, -1);
+      else if (ages.oldest > item.number) refuse(rule::latency_exceeded, item, in_scope, static_cast<int>(ages.oldest));
+    }
+    if (!found) refuse(rule::wire_unknown_port, item, in_scope, 1);
+  }
+
+  constexpr void run() {
+    for (int s = 0; s < g.scope_count; ++s)
+      for (int i = 0; i < g.scopes[s].graph->count; ++i)
+        if (g.scopes[s].graph->items[i].kind == item_kind::require) check(g.scopes[s].graph->items[i], s);
+  }
+};
+
+}  // namespace cca::detail
