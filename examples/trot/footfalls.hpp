@@ -1,5 +1,5 @@
 #pragma once
-// When each foot stood on the ground: contacts without the bounces of a foot that has just landed.
+// When each foot stood on the ground: it carries some weight, more than a toe that brushes the ground in swing.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -12,11 +12,16 @@ struct stance {
   double begin, end;  // s
 };
 
-// A break shorter than `shortest` is still the same stance, a contact shorter than that is none.
+inline bool stands(const recording& run, const moment& m, std::size_t leg) {
+  constexpr double carried = 0.05;  // of the robot's weight
+  return m.foot_force[leg] > carried * run.mass * run.gravity;
+}
+
+// A break shorter than `shortest` (a bounce after landing) is still the same stance, a stance shorter than that is none.
 inline std::vector<stance> stances(const recording& run, std::size_t leg, double shortest = 0.03) {
   std::vector<stance> found;
   for (const moment& m : run.moments) {
-    if (!m.contact[leg]) continue;
+    if (!stands(run, m, leg)) continue;
     const double begin = m.time - run.beat;
     if (found.empty() || begin - found.back().end > shortest) found.push_back({begin, m.time});
     found.back().end = m.time;

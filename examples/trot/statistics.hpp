@@ -24,19 +24,32 @@ struct statistics {
 
 namespace detail {
 
-// Strides from 2 s on, from touch-down to touch-down: how many a second, and which part of them the foot stood.
-struct strides {
-  double frequency = 0, duty_factor = 0;
-};
+// Swings of a hip through the middle of its range, forward: one a stride. `still` keeps jitter from counting.
+inline double stride_frequency(const recording& run, std::size_t leg, double settled) {
+  constexpr double still = 0.03;  // rad
+  double sum = 0, count = 0;
+  for (const moment& m : run.moments)
+    if (m.time >= settled) sum += m.hip[leg], ++count;
+  const double middle = sum / count;
+  double first = 0, last = 0;
+  int strides = -1;
+  bool behind = false;
+  for (const moment& m : run.moments) {
+    if (m.time < settled) continue;
+    if (m.hip[leg] < middle - still) behind = true;
+    if (!behind || m.hip[leg] < middle + still) continue;
+    behind = false;
+    last = m.time;
+    if (++strides == 0) first = m.time;
+  }
+  return strides > 0 ? strides / (last - first) : 0;
+}
 
-inline strides count_strides(const recording& run, std::size_t leg, double settled) {
-  std::vector<stance> found = stances(run, leg);
-  std::erase_if(found, [&](const stance& s) { return s.begin < settled; });
-  if (found.size() < 2) return {};
-  const double time = found.back().begin - found.front().begin;
-  double stood = 0;
-  for (std::size_t i = 0; i + 1 < found.size(); ++i) stood += found[i].end - found[i].begin;
-  return {static_cast<double>(found.size() - 1) / time, stood / time};
+inline double duty_factor(const recording& run, std::size_t leg, double settled) {
+  double stood = 0, count = 0;
+  for (const moment& m : run.moments)
+    if (m.time >= settled) stood += stands(run, m, leg), ++count;
+  return count > 0 ? stood / count : 0;
 }
 
 }  // namespace detail
@@ -59,9 +72,8 @@ inline statistics evaluate(const recording& run) {
   if (cruising != run.moments.end() && cruising->time < last.time)
     s.cruise = (last.position[0] - cruising->position[0]) / (last.time - cruising->time);
   for (std::size_t leg = 0; leg < 4; ++leg) {
-    const detail::strides found = detail::count_strides(run, leg, settled);
-    s.stride_frequency += found.frequency / 4;
-    s.duty_factor[leg] = found.duty_factor;
+    s.stride_frequency += detail::stride_frequency(run, leg, settled) / 4;
+    s.duty_factor[leg] = detail::duty_factor(run, leg, settled);
   }
   if (s.distance > 0) s.cost_of_transport = run.work / (run.mass * run.gravity * s.distance);
   return s;

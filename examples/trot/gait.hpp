@@ -1,0 +1,72 @@
+#pragma once
+// The shape of the trot: where hips and knees are at each phase of the stride.
+//
+//   in  "phase"       gait_phase, of the left front leg; the others follow by their offsets
+//   in  "amplitude"   gait_amplitude, 0: stand; 1: the full gait
+//   in  "turn"        turning: legs on one side swing farther, on the other less
+//   out "angles"      leg_angles of the robot
+//
+// A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. A knee flexes as a squared sine: much in
+// swing, so that the foot clears the ground, a little in stance, so that the cable gives way to the spring.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include <cca/cca.hpp>
+#include <cca/sim/oncilla_spaces.hpp>
+
+#include "spaces.hpp"
+
+namespace trot {
+
+struct leg_shape {
+  BOOST_HANA_DEFINE_STRUCT(leg_shape, (cca::quantity<cca::angle, -1.2, 1.2>, hip),  // where it stands
+                           (cca::quantity<cca::angle, 0.6, 2.6>, knee),
+                           (cca::quantity<cca::angle, 0, 1>, swing),                // of the hip, to each side
+                           (cca::quantity<cca::angle, 0, 2>, lift));                // of the knee, in swing
+};
+
+struct gait {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (leg_shape, front), (leg_shape, hind),
+                             (cca::bounded<double, 0.2, 0.8>, duty),              // part of the stride that is stance
+                             (cca::quantity<cca::angle, -0.5, 0.5>, give),        // flexion of the knee in stance
+                             (cca::bounded<double, -0.5, 0.5>, lead),             // of the knee before the hip, in strides
+                             (std::array<double, 4>, offsets));                   // left and right front, left and right hind, in strides
+  };
+  parameters p{{0.888, 1.550, 0.242, 0.364}, {0.747, 1.341, 0.248, 0.607}, 0.577, 0.12, -0.091, {0.0, 0.5, 0.384, -0.116}};
+
+  auto process(cca::in<"phase", gait_phase> phase, cca::in<"amplitude", gait_amplitude> amplitude, cca::in<"turn", turning> turn)
+      -> cca::out<"angles", cca::sim::leg_angles> {
+    cca::sim::leg_angles::vector_type angles;
+    for (int leg = 0; leg < 4; ++leg) {
+      const leg_shape& shape = leg < 2 ? p.front : p.hind;
+      const double side = leg % 2 == 0 ? 1.0 : -1.0;
+      const double own = phase[stride{}] + whole * p.offsets[static_cast<std::size_t>(leg)];
+      const double farther = 1 - side * turn[yaw{}];
+      angles[leg] = shape.hip + amplitude[stride{}] * farther * shape.swing * std::cos(warped(cca::wrap_turn(own)));
+      angles[4 + leg] = shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
+    }
+    return angles;
+  }
+
+private:
+  static constexpr double whole = 2 * std::numbers::pi, half = std::numbers::pi;
+
+  // Stance takes `duty` of the stride, but half of the cosine.
+  double warped(double phase) const {
+    const double landing = whole * p.duty;
+    return phase < landing ? phase / (2 * p.duty) : half + (phase - landing) / (2 * (1 - p.duty));
+  }
+
+  double flexion(double phase, double lift) const {
+    const double landing = whole * p.duty;
+    const bool in_stance = phase <= landing;
+    const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double sine = std::sin(half * part);
+    return (in_stance ? static_cast<double>(p.give) : lift) * sine * sine;
+  }
+};
+
+}  // namespace trot

@@ -1,0 +1,34 @@
+#pragma once
+// Holds the heading: turns against the trunk's yaw, and against what the yaw has added up to, since that is a way walked aside.
+//
+//   in  "orientation"   trunk_orientation
+//   out "turn"          turning, -most to most
+#include <algorithm>
+
+#include <cca/cca.hpp>
+#include <cca/sim/oncilla_spaces.hpp>
+
+#include "spaces.hpp"
+
+namespace trot {
+
+struct posture {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 10>, heading),  // turn per rad of yaw
+                             (cca::bounded<double, 0, 10>, drift),                // turn per rad s of yaw
+                             (cca::bounded<double, 0, 1>, most));                 // turn
+  };
+  parameters p{1.2, 0.4, 0.5};
+
+  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk, cca::beat now) -> cca::out<"turn", turning> {
+    const double yaw = trunk.yaw();
+    const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more could not be acted on
+    aside = std::clamp(aside + now.dt() * yaw, -largest, largest);
+    return std::clamp(-p.heading * yaw - p.drift * aside, -p.most, +p.most);
+  }
+
+private:
+  double aside = 0;  // rad s
+};
+
+}  // namespace trot

@@ -1,0 +1,50 @@
+#pragma once
+// One run of the trot in the simulator: put the robot down as a disturbance says, step until the time is over or it falls.
+#include <cmath>
+#include <cstddef>
+
+#include <cca/cca.hpp>
+#include <cca/sim/disturbance.hpp>
+#include <cca/sim/oncilla.hpp>
+#include <cca/sim/terrain.hpp>
+#include <cca/sim/world.hpp>
+
+#include "architecture.hpp"
+#include "recording.hpp"
+
+namespace trot {
+
+struct simulated_trot : architecture<cca::sim::oncilla> {};
+using trotting = cca::controller<simulated_trot>;
+
+// The posture that the gait swings around, with the disturbance's noise.
+inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::sim::disturbance& d) {
+  cca::sim::initial_posture posture;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const leg_shape& shape = i < 2 ? p.front : p.hind;
+    posture.legs[i] = {shape.hip + d.hip_offset[i], shape.knee + d.knee_offset[i], 0};
+  }
+  posture.trunk_velocity = d.trunk_velocity;
+  return posture;
+}
+
+// Calls between(world, part of the run) after each beat. The controller is loaded, not yet started.
+template <class Between>
+recording roll_out(trotting& controller, const cca::sim::terrain& ground, const cca::sim::disturbance& disturbance,
+                   double seconds, Between between) {
+  auto& simulator = controller.get<"robot.simulator">();
+  simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
+                                     put_down(controller.get<"gait">().p, disturbance)),
+                     disturbance);
+  const auto beats = static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
+  recording run;
+  run.begin(simulator.world(), beats);
+  controller.start();
+  for (std::size_t k = 1; k <= beats && !run.fell && controller.step(); ++k) {
+    run.note(simulator.world());
+    between(simulator.world(), static_cast<double>(k) / static_cast<double>(beats));
+  }
+  return run;
+}
+
+}  // namespace trot

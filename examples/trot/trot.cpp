@@ -1,0 +1,125 @@
+// The Oncilla trots in the simulator: run, table, CSV, picture. `trot --help` lists the options.
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+
+#include "command_line.hpp"
+#include "csv.hpp"
+#include "idle_robot.hpp"
+#include "progress.hpp"
+#include "rollout.hpp"
+#include "statistics.hpp"
+#include "summary.hpp"
+#include "svg.hpp"
+
+namespace {
+
+using clock_type = std::chrono::steady_clock;
+
+double seconds_since(clock_type::time_point start) { return std::chrono::duration<double>(clock_type::now() - start).count(); }
+
+struct idle_trot : trot::architecture<trot::idle_robot> {};
+
+// The same controller with a robot that costs nothing.
+double controller_nanoseconds() {
+  cca::controller<idle_trot> controller;
+  controller.load();
+  controller.start();
+  constexpr int beats = 200'000;
+  const auto start = clock_type::now();
+  for (int k = 0; k < beats; ++k) controller.step();
+  return seconds_since(start) / beats * 1e9;
+}
+
+std::ofstream open(const std::string& name) {
+  std::ofstream file(name);
+  if (!file) throw std::runtime_error(name + ": cannot be written");
+  return file;
+}
+
+void close(std::ofstream& file, const std::string& name) {
+  file.close();
+  if (!file) throw std::runtime_error(name + ": could not be written to its end");
+}
+
+int run(const trot::options& o) {
+  trot::trotting controller;
+  if (o.config) controller.load(*o.config);
+  else controller.load();
+  if (o.speed) {
+    auto wanted = controller.get<"throttle">().p;
+    wanted.speed = *o.speed;
+    controller.set<"throttle">(wanted);
+  }
+
+  const auto disturbance =
+      o.seed ? cca::sim::disturbance::from_seed(*o.seed, o.seconds) : cca::sim::disturbance::none();
+  trot::progress_bar bar("trot", !o.quiet);
+  double in_between = 0;
+  const auto start = clock_type::now();
+  const trot::recording recorded =
+      trot::roll_out(controller, o.ground, disturbance, o.seconds, [&](const cca::sim::world& world, double part) {
+        if (controller.beat_index() % 20 != 0) return;
+        const auto drawing = clock_type::now();
+        char note[64];
+        std::snprintf(note, sizeof note, "%5.1f s %6.2f m", world.time(), world.trunk_position()[0]);
+        bar.show(part, note);
+        in_between += seconds_since(drawing);
+      });
+  const double taken = seconds_since(start) - in_between;
+  bar.done();
+
+  const trot::statistics figures = trot::evaluate(recorded);
+  trot::costs costs;
+  costs.real_time_factor = figures.seconds / taken;
+  costs.controller_ns_per_beat = controller_nanoseconds();
+  costs.physics_ns_per_beat = taken * 1e9 / static_cast<double>(recorded.moments.size()) - costs.controller_ns_per_beat;
+
+  const std::string seed = o.seed ? std::to_string(*o.seed) : "null";
+  if (!o.quiet) trot::write_table(std::cout, figures, costs);
+  if (o.summary) {
+    auto file = open(*o.summary);
+    trot::write_json(file, figures, costs, {seed, o.ground.name()});
+    close(file, *o.summary);
+  }
+  if (o.csv) {
+    auto file = open(*o.csv);
+    trot::write_csv(file, recorded);
+    close(file, *o.csv);
+  }
+  if (o.svg) {
+    auto file = open(*o.svg);
+    char title[128];
+    std::snprintf(title, sizeof title, "Oncilla, trot on %s ground: %.2f m in %.1f s, %.2f m/s", o.ground.name().c_str(),
+                  figures.distance, figures.seconds, figures.speed);
+    trot::write_svg(file, recorded, title);
+    close(file, *o.svg);
+  }
+  return figures.fell ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    const trot::options options = trot::parse({arguments + 1, arguments + count});
+    if (options.help) {
+      std::cout << trot::usage;
+      return 0;
+    }
+    return run(options);
+  } catch (const trot::command_line_error& error) {
+    std::cerr << "trot: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "trot: " << error.what() << '\n';
+    return 3;
+  }
+}
