@@ -4,6 +4,7 @@
 
 #include <cca/component/component.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/graph/describe.hpp>
 #include <cca/graph/diagnosis.hpp>
 #include <cca/graph/graph.hpp>
 #include <cca/robot/limiter.hpp>

@@ -54,6 +54,7 @@ struct input {
 struct output {
   int turn = 0, port = 0;
   int first_reader = -1;
+  bool watched = false;             // an `observe` of the graph listens to it
   bool kept = false;                // some later beat reads it: a member; else a local of the beat
   bool stamped = false;             // the beat of its publication is kept too
   bool local = false;               // some input reads it in the same beat

@@ -105,6 +105,7 @@ struct remembering {
     auto& out = g.outputs[o];
     const auto c = published(g, out);
     int deepest = 0;
+    out.kept = out.watched;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
       const int delay = delay_of(in);

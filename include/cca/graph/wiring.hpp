@@ -89,11 +89,20 @@ struct wiring {
     }
   }
 
+  // An `observe` among the items of a graph: what it names stays readable between beats.
+  constexpr void add_watch(const item_info& item, int in_scope) {
+    bool found = false;
+    for (int o = 0; o < g.output_count; ++o)
+      if (under(g.outputs[o], item.from, in_scope)) found = g.outputs[o].watched = true;
+    if (!found) refuse(rule::wire_unknown_port, &item, in_scope, 0);
+  }
+
   constexpr void run(int link_capacity) {
     for (int s = 0; s < g.scope_count; ++s) {
       const auto& graph = *g.scopes[s].graph;
       for (int i = 0; i < graph.count; ++i)
         if (graph.items[i].kind == item_kind::wire) add_wire(graph.items[i], s);
+        else if (graph.items[i].kind == item_kind::observe) add_watch(graph.items[i], s);
     }
     add_observers(link_capacity);
     for (int i = 0; i < g.input_count; ++i)

@@ -42,21 +42,26 @@ struct loop<Graph, std::integer_sequence<int, Rank...>> {
 };
 
 template <class Graph>
-constexpr int leaf_at(std::string_view path) {
+struct is_watched { static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; } };
+
+template <class Graph>
+constexpr int leaf_with_hash(std::uint64_t path) {
   for (int i = 0; i < counts_of<Graph>.leaf_count; ++i) {
     const auto& l = plan_of<Graph>.leaves[static_cast<std::size_t>(i)];
-    std::string_view rest = path;
-    bool same = rest.ends_with(l.item->from);
-    if (!same) continue;
-    rest.remove_suffix(l.item->from.size());
-    for (int s = l.scope; same && plan_of<Graph>.scopes[static_cast<std::size_t>(s)].item; s = plan_of<Graph>.scopes[static_cast<std::size_t>(s)].parent) {
-      const auto name = plan_of<Graph>.scopes[static_cast<std::size_t>(s)].item->from;
-      same = rest.ends_with('.') && rest.substr(0, rest.size() - 1).ends_with(name);
-      if (same) rest.remove_suffix(name.size() + 1);
-    }
-    if (same && rest.empty()) return i;
+    const auto& s = plan_of<Graph>.scopes[static_cast<std::size_t>(l.scope)];
+    if (path_hash(s, l.item->from, l.item->from_hash) == path) return i;
   }
   return -1;
+}
+
+template <class Graph>
+constexpr int leaf_at(std::string_view path) { return leaf_with_hash<Graph>(hash(path)); }
+
+template <class Graph>
+constexpr bool has_scope(std::uint64_t path) {
+  for (int s = 1; s < counts_of<Graph>.scope_count; ++s)
+    if (plan_of<Graph>.scopes[static_cast<std::size_t>(s)].hash == path) return true;
+  return false;
 }
 
 }  // namespace detail
@@ -146,14 +151,24 @@ public:
   cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
   std::string fault_path() const { return reason.fault ? path_of(reason.leaf) : std::string(); }
 
-  // A component, by its path.
+  // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
-  auto& get() {
-    return cell_of<index_of<Path>()>(state_of_all).component;
+  decltype(auto) get() {
+    return at<detail::hash(Path.view()), detail::leaf_at<Graph>(Path.view())>(*this);
   }
   template <fixed_string Path>
-  const auto& get() const {
-    return cell_of<index_of<Path>()>(state_of_all).component;
+  decltype(auto) get() const {
+    return at<detail::hash(Path.view()), detail::leaf_at<Graph>(Path.view())>(*this);
+  }
+
+  // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest sample;
+  // fresh: published in the last beat.
+  template <class F>
+  void observed(F f) const {
+    [&]<int... Output>(std::integer_sequence<int, Output...>) {
+      const int all[] = {0, (observe_output<Output>(f), 0)...};
+      (void)all;
+    }(detail::chosen<detail::counts_of<Graph>.output_count, detail::is_watched<Graph>>{});
   }
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't hold.
@@ -177,11 +192,35 @@ private:
   template <int Leaf>
   static const auto& cell_of(const detail::memory<Graph>& m) { return static_cast<const detail::cell<Graph, Leaf>&>(m); }
 
-  template <fixed_string Path>
-  static consteval int index_of() {
-    constexpr int leaf = detail::leaf_at<Graph>(Path.view());
-    static_assert(leaf >= 0, "cca::controller::get: no component has this path");
-    return leaf;
+  // The nodes of an inner graph, whose path has this hash.
+  template <class Controller, std::uint64_t Scope>
+  struct nodes {
+    Controller& of;
+
+    template <fixed_string Path>
+    decltype(auto) get() const {
+      constexpr auto path = detail::hash(Path.view(), detail::hash(".", Scope));
+      return at<path, detail::leaf_with_hash<Graph>(path)>(of);
+    }
+  };
+
+  template <std::uint64_t Path, int Leaf, class Controller>
+  static decltype(auto) at(Controller& controller) {
+    if constexpr (Leaf >= 0) {
+      return (cell_of<Leaf>(controller.state_of_all).component);
+    } else {
+      static_assert(detail::has_scope<Graph>(Path), "cca::controller::get: no node has this path");
+      return nodes<Controller, Path>{controller};
+    }
+  }
+
+  template <int Output, class F>
+  void observe_output(F& f) const {
+    const detail::kept_sample<Graph, Output>& s = state_of_all;
+    bool is_fresh;
+    if constexpr (detail::output_of<Graph, Output>.stamped) is_fresh = s.when == k - 1;
+    else is_fresh = detail::newest_tick(detail::published_of<Graph, Output>, k - 1) == k - 1 && k > 0;
+    f(observation{detail::path_of_output<Graph, Output>(), {s.value.data(), s.value.size()}, s.origin, is_fresh});
   }
 
   static std::string path_of(int leaf) {

@@ -100,7 +100,7 @@ CCA_GLUE auto hold(const memory<Graph>& m, const locals<Graph>& l, std::int64_t 
     if constexpr (in.own_initial)
       if (s.origin == never) set_initial<Graph, Input>(h.value);
     h.origin = s.origin;
-    if constexpr (in.in_beat) h.arrived = k;
+    if constexpr (in.in_beat && c.known()) h.arrived = k;
     else if constexpr (c.known()) h.arrived = newest_tick({c.period, c.first + delay}, k);
     else if constexpr (c.never()) h.arrived = -1;
     else h.arrived = s.when < 0 ? -1 : s.when + delay;

@@ -1,0 +1,144 @@
+// The graph as a picture: Mermaid for pages, DOT for graphviz, with spaces, rates and policies on the wires.
+//
+//   std::cout << cca::describe<trot<cca::sim::oncilla>>::mermaid();
+//
+// Works for graphs that break a rule as far as their parts are known, so that one can look at them too.
+#pragma once
+
+#include <string>
+
+#include <cca/graph/paths.hpp>
+#include <cca/graph/types.hpp>
+
+namespace cca {
+namespace detail {
+
+class describing {
+public:
+  explicit describing(const flat_view& graph) : g(graph) {}
+
+  std::string mermaid() {
+    text = "flowchart LR\n";
+    add_scope(0, 1, false);
+    for (int i = 0; i < g.input_count; ++i)
+      if (const auto& in = g.inputs[i]; in.writer >= 0)
+        text += "  " + id(leaf_of_output(in.writer)) + (delay_of(in) > 0 ? " -. \"" : " -- \"") + label(in, "<br/>") +
+                (delay_of(in) > 0 ? "\" .-> " : "\" --> ") + id(g.turns[in.turn].leaf) + "\n";
+    return text;
+  }
+
+  std::string dot() {
+    text = "digraph \"" + std::string(g.scopes[0].graph->name) + "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
+           "  edge [fontname=\"sans-serif\", fontsize=10];\n";
+    add_scope(0, 1, true);
+    for (int i = 0; i < g.input_count; ++i)
+      if (const auto& in = g.inputs[i]; in.writer >= 0)
+        text += "  " + id(leaf_of_output(in.writer)) + " -> " + id(g.turns[in.turn].leaf) + " [label=\"" + label(in, "\\n") + "\"" +
+                (delay_of(in) > 0 ? ", style=dashed" : "") + "];\n";
+    text += "}\n";
+    return text;
+  }
+
+private:
+  static std::string id(int leaf_index) { return "n" + std::to_string(leaf_index); }
+  int leaf_of_output(int o) const { return g.turns[g.outputs[o].turn].leaf; }
+
+  // Inner graphs are boxes around their nodes.
+  void add_scope(int s, int depth, bool as_dot) {
+    const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+    for (int l = 0; l < g.leaf_count; ++l)
+      if (g.leaves[l].scope == s) text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
+    for (int inner = s + 1; inner < g.scope_count; ++inner) {
+      if (g.scopes[inner].parent != s) continue;
+      const std::string name(g.scopes[inner].item->from);
+      text += as_dot ? indent + "subgraph cluster_" + std::to_string(inner) + " {\n" + indent + "  label=\"" + name + "\";\n"
+                     : indent + "subgraph g" + std::to_string(inner) + "[\"" + name + "\"]\n";
+      add_scope(inner, depth + 1, as_dot);
+      text += indent + (as_dot ? "}\n" : "end\n");
+    }
+  }
+
+  std::string mermaid_node(int l) const {
+    const bool resource = g.leaves[l].item->component->resource();
+    return id(l) + (resource ? "[(\"" : "[\"") + std::string(g.leaves[l].item->from) + "<br/><i>" + escaped(when(l)) + "</i>" + (resource ? "\")]\n" : "\"]\n");
+  }
+  std::string dot_node(int l) const {
+    return id(l) + " [label=\"" + std::string(g.leaves[l].item->from) + "\\n" + when(l) + "\"" +
+           (g.leaves[l].item->component->resource() ? ", shape=cylinder" : "") + "];\n";
+  }
+
+  // When a component fires: its clock as a rate, or its strategy.
+  std::string when(int l) const {
+    const auto& t = g.turns[g.leaves[l].first_turn];
+    if (g.hz > 0 && t.fires.known()) return hertz(g.hz / static_cast<double>(t.fires.period));
+    return strategy_name(strategy_of_turn(g, t));
+  }
+
+  static std::string strategy_name(const strategy_info& s) {
+    static constexpr std::string_view names[] = {"by default", "timed", "restless", "moderate", "timeout", "port_triggered",
+                                                 "coordinated", "full_speed", "inactive", "any_of", "all_of", "own strategy"};
+    std::string name(names[static_cast<std::size_t>(s.kind)]);
+    if (s.parts) {
+      name += "<";
+      for (int i = 0; i < s.count; ++i) name += (i ? ", " : "") + strategy_name(*s.parts[i]);
+      name += ">";
+    } else if (s.kind == strategy_kind::timed || s.kind == strategy_kind::timeout) {
+      name += "<" + std::to_string(s.n) + ">";
+    }
+    return name;
+  }
+
+  std::string label(const input& in, const char* line_break) const {
+    const auto& out = g.outputs[in.writer];
+    std::string from(port_of(g, out).name), to(port_of(g, in).name);
+    std::string all = from == to ? from : from + " → " + to;
+    const auto c = published(g, out);
+    all += line_break + std::string(port_of(g, out).space->name);
+    if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
+    if (in.wire->policy == policy_kind::delayed) all += std::string(line_break) + "delayed " + std::to_string(in.wire->number);
+    if (in.wire->policy == policy_kind::queue) all += std::string(line_break) + "queue " + std::to_string(in.wire->number);
+    return line_break[0] == '<' ? keep_breaks(all) : all;
+  }
+
+  static std::string hertz(double hz) {
+    detail::text t;
+    t << hz << " Hz";
+    return std::string(t.view());
+  }
+
+  static std::string escaped(std::string_view plain) {
+    std::string html;
+    for (const char c : plain) c == '<' ? html += "&lt;" : c == '>' ? html += "&gt;" : html += c;
+    return html;
+  }
+  // Names of spaces may hold `<`, a line break does.
+  static std::string keep_breaks(std::string_view all) {
+    std::string html;
+    for (std::size_t at = 0;;) {
+      const auto next = all.find("<br/>", at);
+      html += escaped(all.substr(at, next - at));
+      if (next == all.npos) return html;
+      html += "<br/>";
+      at = next + 5;
+    }
+  }
+
+  const flat_view& g;
+  std::string text;
+};
+
+}  // namespace detail
+
+template <class Graph>
+struct describe {
+  static std::string mermaid() {
+    auto plan = detail::plan_of<Graph>;
+    return detail::describing(plan.view()).mermaid();
+  }
+  static std::string dot() {
+    auto plan = detail::plan_of<Graph>;
+    return detail::describing(plan.view()).dot();
+  }
+};
+
+}  // namespace cca
