@@ -29,7 +29,7 @@ constexpr std::string_view spelled_values() {
 
 // Name of value i, empty where there is none.
 template <NameableEnum Enum>
-constexpr std::array<std::string_view, enumerators_seen> enumerators = [] {
+inline constexpr std::array<std::string_view, enumerators_seen> enumerators = [] {
   constexpr std::string_view all = []<std::size_t... I>(std::index_sequence<I...>) {
     return spelled_values<Enum, static_cast<Enum>(I)...>();
   }(std::make_index_sequence<enumerators_seen>{});

@@ -157,7 +157,7 @@ constexpr schema ranged_schema() {
 }
 
 template <class Table>
-constexpr auto members_of = with_fields<Table>([]<class... Fields>(Fields...) {
+inline constexpr auto members_of = with_fields<Table>([]<class... Fields>(Fields...) {
   return std::array<member, sizeof...(Fields)>{member{
       Fields::name(), &schema_of<typename Fields::type>,
       [](const void* table) { return static_cast<const void*>(std::addressof(Fields::of(*static_cast<const Table*>(table)))); }}...};

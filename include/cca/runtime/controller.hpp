@@ -179,18 +179,23 @@ public:
 
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
-  void for_each_component(F f) {
-    [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
-      const int all[] = {0, (f(std::string_view(path_of(Leaf)), cell_of<Leaf>(state_of_all).component), 0)...};
-      (void)all;
-    }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
-  }
+  void for_each_component(F f) { visit(f, state_of_all); }
+  template <class F>
+  void for_each_component(F f) const { visit(f, state_of_all); }
 
 private:
   template <int Leaf>
   static auto& cell_of(detail::memory<Graph>& m) { return static_cast<detail::cell<Graph, Leaf>&>(m); }
   template <int Leaf>
   static const auto& cell_of(const detail::memory<Graph>& m) { return static_cast<const detail::cell<Graph, Leaf>&>(m); }
+
+  template <class F, class Memory>
+  static void visit(F& f, Memory& m) {
+    [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
+      const int all[] = {0, (f(std::string_view(path_of(Leaf)), cell_of<Leaf>(m).component), 0)...};
+      (void)all;
+    }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
+  }
 
   // The nodes of an inner graph, whose path has this hash.
   template <class Controller, std::uint64_t Scope>
