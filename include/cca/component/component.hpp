@@ -35,14 +35,21 @@ struct component_info {
   const half_info* act = nullptr;
   std::string_view bad_hook{};       // name of a hook with another signature
   std::string_view bad_field{};      // name of a parameter of a type that can't be configured
+  std::string_view bad_field_type{};
+  bool forgot_parameters = false;    // a struct `parameters`, but no member `p` of it
   bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
   bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
   int unlimited_axis = -1;           // of a limiter's space
   constexpr bool resource() const { return sense || act; }
 };
 
+// Of a component with parameters, in parameters.hpp.
+struct field_problem {
+  std::string_view name{}, type{};
+  bool forgot_parameters = false;
+};
 template <class Type>
-constexpr std::string_view bad_field_of = {};
+constexpr field_problem bad_field_of{};
 
 template <class Type>
 inline constexpr component_info component_of = [] {
@@ -55,7 +62,9 @@ inline constexpr component_info component_of = [] {
     if constexpr (HasAct<Type>) info.act = &half_of_component<Type, phase_of_beat::act>::value;
   }
   info.bad_hook = bad_hook<Type>();
-  info.bad_field = bad_field_of<Type>;
+  info.bad_field = bad_field_of<Type>.name;
+  info.bad_field_type = bad_field_of<Type>.type;
+  info.forgot_parameters = bad_field_of<Type>.forgot_parameters;
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;
   return info;

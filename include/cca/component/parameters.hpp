@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <cca/component/component.hpp>
 #include <cca/component/parameter_check.hpp>
 #include <cca/component/refused.hpp>
 #include <cca/component/schema.hpp>
@@ -89,6 +90,13 @@ constexpr std::string_view unsupported_type() {
 // A `parameters` struct without the member `p` would be ignored in silence.
 template <class Component>
 concept ForgotParameters = requires { typename Component::parameters; } && !HasParameters<Component>;
+
+template <class Component>
+  requires HasParameters<Component> || ForgotParameters<Component>
+constexpr field_problem bad_field_of<Component> = [] {
+  if constexpr (ForgotParameters<Component>) return field_problem{.forgot_parameters = true};
+  else return field_problem{unsupported_field<typename Component::parameters>(), unsupported_type<typename Component::parameters>()};
+}();
 
 inline void refuse(const std::vector<complaint>& found) {
   if (found.empty()) return;

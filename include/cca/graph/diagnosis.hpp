@@ -21,12 +21,16 @@ struct diagnosis_value {
 
 namespace detail {
 
+struct report {
+  text where{}, message{};
+};
+
 template <class Graph>
 consteval report make_report() {
   auto plan = plan_of<Graph>;
-  reporting r{plan.view(), flattened_of<Graph>.unknown_trigger};
-  r.tell();
-  return r.r;
+  telling t{plan.view(), flattened_of<Graph>.unknown_trigger};
+  tell(t);
+  return {t.where, t.message};
 }
 template <class Graph>
 inline constexpr report report_of = make_report<Graph>();

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include <cca/component/parameters.hpp>
 #include <cca/graph/names.hpp>
 
 namespace cca::detail {
@@ -80,7 +81,7 @@ struct flattening {
       add_ports(*half, turn_index, item, in_scope, node_hash);
     }
     if (!component.bad_hook.empty()) refuse(rule::component_hook_signature, &item, in_scope);
-    if (!component.bad_field.empty()) refuse(rule::parameters_unsupported_type, &item, in_scope);
+    if (!component.bad_field.empty() || component.forgot_parameters) refuse(rule::parameters_unsupported_type, &item, in_scope);
     check_strategy(*item.strategy, item, in_scope);
     if (component.resource()) {
       const auto kind = item.strategy->kind;

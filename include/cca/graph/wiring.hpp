@@ -37,7 +37,8 @@ struct wiring {
     const int writer = names_port(item.from) ? find(names, mask, a ^ as_output) : -1;
     if (writer < 0) {
       const bool is_input = names_port(item.from) && find(names, mask, a ^ as_input) >= 0;
-      return refuse(is_input ? rule::wire_direction : rule::wire_unknown_port, &item, in_scope, 0);
+      const bool reversed = is_input && names_port(item.to) && find(names, mask, b ^ as_output) >= 0;
+      return refuse(is_input ? rule::wire_direction : rule::wire_unknown_port, &item, in_scope, 0, reversed);
     }
     bool found = false;
     if (names_port(item.to)) {

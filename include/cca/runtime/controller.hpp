@@ -13,9 +13,10 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/refused.hpp>
-#include <cca/graph/diagnosis.hpp>
+#include <cca/graph/find.hpp>
+#include <cca/runtime/loop.hpp>
 #include <cca/runtime/pace.hpp>
-#include <cca/runtime/turn.hpp>
+#include <cca/runtime/refusal.hpp>
 
 namespace cca {
 namespace detail {
@@ -24,50 +25,14 @@ namespace detail {
 template <class Controller>
 struct config_backend;
 
-template <class Graph, class Order>
-struct loop;
-template <class Graph, int... Rank>
-struct loop<Graph, std::integer_sequence<int, Rank...>> {
-  template <int Turn>
-  CCA_GLUE static void turn_unless_faulted(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
-    if constexpr (counts_of<Graph>.may_fault)
-      if (c.fault) return;
-    take_turn<Graph, Turn>(m, l, c, k);
-  }
-  CCA_GLUE static void beat(memory<Graph>& m, course& c, std::int64_t k) {
-    locals<Graph> l;
-    const int turns[] = {0, (turn_unless_faulted<plan_of<Graph>.order[Rank]>(m, l, c, k), 0)...};
-    (void)turns;
-  }
-};
-
 template <class Graph>
 struct is_watched { static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; } };
-
-template <class Graph>
-constexpr int leaf_with_hash(std::uint64_t path) {
-  for (int i = 0; i < counts_of<Graph>.leaf_count; ++i) {
-    const auto& l = plan_of<Graph>.leaves[static_cast<std::size_t>(i)];
-    const auto& s = plan_of<Graph>.scopes[static_cast<std::size_t>(l.scope)];
-    if (path_hash(s, l.item->from, l.item->from_hash) == path) return i;
-  }
-  return -1;
-}
-
-template <class Graph>
-constexpr int leaf_at(std::string_view path) { return leaf_with_hash<Graph>(hash(path)); }
-
-template <class Graph>
-constexpr bool has_scope(std::uint64_t path) {
-  for (int s = 1; s < counts_of<Graph>.scope_count; ++s)
-    if (plan_of<Graph>.scopes[static_cast<std::size_t>(s)].hash == path) return true;
-  return false;
-}
 
 }  // namespace detail
 
 template <class Graph>
-class controller {
+  requires well_formed<Graph>
+class controller<Graph> {
 public:
   // Takes the default parameters.
   void load() {
@@ -270,32 +235,6 @@ private:
   std::int64_t k = 0;
   detail::course reason{};
   cca::state now = cca::state::created;
-};
-
-// Of a graph that breaks a rule: one error that is the message. The calls are there so that nothing else is reported.
-template <class Graph>
-  requires(!well_formed<Graph>)
-class controller<Graph> {
-  static_assert(sizeof(detail::refusal<Graph>) != 0);
-
-public:
-  void load(std::string_view = {}) {}
-  void save(std::string_view = {}) {}
-  void start() {}
-  void stop() {}
-  void resume() {}
-  bool step() noexcept { return false; }
-  template <class... Options>
-  cca::state run(Options...) { return {}; }
-  cca::state state() const noexcept { return {}; }
-  cca::fault fault() const noexcept { return {}; }
-  std::int64_t beat_index() const noexcept { return 0; }
-  template <fixed_string Path>
-  auto get() const -> typename detail::leaf_of<Graph, detail::leaf_at<Graph>(Path.view())>::component&;
-  template <fixed_string Path, class Parameters>
-  void set(const Parameters&) {}
-  template <class F>
-  void for_each_component(F) {}
 };
 
 }  // namespace cca

@@ -19,18 +19,18 @@ template <class Scalar>
 using vector4 = Eigen::Matrix<Scalar, 4, 1>;
 
 template <class Scalar = double>
-vector3<Scalar> cross(const vector3<Scalar>& a, const vector3<Scalar>& b) {
+inline vector3<Scalar> cross(const vector3<Scalar>& a, const vector3<Scalar>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <class Scalar = double>
-vector4<Scalar> identity() { return {0, 0, 0, 1}; }
+inline vector4<Scalar> identity() { return {0, 0, 0, 1}; }
 template <class Scalar = double>
-vector4<Scalar> inverse(const vector4<Scalar>& q) { return {-q[0], -q[1], -q[2], q[3]}; }
+inline vector4<Scalar> inverse(const vector4<Scalar>& q) { return {-q[0], -q[1], -q[2], q[3]}; }
 
 // First b, then a.
 template <class Scalar = double>
-vector4<Scalar> product(const vector4<Scalar>& a, const vector4<Scalar>& b) {
+inline vector4<Scalar> product(const vector4<Scalar>& a, const vector4<Scalar>& b) {
   return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
           a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
           a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
@@ -38,7 +38,7 @@ vector4<Scalar> product(const vector4<Scalar>& a, const vector4<Scalar>& b) {
 }
 
 template <class Scalar = double>
-vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v) {
+inline vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v) {
   const vector3<Scalar> u = q.template head<3>();
   const vector3<Scalar> t = 2 * cross(u, v);
   return v + q[3] * t + cross(u, t);
@@ -46,14 +46,14 @@ vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v) {
 
 // Of unit length; the identity if the length is 0.
 template <class Scalar = double>
-vector4<Scalar> normalised(const vector4<Scalar>& q) {
+inline vector4<Scalar> normalised(const vector4<Scalar>& q) {
   const Scalar length = std::sqrt(q.dot(q));
   return length > 0 ? vector4<Scalar>(q / length) : identity<Scalar>();
 }
 
 // The one of q and -q whose w is positive (at w = 0: whose first coordinate that isn't 0 is).
 template <class Scalar = double>
-vector4<Scalar> canonical(const vector4<Scalar>& q) {
+inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
   for (const int i : {3, 0, 1, 2}) {
     if (q[i] > 0) return q;
     if (q[i] < 0) return -q;
@@ -63,11 +63,11 @@ vector4<Scalar> canonical(const vector4<Scalar>& q) {
 
 // In [0, pi].
 template <class Scalar = double>
-Scalar angle(const vector4<Scalar>& q) { return 2 * std::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3])); }
+inline Scalar angle(const vector4<Scalar>& q) { return 2 * std::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3])); }
 
 // By so many rad about an axis, of any length but 0.
 template <class Scalar = double>
-vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
+inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
   const Scalar length = std::sqrt(axis.dot(axis));
   const Scalar s = std::sin(angle / 2) / length;
   return {s * axis[0], s * axis[1], s * axis[2], std::cos(angle / 2)};
@@ -75,7 +75,7 @@ vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
 
 // Of a rotation vector: its direction is the axis, its length the angle.
 template <class Scalar = double>
-vector4<Scalar> exp(const vector3<Scalar>& v) {
+inline vector4<Scalar> exp(const vector3<Scalar>& v) {
   const Scalar square = v.dot(v), angle = std::sqrt(square);
   const Scalar s = angle < 1e-4 ? 0.5 - square / 48 : std::sin(angle / 2) / angle;
   return {s * v[0], s * v[1], s * v[2], std::cos(angle / 2)};
@@ -83,7 +83,7 @@ vector4<Scalar> exp(const vector3<Scalar>& v) {
 
 // The rotation vector, of length at most pi.
 template <class Scalar = double>
-vector3<Scalar> log(const vector4<Scalar>& q) {
+inline vector3<Scalar> log(const vector4<Scalar>& q) {
   const Scalar w = q[3] < 0 ? -q[3] : q[3], sign = q[3] < 0 ? -1 : 1;
   const vector3<Scalar> v = q.template head<3>();
   const Scalar n = std::sqrt(v.dot(v));
@@ -92,7 +92,7 @@ vector3<Scalar> log(const vector4<Scalar>& q) {
 
 // Roll about x, then pitch about the old y, then yaw about the old z.
 template <class Scalar = double>
-vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw) {
+inline vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw) {
   const vector4<Scalar> r{std::sin(roll / 2), 0, 0, std::cos(roll / 2)}, p{0, std::sin(pitch / 2), 0, std::cos(pitch / 2)},
       y{0, 0, std::sin(yaw / 2), std::cos(yaw / 2)};
   return product(y, product(p, r));
@@ -101,18 +101,18 @@ vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw) {
 // From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw turn about one axis, and only their
 // difference (sum) means something.
 template <class Scalar = double>
-Scalar roll(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1])); }
+inline Scalar roll(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1])); }
 template <class Scalar = double>
-Scalar pitch(const vector4<Scalar>& q) {
+inline Scalar pitch(const vector4<Scalar>& q) {
   const Scalar s = 2 * (q[3] * q[1] - q[2] * q[0]);
   return std::asin(s > 1 ? 1 : s < -1 ? -1 : s);
 }
 template <class Scalar = double>
-Scalar yaw(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2])); }
+inline Scalar yaw(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2])); }
 
 // The shorter way at constant speed: a at t = 0, b at t = 1 (or -b, which is the same rotation).
 template <class Scalar = double>
-vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b, Scalar t) {
+inline vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b, Scalar t) {
   const Scalar sign = a.dot(b) < 0 ? -1 : 1;
   const vector4<Scalar> difference = a - sign * b, sum = a + sign * b;
   const Scalar angle = 2 * std::atan2(std::sqrt(difference.dot(difference)), std::sqrt(sum.dot(sum)));
@@ -122,7 +122,7 @@ vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b, Scalar
 }
 
 template <class Scalar = double>
-Eigen::Matrix<Scalar, 3, 3> matrix(const vector4<Scalar>& q) {
+inline Eigen::Matrix<Scalar, 3, 3> matrix(const vector4<Scalar>& q) {
   Eigen::Matrix<Scalar, 3, 3> m;
   for (int i = 0; i < 3; ++i) {
     vector3<Scalar> e{0, 0, 0};

@@ -1,0 +1,137 @@
+// Messages about a node alone: its name, its functions, hooks, parameters, spaces and strategy.
+#pragma once
+
+#include <cca/graph/telling.hpp>
+
+namespace cca::detail {
+
+constexpr void tell_duplicate_name(telling& t) {
+  t.at_node();
+  if (t.found().a == 1) {
+    t.say() << "two outputs are exposed as `" << t.item().to << "` by " << t.graph().name << ": give one of them another name";
+    return;
+  }
+  t.say() << "two nodes of " << t.graph().name << " are named `" << t.item().from << "`";
+  const char* separator = " (";
+  for (int i = 0; i < t.graph().count; ++i) {
+    const auto& other = t.graph().items[i];
+    if (other.from != t.item().from || (!other.component && !other.inner)) continue;
+    t.say() << separator << (other.component ? other.component->name : other.inner->name);
+    separator = ", ";
+  }
+  t.say() << "), so a path to them has two meanings: give one of them another name";
+}
+
+constexpr void tell_no_process(telling& t) {
+  t.at_node();
+  t.node();
+  if (t.found().a == 1)
+    t.say() << " has both `process` and `" << (t.found().b == 0 ? "sense" : "act")
+            << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
+  else
+    t.say() << " has no `process`: give it one public function, neither overloaded nor a template, as in "
+               "`auto process(cca::in<...>) -> cca::out<...>`; a resource node has `sense` and `act` instead";
+}
+
+// Of the inputs or the outputs of all its functions, the first name that stands twice.
+constexpr std::string_view repeated_port(const component_info& c, bool outputs) {
+  const auto ports = [&](const half_info& h) { return outputs ? h.outputs : h.inputs; };
+  const auto count = [&](const half_info& h) { return outputs ? h.output_count : h.input_count; };
+  for (int h = 0; h < 3; ++h)
+    for (int earlier = 0; earlier <= h; ++earlier) {
+      const half_info *a = telling::half(c, h), *b = telling::half(c, earlier);
+      for (int i = 0; a && b && i < count(*a); ++i)
+        for (int j = 0; j < (a == b ? i : count(*b)); ++j)
+          if (ports(*a)[i].name == ports(*b)[j].name) return ports(*a)[i].name;
+    }
+  return {};
+}
+
+constexpr void tell_bad_signature(telling& t, bool parameter) {
+  const auto& c = *t.item().component;
+  t.at_node();
+  t.node();
+  if (t.found().b == 1) {
+    t.say() << " has two " << (parameter ? "inputs" : "outputs") << " named `" << repeated_port(c, !parameter)
+            << "`, so a wire to it would have two meanings: give one of them another name";
+    return;
+  }
+  constexpr std::string_view functions[] = {"sense", "process", "act"};
+  for (int which = 0; which < 3; ++which) {
+    const auto* half = telling::half(c, which);
+    if (!half || (parameter ? half->bad_parameter : half->bad_result).empty()) continue;
+    if (parameter)
+      t.say() << ": `" << functions[which] << "` takes `" << half->bad_parameter
+              << "`, but it may take only ports (cca::in, cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to "
+                 "const; give constants as `parameters`, and data of other components by a wire";
+    else
+      t.say() << ": `" << functions[which] << "` returns `" << half->bad_result
+              << "`, but it may return only ports (cca::out, cca::maybe) and a cca::fault, one or several in a std::tuple, or void";
+    return;
+  }
+}
+
+constexpr void tell_hook(telling& t) {
+  t.at_node();
+  t.node();
+  const auto hook = t.item().component->bad_hook;
+  t.say() << " has a hook `" << hook << "` that would never be called, for it is not `void " << hook
+          << "()`: make it a public function of that signature, or give it another name";
+}
+
+constexpr void tell_parameters(telling& t) {
+  t.at_node();
+  t.node();
+  const auto& c = *t.item().component;
+  if (c.forgot_parameters) {
+    t.say() << " has a struct `parameters` but no public member `parameters p`, so nothing would ever set them: add `parameters p{...};` with the "
+               "default values";
+    return;
+  }
+  t.say() << ": its parameter `" << c.bad_field << "` is a `" << c.bad_field_type << "`";
+  if (c.bad_field == "p")
+    t.say() << ", of which nothing is known: name its fields in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied";
+  else
+    t.say() << ", which no file can hold: use a number, bool, enum class, cca::bounded, cca::quantity, cca::text, a std::array or Eigen "
+               "vector of fixed size of these, or a struct with BOOST_HANA_DEFINE_STRUCT";
+}
+
+constexpr void tell_duplicate_axis(telling& t) {
+  const auto one = [&](const auto& port) {
+    t.at(port);
+    const auto& space = t.space(port);
+    t.say() << "the space " << space.name << " of ";
+    t.port(port);
+    t.say() << " has the axis `" << space.axes[space.duplicate_axis]
+            << "` twice, so reading along it has two meanings: name each axis once in cca::axes<...>";
+  };
+  if (t.found().b == 1) one(t.g.outputs[t.found().a]);
+  else one(t.g.inputs[t.found().a]);
+}
+
+constexpr void tell_unknown_trigger(telling& t) {
+  t.at_node();
+  t.node();
+  t.say() << " is cca::port_triggered by `" << t.unknown_trigger << "`, but it has no such input";
+  std::string_view best;
+  std::size_t least = 64;
+  for (int which = 0; which < 3; ++which) {
+    const auto* half = telling::half(*t.item().component, which);
+    for (int p = 0; half && p < half->input_count; ++p)
+      if (const auto distance = edit_distance(t.unknown_trigger, half->inputs[p].name); distance < least) {
+        least = distance;
+        best = half->inputs[p].name;
+      }
+  }
+  if (!best.empty()) t.say() << "; did you mean `" << best << "`?";
+  else t.say() << ": it has none at all";
+}
+
+constexpr void tell_misplaced(telling& t) {
+  t.at_node();
+  t.node();
+  if (t.item().inner) t.say() << " is a graph, and a strategy stands on components: give it to the nodes inside";
+  else t.say() << " is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive";
+}
+
+}  // namespace cca::detail

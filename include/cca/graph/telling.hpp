@@ -1,0 +1,71 @@
+// What messages are put together from: names of nodes, ports and wires as the user knows them.
+#pragma once
+
+#include <cca/component/nearest.hpp>
+#include <cca/graph/paths.hpp>
+#include <cca/graph/rules.hpp>
+
+namespace cca::detail {
+
+struct telling {
+  flat_view g;
+  std::string_view unknown_trigger{};
+  text where{}, message{};
+
+  constexpr text& say() { return message; }
+  constexpr const verdict& found() const { return g.found; }
+  constexpr const item_info& item() const { return *g.found.item; }
+  constexpr const graph_info& graph() const { return *g.scopes[g.found.scope].graph; }
+
+  // What is at fault, for `where`.
+  constexpr void at_node() {
+    add_scope_path(where, g, g.found.scope);
+    where << item().from;
+  }
+  constexpr void at_wire() {
+    add_scope_path(where, g, g.found.scope);
+    where << item().from << " -> ";
+    add_scope_path(where, g, g.found.scope);
+    where << item().to;
+  }
+  constexpr void at(const input& i) { add_port(where, g, i); }
+  constexpr void at(const output& o) { add_port(where, g, o); }
+
+  // `dmp.gait` (gait_shape)
+  constexpr void node() {
+    say() << "`";
+    add_scope_path(say(), g, g.found.scope);
+    say() << item().from << "`";
+    if (item().component) say() << " (" << item().component->name << ")";
+    if (item().inner) say() << " (" << item().inner->name << ")";
+  }
+  template <class Port>
+  constexpr void port(const Port& p) {
+    say() << "`";
+    add_port(say(), g, p);
+    say() << "`";
+  }
+  constexpr const space_info& space(const input& i) const { return *port_of(g, i).space; }
+  constexpr const space_info& space(const output& o) const { return *port_of(g, o).space; }
+
+  // As it is written, but for the quotes, which compilers print with backslashes.
+  constexpr void wire() { say() << "`" << item().from << "` -> `" << item().to << "`"; }
+  constexpr void wire_with(std::string_view from, std::string_view to, std::string_view option) {
+    say() << "cca::wire<`" << from << "`, `" << to << "`, " << option << ">";
+  }
+
+  // `cpg.phase` is published every 10 beats but `gait.phase` is read every beat
+  constexpr void two_clocks(const output& from, const input& to) {
+    port(from);
+    say() << " is published ";
+    add_clock(say(), published(g, from));
+    say() << " but ";
+    port(to);
+    say() << " is read ";
+    add_clock(say(), g.turns[to.turn].fires);
+  }
+
+  static constexpr const half_info* half(const component_info& c, int which) { return which == 0 ? c.sense : which == 1 ? c.process : c.act; }
+};
+
+}  // namespace cca::detail
