@@ -1,9 +1,12 @@
 // Files on disk: missing, unreadable, and saved so that a failure leaves the old one.
 #include <doctest/doctest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include <sys/resource.h>
 
 #include "mock.hpp"
 
@@ -99,10 +102,25 @@ TEST_CASE("a link stays a link") {
   CHECK_EQ(contents(here / "real.toml"), c.text());
 }
 
-TEST_CASE("a full disk leaves the old file and no other") {
-  if (!fs::exists("/dev/full")) return;
-  const controller c;
-  CHECK_EQ(words_of([&] { c.save("/dev/full"); }), "/dev/full: cannot be written: No space left on device");
+TEST_CASE("a disk that is full leaves the old file and no other") {
+  const folder here;
+  const std::string file = here / "trot.toml";
+  controller c;
+  c.save(file);
+  const std::string before = contents(file);
+  c.cpg.p.frequency = 2;
+  // No file may grow beyond 100 bytes: for a program that is as a full disk.
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const rlimit tight{100, usual.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &tight);
+  const std::string words = words_of([&] { c.save(file); });
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, handler);
+  CHECK_EQ(words, file + ": cannot be written: File too large");
+  CHECK_EQ(contents(file), before);
+  CHECK_FALSE(fs::exists(file + ".new"));
 }
 
 }  // TEST_SUITE
