@@ -72,20 +72,19 @@ struct clocking {
   // Fires when all inputs are fresh. With the slowest input last in its first round, it fires with that one.
   constexpr clock of_all(const turn& t) const {
     clock slowest = never_clock;
-    bool queued = false, all_equal = true;
+    bool queued = false, all_equal = true, known = true;
+    std::int64_t last_start = 0;
     for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
       if (!g.inputs[i].wired) continue;
       const auto arrival = arrivals(g.inputs[i]);
       if (arrival.never()) return never_clock;
-      if (arrival.dynamic()) return dynamic_clock;
+      known &= arrival.known();
       if (slowest.known()) all_equal &= arrival == slowest;
       queued |= g.inputs[i].queue >= 0;
+      last_start = arrival.first > last_start ? arrival.first : last_start;
       if (arrival.period > slowest.period || (arrival.period == slowest.period && arrival.first > slowest.first)) slowest = arrival;
     }
-    if (queued && !all_equal) return dynamic_clock;
-    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
-      if (g.inputs[i].wired && arrivals(g.inputs[i]).first > slowest.first) return dynamic_clock;
-    return slowest;
+    return known && slowest.first == last_start && (!queued || all_equal) ? slowest : dynamic_clock;
   }
 
   constexpr clock of_strategy(const turn& t) const {
