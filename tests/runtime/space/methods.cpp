@@ -53,6 +53,8 @@ TEST_CASE("joint angles") {
   CHECK(q.within_limits());
   const sample far(Eigen::Vector2d(4, -4), 7);
   CHECK_FALSE(far.within_limits());
+  CHECK_FALSE(sample(Eigen::Vector2d(0, -1.9)).within_limits());
+  CHECK_FALSE(sample(Eigen::Vector2d(0, 0.1)).within_limits());
   CHECK(far.clamped().vector() == Eigen::Vector2d(0.9, -1.8));
   CHECK(far.clamped().origin() == 7);
   CHECK(far.clamped().within_limits());
