@@ -17,6 +17,7 @@
 #include <vector>
 
 #include <cca/component/component.hpp>
+#include <cca/component/component.hpp>
 #include <cca/component/parameter_check.hpp>
 #include <cca/component/refused.hpp>
 #include <cca/component/schema.hpp>
@@ -90,6 +91,13 @@ constexpr std::string_view unsupported_type() {
 // A `parameters` struct without the member `p` would be ignored in silence.
 template <class Component>
 concept ForgotParameters = requires { typename Component::parameters; } && !HasParameters<Component>;
+
+template <class Component>
+  requires HasParameters<Component>
+constexpr field_problem bad_field_of<Component> = {.name = unsupported_field<typename Component::parameters>(),
+                                                   .type = unsupported_type<typename Component::parameters>()};
+template <ForgotParameters Component>
+constexpr field_problem bad_field_of<Component> = {.forgot_parameters = true};
 
 template <class Component>
   requires HasParameters<Component> || ForgotParameters<Component>

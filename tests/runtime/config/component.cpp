@@ -48,6 +48,10 @@ struct hidden { struct parameters { double x; }; parameters values; };
 static_assert(cca::HasParameters<config_test::hopf> && !cca::HasParameters<config_test::adder> && !cca::HasParameters<no_member>);
 static_assert(ForgotParameters<no_member> && ForgotParameters<hidden> && !ForgotParameters<config_test::hopf> && !ForgotParameters<config_test::adder>);
 
+struct vague { struct parameters { BOOST_HANA_DEFINE_STRUCT(parameters, (std::string, name)); }; parameters p; };
+static_assert(bad_field_of<vague>.name == "name" && bad_field_of<no_member>.forgot_parameters);
+static_assert(bad_field_of<config_test::hopf>.name.empty() && !bad_field_of<config_test::hopf>.forgot_parameters && bad_field_of<config_test::adder>.name.empty());
+
 static_assert(edit_distance("", "abc") == 3 && edit_distance("cgp", "cpg") == 1 && edit_distance("frequncy", "frequency") == 1);
 static_assert(nearest_name("frequncy", std::array<std::string_view, 2>{"gain", "frequency"}) == "frequency");
 static_assert(nearest_name("zzz", std::array<std::string_view, 1>{"gain"}).empty());
