@@ -34,8 +34,12 @@ template <class Graph>
   requires well_formed<Graph>
 class controller<Graph> {
 public:
-  // Takes the default parameters.
+  // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
+    check(detail::transition::load, "load()");
+    for_each_component([]<class C>(std::string_view path, C& component) {
+      if constexpr (HasParameters<C>) check_parameters(component.p, path);
+    });
     move(detail::transition::load, "load()");
     for_each_component([]<class C>(std::string_view, C& component) {
       if constexpr (detail::OnLoad<C>) component.on_load();
@@ -139,7 +143,7 @@ public:
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't hold.
   template <fixed_string Path, class Parameters>
   void set(const Parameters& parameters) {
-    detail::apply_parameters(get<Path>(), parameters);
+    detail::apply_parameters(get<Path>(), parameters, Path.view());
   }
 
   // Calls f(path, component) for each component, in declaration order.
