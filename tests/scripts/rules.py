@@ -3,7 +3,8 @@
 
 usage: rules.py [ROOT of the repository]
 
-A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...".
+A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...". Those
+that graphs are checked by stand also in tests/rejects/many_nodes/mistakes.cpp.
 """
 import pathlib
 import re
@@ -26,12 +27,23 @@ def rules(root):
     return found
 
 
+def rules_of_graphs(root):
+    """The ids in graph/rules.hpp: those that a graph of many nodes must be told briefly, too."""
+    header = root / "include/cca/graph/rules.hpp"
+    return re.findall(r'^    "([a-z_]+\.[a-z_]+)",', header.read_text(), re.M) if header.exists() else []
+
+
 def problems(root):
     known = rules(root)
     tested = {file.stem.split("-")[0]: file for file in sorted((root / "tests/rejects").glob("*.cpp"))}
     for rule, header in sorted(known.items()):
         if rule not in tested:
             yield f"{rule} ({header}) has no file tests/rejects/{rule}.cpp"
+    mistakes = root / "tests/rejects/many_nodes/mistakes.cpp"
+    among_many = set(re.findall(r"^// EXPECT \w+: ([a-z_.\\]+):", mistakes.read_text(), re.M)) if mistakes.exists() else set()
+    for rule in rules_of_graphs(root):
+        if rule.replace(".", "\\.") not in among_many:
+            yield f"{rule} is not in {mistakes.relative_to(root)}"
     for rule, file in tested.items():
         if rule not in known:
             yield f"{file.relative_to(root)}: no header states the rule {rule}"

@@ -111,12 +111,31 @@ class Rejects(Tree):
         self.assertIn("without the mistake", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if 1")))
         self.assertIn("accepts", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if 0")))
         self.assertIn("does not match", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if CCA_REJECT\nint x = y;")))
-        self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"int x{i} = y;" for i in range(30)) + "\n#endif")))
+        self.assertIn("2 errors", self.wrong(self.SOUND.replace("#endif", "int x = y;\n#endif")))
+        self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"#warning {i}" for i in range(30)) + "\n#endif")))
 
-    def test_columns_are_joined(self):
-        found = reject.readings('error: t<c{"a sentence  "}, c{"in columns,"}, c{"of which a wo"}, c{"rd is cut"}>')
-        self.assertIn("a sentence in columns, of which", found[1])
-        self.assertIn("which a word is cut", found[2])
+    MANY = ('// EXPECT left: rule\\.a: left\n// EXPECT right: rule\\.a: right\n#if CCA_REJECT\nconstexpr int left = 1, right = 2;\n'
+            'static_assert(CCA_REJECT != left, "rule.a: left");\nstatic_assert(CCA_REJECT != right, "rule.a: right");\n#endif\n').replace(
+                "#if CCA_REJECT", "#ifdef CCA_REJECT")
+
+    def test_many_mistakes(self):
+        self.assertEqual(self.wrong(self.MANY, "many.cpp"), "")
+        self.assertIn("right: the compiler accepts", self.wrong(self.MANY.replace("!= right", "!= 3"), "many.cpp"))
+
+    def test_sentence(self):
+        full = "x" * reject.COLUMN
+        self.assertEqual(reject.sentence('error: t<c{"a sentence  "}, c{"in columns,"}, c{"of which a    "}>'), "a sentence in columns, of which a")
+        self.assertEqual(reject.sentence(f'error: t<c{{"a   "}}, c{{"{full}"}}, c{{"yz and  "}}>'), f"a {full}yz and")
+        self.assertEqual(reject.sentence("f.hpp:1:2: error: static assertion failed: rule.a: left"), "rule.a: left")
+        self.assertEqual(reject.sentence("f.hpp:1:2: error: static assertion failed due to requirement 'a<b>': rule.a: left"), "rule.a: left")
+        self.assertEqual(reject.sentence("f.hpp:1:2: error: no such thing"), "no such thing")
+
+    def test_prepared(self):
+        self.write("include/cca/cca.hpp", "#pragma once\nstruct known {};\n")
+        command = ["g++", "-std=c++20", f"-I{self.root}/include"]
+        self.assertEqual(reject.prepare(self.root / "headers", command)[0], 0)
+        file = self.write("space.mismatch.cpp", self.SOUND.replace("#if", "#include <cca/cca.hpp>\nknown k;\n#if", 1))
+        self.assertEqual(reject.verdict(file, reject.prepared(self.root / "headers", command))[0], "")
 
 
 if __name__ == "__main__":
