@@ -1,5 +1,6 @@
 // Spaces, as the compiler sees them: sizes, zeros, limits, what their checks find, what a sample is.
 #include <cca/space/domain.hpp>
+#include <cca/space/info.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/space/units.hpp>
 
@@ -12,9 +13,6 @@ struct knee : cca::dimension<"knee"> {
   static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}};
 };
 struct toe : cca::dimension<"toe"> {};
-struct crossed : cca::dimension<"crossed"> {
-  static constexpr auto limits = cca::limits{cca::angle{1, -1}};
-};
 struct base : cca::frame<"base"> {};
 struct other;
 using xyz = cca::axes<cca::x, cca::y, cca::z>;
@@ -22,7 +20,6 @@ using xyz = cca::axes<cca::x, cca::y, cca::z>;
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 struct leg_torques : cca::space<cca::joint_torques, cca::axes<hip, knee>> {};
 struct toe_angles : cca::space<cca::joint_angles, cca::axes<hip, toe, knee>> {};
-struct crossed_angles : cca::space<cca::joint_angles, cca::axes<crossed>> {};
 struct twice : cca::space<cca::joint_angles, cca::axes<hip, knee, hip>> {};
 struct plain : cca::space<cca::number, cca::axes<toe>> {};
 struct attitude : cca::space<cca::orientation<base>, xyz> {};
@@ -50,8 +47,8 @@ static_assert(cca::detail::lower_limits<leg_angles, cca::velocity> == std::array
 static_assert(cca::detail::missing_limits<leg_angles> == -1);
 static_assert(cca::detail::missing_limits<leg_torques> == 1);
 static_assert(cca::detail::missing_limits<toe_angles> == 1);
-static_assert(cca::detail::missing_limits<crossed_angles> == 0);
-static_assert(cca::detail::missing_limits<plain> == -1, "only what is actuated must state limits");
+static_assert(cca::detail::missing_limits<plain> == 0);
+static_assert(cca::detail::space_of<toe_angles>.missing_limits == 1 && cca::detail::space_of<twice>.duplicate_axis == 2);
 static_assert(cca::detail::duplicate_axis<leg_angles> == -1 && cca::detail::duplicate_axis<plain> == -1);
 static_assert(cca::detail::duplicate_axis<twice> == 2);
 

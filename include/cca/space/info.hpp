@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/space/limits.hpp>
 #include <cca/space/space.hpp>
 #include <cca/space/type_name.hpp>
 
@@ -35,20 +36,6 @@ struct axes_facts<axes<Axes...>> {
     ((seed = hash("|", hash(spelled<Axes>(), seed))), ...);
     return seed;
   }
-  static constexpr int duplicate() {
-    const std::array<std::string_view, sizeof...(Axes) + 1> all{spelled<Axes>()..., {}};
-    for (std::size_t i = 1; i < sizeof...(Axes); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (all[i] == all[j]) return static_cast<int>(i);
-    return -1;
-  }
-  template <class Quantity>
-  static constexpr int missing() {
-    const std::array<bool, sizeof...(Axes) + 1> has{axis_has_limits<Axes, Quantity>..., true};
-    for (std::size_t i = 0; i < sizeof...(Axes); ++i)
-      if (!has[i]) return static_cast<int>(i);
-    return -1;
-  }
 };
 
 template <class Space>
@@ -61,8 +48,8 @@ inline constexpr space_info space_of = {
     hz_of<typename Space::rate>,
     axes_facts<typename Space::axes>::key(hash(spelled<typename Space::domain>())),
     Space::domain::actuated,
-    axes_facts<typename Space::axes>::duplicate(),
-    axes_facts<typename Space::axes>::template missing<typename Space::domain::quantity>(),
+    duplicate_axis<Space>,
+    missing_limits<Space>,
     type_name<typename Space::domain::quantity>(),
 };
 

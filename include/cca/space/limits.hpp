@@ -31,12 +31,13 @@ struct limits_along<List<Axes...>, Quantity> {
   static constexpr std::array<double, sizeof...(Axes)> lower{lower_limit_of<Axes, Quantity>...};
   static constexpr std::array<double, sizeof...(Axes)> upper{upper_limit_of<Axes, Quantity>...};
 
-  // The first axis that states none, or whose lower limit lies above the upper one (or is NaN); or -1.
+  static_assert(((lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>) && ...),
+                "cca::limits: an axis of this space states a lower limit that lies above its upper one");
+
   static constexpr int first_missing() {
-    const std::array<bool, sizeof...(Axes)> sound{
-        (axis_has_limits<Axes, Quantity> && lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>)...};
+    const std::array<bool, sizeof...(Axes)> stated{axis_has_limits<Axes, Quantity>...};
     for (std::size_t i = 0; i < sizeof...(Axes); ++i)
-      if (!sound[i]) return static_cast<int>(i);
+      if (!stated[i]) return static_cast<int>(i);
     return -1;
   }
 };
@@ -47,12 +48,9 @@ constexpr const auto& lower_limits = limits_along<typename Space::axes, Quantity
 template <class Space, class Quantity>
 constexpr const auto& upper_limits = limits_along<typename Space::axes, Quantity>::upper;
 
-// Index of the first axis of an actuated space without limits for its quantity, or -1.
+// Index of the first axis without limits for the domain type's quantity, or -1.
 template <class Space>
-constexpr int missing_limits = [] {
-  if constexpr (Space::domain::actuated) return limits_along<typename Space::axes, typename Space::domain::quantity>::first_missing();
-  else return -1;
-}();
+constexpr int missing_limits = limits_along<typename Space::axes, typename Space::domain::quantity>::first_missing();
 
 template <class Axes>
 struct repeated_in;
@@ -60,17 +58,11 @@ struct repeated_in;
 template <template <class...> class List, class... Axes>
 struct repeated_in<List<Axes...>> {
   static constexpr int first() {
-    // Two types differ if and only if the addresses of their tags do.
-    const std::array<const void*, sizeof...(Axes)> tags{&tag<Axes>...};
-    for (std::size_t i = 1; i < sizeof...(Axes); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (tags[i] == tags[j]) return static_cast<int>(i);
+    const std::array<int, sizeof...(Axes)> found{List<Axes...>::template index_of<Axes>...};
+    for (std::size_t i = 0; i < sizeof...(Axes); ++i)
+      if (found[i] != static_cast<int>(i)) return static_cast<int>(i);
     return -1;
   }
-
-private:
-  template <class Axis>
-  static constexpr char tag = 0;
 };
 
 // Index of the first axis that stands twice in a space, or -1.
