@@ -14,11 +14,14 @@
 #include <numbers>
 
 #include <cca/cca.hpp>
+#include <cca/sim/oncilla_model.hpp>
 #include <cca/sim/oncilla_spaces.hpp>
 
 #include "spaces.hpp"
 
 namespace trot {
+
+using cca::sim::degrees;
 
 struct leg_shape {
   BOOST_HANA_DEFINE_STRUCT(leg_shape, (cca::quantity<cca::angle, -1.2, 1.2>, hip),  // where it stands
@@ -35,7 +38,9 @@ struct gait {
                              (cca::bounded<double, -0.5, 0.5>, lead),             // of the knee before the hip, in strides
                              (std::array<double, 4>, offsets));                   // left and right front, left and right hind, in strides
   };
-  parameters p{{0.888, 1.550, 0.242, 0.364}, {0.747, 1.341, 0.248, 0.607}, 0.577, 0.12, -0.091, {0.0, 0.5, 0.384, -0.116}};
+  parameters p{{degrees(48.8), degrees(92.5), degrees(12.3), degrees(32.5)},
+               {degrees(38.6), degrees(80.3), degrees(15.5), degrees(30.3)},
+               0.585, degrees(2.5), -0.044, {0.0, 0.5, 0.374, -0.126}};
 
   auto process(cca::in<"phase", gait_phase> phase, cca::in<"amplitude", gait_amplitude> amplitude, cca::in<"turn", turning> turn)
       -> cca::out<"angles", cca::sim::leg_angles> {

@@ -6,15 +6,12 @@
 // with disturbances that are others in each generation; the worst of the three counts as much as all together. So a gait that
 // lives on luck doesn't last. Change the robot (oncilla_model.hpp) and search again to adapt the trot to it.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -22,6 +19,7 @@
 
 #include "cma_es.hpp"
 #include "command_line.hpp"
+#include "parallel.hpp"
 #include "progress.hpp"
 #include "rollout.hpp"
 #include "statistics.hpp"
@@ -99,24 +97,6 @@ double worth(const trot::trotting& start, const searched& what, const std::vecto
   return 0.5 * sum / static_cast<double>(trials.size()) + 0.5 * worst;
 }
 
-// Runs job(0) to job(count - 1) on all cores; `done` is called, from one thread at a time, with how many are.
-template <class Job, class Done>
-void on_all_cores(std::size_t count, Job job, Done done) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex reporting;
-  std::size_t finished = 0;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < count;) {
-      job(i);
-      const std::lock_guard lock(reporting);
-      done(++finished);
-    }
-  };
-  std::vector<std::jthread> others;
-  for (unsigned core = 1; core < std::thread::hardware_concurrency(); ++core) others.emplace_back(work);
-  work();
-}
-
 struct options {
   std::string config, out = "found.toml";
   int generations = 40, population = 12;
@@ -160,7 +140,7 @@ void search(const options& o) {
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
     std::vector<double> values(points.size());
-    on_all_cores(
+    trot::on_all_cores(
         points.size(),
         [&](std::size_t i) {
           const int draw = i + 1 == points.size() ? 0 : generation;  // the middles are compared on equal terms

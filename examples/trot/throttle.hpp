@@ -14,7 +14,7 @@ struct throttle {
                              (cca::quantity<cca::duration, 0, 3600>, start),        // stand so long first
                              (double, intercept), (double, slope));                 // amplitude = intercept + slope * speed
   };
-  parameters p{0.65, 0.2, 0.29, 1.053};
+  parameters p{0.68, 0.2, 0.187, 1.106};
 
   auto process(cca::beat now) -> cca::out<"amplitude", wanted_amplitude> {
     const double time = static_cast<double>(now.time()) * 1e-9;
