@@ -6,7 +6,7 @@ namespace cca {
 class fault {
 public:
   constexpr fault() = default;
-  explicit constexpr fault(const char* reason) : why(reason) {}
+  constexpr fault(const char* reason) : why(reason) {}
 
   explicit constexpr operator bool() const { return why != nullptr; }
   constexpr const char* reason() const { return why ? why : ""; }

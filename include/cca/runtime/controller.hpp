@@ -24,6 +24,8 @@ namespace detail {
 // Reading and writing files, in cca/config.hpp.
 template <class Controller>
 struct config_backend;
+template <class Controller>
+concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
 template <class Graph>
 struct is_watched { static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; } };
@@ -48,6 +50,7 @@ public:
 
   // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
   void load(std::string_view file) {
+    static_assert(detail::HasConfig<controller>, "cca::controller: load(file) needs #include <cca/config.hpp>");
     check(detail::transition::load, "load(file)");
     detail::config_backend<controller>::load(*this, file);
     load();
@@ -61,6 +64,7 @@ public:
   }
 
   void save(std::string_view file) {
+    static_assert(detail::HasConfig<controller>, "cca::controller: save(file) needs #include <cca/config.hpp>");
     check(detail::transition::save, "save(file)");
     detail::config_backend<controller>::save(*this, file);
     save();
