@@ -1,0 +1,111 @@
+// The trot of the example: it trots, straight, from disturbances, and a snapshot of it trots on bit for bit.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "../../../examples/trot/cma_es.hpp"
+#include "../../../examples/trot/command_line.hpp"
+#include "../../../examples/trot/csv.hpp"
+#include "../../../examples/trot/rollout.hpp"
+#include "../../../examples/trot/statistics.hpp"
+#include "../../../examples/trot/summary.hpp"
+#include "../../../examples/trot/svg.hpp"
+
+namespace {
+
+trot::recording run(double seconds, std::uint64_t seed, double speed = 0.68) {
+  trot::trotting controller;
+  controller.load();
+  auto wanted = controller.get<"throttle">().p;
+  wanted.speed = speed;
+  controller.set<"throttle">(wanted);
+  return trot::roll_out(controller, cca::sim::terrain::flat(), cca::sim::disturbance::from_seed(seed, seconds), seconds,
+                        [](const cca::sim::world&, double) {});
+}
+
+}  // namespace
+
+TEST_SUITE("trot") {
+  TEST_CASE("it trots: upright, fast, straight, with diagonal legs together") {
+    const trot::recording recorded = run(6, 3);
+    const trot::statistics s = trot::evaluate(recorded);
+    CHECK(!s.fell);
+    CHECK(s.cruise > 0.62);
+    CHECK(std::abs(s.drift) < 0.05 * s.distance);
+    CHECK(s.max_roll < cca::sim::degrees(30));
+    CHECK(s.max_pitch < cca::sim::degrees(30));
+    CHECK(s.stride_frequency == doctest::Approx(3.8).epsilon(0.02));
+    for (const double duty : s.duty_factor) {
+      CHECK(duty > 0.3);
+      CHECK(duty < 0.9);
+    }
+  }
+
+  TEST_CASE("the throttle: slower is slower, and no speed is standing") {
+    CHECK(trot::evaluate(run(5, 1, 0.2)).cruise == doctest::Approx(0.2).epsilon(0.2));
+    CHECK(trot::evaluate(run(5, 1, 0.4)).cruise == doctest::Approx(0.4).epsilon(0.2));
+    const trot::statistics standing = trot::evaluate(run(3, 1, 0.0));
+    CHECK(!standing.fell);
+    CHECK(std::abs(standing.distance) < 0.1);
+  }
+
+  TEST_CASE("controller and world, copied in the middle of the trot, go on bit for bit") {
+    trot::trotting original;
+    original.load();
+    original.start();
+    original.run(cca::for_beats<900>{});
+    trot::trotting copy = original;
+    original.run(cca::for_beats<600>{});
+    copy.run(cca::for_beats<600>{});
+    CHECK(original.get<"robot.simulator">().world().hash() == copy.get<"robot.simulator">().world().hash());
+  }
+
+  TEST_CASE("the command line says what it doesn't understand") {
+    const trot::options o = trot::parse({"--seconds", "2.5", "--seed", "7", "--terrain", "slope:4", "--quiet"});
+    CHECK(o.seconds == 2.5);
+    CHECK(o.seed == 7);
+    CHECK(o.ground.name() == "slope");
+    CHECK(o.quiet);
+    CHECK(!trot::parse({"--seed", "none"}).seed);
+    for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
+             {"--fast"}, {"--seconds"}, {"--seconds", "x"}, {"--seconds", "-1"}, {"--seed", "-1"}, {"--terrain", "sea"}, {"--seconds", "nan"}})
+      CHECK_THROWS_AS(trot::parse(bad), trot::command_line_error);
+  }
+
+  TEST_CASE("what is written is complete: table, JSON, CSV, picture") {
+    const trot::recording recorded = run(2.5, 0);
+    const trot::statistics s = trot::evaluate(recorded);
+    std::ostringstream table, json, csv, svg;
+    trot::write_table(table, s, {});
+    trot::write_json(json, s, {}, {"0", "flat"});
+    trot::write_csv(csv, recorded);
+    trot::write_svg(svg, recorded, "a test");
+    CHECK(table.str().find("cost of transport") != std::string::npos);
+    for (const char* key : {"speed_m_s", "distance_m", "drift_m", "fell", "max_roll_deg", "max_pitch_deg", "cost_of_transport",
+                            "real_time_factor", "controller_ns_per_beat"})
+      CHECK(json.str().find("\"" + std::string(key) + "\": ") != std::string::npos);
+    const std::string lines = csv.str();
+    CHECK(std::count(lines.begin(), lines.end(), '\n') == 1 + 2500 / 5);
+    CHECK(svg.str().ends_with("</svg>\n"));
+    CHECK(svg.str().find("nan") == std::string::npos);
+  }
+
+  TEST_CASE("the search finds the top of a hill that is bent and stretched") {
+    const auto hill = [](const Eigen::VectorXd& x) {
+      const double a = x[0] - 0.3, b = x[1] - 0.6 - a * a, c = x[2] - 0.5;
+      return -(a * a + 100 * b * b + 10 * c * c);
+    };
+    trot::cma_es search(Eigen::VectorXd::Constant(3, 0.8), 0.2, 10, 1);
+    for (int generation = 0; generation < 120; ++generation) {
+      std::vector<double> values;
+      for (const auto& x : search.ask()) values.push_back(hill(x));
+      search.tell(values);
+    }
+    CHECK(hill(search.mean()) > -1e-8);
+  }
+}
