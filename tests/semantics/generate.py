@@ -504,9 +504,8 @@ class Architecture:
                     heard = []
                     if child.hears:
                         for from_, port in outputs_of(path + child.hears[0], child.hears[1]):
-                            inner = from_[len(path):]
-                            heard.append((inner, port))
-                            wires.append((from_, f"{path}{name}.{inner}", None))
+                            heard.append((from_, port))
+                            wires.append((from_, f"{path}{name}.{from_}", None))
                         heard.sort(key=lambda one: one[0])
                     leaves.append((path + name, child, heard))
             for a, b, wire in graph.wires:
