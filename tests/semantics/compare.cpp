@@ -43,6 +43,7 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
   if (o.faulted != i.faulted) std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did" << (i.faulted ? "" : " not") << '\n';
   if (at < 0) return;
   const auto place = static_cast<std::size_t>(at);
+  for (std::size_t before = place > 6 ? place - 6 : 0; before < place; ++before) std::cout << o.firings[before] << '\n';
   std::cout << "firing " << at << "\n  the library:     ";
   if (place < o.firings.size()) std::cout << o.firings[place]; else std::cout << "nothing more";
   std::cout << "\n  the interpreter: ";
