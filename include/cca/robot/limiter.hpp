@@ -2,20 +2,28 @@
 //
 //   cca::node<"limits", cca::limiter<leg_angles>>      in "command", optional "measured"; out "safe"
 //
-// Each axis, in this order:
-//   finite   what is NaN or infinite is replaced by the last safe command (before there is one: by the measured value
-//            where that is wired and finite, else by the value within the limits that is nearest to zero);
-//   rate     the change since the last safe command is at most the axis's limit of the derived quantity (an angle's
-//            velocity, a velocity's acceleration, a torque's torque_rate) times the time since, if it states one; the
-//            first command is measured against "measured", where that is wired;
-//   range    the limits of the domain's own quantity, which every axis has to state (space.missing_limits).
-// Every intervention is counted, and the first cause kept: which axis, which of the three, in which beat.
+// What it publishes is finite and lies within the limits that its axes state for the domain type's own quantity, always.
+// Besides, it changes from one safe command to the next at most as fast as the axes allow: an angle by their `velocity`, a
+// velocity by `acceleration`, a torque by `torque_rate`, an axis that states none at will. Each number is checked for
 //
-// Cost: a few comparisons an axis; no branch that depends on the values but for the count.
+//   finite   NaN and infinity are no commands: an angle or a stiffness stays as it last was, a velocity, acceleration or
+//            torque goes to the allowed number nearest to zero (a torque that is held would go on to accelerate);
+//   range    then the nearest allowed number is taken;
+//   rate     and of those, the nearest that can be reached since the last safe command: in the time since then, but no
+//            more than one period of the space's rate, so that a pause is no leave to jump.
+//
+// It starts from "measured", where that is wired, and holds it until a first command has come; else the first command is
+// taken as it is. Each number changed is counted, and the first cause kept: which axis, which check, in which beat.
+//
+// Cost: two comparisons an axis and one branch; two additions more where an axis limits the rate. The rest runs only when
+// a command is changed. Errors: space.missing_limits. Example: tests/runtime/robot/limiter.cpp; docs/robot.md.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -26,17 +34,7 @@
 
 namespace cca {
 
-enum class limited_by : std::uint8_t { nothing, finite, rate, range };
-
-namespace detail {
-
-// The quantity that limits how fast another one may change; `void`: none does.
-template <class Quantity> struct rate_quantity { using type = void; };
-template <> struct rate_quantity<angle> { using type = velocity; };
-template <> struct rate_quantity<velocity> { using type = acceleration; };
-template <> struct rate_quantity<torque> { using type = torque_rate; };
-
-}  // namespace detail
+enum class limited_by : std::uint8_t { nothing, finite, range, rate };
 
 // Why and where a command was changed first.
 struct intervention {
@@ -45,73 +43,146 @@ struct intervention {
   std::int64_t beat = -1;
 };
 
+namespace detail {
+
+// The quantity that limits how fast another one may change, and whether a lost command of it is held.
+template <class Quantity>
+struct limiting {
+  using rate = void;
+  static constexpr bool holds = true;
+};
+template <> struct limiting<angle> { using rate = velocity; static constexpr bool holds = true; };
+template <> struct limiting<velocity> { using rate = acceleration; static constexpr bool holds = false; };
+template <> struct limiting<acceleration> { using rate = void; static constexpr bool holds = false; };
+template <> struct limiting<torque> { using rate = torque_rate; static constexpr bool holds = false; };
+
+// `a` where the comparison is false, so also where `b` is NaN: one instruction each.
+constexpr double at_least(double a, double b) { return b > a ? b : a; }
+constexpr double at_most(double a, double b) { return b < a ? b : a; }
+
+// The limits of one space as arrays: range and rate.
+template <class Space>
+struct limits_of {
+  static constexpr std::size_t size = Space::size;
+  using quantity = typename Space::domain::quantity;
+  using rate_quantity = typename limiting<quantity>::rate;
+  struct bounds { double lower, upper; };
+
+  // An axis without limits has those of a double, so that infinity lies outside in any case.
+  static constexpr std::array<bounds, size> range = [] {
+    std::array<bounds, size> all{};
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < size; ++i)
+      all[i] = {at_least(-largest, lower_limits<Space, quantity>[i]), at_most(largest, upper_limits<Space, quantity>[i])};
+    return all;
+  }();
+
+  static constexpr std::array<bounds, size> rate = [] {
+    std::array<bounds, size> all{};
+    for (std::size_t i = 0; i < size; ++i) {
+      if constexpr (std::is_void_v<rate_quantity>) all[i] = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+      else all[i] = {lower_limits<Space, rate_quantity>[i], upper_limits<Space, rate_quantity>[i]};
+    }
+    return all;
+  }();
+
+  static constexpr bool has_rate(std::size_t i) {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    return rate[i].lower > -all || rate[i].upper < all;
+  }
+  static constexpr bool has_any_rate = [] {
+    for (std::size_t i = 0; i < size; ++i)
+      if (has_rate(i)) return true;
+    return false;
+  }();
+  static constexpr bool may_rest = [] {
+    for (const auto& r : rate)
+      if (!(r.lower <= 0 && r.upper >= 0)) return false;
+    return true;
+  }();
+
+  static constexpr double in_range(std::size_t i, double value) { return at_most(range[i].upper, at_least(range[i].lower, value)); }
+
+  // The range, and of it what can be reached from the last number within dt.
+  static constexpr bounds window(std::size_t i, double last, double dt) {
+    if (!has_rate(i)) return range[i];
+    return {at_least(range[i].lower, last + rate[i].lower * dt), at_most(range[i].upper, last + rate[i].upper * dt)};
+  }
+};
+
+}  // namespace detail
+
 template <class Space>
 class limiter {
+  static_assert(Space::size == Space::axes::count, "cca::limiter: this domain type has no number per axis, and so no limits");
+  static_assert(__FINITE_MATH_ONLY__ == 0, "cca::limiter: -ffinite-math-only (of -ffast-math) would let NaN pass to the actuators");
+  using limits = detail::limits_of<Space>;
+  static_assert(limits::may_rest, "cca::limiter: the limits of how fast a command may change must include 0");
+
 public:
   static constexpr bool limits_commands = true;
-
-  using quantity = typename Space::domain::quantity;
-  using rate_quantity = typename detail::rate_quantity<quantity>::type;
   using vector_type = typename Space::vector_type;
 
   auto process(in<"command", Space> command, optional_in<"measured", Space> measured, beat now) -> out<"safe", Space> {
+    if (!begun) [[unlikely]] {
+      begin(command, measured);
+      if (!begun) return last;
+    }
+    const double dt = time_since(now);
     vector_type value;
-    each([&](auto axis) { value[axis] = limit<axis>(command.vector()[axis], measured, now); });
+    bool changed = false;
+    each_axis([&](auto axis) {
+      const auto [low, high] = limits::window(axis, last[axis], dt);
+      const double wanted = command.vector()[axis];
+      value[axis] = detail::at_most(high, detail::at_least(low, wanted));
+      changed |= value[axis] != wanted;
+    });
+    if (changed) [[unlikely]] value = corrected(command.vector(), now.index(), dt);
     last = value;
-    begun = true;
     return value;
   }
 
-  void on_start() {
-    begun = false;
-    count = 0;
-    first = {};
-  }
+  void on_start() { *this = {}; }
 
-  // Commands changed since the start, counted by axis and beat.
+  // Numbers changed since the start.
   std::int64_t interventions() const { return count; }
   intervention first_intervention() const { return first; }
 
 private:
-  template <int Axis, class Measured>
-  double limit(double wanted, const Measured& measured, const beat& now) {
-    constexpr double lower = detail::lower_limits<Space, quantity>[Axis], upper = detail::upper_limits<Space, quantity>[Axis];
-    constexpr double rest = lower > 0 ? lower : upper < 0 ? upper : 0;
-    limited_by cause = limited_by::nothing;
-
-    const bool has_measured = measured && std::isfinite(measured.vector()[Axis]);
-    const double from = begun ? last[Axis] : has_measured ? measured.vector()[Axis] : rest;
-    double value = wanted;
-    if (!std::isfinite(value)) {
-      value = from;
-      cause = limited_by::finite;
-    }
-    if constexpr (limits_rate<Axis>()) {
-      if (begun || has_measured) {
-        const double low = from + detail::lower_limits<Space, rate_quantity>[Axis] * now.dt();
-        const double high = from + detail::upper_limits<Space, rate_quantity>[Axis] * now.dt();
-        const double kept = value < low ? low : value > high ? high : value;
-        if (kept != value && cause == limited_by::nothing) cause = limited_by::rate;
-        value = kept;
-      }
-    }
-    const double kept = value < lower ? lower : value > upper ? upper : value;
-    if (kept != value && cause == limited_by::nothing) cause = limited_by::range;
-    if (cause != limited_by::nothing) {
-      ++count;
-      if (first.cause == limited_by::nothing) first = {cause, Axis, now.index()};
-    }
-    return kept;
+  template <class Command, class Measured>
+  void begin(const Command& command, const Measured& measured) {
+    each_axis([&](auto axis) {
+      const double there = measured.vector()[axis], wanted = command.vector()[axis];
+      const double start = measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
+      last[axis] = limits::in_range(axis, start);
+    });
+    begun = command.fresh() || !measured;
   }
 
-  template <int Axis>
-  static constexpr bool limits_rate() {
-    if constexpr (std::is_void_v<rate_quantity>) return false;
-    else return std::isfinite(detail::lower_limits<Space, rate_quantity>[Axis]) && std::isfinite(detail::upper_limits<Space, rate_quantity>[Axis]);
+  static double time_since(const beat& now) {
+    if constexpr (detail::hz_of<typename Space::rate> > 0) return detail::at_most(1 / detail::hz_of<typename Space::rate>, now.dt());
+    else return now.dt();
+  }
+
+  // The same once more, with what is to be told of it. Unrolled as well, else the command would have to lie in memory.
+  vector_type corrected(const vector_type& command, std::int64_t k, double dt) {
+    vector_type value;
+    each_axis([&](auto axis) {
+      const double wanted = command[axis];
+      const bool lost = !std::isfinite(wanted);
+      const auto [low, high] = limits::window(axis, last[axis], dt);
+      const double goal = !lost ? wanted : detail::limiting<typename limits::quantity>::holds ? last[axis] : 0;
+      value[axis] = detail::at_most(high, detail::at_least(low, goal));
+      if (value[axis] == wanted) return;
+      ++count;
+      if (first.cause == limited_by::nothing)
+        first = {lost ? limited_by::finite : limits::in_range(axis, wanted) != wanted ? limited_by::range : limited_by::rate, axis, k};
+    });
+    return value;
   }
 
   template <class F>
-  static void each(F f) {
+  static void each_axis(F f) {
     [&]<int... Axis>(std::integer_sequence<int, Axis...>) { (f(std::integral_constant<int, Axis>{}), ...); }(std::make_integer_sequence<int, Space::size>{});
   }
 
@@ -121,7 +192,7 @@ private:
   intervention first{};
 };
 
-// Lets commands pass as they are: the way to switch the limiter off, where all can see it.
+// Lets commands pass as they are, NaN too: the way to switch the limiter off, where all can see it.
 template <class Space>
 struct unlimited {
   static constexpr bool limits_commands = true;

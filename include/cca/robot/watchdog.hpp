@@ -1,11 +1,14 @@
-// The watchdog: watches the age of a command and faults when it is stale.
+// The watchdog: looks at the age of a command in each beat, and faults when it is stale.
 //
-//   cca::node<"watchdog", cca::watchdog<leg_angles, 5>, cca::timed<1>>      in "command"; out "fresh"
+//   cca::node<"watchdog", cca::watchdog<leg_angles, 5>>      in "command"; out "fresh", passed on as it came, origin included
 //
-// The age is the beat's time less the command's origin, so it is the age of the data that the command was made from, not
-// of the message. A command older than `Beats` beats is not passed on, and the component faults: every resource node's
-// `on_fault` runs in the same beat. Before a first command has come the age counts from the first beat of the watchdog.
-// It keeps what it lets through as it was, origin included. Errors: the fault `stale command`.
+// The age is that of the data that the command was made from (the beat's time less its origin), or of its arrival, if
+// that was longer ago: a command that claims to be of the future grows stale too. One older than `Beats` beats is a fault,
+// so every resource node's `on_fault` runs in the same beat. As long as no command has come at all, the age counts from
+// the first beat.
+//
+// It is a graph of one node, since it has to look when nothing arrives: its clock is `timed<1>` wherever it stands.
+// Errors: the fault `stale command`. Example: tests/runtime/robot/watchdog.cpp; docs/robot.md.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +17,40 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
+#include <cca/graph/graph.hpp>
 
 namespace cca {
+namespace detail {
 
 template <class Space, std::int64_t Beats>
-class watchdog {
+class age_watch {
   static_assert(Beats >= 0, "cca::watchdog<Space, Beats>: Beats is the greatest age of a command");
 
 public:
   static constexpr bool preserves_limits = true;
 
   auto process(in<"command", Space> command, beat now) -> std::tuple<maybe<"fresh", Space>, fault> {
-    if (since < 0) since = now.time();
-    const std::int64_t from = command.origin() == never ? since : command.origin();
-    const std::int64_t period = now.index() > 0 ? now.time() / now.index() : 0;
-    if (now.time() - from > Beats * period) return {{}, fault("stale command")};
-    if (command.origin() == never) return {};
-    return {maybe<"fresh", Space>(command).with_origin(command.origin()), {}};
+    if (command.fresh() || !begun) arrived = now.time();
+    begun = true;
+    const std::int64_t period = static_cast<std::int64_t>(now.dt() * 1e9 + 0.5);
+    const std::int64_t from = older(command.origin(), arrived);
+    maybe<"fresh", Space> passed;
+    if (now.time() - from > Beats * period) return {passed, fault("stale command")};
+    if (command.origin() != never) passed = maybe<"fresh", Space>(command).with_origin(command.origin());
+    return {passed, fault()};
   }
 
-  void on_start() { since = -1; }
+  void on_start() { begun = false; }
 
 private:
-  std::int64_t since = -1;
+  std::int64_t arrived = 0;
+  bool begun = false;
 };
+
+}  // namespace detail
+
+template <class Space, std::int64_t Beats>
+struct watchdog : graph<node<"watch", detail::age_watch<Space, Beats>, timed<1>>,
+                        expose<"watch.command", "command">, expose<"watch.fresh", "fresh">> {};
 
 }  // namespace cca

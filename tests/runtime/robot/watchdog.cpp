@@ -1,0 +1,118 @@
+// The watchdog: faults when a command grows stale, by the age of its data, also when nothing arrives any more.
+#include <doctest/doctest.h>
+
+#include "joints.hpp"
+
+using namespace robot_test;
+
+namespace {
+
+// [watchdog]
+struct link {  // a command from afar, which may fail to come
+  bool up = true;
+  auto process() -> cca::maybe<"angles", leg_angles> {
+    if (!up) return {};
+    return leg_angles::vector_type{0.1, -1};
+  }
+};
+
+struct guarded : cca::graph<
+    cca::node<"link",     link>,
+    cca::node<"watchdog", cca::watchdog<leg_angles, 5>>,   // a command may be 5 beats old
+    cca::node<"limits",   cca::limiter<leg_angles>>,
+    cca::node<"leg",      perfect_leg>,
+    cca::wire<"link.angles",    "watchdog.command">,
+    cca::wire<"watchdog.fresh", "limits.command">,
+    cca::wire<"limits.safe",    "leg.command">> {};
+// [watchdog end]
+
+// Commands come slowly, are of data 2 beats old, and pass a limiter first.
+struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};  // of any rate
+struct claiming {
+  auto process(cca::beat now) -> cca::out<"angles", slow_angles> {
+    cca::out<"angles", slow_angles> y(slow_angles::vector_type{0.1, -1});
+    y.with_origin(now.time() + offset * millisecond);
+    return y;
+  }
+  std::int64_t offset = -2;
+};
+struct noting {
+  auto sense() -> cca::out<"angles", slow_angles> { return slow_angles::vector_type{0, 0}; }
+  void act(cca::in<"command", slow_angles> to) { origin = to.origin(); }
+  std::int64_t origin = cca::never;
+};
+template <std::int64_t Beats>
+struct slow : cca::graph<cca::rate<1000>, cca::node<"far", claiming, cca::full_speed>, cca::node<"hold", cca::limiter<slow_angles>, cca::timed<10>>,
+                         cca::node<"watchdog", cca::watchdog<slow_angles, Beats>>, cca::node<"leg", noting>,
+                         cca::wire<"far.angles", "hold.command", cca::latest>, cca::wire<"hold.safe", "watchdog.command", cca::latest>,
+                         cca::wire<"watchdog.fresh", "leg.command">> {};
+
+template <class Controller>
+std::int64_t steps_until_fault(Controller& c, int most) {
+  for (int i = 0; i < most; ++i) {
+    c.step();
+    if (c.state() == cca::state::faulted) return i;
+  }
+  return -1;
+}
+
+template <class Graph>
+cca::controller<Graph> started() {
+  cca::controller<Graph> c;
+  c.load();
+  c.start();
+  return c;
+}
+
+}  // namespace
+
+TEST_SUITE("watchdog") {
+
+TEST_CASE("it faults in the first beat in which the command is too old") {
+  auto c = started<guarded>();
+  CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::started);
+  CHECK_EQ(c.get<"leg">().at[0], 0.1);
+  c.get<"link">().up = false;  // the last command is of beat 99
+  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
+  CHECK_EQ(c.get<"leg">().stops, 0);
+  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
+  CHECK_EQ(c.beat_index(), 106);
+  CHECK_EQ(std::string(c.fault().reason()), "stale command");
+  CHECK_EQ(c.fault_path(), "watchdog.watch");
+  CHECK_EQ(c.get<"leg">().stops, 1);
+
+  // It faults again as long as nothing comes, and goes on once something has.
+  c.resume();
+  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
+  CHECK_EQ(c.beat_index(), 107);
+  c.get<"link">().up = true;
+  c.resume();
+  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
+}
+
+TEST_CASE("no command at all: the age counts from the first beat, and nothing is passed on until then") {
+  auto c = started<guarded>();
+  c.get<"link">().up = false;
+  CHECK_EQ(steps_until_fault(c, 50), 6);
+  CHECK_EQ(c.get<"leg">().at[0], 0.0);  // the leg's act sees no command but the initial value
+}
+
+TEST_CASE("the age is that of the data, and the origin is passed on") {
+  // Fired in beats 0, 10, ..., data 2 beats old: in beat 9 of age 11.
+  auto c = started<slow<11>>();
+  CHECK_EQ(steps_until_fault(c, 100), -1);
+  CHECK_EQ(c.get<"leg">().origin, (90 - 2) * millisecond);
+  auto stale = started<slow<10>>();
+  CHECK_EQ(steps_until_fault(stale, 100), 9);
+}
+
+TEST_CASE("a command of the future grows stale by its arrival") {
+  auto c = started<slow<9>>();
+  c.get<"far">().offset = 1'000'000'000;
+  CHECK_EQ(steps_until_fault(c, 100), -1);
+  auto stale = started<slow<8>>();
+  stale.get<"far">().offset = 1'000'000'000;
+  CHECK_EQ(steps_until_fault(stale, 100), 9);
+}
+
+}
