@@ -38,10 +38,15 @@ inline constexpr std::array transitions{
     transition_info{transition::resume, state::faulted, state::started},
 };
 
+// The table once more, as a set of states for each transition: `step()` asks it in each beat.
+inline constexpr auto legal_from = [] {
+  std::array<unsigned, 8> sets{};
+  for (const auto& t : transitions) sets[static_cast<std::size_t>(t.what)] |= 1u << static_cast<unsigned>(t.from);
+  return sets;
+}();
+
 constexpr bool is_legal(transition what, state from) {
-  for (const auto& t : transitions)
-    if (t.what == what && t.from == from) return true;
-  return false;
+  return (legal_from[static_cast<std::size_t>(what)] >> static_cast<unsigned>(from) & 1u) != 0;
 }
 
 constexpr state after(transition what, state from) {
