@@ -30,13 +30,14 @@ using half_of_component = half_of<typename function_of<Type, Phase>::type>;
 
 struct component_info {
   std::string_view name{};
-  const half_info* sense = nullptr;
-  const half_info* process = nullptr;
-  const half_info* act = nullptr;
+  ref<half_info> sense = nullptr;
+  ref<half_info> process = nullptr;
+  ref<half_info> act = nullptr;
   std::string_view bad_hook{};       // name of a hook with another signature
   std::string_view bad_field{};      // name of a parameter of a type that can't be configured
   std::string_view bad_field_type{};
   bool forgot_parameters = false;    // a struct `parameters`, but no member `p` of it
+  bool also_sense = false, also_act = false;  // beside `process`
   bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
   bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
   int unlimited_axis = -1;           // of a limiter's space
@@ -57,6 +58,8 @@ inline constexpr component_info component_of = [] {
   info.name = type_name<Type>();
   if constexpr (HasProcess<Type>) {
     info.process = &half_of_component<Type, phase_of_beat::process>::value;
+    info.also_sense = HasSense<Type>;
+    info.also_act = HasAct<Type>;
   } else {
     if constexpr (HasSense<Type>) info.sense = &half_of_component<Type, phase_of_beat::sense>::value;
     if constexpr (HasAct<Type>) info.act = &half_of_component<Type, phase_of_beat::act>::value;

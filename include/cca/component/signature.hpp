@@ -11,6 +11,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
+#include <cca/component/ref.hpp>
 #include <cca/space/info.hpp>
 
 namespace cca::detail {
@@ -20,7 +21,7 @@ struct list {};
 
 struct port_info {
   std::string_view name{};
-  const space_info* space = nullptr;  // null: an observer, which listens to any space
+  ref<space_info> space = nullptr;  // none: an observer, which listens to any space
   bool optional = false;
   bool maybe = false;
   int observed_delay = 0;

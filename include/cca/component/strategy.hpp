@@ -56,6 +56,10 @@ struct strategy_info {
   int count = 0;  // of names or parts
 };
 
+constexpr bool is_combined(const strategy_info& strategy) {
+  return strategy.kind == strategy_kind::any_of || strategy.kind == strategy_kind::all_of;
+}
+
 template <fixed_string... Names>
 inline constexpr std::array<std::string_view, sizeof...(Names) + 1> names_of{Names.view()..., {}};
 

@@ -29,7 +29,7 @@ struct actuation {
       const auto& in = g.inputs[i];
       const auto& t = g.turns[in.turn];
       const auto& item = node_of(g, t);
-      const auto* space = port_of(g, in).space;
+      const auto space = port_of(g, in).space;
       const int scope = g.leaves[t.leaf].scope;
       if (!space) continue;
       const bool actuates = t.phase == phase_of_beat::act && space->actuated;

@@ -108,23 +108,4 @@ constexpr bool excludes_itself(const strategy_info& strategy) {
   return false;
 }
 
-// It can fire only when an input arrives.
-constexpr bool needs_inputs(const strategy_info& strategy) {
-  switch (strategy.kind) {
-    case strategy_kind::restless:
-    case strategy_kind::moderate:
-    case strategy_kind::coordinated:
-    case strategy_kind::port_triggered: return true;
-    case strategy_kind::any_of:
-      for (int i = 0; i < strategy.count; ++i)
-        if (!needs_inputs(*strategy.parts[i])) return false;
-      return strategy.count > 0;
-    case strategy_kind::all_of:
-      for (int i = 0; i < strategy.count; ++i)
-        if (needs_inputs(*strategy.parts[i])) return true;
-      return false;
-    default: return false;
-  }
-}
-
 }  // namespace cca::detail

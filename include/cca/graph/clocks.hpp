@@ -23,9 +23,9 @@ struct clocking {
       }
     if (g.hz == 0) {
       for (int i = 0; i < g.input_count; ++i)
-        if (const auto* space = port_of(g, g.inputs[i]).space; space && space->hz > g.hz) g.hz = space->hz;
+        if (const auto space = port_of(g, g.inputs[i]).space; space && space->hz > g.hz) g.hz = space->hz;
       for (int o = 0; o < g.output_count; ++o)
-        if (const auto* space = port_of(g, g.outputs[o]).space; space->hz > g.hz) g.hz = space->hz;
+        if (const auto space = port_of(g, g.outputs[o]).space; space->hz > g.hz) g.hz = space->hz;
     }
     if (g.hz == 0) return refuse(rule::rate_missing, nullptr, 0);
     g.period = static_cast<std::int64_t>(1e9 / g.hz);
@@ -97,17 +97,37 @@ struct clocking {
     }
   }
 
+  // It fires only when an input has arrived, and none of those that it looks at ever will.
+  constexpr bool waits_in_vain(const turn& t, const strategy_info& strategy) const {
+    int vain = 0;
+    switch (strategy.kind) {
+      case strategy_kind::restless:
+      case strategy_kind::moderate:
+      case strategy_kind::coordinated: return wired_inputs(t) == 0;
+      case strategy_kind::port_triggered:
+        for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
+          for (int n = 0; n < strategy.count; ++n)
+            if (g.inputs[i].wired && strategy.names[n] == port_of(g, g.inputs[i]).name) return false;
+        return true;
+      case strategy_kind::any_of:
+      case strategy_kind::all_of:
+        for (int i = 0; i < strategy.count; ++i) vain += waits_in_vain(t, *strategy.parts[i]);
+        return vain > 0 && (strategy.kind == strategy_kind::all_of || vain == strategy.count);
+      default: return false;
+    }
+  }
+
   constexpr void check_strategy(int turn_index) {
     const auto& t = g.turns[turn_index];
     const auto strategy = strategy_of_turn(g, t);
-    if (needs_inputs(strategy) && wired_inputs(t) == 0) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
+    if (waits_in_vain(t, strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
     if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);
   }
 
   constexpr void check_rates() {
     for (int o = 0; o < g.output_count; ++o) {
       const auto c = published(g, g.outputs[o]);
-      const auto* space = port_of(g, g.outputs[o]).space;
+      const auto space = port_of(g, g.outputs[o]).space;
       if (c.known() && space->hz > 0 && space->hz * static_cast<double>(c.period) != g.hz)
         refuse(rule::rate_mismatch, &node_of(g, g.turns[g.outputs[o].turn]), scope_of(g.outputs[o].turn), o, 1);
     }
@@ -136,7 +156,7 @@ struct clocking {
 
 constexpr bool uses_coordination(const strategy_info& strategy) {
   if (strategy.kind == strategy_kind::coordinated) return true;
-  for (int i = 0; strategy.parts && i < strategy.count; ++i)
+  for (int i = 0; is_combined(strategy) && i < strategy.count; ++i)
     if (uses_coordination(*strategy.parts[i])) return true;
   return false;
 }

@@ -78,7 +78,7 @@ private:
     static constexpr std::string_view names[] = {"by default", "timed", "restless", "moderate", "timeout", "port_triggered",
                                                  "coordinated", "full_speed", "inactive", "any_of", "all_of", "own strategy"};
     std::string name(names[static_cast<std::size_t>(s.kind)]);
-    if (s.parts) {
+    if (is_combined(s)) {
       name += "<";
       for (int i = 0; i < s.count; ++i) name += (i ? ", " : "") + strategy_name(*s.parts[i]);
       name += ">";

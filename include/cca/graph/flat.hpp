@@ -15,7 +15,7 @@ namespace cca::detail {
 // The outermost graph or an inner one; its hash is that of its path.
 struct scope {
   int parent = -1;
-  const item_info* item = nullptr;
+  ref<item_info> item = nullptr;
   const graph_info* graph = nullptr;
   std::uint64_t hash = 0;
 };
@@ -41,7 +41,7 @@ struct turn {
 struct input {
   int turn = 0, port = 0;
   int writer = -1;                  // an output, or -1
-  const item_info* wire = nullptr;
+  ref<item_info> wire = nullptr;
   int next_of_writer = -1;          // the next input of the same output
   bool wired = false;               // by a wire or shown outside
   bool counts = true;               // for the time of origin
@@ -59,7 +59,7 @@ struct output {
   bool stamped = false;             // the beat of its publication is kept too
   bool local = false;               // some input reads it in the same beat
   int ring = 0;                     // samples of the past that delayed readers need; 0: none
-  const item_info* initial_of = nullptr;
+  ref<item_info> initial_of = nullptr;
 };
 
 // An output that an observer listens to.

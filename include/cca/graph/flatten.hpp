@@ -47,7 +47,7 @@ struct flattening {
   }
 
   constexpr bool has_input(const item_info& item, std::string_view name) const {
-    for (const half_info* half : {item.component->process, item.component->act, item.component->sense})
+    for (const auto half : {item.component->process, item.component->act, item.component->sense})
       for (int p = 0; half && p < half->input_count; ++p)
         if (half->inputs[p].name == name) return true;
     return false;
@@ -61,7 +61,7 @@ struct flattening {
           refuse(rule::strategy_unknown_port, &item, in_scope, i);
           if (g.found.item == &item && g.found.broken == rule::strategy_unknown_port) unknown_trigger = strategy.names[i];
         }
-    for (int i = 0; strategy.parts && i < strategy.count; ++i) check_strategy(*strategy.parts[i], item, in_scope);
+    for (int i = 0; is_combined(strategy) && i < strategy.count; ++i) check_strategy(*strategy.parts[i], item, in_scope);
   }
   std::string_view unknown_trigger{};
 
@@ -70,7 +70,8 @@ struct flattening {
     const int leaf_index = g.leaf_count++;
     auto& l = g.leaves[leaf_index];
     l = {.item = &item, .scope = in_scope, .first_turn = g.turn_count};
-    if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope);
+    if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope, 0);
+    if (component.also_sense || component.also_act) refuse(rule::component_no_process, &item, in_scope, 1);
     for (const auto& [half, phase] : {std::pair{component.sense, phase_of_beat::sense}, std::pair{component.process, phase_of_beat::process},
                                      std::pair{component.act, phase_of_beat::act}}) {
       if (!half) continue;
@@ -113,7 +114,7 @@ struct flattening {
     if (!found) refuse(rule::wire_unknown_port, &item, in_scope, 0);
   }
 
-  constexpr void add_graph(const graph_info& graph, int parent, const item_info* item, std::uint64_t scope_hash) {
+  constexpr void add_graph(const graph_info& graph, int parent, ref<item_info> item, std::uint64_t scope_hash) {
     const int index = g.scope_count++;
     g.scopes[index] = {parent, item, &graph, scope_hash};
     for (int i = 0; i < graph.count; ++i) {

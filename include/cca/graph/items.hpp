@@ -18,13 +18,13 @@ struct graph_info;
 struct item_info {
   item_kind kind = item_kind::unknown;
   std::string_view from{}, to{};              // a node: its name; expose: inner and outer name
-  const component_info* component = nullptr;  // node
-  const graph_info* inner = nullptr;          // graph
+  ref<component_info> component = nullptr;  // node
+  ref<graph_info> inner = nullptr;            // graph
   const strategy_info* strategy = nullptr;    // node, graph
   policy_kind policy = policy_kind::unstated; // wire
   full_kind full = full_kind::drop_oldest;
   int number = 0;                             // delay, capacity, or the bound in beats of a require
-  const double* initial = nullptr;
+  ref<double> initial = nullptr;
   int initial_count = 0;
   double hz = 0;                              // rate
   std::uint64_t from_hash = 0, to_hash = 0;   // as paths of the outermost graph
@@ -126,12 +126,12 @@ constexpr graph_sizes sizes_of(const item_info* items, int count) {
       sizes.observers += inner.observers;
     } else if (item.kind == item_kind::node) {
       ++sizes.leaves;
-      for (const half_info* half : {item.component->sense, item.component->process, item.component->act}) {
+      for (const auto half : {item.component->sense, item.component->process, item.component->act}) {
         if (!half) continue;
         ++sizes.turns;
         sizes.inputs += half->input_count;
         sizes.outputs += half->output_count;
-        for (int p = 0; p < half->input_count; ++p) sizes.observers += half->inputs[p].space == nullptr;
+        for (int p = 0; p < half->input_count; ++p) sizes.observers += !half->inputs[p].space;
       }
     } else if (item.kind == item_kind::expose) {
       ++sizes.exposes;

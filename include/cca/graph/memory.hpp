@@ -93,10 +93,10 @@ struct remembering {
     return g.turns[reader_turn].rank < g.turns[writer_turn].rank ? delay : delay + 1;
   }
 
-  static constexpr bool same_initial(const item_info* a, const item_info* b, int size) {
+  static constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
     for (int c = 0; c < size; ++c) {
-      const auto value = [c](const item_info* w) { return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0; };
-      if ((a && a->initial) != (b && b->initial) || value(a) != value(b)) return false;
+      const auto value = [c](ref<item_info> w) { return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0; };
+      if (bool(a && a->initial) != bool(b && b->initial) || value(a) != value(b)) return false;
     }
     return true;
   }

@@ -26,7 +26,7 @@ constexpr void tell_no_process(telling& t) {
   t.at_node();
   t.node();
   if (t.found().a == 1)
-    t.say() << " has both `process` and `" << (t.found().b == 0 ? "sense" : "act")
+    t.say() << " has both `process` and `" << (t.item().component->also_sense ? "sense" : "act")
             << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
   else
     t.say() << " has no `process`: give it one public function, neither overloaded nor a template, as in "
@@ -58,7 +58,7 @@ constexpr void tell_bad_signature(telling& t, bool parameter) {
   }
   constexpr std::string_view functions[] = {"sense", "process", "act"};
   for (int which = 0; which < 3; ++which) {
-    const auto* half = telling::half(c, which);
+    const auto half = telling::half(c, which);
     if (!half || (parameter ? half->bad_parameter : half->bad_result).empty()) continue;
     if (parameter)
       t.say() << ": `" << functions[which] << "` takes `" << half->bad_parameter
@@ -116,7 +116,7 @@ constexpr void tell_unknown_trigger(telling& t) {
   std::string_view best;
   std::size_t least = 64;
   for (int which = 0; which < 3; ++which) {
-    const auto* half = telling::half(*t.item().component, which);
+    const auto half = telling::half(*t.item().component, which);
     for (int p = 0; half && p < half->input_count; ++p)
       if (const auto distance = edit_distance(t.unknown_trigger, half->inputs[p].name); distance < least) {
         least = distance;

@@ -23,7 +23,7 @@ constexpr text nearest_port(const graph_info& graph, std::string_view wrong, boo
     const auto& item = graph.items[i];
     if (item.kind == item_kind::node)
       for (int which = 0; which < 3; ++which) {
-        const auto* half = telling::half(*item.component, which);
+        const auto half = telling::half(*item.component, which);
         for (int p = 0; half && p < (outputs ? half->output_count : half->input_count); ++p)
           if (const auto& port = (outputs ? half->outputs : half->inputs)[p]; outputs || port.space) consider(item.from, port.name);
       }

@@ -65,7 +65,7 @@ struct telling {
     add_clock(say(), g.turns[to.turn].fires);
   }
 
-  static constexpr const half_info* half(const component_info& c, int which) { return which == 0 ? c.sense : which == 1 ? c.process : c.act; }
+  static constexpr ref<half_info> half(const component_info& c, int which) { return which == 0 ? c.sense : which == 1 ? c.process : c.act; }
 };
 
 }  // namespace cca::detail

@@ -68,12 +68,15 @@ struct wiring {
     }
     if (s != observer_scope) return false;
     // Name by name from the outermost: `*` is any one name, at the end whatever follows.
-    for (std::string_view rest = listened;; rest = rest.substr(rest.find('.') + 1)) {
-      const auto word = rest.substr(0, rest.find('.'));
-      if (word.size() == rest.size()) return word == "*" ? length > 0 : length == 1 && word == path[0];
+    for (std::string_view rest = listened;;) {
+      std::size_t dot = 0;
+      while (dot < rest.size() && rest[dot] != '.') ++dot;
+      const auto word = rest.substr(0, dot);
+      if (dot == rest.size()) return word == "*" ? length > 0 : length == 1 && word == path[0];
       if (length == 0) return false;
       --length;
       if (word != "*" && word != path[static_cast<std::size_t>(length)]) return false;
+      rest.remove_prefix(dot + 1);
     }
   }
 

@@ -17,6 +17,7 @@ struct space_info {
   const std::string_view* axes;
   int axis_count;
   int size;
+  const double* zero;  // coordinates of the space's zero
   double hz;           // 0 where the space states no rate
   std::uint64_t key;   // equal for equal domain types (with their frame) and equal axes in equal order
   bool actuated;
@@ -45,6 +46,7 @@ inline constexpr space_info space_of = {
     axes_facts<typename Space::axes>::names.data(),
     Space::axes::count,
     Space::size,
+    zero_of<Space>.data(),
     hz_of<typename Space::rate>,
     axes_facts<typename Space::axes>::key(hash(spelled<typename Space::domain>())),
     Space::domain::actuated,
