@@ -79,6 +79,7 @@ public:
 
   void stop() {
     move(detail::transition::stop, "stop()");
+    reason = {};
     for_each_component([]<class C>(std::string_view, C& component) {
       if constexpr (detail::OnStop<C>) component.on_stop();
     });
