@@ -32,10 +32,12 @@ inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::
 template <class Between>
 recording roll_out(trotting& controller, const cca::sim::terrain& ground, const cca::sim::disturbance& disturbance,
                    double seconds, Between between) {
+  // Where it stands, on what, and what will disturb it: [put down]
   auto& simulator = controller.get<"robot.simulator">();
   simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
                                      put_down(controller.get<"gait">().p, disturbance)),
                      disturbance);
+  // [put down end]
   const auto beats = static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
   recording run;
   run.begin(simulator.world(), beats);
