@@ -1,7 +1,9 @@
 // What the random architectures exercised: counted from the interpreter after its run, so that only what happened counts.
 #pragma once
 
+#include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <map>
 #include <ostream>
 #include <string>
@@ -20,16 +22,16 @@ public:
       counts["resource nodes"] += n.resource;
     }
     for (const turn& t : i.g.turns) {
-      const node& n = i.g.nodes[static_cast<std::size_t>(t.node)];
+      const node& n = i.g.nodes[t.node];
       if (t.firings > 0) add(n.when, t.which == half::process ? "" : " (resource node)");
       if (n.when.is == strategy::inactive && t.firings == 0) ++counts["inactive, never fired"];
       counts["halves of resource nodes that fired"] += t.which != half::process && t.firings > 0;
       counts["components with several outputs that fired"] += t.outputs.size() > 1 && t.firings > 0;
-      for (const input& in : t.inputs) add(in, i);
+      for (const input& in : t.inputs) add(in, t, i);
       for (const output& out : t.outputs)
         if (out.is_maybe && t.firings > 0) {
           counts["maybe outputs that published"] += !out.history.empty();
-          counts["maybe outputs that once did not"] += out.history.size() < static_cast<std::size_t>(t.firings);
+          counts["maybe outputs that once did not"] += std::ssize(out.history) < t.firings;
         }
     }
     bool component_fault = false;
@@ -69,7 +71,7 @@ private:
     for (const strategy& part : s.parts) add(part, where);
   }
 
-  void add(const input& in, const interpreter& i) {
+  void add(const input& in, const turn& t, const interpreter& i) {
     if (!in.wired) {
       counts["optional_in, not wired"] += in.reads > 0;
       return;
@@ -77,12 +79,10 @@ private:
     counts["optional_in, wired"] += in.optional && in.fresh_reads > 0;
     if (in.fresh_reads == 0) return;
     counts["initial"] += std::any_of(in.initial.begin(), in.initial.end(), [](double x) { return x != 0; });
-    const turn& writer = i.g.turns[static_cast<std::size_t>(in.writer)];
     counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
     if (in.is == policy::latest) ++counts["latest"];
     if (in.is == policy::delayed) ++counts[in.delay == 1 ? "delayed<1>" : "delayed<N>"];
-    if (in.is == policy::delayed) counts["delayed, its own writer"] += &writer.inputs == &i.g.turns[static_cast<std::size_t>(in.writer)].inputs &&
-                                                                       std::any_of(writer.inputs.begin(), writer.inputs.end(), [&](const input& x) { return &x == &in; });
+    counts["delayed, its own writer"] += in.is == policy::delayed && i.g.turns[in.writer].node == t.node;
     if (in.is != policy::queue) return;
     constexpr const char* names[] = {"queue, drop_oldest", "queue, drop_newest", "queue, reject"};
     const std::string name = names[static_cast<int>(in.full)];

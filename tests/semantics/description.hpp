@@ -97,7 +97,7 @@ private:
     input& in = g.turns.back().inputs.emplace_back();
     in.optional = optional;
     from >> in.name >> in.width;
-    in.initial.resize(static_cast<std::size_t>(in.width));
+    in.initial.resize(in.width);
   }
 
   void add_output(std::istream& from, bool is_maybe) {
@@ -111,7 +111,7 @@ private:
   std::pair<int, int> find(const std::string& path, Ports ports) const {
     for (std::size_t t = 0; t < g.turns.size(); ++t)
       for (std::size_t i = 0; i < (g.turns[t].*ports).size(); ++i)
-        if (g.nodes[static_cast<std::size_t>(g.turns[t].node)].path + "." + (g.turns[t].*ports)[i].name == path)
+        if (g.nodes[g.turns[t].node].path + "." + (g.turns[t].*ports)[i].name == path)
           return {static_cast<int>(t), static_cast<int>(i)};
     throw std::runtime_error("description: no port '" + path + "'");
   }
@@ -128,7 +128,7 @@ private:
     std::string writer, reader, word;
     from >> writer >> reader >> word;
     const auto [t, i] = find(reader, &turn::inputs);
-    input& in = g.turns[static_cast<std::size_t>(t)].inputs[static_cast<std::size_t>(i)];
+    input& in = g.turns[t].inputs[i];
     if (in.wired) throw std::runtime_error("description: two writers of '" + reader + "'");
     in.wired = true;
     std::tie(in.writer, in.port) = find(writer, &turn::outputs);

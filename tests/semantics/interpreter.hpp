@@ -1,91 +1,17 @@
-// The Semantics, told slowly: a graph as vectors, histories kept whole and read by the definitions of the text, in the
-// order of the text. Nothing here knows how the library does it. Each definition is a function of its own, virtual, so
-// that a mutant (mutants.hpp) can get one of them wrong.
+// The Semantics, told slowly: histories are kept whole and read by the definitions of the text, in the order of the
+// text. Nothing here knows how the library does it. Each definition is a function of its own, virtual, so
+// that a mutant (mutants.cpp) can get one of them wrong.
 #pragma once
 
 #include <algorithm>
-#include <deque>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "firing.hpp"
+#include "run_time_graph.hpp"
 
 namespace semantics {
-
-// ---- a graph at run time, already flat ----
-
-struct strategy {
-  enum kind { by_default, timed, restless, moderate, timeout, port_triggered, coordinated, full_speed, inactive, any_of, all_of, user };
-  kind is = by_default;
-  std::int64_t n = 1, phase = 0;
-  std::vector<std::string> names;   // port_triggered; user: its name and its port
-  std::vector<strategy> parts;      // any_of, all_of
-};
-
-struct publication {
-  std::int64_t beat = 0;
-  std::vector<double> value;
-  std::int64_t origin = never;
-};
-
-struct output {
-  std::string name;
-  int width = 1;
-  bool is_maybe = false;
-  std::vector<publication> history;
-};
-
-enum class policy { latest, delayed, queue };
-enum class when_full { drop_oldest, drop_newest, reject };
-
-struct input {
-  std::string name;
-  int width = 1;
-  bool optional = false;
-  bool wired = false;
-  int writer = -1, port = -1;       // turn and output at the other end
-  policy is = policy::latest;
-  std::int64_t delay = 0;
-  std::size_t capacity = 0;
-  when_full full = when_full::drop_oldest;
-  std::vector<double> initial;
-
-  std::deque<publication> waiting;  // queue
-  std::optional<publication> taken;
-  int dropped = 0, reads = 0, fresh_reads = 0;  // for the count of what was exercised
-};
-
-// What has a turn in a beat: a component, or one half of a resource node.
-struct turn {
-  int node = -1;
-  half which = half::process;
-  std::vector<input> inputs;
-  std::vector<output> outputs;
-  bool may_fault = false;
-
-  std::int64_t last_fired = never;
-  std::int64_t oldest_seen = never;  // when it last fired
-  int firings = 0;
-};
-
-struct node {
-  std::string path;
-  bool resource = false;
-  strategy when;
-  int id = 0;
-  std::function<void(firing&)> does;
-};
-
-struct graph {
-  std::string name;
-  std::int64_t period = 1;  // T, in nanoseconds
-  std::vector<node> nodes;  // as declared, depth first
-  std::vector<turn> turns;  // as declared
-  std::map<std::string, int> features;  // counted by who made the graph
-};
 
 // An input as its component would see it.
 struct sight {
@@ -116,8 +42,8 @@ public:
     for (const half which : {half::sense, half::process, half::act}) {
       std::vector<bool> had_turn(g.turns.size(), false);
       for (int next = next_turn(which, had_turn); next >= 0; next = next_turn(which, had_turn)) {
-        had_turn[static_cast<std::size_t>(next)] = true;
-        turn& t = g.turns[static_cast<std::size_t>(next)];
+        had_turn[next] = true;
+        turn& t = g.turns[next];
         if (fires(when(t), t)) fire(t);
         if (faulted) return on_fault();
       }
@@ -132,7 +58,7 @@ public:
       bool ready = true;
       for (const input& in : g.turns[i].inputs) {
         if (!in.wired || in.is == policy::delayed) continue;
-        const auto writer = static_cast<std::size_t>(in.writer);
+        const auto writer = in.writer;
         if (g.turns[writer].which == which && !had_turn[writer]) ready = false;
       }
       if (ready) return static_cast<int>(i);
@@ -142,7 +68,7 @@ public:
 
   void fire(turn& t) {
     firing f;
-    f.id = g.nodes[static_cast<std::size_t>(t.node)].id;
+    f.id = g.nodes[t.node].id;
     f.which = t.which;
     f.beat = k;
     f.time = time();
@@ -156,9 +82,9 @@ public:
       in.fresh_reads += sights.back().fresh;
       f.inputs.push_back({in.name, sights.back().value, sights.back().origin, sights.back().fresh, in.wired});
     }
-    for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(static_cast<std::size_t>(out.width)), out.is_maybe});
+    for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(out.width), out.is_maybe});
 
-    g.nodes[static_cast<std::size_t>(t.node)].does(f);
+    g.nodes[t.node].does(f);
     firings.push_back(f);
 
     const std::int64_t from = origin(t, sights);
@@ -181,14 +107,14 @@ public:
     writer.outputs[port].history.push_back(p);
     for (turn& t : g.turns)
       for (input& in : t.inputs)
-        if (in.wired && in.is == policy::queue && &g.turns[static_cast<std::size_t>(in.writer)] == &writer && in.port == static_cast<int>(port))
+        if (in.wired && in.is == policy::queue && &g.turns[in.writer] == &writer && in.port == static_cast<int>(port))
           push(in, p);
   }
 
   // ---- what an input sees ----
 
   const std::vector<publication>& history(const input& in) const {
-    return g.turns[static_cast<std::size_t>(in.writer)].outputs[static_cast<std::size_t>(in.port)].history;
+    return g.turns[in.writer].outputs[in.port].history;
   }
 
   // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
@@ -248,7 +174,7 @@ public:
   // ---- when a component fires ----
 
   virtual strategy when(const turn& t) const {
-    const strategy& s = g.nodes[static_cast<std::size_t>(t.node)].when;
+    const strategy& s = g.nodes[t.node].when;
     if (s.is != strategy::by_default) return s;
     strategy d;
     d.is = t.which == half::process && !t.inputs.empty() ? strategy::restless : strategy::timed;
@@ -339,7 +265,7 @@ public:
 
   virtual bool counts(const turn& t, const input& in, const sight& s) const {
     if (!in.wired || !s.arrived) return false;
-    return in.is != policy::delayed || !feeds(t.node, g.turns[static_cast<std::size_t>(in.writer)].node);
+    return in.is != policy::delayed || !feeds(t.node, g.turns[in.writer].node);
   }
 
   // Over any wires; a node feeds itself only if a wire leads back to it. A resource node is one node.
@@ -349,13 +275,13 @@ public:
       grown = false;
       for (const turn& t : g.turns)
         for (const input& in : t.inputs) {
-          if (!in.wired || reached[static_cast<std::size_t>(t.node)]) continue;
-          const int writer = g.turns[static_cast<std::size_t>(in.writer)].node;
-          if (writer != from && !reached[static_cast<std::size_t>(writer)]) continue;
-          reached[static_cast<std::size_t>(t.node)] = grown = true;
+          if (!in.wired || reached[t.node]) continue;
+          const int writer = g.turns[in.writer].node;
+          if (writer != from && !reached[writer]) continue;
+          reached[t.node] = grown = true;
         }
     }
-    return reached[static_cast<std::size_t>(to)];
+    return reached[to];
   }
 
   // ---- faults: every resource node's on_fault, in the same beat ----

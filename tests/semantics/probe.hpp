@@ -66,9 +66,9 @@ void note(firing& f, const cca::observe<Scope, Policy>& all) {
 }
 
 template <cca::fixed_string Name, class Space>
-told blank(const cca::out<Name, Space>*) { return {std::vector<double>(static_cast<std::size_t>(Space::size))}; }
+told blank(const cca::out<Name, Space>*) { return {std::vector<double>(Space::size)}; }
 template <cca::fixed_string Name, class Space>
-told blank(const cca::maybe<Name, Space>*) { return {std::vector<double>(static_cast<std::size_t>(Space::size)), true}; }
+told blank(const cca::maybe<Name, Space>*) { return {std::vector<double>(Space::size), true}; }
 
 template <class Port>
 Port spoken(const Port*, const firing& f, std::size_t& next) {

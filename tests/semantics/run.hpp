@@ -29,7 +29,7 @@ outcome run(int copy_at) {
     c->step();
   }
   recording = &of_copy;
-  for (int k = copy_at; k < beats; ++k) copy->step();
+  if (copy->state() != cca::state::faulted) copy->run(cca::for_some_beats{beats - copy_at});
   recording = nullptr;
   o.faulted = c->state() == cca::state::faulted;
   o.copy_agrees = agree(o.firings, before_copy, of_copy) && copy->state() == c->state();

@@ -1,0 +1,471 @@
+"""A random well-formed architecture.
+
+It is made flat first: nodes, then wires that close no loop without delay, then strategies, rates and policies that the
+Rules allow. Then it is cut into nested graphs, some of which are used twice.
+"""
+import random
+
+DIMENSIONS = {"num1": 1, "num2": 2, "num3": 3, "ang1": 1, "ang2": 2}
+BASE_RATES = [1000, 1200, 600, 300, 100, 12, 7]
+
+
+class Port:
+    def __init__(self, name, kind, space):
+        self.name, self.kind, self.space = name, kind, space
+        self.rate = None   # stated by its space
+        self.alias = False  # the same space under another name
+
+    def cpp(self):
+        space = f"also_{self.space}" if self.alias and not self.rate else self.space
+        if self.rate:
+            space = f"at<{self.space}, {self.rate}>"
+        return f'cca::{self.kind}<"{self.name}", {space}>'
+
+
+class Leaf:
+    """A component, or a resource node. Its strategy is a tuple of the words that the text has."""
+
+    def __init__(self, name, number):
+        self.name, self.number = name, number
+        self.resource = False
+        self.ports = {"sense": ([], []), "process": ([], []), "act": ([], [])}  # inputs, outputs
+        self.halves = ["process"]
+        self.strategy = ("default",)
+        self.publishes, self.origin, self.fault_at = 100, 0, -1
+        self.fault_half, self.fault_first = None, False
+        self.hears, self.hears_policy = None, ("latest",)  # the child of its own graph that an observer listens to
+        self.root = None    # the node from whose samples alone it makes its own, each as it comes
+
+    def inputs(self):
+        return [(half, port) for half in self.halves for port in self.ports[half][0]]
+
+    def outputs(self):
+        return [(half, port) for half in self.halves for port in self.ports[half][1]]
+
+
+class Wire:
+    def __init__(self, writer, out, reader, into, policy):
+        self.writer, self.out, self.reader, self.into, self.policy = writer, out, reader, into, policy
+        self.initial = None
+        self.stated = True
+
+    def delayed(self):
+        return self.policy[0] == "delayed"
+
+
+class Graph:
+    """A type. Children are (name, Leaf or Graph); wires (from, to, Wire); exposes {outer: inner}."""
+
+    def __init__(self, name):
+        self.name = name
+        self.children, self.wires, self.exposes = [], [], {}
+        self.rate = None
+
+    def expose(self, inner):
+        for outer, known in self.exposes.items():
+            if known == inner:
+                return outer
+        outer = f"p{len(self.exposes)}"
+        self.exposes[outer] = inner
+        return outer
+
+
+class Architecture:
+    def __init__(self, seed):
+        self.seed = seed
+        self.rng = random.Random(seed)
+        self.features = {}
+        self.base = self.rng.choice(BASE_RATES)
+        self.period = 1000000000 // self.base
+        self.make_nodes()
+        self.make_wires()
+        self.make_strategies()
+        self.make_watchers()
+        self.make_rates()
+        self.make_policies()
+        self.make_habits()
+        self.nest()
+
+    def chance(self, percent):
+        return self.rng.randrange(100) < percent
+
+    def count(self, feature, by=1):
+        self.features[feature] = self.features.get(feature, 0) + by
+
+    # ---- nodes and their outputs ----
+
+    def make_nodes(self):
+        rng = self.rng
+        n = min(3 + int(rng.expovariate(1 / 6)), 21)
+        resources = rng.choice([0, 0, 1, 1, 2, 3]) if n > 3 else rng.choice([0, 0, 1])
+        self.nodes = [Leaf(f"c{i}", i) for i in range(n)]
+        for leaf in rng.sample(self.nodes, min(resources, n - 2)):
+            leaf.resource = True
+            leaf.halves = rng.choice([["sense", "act"], ["sense", "act"], ["sense"], ["act"]])
+        self.components = [leaf for leaf in self.nodes if not leaf.resource]
+        rng.shuffle(self.components)  # an order in which wires without delay may go
+        for leaf in self.nodes:
+            for half in leaf.halves:
+                if half == "act":
+                    continue
+                for i in range(rng.choice([1, 1, 1, 1, 2, 2, 3]) if half == "sense" or self.chance(90) else 0):
+                    kind = "maybe" if self.chance(25) else "out"
+                    leaf.ports[half][1].append(Port(f"y{i}", kind, self.any_space()))
+
+    def any_space(self):
+        return self.rng.choice(["num1", "num1", "num1", "num2", "num2", "num3", "ang1", "ang2"])
+
+    # ---- wires ----
+
+    def make_wires(self):
+        rng = self.rng
+        self.wires = []
+        everywhere = [(leaf, port) for leaf in self.nodes for _, port in leaf.outputs()]
+        before = [(leaf, port) for leaf in self.nodes if leaf.resource for _, port in leaf.outputs()]
+        for leaf in self.components:
+            if not (self.chance(18) or (not before and self.chance(60))):
+                if before and self.chance(22):
+                    self.make_join(leaf, before)
+                else:
+                    for i in range(rng.choice([1, 1, 1, 2, 2, 3])):
+                        self.make_input(leaf, "process", f"x{i}", before, everywhere)
+            leaf.root = self.root_of(leaf) if self.chance(60) else None
+            before += [(leaf, port) for _, port in leaf.outputs()]
+        for leaf in self.nodes:
+            if "act" in leaf.halves:
+                for i in range(rng.choice([1, 1, 2, 3])):
+                    numbers = [(w, p) for w, p in before if p.space[0] == "n"]
+                    self.make_input(leaf, "act", f"u{i}", numbers, [(w, p) for w, p in everywhere if p.space[0] == "n"], "num1")
+        # A resource node's sense may hear another one's, its act another one's act: in the order of declaration or against it.
+        devices = [leaf for leaf in self.nodes if leaf.resource]
+        rng.shuffle(devices)
+        for a, b in zip(devices, devices[1:]):
+            if "sense" in a.halves and "sense" in b.halves and a.ports["sense"][1] and self.chance(40):
+                out = rng.choice(a.ports["sense"][1])
+                port = Port("s0", "in", out.space)
+                b.ports["sense"][0].append(port)
+                self.wires.append(Wire(a, out, b, port, ("latest",)))
+                self.count("wires from sense to sense")
+            if "act" in a.halves and "act" in b.halves and self.chance(40):
+                out, port = Port("v0", "out", "num1"), Port("w0", "in", "num1")
+                a.ports["act"][1].append(out)
+                b.ports["act"][0].append(port)
+                self.wires.append(Wire(a, out, b, port, ("latest",)))
+                self.count("wires from act to act")
+
+    def make_input(self, leaf, half, name, before, everywhere, spare="num1"):
+        rng = self.rng
+        kind = "optional_in" if self.chance(20) else "in"
+        if kind == "optional_in" and self.chance(40) or not everywhere:
+            leaf.ports[half][0].append(Port(name, "optional_in", spare if half == "act" else self.any_space()))
+            return
+        roll = rng.randrange(100)
+        if roll < 22 or not before:
+            policy = ("delayed", rng.choice([1, 1, 1, 2, 3, 5]))
+            if half == "process" and self.chance(30) and leaf.outputs():
+                writer, out = leaf, leaf.outputs()[0][1]  # its own loop
+            else:
+                writer, out = rng.choice(everywhere)
+        else:
+            writer, out = rng.choice(before)
+            policy = ("queue", rng.choice([1, 2, 2, 3, 4, 8]), rng.choice(["drop_oldest", "drop_newest", "reject"])) if roll < 40 else ("latest",)
+        port = Port(name, kind, out.space)
+        leaf.ports[half][0].append(port)
+        self.wires.append(Wire(writer, out, leaf, port, policy))
+
+    def make_join(self, leaf, before):
+        """Inputs that stem from one node's samples, so that they can share an origin."""
+        start = self.rng.choice(before)[0]
+        start = start.root or start
+        alike = [(w, p) for w, p in before if (w.root or w) is start]
+        for i in range(self.rng.choice([1, 2, 2, 3])):
+            writer, out = self.rng.choice(alike)
+            policy = ("queue", self.rng.choice([1, 2, 4]), "drop_oldest") if self.chance(20) else ("latest",)
+            port = Port(f"x{i}", "in", out.space)
+            leaf.ports["process"][0].append(port)
+            self.wires.append(Wire(writer, out, leaf, port, policy))
+
+    def wires_to(self, leaf):
+        return [wire for wire in self.wires if wire.reader is leaf]
+
+    def root_of(self, leaf):
+        wires = self.wires_to(leaf)
+        roots = {id(wire.writer.root or wire.writer) for wire in wires}
+        if not wires or len(roots) != 1 or any(wire.delayed() for wire in wires):
+            return None
+        return wires[0].writer.root or wires[0].writer
+
+    # ---- strategies ----
+
+    def timed(self):
+        n = self.rng.choice([1, 1, 2, 2, 3, 4, 5, 6, 10])
+        phase = self.rng.choice([0, 0, 0, self.rng.randrange(n), self.rng.randrange(n), n + 1, -1])
+        return ("timed", n, phase)
+
+    def user(self, names):
+        choice = self.rng.randrange(5) if names else self.rng.randrange(2)
+        name = self.rng.choice(names) if names else "-"
+        if choice == 0:
+            n = self.rng.choice([2, 3, 4, 5])
+            return ("user", "on_beats", "-", n, self.rng.randrange(n))
+        if choice == 1:
+            return ("user", "patient", "-", self.rng.choice([0, 1, 3, 5]) * self.period // 1000 + 1, 0)
+        if choice == 2:
+            return ("user", "above", name, self.rng.choice([-16, -4, 0, 4, 8]), 0)
+        if choice == 3:
+            return ("user", "older", name, self.rng.choice([-1, 0, 1, 2]) * min(self.period, 300000000), 0)
+        return ("user", "fresh_on_odd", name, 0, 0)
+
+    def event(self, names):
+        choice = self.rng.randrange(3)
+        if choice == 2:
+            chosen = self.rng.sample(names, self.rng.randrange(1, len(names) + 1))
+            return ("port_triggered", tuple(chosen))
+        return ("restless", "moderate")[choice],
+
+    def make_strategies(self):
+        for leaf in self.nodes:
+            names = [wire.into.name for wire in self.wires_to(leaf)]
+            if leaf.resource:
+                leaf.strategy = self.rng.choice([("default",)] * 5 + [("full_speed",), self.timed(), self.timed(), ("inactive",) if self.chance(20) else ("default",)])
+            elif names:
+                leaf.strategy = self.with_inputs(leaf, names)
+            else:
+                plain = [self.timed(), self.timed(), self.timed(), ("full_speed",), ("timeout", self.rng.randrange(1, 6)),
+                         self.user([]), ("any_of", (self.timed(), self.timed()))]
+                if not leaf.inputs():
+                    plain += [("default",)] * 4
+                if self.chance(4):
+                    plain = [("inactive",)]
+                leaf.strategy = self.rng.choice(plain)
+        self.wake()
+
+    def with_inputs(self, leaf, names):
+        rng = self.rng
+        if leaf.root and (self.chance(50) or len(names) == 1):
+            return rng.choice([("default",), self.event(names)])
+        if self.root_of(leaf) and (leaf.root or self.chance(60)):
+            return rng.choice([("coordinated",)] * 4 + [("any_of", (("coordinated",), ("timeout", rng.randrange(3, 9))))])
+        roll = rng.randrange(100)
+        if roll < 16:
+            return ("default",)
+        if roll < 22:
+            return ("restless",)
+        if roll < 38:
+            return ("moderate",)
+        if roll < 46:
+            return ("port_triggered", tuple(rng.sample(names, rng.randrange(1, len(names) + 1))))
+        if roll < 60:
+            return self.timed()
+        if roll < 63:
+            return ("full_speed",)
+        if roll < 65:
+            return ("inactive",)
+        if roll < 76:
+            parts = rng.choice([(self.event(names), ("timeout", rng.randrange(1, 9))), (self.event(names), self.timed()),
+                                (self.timed(), self.timed()), (self.user(names), ("inactive",)), (self.event(names), self.event(names)),
+                                (("all_of", (self.event(names), self.timed())), ("timeout", 7))])
+            return ("any_of", parts)
+        if roll < 87:
+            parts = rng.choice([(self.event(names), ("timeout", rng.randrange(1, 9))), (self.event(names), self.timed()),
+                                (("timed", 2, 1), ("timed", 3, 2)), (self.event(names), self.user(names)), (self.event(names), self.event(names)),
+                                (("any_of", (self.event(names), self.timed())), ("timeout", 2))])
+            return ("all_of", parts)
+        return self.user(names)
+
+    def wake(self):
+        """What all_of or coordinated stands on must be able to fire, or the strategy never does: nothing asleep feeds it."""
+        needy = [leaf for leaf in self.nodes if self.mentions(leaf.strategy, ("all_of", "coordinated"))]
+        feeding = set(map(id, needy))
+        grown = True
+        while grown:
+            grown = False
+            for wire in self.wires:
+                if id(wire.reader) in feeding and id(wire.writer) not in feeding:
+                    feeding.add(id(wire.writer))
+                    grown = True
+        for leaf in self.nodes:
+            if id(leaf) in feeding and leaf.strategy == ("inactive",):
+                leaf.strategy = ("timed", 2, 0)
+
+    def mentions(self, strategy, words):
+        return strategy[0] in words or any(isinstance(part, tuple) and part and isinstance(part[0], tuple)
+                                           and any(self.mentions(one, words) for one in part) for part in strategy[1:])
+
+    # ---- observation: readers of other nodes' outputs, and of whole scopes ----
+
+    def make_watchers(self):
+        mode = self.seed % 3
+        if mode == 2:
+            return  # nobody looks: samples that nobody keeps
+        outputs = [(leaf, port) for leaf in self.nodes for half, port in leaf.outputs() if half != "act"]
+        if mode == 1:
+            outputs = [one for one in outputs if self.chance(35)]
+        for first in range(0, min(len(outputs), 24), 6):
+            watcher = Leaf(f"w{first // 6}", 100 + first)
+            watcher.strategy = self.rng.choice([("full_speed",), ("full_speed",), ("timed", 1, 0)])
+            for i, (leaf, out) in enumerate(outputs[first:first + 6]):
+                port = Port(f"x{i}", "in", out.space)
+                watcher.ports["process"][0].append(port)
+                self.wires.append(Wire(leaf, out, watcher, port, ("latest",)))
+            self.nodes.insert(self.rng.randrange(len(self.nodes) + 1), watcher)
+
+    # ---- rates, only where the Rules let them ----
+
+    def clock(self, leaf, seen=()):
+        """(period, phase) in beats where it is beyond doubt, None elsewhere."""
+        strategy = leaf.strategy
+        if strategy[0] == "timed":
+            return strategy[1], strategy[2] % strategy[1]
+        if strategy[0] == "full_speed" or (strategy[0] == "default" and (leaf.resource or not leaf.inputs())):
+            return 1, 0
+        if strategy[0] in ("default", "restless", "moderate") and leaf not in seen:
+            wires = self.wires_to(leaf)
+            if any(wire.policy != ("latest",) or wire.out.kind == "maybe" for wire in wires):
+                return None
+            clocks = {self.clock(wire.writer, seen + (leaf,)) for wire in wires}
+            return clocks.pop() if len(clocks) == 1 else None
+        return None
+
+    def make_rates(self):
+        rng = self.rng
+        self.states_rate = True
+        for leaf in self.nodes:
+            for half, port in leaf.outputs():
+                n = self.clock(leaf)
+                if leaf.strategy[0] in ("timed", "full_speed", "default") and n and port.kind == "out" and self.base % n[0] == 0 and self.chance(35):
+                    port.rate = self.base // n[0]
+                    if port.rate == self.base and half != "act":
+                        self.states_rate = self.states_rate and self.chance(50)
+        for wire in self.wires:
+            if wire.out.rate:
+                wire.into.rate = wire.out.rate if self.chance(50) else None
+            elif self.base % 2 == 0 and self.chance(6):
+                wire.into.rate = self.base // 2  # of two rates only one is stated: it doesn't count
+            wire.into.alias = self.chance(25)
+        self.count("rated ports", sum(port.rate is not None for leaf in self.nodes for _, port in leaf.inputs() + leaf.outputs()))
+        self.count("rate from the spaces", not self.states_rate)
+
+    # ---- policies that may be left out, and queues that may be full ----
+
+    def make_policies(self):
+        for wire in self.wires:
+            a, b = self.clock(wire.writer), self.clock(wire.reader)
+            unknown = wire.out.kind == "maybe" or wire.writer.strategy[0] == "user" or wire.reader.strategy[0] == "user"
+            if wire.policy == ("latest",) and (unknown or (a is not None and a == b)) and self.chance(60):
+                wire.stated = False
+                self.count("policies left out")
+            if wire.policy[0] == "queue" and wire.policy[2] == "reject":
+                dynamic = wire.out.kind == "maybe" or "user" in (wire.writer.strategy[0], wire.reader.strategy[0])
+                proven = self.exact(wire.writer) and self.exact(wire.reader) and b[0] <= a[0]
+                if proven:
+                    wire.policy = ("queue", max(2, wire.policy[1]), "reject")
+                elif not dynamic:
+                    wire.policy = wire.policy[:2] + (self.rng.choice(["drop_oldest", "drop_newest"]),)
+            if self.chance(20):
+                wire.initial = [self.rng.randrange(-32, 33) / 8 for _ in range(DIMENSIONS[wire.out.space])]
+                if self.chance(30):
+                    wire.initial = wire.initial[:1] * len(wire.initial)
+
+    def exact(self, leaf):
+        return leaf.strategy[0] in ("timed", "full_speed") or (leaf.strategy[0] == "default" and (leaf.resource or not leaf.inputs()))
+
+    def make_habits(self):
+        for leaf in self.nodes:
+            if any(port.kind == "maybe" for _, port in leaf.outputs()):
+                leaf.publishes = self.rng.choice([10, 30, 60, 60, 90])
+            if leaf.outputs() and self.chance(12) and not leaf.root:
+                leaf.origin = self.rng.choice([1, 2])
+            if self.chance(2):
+                leaf.fault_at = self.rng.choice([0, 3, 60, 140, 180])
+                leaf.fault_half = self.rng.choice(leaf.halves)
+                leaf.fault_first = self.chance(30)
+            elif self.chance(3):
+                leaf.fault_half = self.rng.choice(leaf.halves)  # it may, but never does
+
+    # ---- nesting ----
+
+    def nest(self):
+        rng = self.rng
+        order = list(self.nodes)
+        rng.shuffle(order)
+        self.types = []
+        self.where = {}  # leaf -> the graphs around it, outermost first, with their names in them
+        self.top = self.make_graph(order, 0, [])
+        for wire in self.wires:
+            self.place(wire)
+        if self.states_rate:
+            self.top.rate = self.base
+        for inner in self.types:
+            if inner is not self.top and self.states_rate and self.chance(15):
+                inner.rate = self.base
+        self.use_twice()
+        self.add_observers(self.top, 0)
+
+    def make_graph(self, order, depth, around):
+        graph = Graph("top" if depth == 0 else f"g{len(self.types)}")
+        self.types.append(graph)
+        i = 0
+        while i < len(order):
+            take = self.rng.randrange(1, max(2, len(order) // (depth + 1)) + 1) if depth < 3 and self.chance(30 if depth == 0 else 25) else 0
+            if take and (depth or take < len(order)):
+                name = f"s{len(self.types)}"
+                graph.children.append((name, self.make_graph(order[i:i + take], depth + 1, around + [(graph, name)])))
+                i += take
+            else:
+                graph.children.append((order[i].name, order[i]))
+                self.where[order[i]] = around + [(graph, order[i].name)]
+                i += 1
+        return graph
+
+    def place(self, wire):
+        """Into the innermost graph that holds both ends, which the graphs between expose."""
+        a, b = self.where[wire.writer], self.where[wire.reader]
+        shared = 0
+        while shared + 1 < min(len(a), len(b)) and a[shared + 1][0] is b[shared + 1][0]:
+            shared += 1
+        ends = []
+        for path, port in ((a, wire.out.name), (b, wire.into.name)):
+            name = f"{path[-1][1]}.{port}"
+            for graph, _ in reversed(path[shared + 1:]):
+                outer = graph.expose(name)
+                name = f"{path[[g for g, _ in path].index(graph) - 1][1]}.{outer}"
+                self.count("exposes")
+            ends.append(name)
+        a[shared][0].wires.append((ends[0], ends[1], wire))
+
+    def use_twice(self):
+        """The same graph type as another node, fed by the same writers."""
+        for name, child in list(self.top.children):
+            if isinstance(child, Graph) and self.chance(30) and len(self.leaves(child)) < 9:
+                twin = name + "b"
+                at = self.rng.randrange(len(self.top.children) + 1)
+                self.top.children.insert(at, (twin, child))
+                for a, b, wire in list(self.top.wires):
+                    if b.startswith(name + "."):
+                        self.top.wires.append((a, twin + b[len(name):], wire))
+                self.count("graphs used twice")
+
+    def leaves(self, graph):
+        found = []
+        for _, child in graph.children:
+            found += self.leaves(child) if isinstance(child, Graph) else [child]
+        return found
+
+    def add_observers(self, graph, depth):
+        for _, child in list(graph.children):
+            if isinstance(child, Graph) and depth < 2:
+                self.add_observers(child, depth + 1)
+        if not self.chance(12):
+            return
+        ends = [(name, child) for name, child in graph.children if not isinstance(child, Leaf) or not child.resource and not child.hears]
+        ends = [(name, child) for name, child in ends
+                if not any(leaf.resource for leaf in (self.leaves(child) if isinstance(child, Graph) else [child]))
+                and any(leaf.outputs() for leaf in (self.leaves(child) if isinstance(child, Graph) else [child]))]
+        if ends and not any(name.startswith("o") for name, _ in graph.children):
+            observer = Leaf("o", 200 + depth)
+            observer.hears = self.rng.choice(ends)
+            observer.hears_policy = self.rng.choice([("latest",), ("latest",), ("delayed", 1), ("delayed", 3)])
+            observer.strategy = self.rng.choice([("full_speed",), self.timed()])
+            graph.children.insert(self.rng.randrange(len(graph.children) + 1), ("o", observer))
+            self.count("observers")

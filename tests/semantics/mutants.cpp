@@ -1,0 +1,397 @@
+#include "mutants.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace semantics {
+
+namespace mutants {
+namespace {
+
+template <class Mutant>
+std::unique_ptr<interpreter> made(graph g) { return std::make_unique<Mutant>(std::move(g)); }
+
+using base = interpreter;
+
+// ---- one beat ----
+
+struct last_declared_first : base {
+  using base::base;
+  int next_turn(half which, const std::vector<bool>& had) const override {
+    for (std::size_t i = g.turns.size(); i-- > 0;) {
+      if (g.turns[i].which != which || had[i]) continue;
+      bool ready = true;
+      for (const input& in : g.turns[i].inputs) {
+        if (!in.wired || in.is == policy::delayed) continue;
+        const auto writer = in.writer;
+        if (g.turns[writer].which == which && !had[writer]) ready = false;
+      }
+      if (ready) return static_cast<int>(i);
+    }
+    return -1;
+  }
+};
+
+struct declared_order : base {
+  using base::base;
+  int next_turn(half which, const std::vector<bool>& had) const override {
+    for (std::size_t i = 0; i < g.turns.size(); ++i)
+      if (g.turns[i].which == which && !had[i]) return static_cast<int>(i);
+    return -1;
+  }
+};
+
+struct first_dt_is_one_beat : base {
+  using base::base;
+  double dt(const turn& t) const override {
+    return t.last_fired == never ? static_cast<double>(g.period) / 1e9 : base::dt(t);
+  }
+};
+
+struct dt_is_always_one_beat : base {
+  using base::base;
+  double dt(const turn&) const override { return static_cast<double>(g.period) / 1e9; }
+};
+
+// ---- what an input sees ----
+
+struct delayed_one_too_long : base {
+  using base::base;
+  std::int64_t arrival(const input& in, const publication& p) const override { return base::arrival(in, p) + (in.is == policy::delayed); }
+};
+
+struct delayed_one_too_short : base {
+  using base::base;
+  std::int64_t arrival(const input& in, const publication& p) const override {
+    return base::arrival(in, p) - (in.is == policy::delayed && in.delay > 1);
+  }
+};
+
+struct latest_is_of_the_beat_before : base {
+  using base::base;
+  std::int64_t arrival(const input& in, const publication& p) const override { return base::arrival(in, p) + (in.is == policy::latest); }
+};
+
+struct oldest_instead_of_newest : base {
+  using base::base;
+  const publication* newest(const input& in) const override {
+    return base::newest(in) && !history(in).empty() ? &history(in).front() : nullptr;
+  }
+};
+
+struct queue_one_longer : base {
+  using base::base;
+  void push(input& in, const publication& p) override {
+    ++in.capacity;
+    base::push(in, p);
+    --in.capacity;
+  }
+};
+
+template <when_full From, when_full To>
+struct full_queue_mixed_up : base {
+  using base::base;
+  void push(input& in, const publication& p) override {
+    const when_full was = in.full;
+    if (was == From) in.full = To;
+    base::push(in, p);
+    in.full = was;
+  }
+};
+
+struct last_in_first_out : base {
+  using base::base;
+  const publication* head(const input& in) const override { return in.waiting.empty() ? base::head(in) : &in.waiting.back(); }
+  void take(input& in) const override {
+    if (in.is != policy::queue || in.waiting.empty()) return;
+    in.taken = in.waiting.back();
+    in.waiting.pop_back();
+  }
+};
+
+struct empty_queue_forgets : base {
+  using base::base;
+  const publication* head(const input& in) const override { return in.waiting.empty() ? nullptr : &in.waiting.front(); }
+};
+
+struct queue_takes_all : base {
+  using base::base;
+  void take(input& in) const override {
+    base::take(in);
+    in.waiting.clear();
+  }
+};
+
+// ---- fresh ----
+
+struct fresh_also_in_the_beat_of_the_last_firing : base {
+  using base::base;
+  bool fresh(const turn& t, const input& in) const override {
+    turn earlier = t;
+    if (t.last_fired != never) --earlier.last_fired;
+    return base::fresh(earlier, in);
+  }
+};
+
+struct fresh_when_published : base {
+  using base::base;
+  bool fresh(const turn& t, const input& in) const override {
+    if (!in.wired || in.is != policy::delayed) return base::fresh(t, in);
+    return base::newest(in) && base::newest(in)->beat > t.last_fired;
+  }
+};
+
+struct initial_is_fresh : base {
+  using base::base;
+  bool fresh(const turn& t, const input& in) const override { return base::fresh(t, in) || (in.wired && t.last_fired == never); }
+};
+
+struct queue_fresh_after_taking : base {
+  using base::base;
+  bool fresh(const turn& t, const input& in) const override { return in.is == policy::queue ? in.waiting.size() > 1 : base::fresh(t, in); }
+};
+
+// ---- when a component fires ----
+
+template <strategy::kind From, strategy::kind To>
+struct mixed_up : base {
+  using base::base;
+  bool fires(const strategy& s, const turn& t) const override {
+    strategy other = s;
+    if (s.is == From) other.is = To;
+    return base::fires(other, t);
+  }
+};
+
+struct no_phase : base {
+  using base::base;
+  bool fires(const strategy& s, const turn& t) const override {
+    strategy other = s;
+    other.phase = s.is == strategy::user ? s.phase : 0;
+    return base::fires(other, t);
+  }
+};
+
+struct default_is_moderate : base {
+  using base::base;
+  strategy when(const turn& t) const override {
+    strategy s = base::when(t);
+    if (g.nodes[t.node].when.is == strategy::by_default && s.is == strategy::restless) s.is = strategy::moderate;
+    return s;
+  }
+};
+
+struct moderate_waits_for_the_unwired : base {
+  using base::base;
+  bool fires(const strategy& s, const turn& t) const override {
+    if (s.is == strategy::moderate)
+      for (const input& in : t.inputs)
+        if (!in.wired) return false;
+    return base::fires(s, t);
+  }
+};
+
+struct timeout_has_run_out_at_the_start : base {
+  using base::base;
+  bool fires(const strategy& s, const turn& t) const override { return (s.is == strategy::timeout && t.last_fired == never) || base::fires(s, t); }
+};
+
+struct any_port_triggers : base {
+  using base::base;
+  bool fires(const strategy& s, const turn& t) const override {
+    strategy other = s;
+    if (s.is == strategy::port_triggered) other.is = strategy::restless;
+    return base::fires(other, t);
+  }
+};
+
+struct coordinated_takes_initial_values : base {
+  using base::base;
+  bool coordinated(const turn& t) const override {
+    std::optional<std::int64_t> shared;
+    for (const input& in : t.inputs) {
+      if (!in.wired) continue;
+      const sight s = look(t, in);
+      if (!s.arrived) continue;
+      if (shared && *shared != s.origin) return false;
+      shared = s.origin;
+    }
+    return shared && *shared > t.oldest_seen;
+  }
+};
+
+struct coordinated_again_and_again : base {
+  using base::base;
+  bool coordinated(const turn& t) const override {
+    turn forgetful = t;
+    forgetful.oldest_seen = never;
+    return base::coordinated(forgetful);
+  }
+};
+
+struct coordinated_is_later_than_the_newest_seen : base {
+  using base::base;
+  std::int64_t oldest(const turn& t, const std::vector<sight>& sights) const override {
+    std::int64_t found = never;
+    for (std::size_t i = 0; i < sights.size(); ++i)
+      if (t.inputs[i].wired) found = std::max(found, sights[i].origin);
+    return found;
+  }
+};
+
+struct coordinated_looks_at_the_first_only : base {
+  using base::base;
+  bool coordinated(const turn& t) const override {
+    for (const input& in : t.inputs)
+      if (in.wired) return look(t, in).arrived && look(t, in).origin > t.oldest_seen;
+    return false;
+  }
+};
+
+// ---- time of origin ----
+
+struct origin_is_the_newest : base {
+  using base::base;
+  std::int64_t origin(const turn& t, const std::vector<sight>& sights) const override {
+    std::optional<std::int64_t> found;
+    for (std::size_t i = 0; i < sights.size() && t.which != half::sense; ++i)
+      if (counts(t, t.inputs[i], sights[i])) found = found ? std::max(*found, sights[i].origin) : sights[i].origin;
+    return found.value_or(time());
+  }
+};
+
+struct sense_has_an_origin_like_others : base {
+  using base::base;
+  std::int64_t origin(const turn& t, const std::vector<sight>& sights) const override {
+    turn other;
+    other.node = t.node;
+    other.inputs = t.inputs;
+    other.which = half::process;
+    return base::origin(other, sights);
+  }
+};
+
+struct set_origin_is_lost : base {
+  using base::base;
+  std::int64_t stamp(const told&, std::int64_t from) const override { return from; }
+};
+
+struct loops_count : base {
+  using base::base;
+  bool counts(const turn&, const input& in, const sight& s) const override { return in.wired && s.arrived; }
+};
+
+struct nothing_delayed_counts : base {
+  using base::base;
+  bool counts(const turn&, const input& in, const sight& s) const override { return in.wired && s.arrived && in.is != policy::delayed; }
+};
+
+struct only_direct_loops : base {
+  using base::base;
+  bool feeds(int from, int to) const override {
+    for (const turn& t : g.turns)
+      for (const input& in : t.inputs)
+        if (t.node == to && in.wired && g.turns[in.writer].node == from) return true;
+    return false;
+  }
+};
+
+struct only_loops_without_delay : base {
+  using base::base;
+  bool feeds(int from, int to) const override {
+    interpreter other(g);
+    for (turn& t : other.g.turns)
+      for (input& in : t.inputs)
+        if (in.is == policy::delayed && t.node != from) in.wired = false;
+    return other.interpreter::feeds(from, to);
+  }
+};
+
+struct no_loop_through_a_resource_node : base {
+  using base::base;
+  bool feeds(int from, int to) const override {
+    if (g.nodes[from].resource || g.nodes[to].resource) return false;
+    interpreter other(g);
+    for (turn& t : other.g.turns)
+      if (t.which != half::process) t.inputs.clear();
+    return other.interpreter::feeds(from, to);
+  }
+};
+
+struct initial_values_count : base {
+  using base::base;
+  bool counts(const turn& t, const input& in, const sight& s) const override {
+    sight as_if = s;
+    as_if.arrived = true;
+    return base::counts(t, in, as_if);
+  }
+};
+
+// ---- faults ----
+
+struct on_fault_is_not_called : base {
+  using base::base;
+  void on_fault() override {}
+};
+
+struct goes_on_after_a_fault : base {
+  using base::base;
+  void on_fault() override {
+    base::on_fault();
+    faulted = false;
+    ++k;
+  }
+};
+
+}  // namespace
+}  // namespace mutants
+
+const std::vector<mutant> all_mutants{
+    {"the last declared of those that are ready comes first", mutants::made<mutants::last_declared_first>},
+    {"turns in the order of declaration", mutants::made<mutants::declared_order>},
+    {"the first dt is one beat", mutants::made<mutants::first_dt_is_one_beat>},
+    {"dt is always one beat", mutants::made<mutants::dt_is_always_one_beat>},
+    {"delayed<N> arrives one beat late", mutants::made<mutants::delayed_one_too_long>},
+    {"delayed<N> arrives one beat early", mutants::made<mutants::delayed_one_too_short>},
+    {"latest is that of the beat before", mutants::made<mutants::latest_is_of_the_beat_before>},
+    {"the oldest instead of the newest", mutants::made<mutants::oldest_instead_of_newest>},
+    {"a queue holds one more", mutants::made<mutants::queue_one_longer>},
+    {"drop_oldest drops the newest", mutants::made<mutants::full_queue_mixed_up<when_full::drop_oldest, when_full::drop_newest>>},
+    {"drop_newest drops the oldest", mutants::made<mutants::full_queue_mixed_up<when_full::drop_newest, when_full::drop_oldest>>},
+    {"reject drops in silence", mutants::made<mutants::full_queue_mixed_up<when_full::reject, when_full::drop_newest>>},
+    {"a queue is a stack", mutants::made<mutants::last_in_first_out>},
+    {"an empty queue shows the initial value again", mutants::made<mutants::empty_queue_forgets>},
+    {"a queue is emptied at each firing", mutants::made<mutants::queue_takes_all>},
+    {"fresh also in the beat of the last firing", mutants::made<mutants::fresh_also_in_the_beat_of_the_last_firing>},
+    {"delayed: fresh counts from publication", mutants::made<mutants::fresh_when_published>},
+    {"an initial value is fresh", mutants::made<mutants::initial_is_fresh>},
+    {"a queue is fresh if something is left after taking", mutants::made<mutants::queue_fresh_after_taking>},
+    {"restless is moderate", mutants::made<mutants::mixed_up<strategy::restless, strategy::moderate>>},
+    {"moderate is restless", mutants::made<mutants::mixed_up<strategy::moderate, strategy::restless>>},
+    {"any_of is all_of", mutants::made<mutants::mixed_up<strategy::any_of, strategy::all_of>>},
+    {"all_of is any_of", mutants::made<mutants::mixed_up<strategy::all_of, strategy::any_of>>},
+    {"inactive is full_speed", mutants::made<mutants::mixed_up<strategy::inactive, strategy::full_speed>>},
+    {"a user's strategy is not asked", mutants::made<mutants::mixed_up<strategy::user, strategy::full_speed>>},
+    {"no phase", mutants::made<mutants::no_phase>},
+    {"the default with inputs is moderate", mutants::made<mutants::default_is_moderate>},
+    {"moderate waits for what is not wired", mutants::made<mutants::moderate_waits_for_the_unwired>},
+    {"a timeout has run out at the start", mutants::made<mutants::timeout_has_run_out_at_the_start>},
+    {"port_triggered: any port triggers", mutants::made<mutants::any_port_triggers>},
+    {"coordinated takes initial values", mutants::made<mutants::coordinated_takes_initial_values>},
+    {"coordinated fires again on what it has seen", mutants::made<mutants::coordinated_again_and_again>},
+    {"coordinated: later than the newest seen", mutants::made<mutants::coordinated_is_later_than_the_newest_seen>},
+    {"coordinated looks at the first input only", mutants::made<mutants::coordinated_looks_at_the_first_only>},
+    {"the origin is the newest", mutants::made<mutants::origin_is_the_newest>},
+    {"sense has an origin like others", mutants::made<mutants::sense_has_an_origin_like_others>},
+    {"an origin that the component sets is lost", mutants::made<mutants::set_origin_is_lost>},
+    {"a loop's input counts for the origin", mutants::made<mutants::loops_count>},
+    {"no delayed input counts for the origin", mutants::made<mutants::nothing_delayed_counts>},
+    {"only a loop of two is a loop", mutants::made<mutants::only_direct_loops>},
+    {"a loop over two delayed wires is none", mutants::made<mutants::only_loops_without_delay>},
+    {"a loop through a resource node is none", mutants::made<mutants::no_loop_through_a_resource_node>},
+    {"initial values count for the origin", mutants::made<mutants::initial_values_count>},
+    {"on_fault is not called", mutants::made<mutants::on_fault_is_not_called>},
+    {"goes on after a fault", mutants::made<mutants::goes_on_after_a_fault>},
+};
+
+}  // namespace semantics

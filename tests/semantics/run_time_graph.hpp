@@ -1,0 +1,85 @@
+// A graph at run time, already flat: vectors of nodes, their turns, and the histories of their outputs.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firing.hpp"
+
+namespace semantics {
+
+struct strategy {
+  enum kind { by_default, timed, restless, moderate, timeout, port_triggered, coordinated, full_speed, inactive, any_of, all_of, user };
+  kind is = by_default;
+  std::int64_t n = 1, phase = 0;
+  std::vector<std::string> names;   // port_triggered; user: its name and its port
+  std::vector<strategy> parts;      // any_of, all_of
+};
+
+struct publication {
+  std::int64_t beat = 0;
+  std::vector<double> value;
+  std::int64_t origin = never;
+};
+
+struct output {
+  std::string name;
+  int width = 1;
+  bool is_maybe = false;
+  std::vector<publication> history;
+};
+
+enum class policy { latest, delayed, queue };
+enum class when_full { drop_oldest, drop_newest, reject };
+
+struct input {
+  std::string name;
+  int width = 1;
+  bool optional = false;
+  bool wired = false;
+  int writer = -1, port = -1;       // turn and output at the other end
+  policy is = policy::latest;
+  std::int64_t delay = 0;
+  std::size_t capacity = 0;
+  when_full full = when_full::drop_oldest;
+  std::vector<double> initial;
+
+  std::deque<publication> waiting;  // queue
+  std::optional<publication> taken;
+  int dropped = 0, reads = 0, fresh_reads = 0;  // for the count of what was exercised
+};
+
+// What has a turn in a beat: a component, or one half of a resource node.
+struct turn {
+  int node = -1;
+  half which = half::process;
+  std::vector<input> inputs;
+  std::vector<output> outputs;
+  bool may_fault = false;
+
+  std::int64_t last_fired = never;
+  std::int64_t oldest_seen = never;  // when it last fired
+  int firings = 0;
+};
+
+struct node {
+  std::string path;
+  bool resource = false;
+  strategy when;
+  int id = 0;
+  std::function<void(firing&)> does;
+};
+
+struct graph {
+  std::string name;
+  std::int64_t period = 1;  // T, in nanoseconds
+  std::vector<node> nodes;  // as declared, depth first
+  std::vector<turn> turns;  // as declared
+  std::map<std::string, int> features;  // counted by who made the graph
+};
+
+}  // namespace semantics

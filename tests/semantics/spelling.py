@@ -1,0 +1,154 @@
+"""An architecture in both spellings: as text, flat, for the interpreter, and as graph types for the compiler.
+
+The text is made from the nested form: what `expose` does is worked out here by names.
+"""
+import random
+
+from architecture import DIMENSIONS, Graph, Leaf
+
+
+# ---- as text ----
+
+
+def flat(made):
+    """Paths of leaves in order of declaration, and wires between paths of ports, worked out from the nested form."""
+    leaves, wires = [], []
+
+    def resolve(graph, path, name):
+        child_name, port = name.split(".")
+        child = dict(graph.children)[child_name]
+        if isinstance(child, Graph):
+            return resolve(child, path + child_name + ".", child.exposes[port])
+        return path + name
+
+    def outputs_of(path, child):
+        if isinstance(child, Leaf):
+            return [(f"{path}.{port.name}", port) for _, port in child.outputs()]
+        return [one for name, inner in child.children for one in outputs_of(f"{path}.{name}", inner)]
+
+    def walk(graph, path):
+        for name, child in graph.children:
+            if isinstance(child, Graph):
+                walk(child, path + name + ".")
+            else:
+                heard = []
+                if child.hears:
+                    for from_, port in outputs_of(path + child.hears[0], child.hears[1]):
+                        heard.append((from_, port))
+                        wires.append((from_, f"{path}{name}.{from_}", child.hears_policy))
+                    heard.sort(key=lambda one: one[0])
+                leaves.append((path + name, child, heard))
+        for a, b, wire in graph.wires:
+            wires.append((resolve(graph, path, a), resolve(graph, path, b), wire))
+
+    walk(made.top, "")
+    return leaves, wires
+
+
+def words(strategy):
+    kind, rest = strategy[0], strategy[1:]
+    if kind in ("any_of", "all_of"):
+        return f"{kind} {len(rest[0])} " + " ".join(words(part) for part in rest[0])
+    if kind == "port_triggered":
+        return f"{kind} {len(rest[0])} " + " ".join(rest[0])
+    return " ".join([kind, *map(str, rest)])
+
+
+def text(made):
+    lines = [f"architecture {made.seed}", f"period {made.period}"]
+    lines += [f"feature {n} {name}" for name, n in sorted(made.features.items()) if n]
+    leaves, wires = flat(made)
+    for path, leaf, heard in leaves:
+        lines.append(f"{'resource' if leaf.resource else 'component'} {path} {words(leaf.strategy)}")
+        lines.append(f"habit {leaf.number} {leaf.publishes} {leaf.origin} {leaf.fault_at}")
+        for half in leaf.halves:
+            lines.append(half)
+            lines += [f"{'optional' if port.kind == 'optional_in' else 'in'} {port.name} {DIMENSIONS[port.space]}" for port in leaf.ports[half][0]]
+            lines += [f"heard {name} {DIMENSIONS[port.space]}" for name, port in heard]
+            lines += [f"{port.kind} {port.name} {DIMENSIONS[port.space]}" for port in leaf.ports[half][1]]
+            lines += ["fault"] if leaf.fault_half == half else []
+    for a, b, wire in wires:
+        observed = isinstance(wire, tuple)
+        line = f"wire {a} {b} " + " ".join(map(str, wire if observed else wire.policy))
+        if not observed and wire.initial:
+            line += " initial " + " ".join(map(str, wire.initial))
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+# ---- as code ----
+
+
+def strategy_cpp(strategy):
+    kind, rest = strategy[0], strategy[1:]
+    if kind in ("any_of", "all_of"):
+        return f"cca::{kind}<{', '.join(strategy_cpp(part) for part in rest[0])}>"
+    if kind == "port_triggered":
+        return "cca::port_triggered<" + ", ".join(f'"{name}"' for name in rest[0]) + ">"
+    if kind == "timed":
+        return f"cca::timed<{rest[0]}>" if rest[1] == 0 else f"cca::timed<{rest[0]}, {rest[1]}>"
+    if kind == "timeout":
+        return f"cca::timeout<{rest[0]}>"
+    if kind == "user":
+        name, port, n, m = rest
+        arguments = {"on_beats": f"{n}, {m}", "patient": f"{n}", "above": f'"{port}", {n}', "older": f'"{port}", {n}', "fresh_on_odd": f'"{port}"'}
+        return f"{name}<{arguments[name]}>"
+    return f"cca::{kind}"
+
+
+def half_cpp(leaf, half):
+    if half not in leaf.halves:
+        return "void, void"
+    inputs, outputs = ([port.cpp() for port in ports] for ports in leaf.ports[half])
+    if leaf.hears:
+        delay = f", cca::delayed<{leaf.hears_policy[1]}>" if leaf.hears_policy[0] == "delayed" else ""
+        inputs.append(f'cca::observe<"{leaf.hears[0]}.*"{delay}>')
+    if leaf.fault_half == half:
+        outputs.insert(0 if leaf.fault_first else len(outputs), "cca::fault")
+    return f"reads<{', '.join(inputs)}>, tells<{', '.join(outputs)}>"
+
+
+def leaf_cpp(leaf):
+    habit = f"habit{{{leaf.number}, {leaf.publishes}, {leaf.origin}, {leaf.fault_at}}}"
+    if not leaf.resource:
+        return f"probe<{habit}, {half_cpp(leaf, 'process')}>"
+    return f"device<{habit}, {half_cpp(leaf, 'sense')}, {half_cpp(leaf, 'act')}>"
+
+
+def graph_cpp(graph, rng):
+    nodes, others = [], []
+    for name, child in graph.children:
+        kind = child.name if isinstance(child, Graph) else leaf_cpp(child)
+        strategy = ""
+        if isinstance(child, Leaf) and child.strategy != ("default",):
+            strategy = ", " + strategy_cpp(child.strategy)
+        nodes.append(f'cca::node<"{name}", {kind}{strategy}>')
+    for a, b, wire in graph.wires:
+        options = []
+        if wire.policy[0] == "delayed":
+            options.append(f"cca::delayed<{wire.policy[1]}>")
+        elif wire.policy[0] == "queue":
+            options.append(f"cca::queue<{wire.policy[1]}, cca::{wire.policy[2]}>")
+        elif wire.stated:
+            options.append("cca::latest")
+        if wire.initial:
+            same = len(set(wire.initial)) == 1
+            options.append("cca::initial<" + ", ".join(map(str, wire.initial[:1] if same else wire.initial)) + ">")
+        others.append(", ".join([f'cca::wire<"{a}"', f'"{b}"'] + options) + ">")
+    others += [f'cca::expose<"{inner}", "{outer}">' for outer, inner in graph.exposes.items()]
+    if graph.rate:
+        others.append(f"cca::rate<{graph.rate}>")
+    rng.shuffle(others)  # only nodes have an order that means something
+    items = nodes
+    for other in others:
+        items.insert(rng.randrange(len(items) + 1), other)
+    return f"struct {graph.name} : cca::graph<\n    " + ",\n    ".join(items) + "> {};\n"
+
+
+def code(made):
+    rng = random.Random(made.seed)
+    lines = [f"namespace architecture_{made.seed} {{", "using namespace semantics;\n"]
+    lines += [graph_cpp(graph, rng) for graph in reversed(made.types)]  # inner ones first
+    lines.append(f'constexpr char text[] = R"({text(made)})";')
+    lines.append(f"const registered here{{{made.seed}, text, &run<top>}};\n\n}}  // namespace architecture_{made.seed}\n")
+    return "\n".join(lines)
