@@ -1,0 +1,16 @@
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_load` that would never be called, for it is not `void on_load\(\)`: make it a public
+// What a hook returns nobody would look at.
+#include "parts.hpp"
+
+struct balance {
+  void process(cca::in<"angles", leg_angles>) {}
+#if CCA_REJECT
+  bool on_load() { return true; }
+#else
+  void on_load() {}
+#endif
+};
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+
+cca::controller<walk> c;

@@ -1,0 +1,17 @@
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_fault` that would never be called, for it is not `void on_fault\(\)`: make it a public
+// One sound hook does not hide another one.
+#include "parts.hpp"
+
+struct balance {
+  void process(cca::in<"angles", leg_angles>) {}
+  void on_load() {}
+#if CCA_REJECT
+  void on_fault(const char*) {}
+#else
+  void on_fault() {}
+#endif
+};
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+
+cca::controller<walk> c;

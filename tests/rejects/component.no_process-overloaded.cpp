@@ -1,0 +1,16 @@
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process`: give it one public function, neither overloaded nor a template, as in `auto
+// Ports are read from the address of `process`, so there is one of it; what it does in several cases it asks itself.
+#include "parts.hpp"
+
+struct balance {
+#if CCA_REJECT
+  void process(cca::in<"angles", leg_angles>) {}
+  void process(cca::in<"torques", leg_torques>) {}
+#else
+  void process(cca::in<"angles", leg_angles>) {}
+#endif
+};
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+
+cca::controller<walk> c;

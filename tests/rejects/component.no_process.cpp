@@ -1,0 +1,15 @@
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process`: give it one public function, neither overloaded nor a template, as in `auto
+// A component is known by its function `process`.
+#include "parts.hpp"
+
+struct balance {
+#if CCA_REJECT
+  auto update(cca::in<"angles", leg_angles> a) -> cca::out<"angles", leg_angles> { return a; }
+#else
+  auto process(cca::in<"angles", leg_angles> a) -> cca::out<"angles", leg_angles> { return a; }
+#endif
+};
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+
+cca::controller<walk> c;

@@ -1,0 +1,17 @@
+// EXPECT: node\.duplicate_name: two outputs are exposed as `angles` by walk: give one of them another name
+// What a graph shows outside has a name of its own, too.
+#include "parts.hpp"
+
+struct walk : cca::graph<
+    cca::rate<1000>,
+    cca::node<"left", stance>,
+    cca::node<"right", stance>,
+    cca::expose<"left.angles", "angles">,
+#if CCA_REJECT
+    cca::expose<"right.angles", "angles">
+#else
+    cca::expose<"right.angles", "right_angles">
+#endif
+    > {};
+
+cca::controller<walk> c;

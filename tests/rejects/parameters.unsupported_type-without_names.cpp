@@ -1,0 +1,19 @@
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`, of which nothing is known: name its fields in it with
+// What a struct of parameters holds is known by the names of its fields.
+#include "parts.hpp"
+
+struct balance {
+  struct parameters {
+#if CCA_REJECT
+    double gain = 2;
+#else
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, gain));
+#endif
+  };
+  parameters p{2};
+  void process(cca::in<"angles", leg_angles>) {}
+};
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+
+cca::controller<walk> c;

@@ -1,0 +1,28 @@
+// EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an input has one writer: put an arbiter in front, a
+// An input has one writer; which of two is to be heard somebody has to decide.
+#include "parts.hpp"
+
+struct arbiter {
+  auto process(cca::in<"first", leg_angles> a, cca::in<"second", leg_angles> b) -> cca::out<"angles", leg_angles> {
+    if (a.fresh()) return a;
+    return b;
+  }
+};
+
+struct walk : cca::graph<
+    cca::rate<1000>,
+    cca::node<"stance", stance>,
+    cca::node<"swing", stance>,
+    cca::node<"recorder", recorder>,
+#if CCA_REJECT
+    cca::wire<"stance.angles", "recorder.angles">,
+    cca::wire<"swing.angles", "recorder.angles">
+#else
+    cca::node<"arbiter", arbiter>,
+    cca::wire<"stance.angles", "arbiter.first">,
+    cca::wire<"swing.angles", "arbiter.second">,
+    cca::wire<"arbiter.angles", "recorder.angles">
+#endif
+    > {};
+
+cca::controller<walk> c;
