@@ -60,13 +60,13 @@ constexpr void tell_bad_signature(telling& t, bool parameter) {
   for (int which = 0; which < 3; ++which) {
     const auto half = telling::half(c, which);
     if (!half || (parameter ? half->bad_parameter : half->bad_result).empty()) continue;
+    t.say() << ": `" << functions[which] << (parameter ? "` takes `" : "` returns `");
+    add_type(t.say(), parameter ? half->bad_parameter : half->bad_result);
     if (parameter)
-      t.say() << ": `" << functions[which] << "` takes `" << half->bad_parameter
-              << "`, but it may take only ports (cca::in, cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to "
+      t.say() << "`, but it may take only ports (cca::in, cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to "
                  "const; give constants as `parameters`, and data of other components by a wire";
     else
-      t.say() << ": `" << functions[which] << "` returns `" << half->bad_result
-              << "`, but it may return only ports (cca::out, cca::maybe) and a cca::fault, one or several in a std::tuple, or void";
+      t.say() << "`, but it may return only ports (cca::out, cca::maybe) and a cca::fault, one or several in a std::tuple, or void";
     return;
   }
 }
@@ -88,7 +88,9 @@ constexpr void tell_parameters(telling& t) {
                "default values";
     return;
   }
-  t.say() << ": its parameter `" << c.bad_field << "` is a `" << c.bad_field_type << "`";
+  t.say() << ": its parameter `" << c.bad_field << "` is a `";
+  add_type(t.say(), c.bad_field_type);
+  t.say() << "`";
   if (c.bad_field == "p")
     t.say() << ", of which nothing is known: name its fields in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied";
   else

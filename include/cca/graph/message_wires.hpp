@@ -58,9 +58,15 @@ constexpr void tell_unknown_port(telling& t) {
   if (dots == 0) {
     t.say() << "a port is named with its node: `node.port`";
   } else if (dots > 1 && node && node->inner) {
-    t.say() << "a path into an inner graph can't be wired: let " << node->inner->name << " show the port, with cca::expose<`"
-            << wrong.substr(wrong.find('.') + 1) << "`, `" << wrong.substr(wrong.rfind('.') + 1) << "`>, and name `" << node->from << wrong.substr(wrong.rfind('.'))
-            << "` here";
+    const auto inside = wrong.substr(wrong.find('.') + 1), port = wrong.substr(wrong.rfind('.') + 1);
+    t.say() << "a path into an inner graph cannot be wired: ";
+    for (int i = 0; i < node->inner->count; ++i)
+      if (const auto& shown = node->inner->items[i]; shown.kind == item_kind::expose && shown.from == inside) {
+        t.say() << node->inner->name << " exposes this port as `" << node->from << "." << shown.to << "`, name that";
+        return;
+      }
+    t.say() << "let " << node->inner->name << " show the port, with cca::expose<`" << inside << "`, `" << port << "`>, and name `" << node->from << "."
+            << port << "` here";
     return;
   } else if (!node) {
     t.say() << "there is no node `" << wrong.substr(0, wrong.find('.')) << "`";
