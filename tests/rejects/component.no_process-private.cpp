@@ -1,4 +1,4 @@
-// EXPECT: component\.no_process: `balance` \(balance\) has no `process`: give it one public function, neither overloaded nor a template, as in `auto
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
 // `process` is called from outside.
 #include "parts.hpp"
 

@@ -12,9 +12,10 @@
 namespace cca {
 namespace detail {
 
-template <class Type> concept HasProcess = requires { &Type::process; };
-template <class Type> concept HasSense = requires { &Type::sense; };
-template <class Type> concept HasAct = requires { &Type::act; };
+// One function that can be taken apart: no data, nothing private, overloaded or a template.
+template <class Type> concept HasProcess = requires { typename function_facts<decltype(&Type::process)>::result; };
+template <class Type> concept HasSense = requires { typename function_facts<decltype(&Type::sense)>::result; };
+template <class Type> concept HasAct = requires { typename function_facts<decltype(&Type::act)>::result; };
 template <class Type> concept IsResource = !HasProcess<Type> && (HasSense<Type> || HasAct<Type>);
 
 // What runs when: all senses of a beat, then all components, then all acts.

@@ -30,7 +30,7 @@ consteval report make_report() {
   auto plan = plan_of<Graph>;
   telling t{plan.view(), flattened_of<Graph>.unknown_trigger};
   tell(t);
-  return {t.where, t.message};
+  return {as_written(t.where.view()), as_written(t.message.view())};
 }
 template <class Graph>
 inline constexpr report report_of = make_report<Graph>();

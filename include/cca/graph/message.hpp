@@ -1,11 +1,43 @@
 // What a refused graph is told: the rule's id, what is wrong and where, with both ends, why, and what to do.
 #pragma once
 
+#include <utility>
+
 #include <cca/graph/message_clocks.hpp>
 #include <cca/graph/message_components.hpp>
 #include <cca/graph/message_wires.hpp>
 
 namespace cca::detail {
+
+// Types as they were written rather than as the compilers spell them: in<angles, leg_angles>& and std::string.
+constexpr text as_written(std::string_view spelled) {
+  text t;
+  constexpr std::string_view names[] = {"cca::fixed_string<", "fixed_string<"};
+  constexpr std::pair<std::string_view, std::string_view> others[] = {{"std::__cxx11::basic_string<char>", "std::string"},
+                                                                      {"std::basic_string<char>", "std::string"},
+                                                                      {"(anonymous namespace)::", ""},
+                                                                      {"{anonymous}::", ""},
+                                                                      {" *", "*"},
+                                                                      {" &", "&"}};
+  while (!spelled.empty()) {
+    std::size_t used = 0;
+    for (const auto name : names)
+      if (used == 0 && spelled.starts_with(name)) {
+        const auto from = spelled.find('"') + 1, to = spelled.find('"', from);
+        t << spelled.substr(from, to - from);
+        used = to + 1;
+        while (used < spelled.size() && spelled[used] == '}') ++used;
+      }
+    for (const auto& [from, to] : others)
+      if (used == 0 && spelled.starts_with(from)) {
+        t << to;
+        used = from.size();
+      }
+    if (used == 0) t << spelled.substr(0, used = 1);
+    spelled.remove_prefix(used);
+  }
+  return t;
+}
 
 constexpr void tell(telling& t) {
   const auto broken = t.found().broken;

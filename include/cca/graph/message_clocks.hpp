@@ -88,7 +88,17 @@ constexpr void tell_latency(telling& t) {
 constexpr void tell_loop(telling& t) {
   const auto loop = find_cycle(t.g);
   if (loop.length == 0) {
-    t.say() << "an observer listens to what it feeds itself, so neither could go first: let it listen a beat later, cca::observe<..., cca::delayed<1>>";
+    for (int l = 0; l < t.g.link_count; ++l) {
+      const auto& ear = t.g.inputs[t.g.links[l].input];
+      const auto& heard = t.g.outputs[t.g.links[l].output];
+      if (t.g.turns[ear.turn].rank >= 0 || t.g.turns[heard.turn].rank >= 0) continue;
+      add_leaf_path(t.where, t.g, t.g.turns[ear.turn].leaf);
+      t.say() << "`" << t.where.view() << "` listens to `" << port_of(t.g, ear).name << "`, and so to ";
+      t.port(heard);
+      t.say() << ", which depends on what it publishes itself, so neither can come first; let it listen a beat later: cca::observe<`"
+              << port_of(t.g, ear).name << "`, cca::delayed<1>>";
+      return;
+    }
     return;
   }
   const auto input_at = [&](int i) -> const input& { return t.g.inputs[loop.inputs[static_cast<std::size_t>(i)]]; };

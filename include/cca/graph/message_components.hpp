@@ -29,7 +29,7 @@ constexpr void tell_no_process(telling& t) {
     t.say() << " has both `process` and `" << (t.item().component->also_sense ? "sense" : "act")
             << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
   else
-    t.say() << " has no `process`: give it one public function, neither overloaded nor a template, as in "
+    t.say() << " has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template, as in "
                "`auto process(cca::in<...>) -> cca::out<...>`; a resource node has `sense` and `act` instead";
 }
 
@@ -60,8 +60,8 @@ constexpr void tell_bad_signature(telling& t, bool parameter) {
   for (int which = 0; which < 3; ++which) {
     const auto half = telling::half(c, which);
     if (!half || (parameter ? half->bad_parameter : half->bad_result).empty()) continue;
-    t.say() << ": `" << functions[which] << (parameter ? "` takes `" : "` returns `");
-    add_type(t.say(), parameter ? half->bad_parameter : half->bad_result);
+    t.say() << ": `" << functions[which] << (parameter ? "` takes `" : "` returns `")
+            << (parameter ? half->bad_parameter : half->bad_result);
     if (parameter)
       t.say() << "`, but it may take only ports (cca::in, cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to "
                  "const; give constants as `parameters`, and data of other components by a wire";
@@ -88,9 +88,7 @@ constexpr void tell_parameters(telling& t) {
                "default values";
     return;
   }
-  t.say() << ": its parameter `" << c.bad_field << "` is a `";
-  add_type(t.say(), c.bad_field_type);
-  t.say() << "`";
+  t.say() << ": its parameter `" << c.bad_field << "` is a `" << c.bad_field_type << "`";
   if (c.bad_field == "p")
     t.say() << ", of which nothing is known: name its fields in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied";
   else

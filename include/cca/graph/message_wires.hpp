@@ -5,6 +5,24 @@
 
 namespace cca::detail {
 
+// Does a graph show an output under this name, or else an input?
+constexpr bool shows_output(const graph_info& graph, std::string_view shown) {
+  const auto node = shown.substr(0, shown.find('.')), port = shown.substr(shown.find('.') + 1);
+  for (int i = 0; i < graph.count; ++i) {
+    const auto& item = graph.items[i];
+    if (item.from != node) continue;
+    for (int which = 0; item.component && which < 3; ++which) {
+      const auto half = telling::half(*item.component, which);
+      for (int p = 0; half && p < half->output_count; ++p)
+        if (half->outputs[p].name == port) return true;
+    }
+    for (int e = 0; item.inner && e < item.inner->count; ++e)
+      if (const auto& inner = item.inner->items[e]; inner.kind == item_kind::expose && inner.to == port && shows_output(*item.inner, inner.from))
+        return true;
+  }
+  return false;
+}
+
 // Of the ports that a wire in this graph can name, the one nearest to a wrong name.
 constexpr text nearest_port(const graph_info& graph, std::string_view wrong, bool outputs) {
   text best;
@@ -29,7 +47,8 @@ constexpr text nearest_port(const graph_info& graph, std::string_view wrong, boo
       }
     if (item.kind == item_kind::graph)
       for (int e = 0; e < item.inner->count; ++e)
-        if (item.inner->items[e].kind == item_kind::expose) consider(item.from, item.inner->items[e].to);
+        if (const auto& inner = item.inner->items[e]; inner.kind == item_kind::expose && shows_output(*item.inner, inner.from) == outputs)
+          consider(item.from, inner.to);
   }
   return best;
 }

@@ -7,30 +7,6 @@
 
 namespace cca::detail {
 
-// A type as it was written rather than as the compiler spells it: in<angles, leg_angles>& and std::string.
-constexpr void add_type(text& t, std::string_view spelled) {
-  constexpr std::string_view names[] = {"cca::fixed_string<", "fixed_string<"};
-  constexpr std::string_view strings[] = {"std::__cxx11::basic_string<char>", "std::basic_string<char>"};
-  while (!spelled.empty()) {
-    std::size_t used = 0;
-    for (const auto name : names)
-      if (used == 0 && spelled.starts_with(name)) {
-        const auto from = spelled.find('"') + 1, to = spelled.find('"', from);
-        t << spelled.substr(from, to - from);
-        used = to + 1;
-        while (used < spelled.size() && spelled[used] == '}') ++used;
-      }
-    for (const auto name : strings)
-      if (used == 0 && spelled.starts_with(name)) {
-        t << "std::string";
-        used = name.size();
-      }
-    const bool space = spelled.starts_with(" *") || spelled.starts_with(" &");
-    if (used == 0) t << spelled.substr(space, 1);
-    spelled.remove_prefix(used == 0 ? 1u + space : used);
-  }
-}
-
 struct telling {
   flat_view g;
   std::string_view unknown_trigger{};
@@ -81,12 +57,16 @@ struct telling {
   // `cpg.phase` is published every 10 beats but `gait.phase` is read every beat
   constexpr void two_clocks(const output& from, const input& to) {
     port(from);
-    say() << " is published ";
-    add_clock(say(), published(g, from));
+    done(" published", published(g, from));
     say() << " but ";
     port(to);
-    say() << " is read ";
-    add_clock(say(), g.turns[to.turn].fires);
+    done(" read", g.turns[to.turn].fires);
+  }
+  constexpr void done(std::string_view what, clock c) {
+    say() << (c.never() ? " is never" : " is") << what;
+    if (c.never()) return;
+    say() << " ";
+    add_clock(say(), c);
   }
 
   static constexpr ref<half_info> half(const component_info& c, int which) { return which == 0 ? c.sense : which == 1 ? c.process : c.act; }
