@@ -39,7 +39,8 @@ struct inner : cca::graph<cca::node<"a", count, cca::timed<2>>, cca::node<"b", c
 
 template <class Scope, class Strategy>
 struct listens : cca::graph<ms1, cca::node<"in", inner>, cca::node<"o", listener<Scope>, Strategy>, cca::node<"r", look>,
-                            cca::node<"w", look, cca::timed<1>>, cca::wire<"o.y", "r.x">, cca::wire<"o.y", "w.x", cca::latest>> {};
+                            cca::node<"w", look, cca::timed<1>>, cca::wire<"o.y", "r.x">, cca::wire<"o.y", "w.x", cca::latest>> {
+};
 
 }  // namespace
 
@@ -62,10 +63,12 @@ TEST_SUITE("semantics by hand: listening to a scope") {
 
   TEST_CASE("an initial value belongs to a wire: whoever listens sees the zero until a sample has come") {
     struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<9, 2>>, cca::node<"r", look, cca::timed<1>>,
-                          cca::node<"o", listener<cca::observe<"s.*">>, cca::timed<1>>, cca::wire<"s.y", "r.x", cca::latest, cca::initial<0.625>>> {};
+                          cca::node<"o", listener<cca::observe<"s.*">>, cca::timed<1>>,
+                          cca::wire<"s.y", "r.x", cca::latest, cca::initial<0.625>>> {};
     const auto c = after<g>(3);
     CHECK(c.get<"r">().log == sights{{0, 0.625, never, false}, {1, 0.625, never, false}, {2, 2, 2 * ms, true}});
-    CHECK(c.get<"o">().log == std::vector<std::vector<heard>>{{{"s.y", 0, never, false}}, {{"s.y", 0, never, false}}, {{"s.y", 2, 2 * ms, true}}});
+    CHECK(c.get<"o">().log ==
+          std::vector<std::vector<heard>>{{{"s.y", 0, never, false}}, {{"s.y", 0, never, false}}, {{"s.y", 2, 2 * ms, true}}});
   }
 
   TEST_CASE("it is an input: fresh if anything under the scope is, and it counts for the origin") {
@@ -78,15 +81,18 @@ TEST_SUITE("semantics by hand: listening to a scope") {
 TEST_SUITE("semantics by hand: interfaces") {
   TEST_CASE("ports and the beat in any order; several outputs, read by name") {
     struct crossed {
-      auto process(cca::in<"z", value> z, cca::beat now, const cca::in<"x", value>& x) -> std::tuple<cca::maybe<"b", value>, cca::out<"a", value>> {
-        return {now.index() % 2 == 0 ? cca::maybe<"b", value>(z[axis{}]) : cca::maybe<"b", value>(), cca::out<"a", value>(x[axis{}])};
+      auto process(cca::in<"z", value> z, cca::beat now, const cca::in<"x", value>& x)
+          -> std::tuple<cca::maybe<"b", value>, cca::out<"a", value>> {
+        return {now.index() % 2 == 0 ? cca::maybe<"b", value>(z[axis{}]) : cca::maybe<"b", value>(),
+                cca::out<"a", value>(x[axis{}])};
       }
     };
     struct ten {
       auto process(cca::beat now) -> cca::out<"y", value> { return 10.0 + static_cast<double>(now.index()); }
     };
-    struct g : cca::graph<ms1, cca::wire<"m.b", "rb.x">, cca::wire<"m.a", "ra.x">, cca::node<"m", crossed>, cca::node<"rb", look>, cca::node<"ra", look>,
-                          cca::node<"s", count>, cca::node<"t", ten>, cca::wire<"s.y", "m.x">, cca::wire<"t.y", "m.z">> {};
+    struct g : cca::graph<ms1, cca::wire<"m.b", "rb.x">, cca::wire<"m.a", "ra.x">, cca::node<"m", crossed>, cca::node<"rb", look>,
+                          cca::node<"ra", look>, cca::node<"s", count>, cca::node<"t", ten>, cca::wire<"s.y", "m.x">,
+                          cca::wire<"t.y", "m.z">> {};
     const auto c = after<g>(3);
     CHECK(c.get<"ra">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 2, 2 * ms, true}});
     CHECK(c.get<"rb">().log == sights{{0, 10, 0, true}, {2, 12, 2 * ms, true}});
@@ -132,8 +138,9 @@ TEST_SUITE("semantics by hand: interfaces") {
     struct doubler : cca::graph<cca::node<"m", relay>, cca::node<"n", sum, cca::timed<1>>, cca::wire<"m.y", "n.x">,
                                 cca::wire<"n.y", "n.z", cca::delayed<1>>, cca::expose<"m.x", "in">, cca::expose<"n.y", "out">> {};
     struct deep : cca::graph<cca::node<"d", doubler>, cca::expose<"d.in", "into">, cca::expose<"d.out", "from">> {};
-    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"a", deep>, cca::node<"b", deep>, cca::node<"ra", look>, cca::node<"rb", look>,
-                          cca::wire<"s.y", "a.into">, cca::wire<"a.from", "b.into">, cca::wire<"a.from", "ra.x">, cca::wire<"b.from", "rb.x">> {};
+    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"a", deep>, cca::node<"b", deep>, cca::node<"ra", look>,
+                          cca::node<"rb", look>, cca::wire<"s.y", "a.into">, cca::wire<"a.from", "b.into">,
+                          cca::wire<"a.from", "ra.x">, cca::wire<"b.from", "rb.x">> {};
     const auto c = after<g>(4);
     CHECK(c.get<"ra">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 3, 2 * ms, true}, {3, 6, 3 * ms, true}});
     CHECK(c.get<"rb">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 4, 2 * ms, true}, {3, 10, 3 * ms, true}});

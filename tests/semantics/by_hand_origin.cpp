@@ -26,23 +26,24 @@ TEST_SUITE("semantics by hand: time of origin") {
     struct lonely {
       auto process(cca::optional_in<"x", value>) -> cca::out<"y", value> { return 1.0; }
     };
-    struct g : cca::graph<ms1, cca::node<"s", lonely, cca::timed<2>>, cca::node<"b", sensor, cca::timed<2>>, cca::node<"r", look>, cca::node<"q", look>,
-                          cca::wire<"s.y", "r.x">, cca::wire<"b.y", "q.x">> {};
+    struct g : cca::graph<ms1, cca::node<"s", lonely, cca::timed<2>>, cca::node<"b", sensor, cca::timed<2>>, cca::node<"r", look>,
+                          cca::node<"q", look>, cca::wire<"s.y", "r.x">, cca::wire<"b.y", "q.x">> {};
     const auto c = after<g>(5);
     CHECK(origins(c.get<"r">().log) == times{0, 2 * ms, 4 * ms});
     CHECK(origins(c.get<"q">().log) == times{0, 2 * ms, 4 * ms});
   }
 
   TEST_CASE("any other: the oldest origin among the inputs as they were when it fired") {
-    struct g : cca::graph<ms1, cca::node<"a", count, cca::timed<3, 1>>, cca::node<"b", count, cca::timed<2>>, cca::node<"m", sum, cca::timed<1>>,
-                          cca::node<"r", look>, cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"b.y", "m.z", cca::latest>, cca::wire<"m.y", "r.x">> {};
+    struct g : cca::graph<ms1, cca::node<"a", count, cca::timed<3, 1>>, cca::node<"b", count, cca::timed<2>>,
+                          cca::node<"m", sum, cca::timed<1>>, cca::node<"r", look>, cca::wire<"a.y", "m.x", cca::latest>,
+                          cca::wire<"b.y", "m.z", cca::latest>, cca::wire<"m.y", "r.x">> {};
     // In beat 0 only b has come; initial values don't count.
     CHECK(origins(after<g>(7).get<"r">().log) == times{0, 0, ms, ms, 4 * ms, 4 * ms, 4 * ms});
   }
 
   TEST_CASE("where none counts, the beat's time") {
-    struct g : cca::graph<ms1, cca::node<"a", count, cca::timed<9, 3>>, cca::node<"m", relay, cca::timed<1>>, cca::node<"r", look>,
-                          cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"m.y", "r.x">> {};
+    struct g : cca::graph<ms1, cca::node<"a", count, cca::timed<9, 3>>, cca::node<"m", relay, cca::timed<1>>,
+                          cca::node<"r", look>, cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"m.y", "r.x">> {};
     CHECK(origins(after<g>(5).get<"r">().log) == times{0, ms, 2 * ms, 3 * ms, 3 * ms});
   }
 
@@ -52,8 +53,9 @@ TEST_SUITE("semantics by hand: time of origin") {
         return {cca::out<"y", value>(x[axis{}]).with_origin(now.time() - 5), cca::maybe<"z", value>(x[axis{}])};
       }
     };
-    struct g : cca::graph<ms1, cca::node<"a", count, cca::timed<2>>, cca::node<"m", set, cca::timed<1>>, cca::node<"r", look, cca::timed<1>>, cca::node<"q", look>,
-                          cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"m.y", "r.x">, cca::wire<"m.z", "q.x">> {};
+    struct g : cca::graph<ms1, cca::node<"a", count, cca::timed<2>>, cca::node<"m", set, cca::timed<1>>,
+                          cca::node<"r", look, cca::timed<1>>, cca::node<"q", look>, cca::wire<"a.y", "m.x", cca::latest>,
+                          cca::wire<"m.y", "r.x">, cca::wire<"m.z", "q.x">> {};
     const auto c = after<g>(4);
     CHECK(origins(c.get<"r">().log) == times{-5, ms - 5, 2 * ms - 5, 3 * ms - 5});
     CHECK(origins(c.get<"q">().log) == times{0, 0, 2 * ms, 2 * ms});
@@ -63,13 +65,15 @@ TEST_SUITE("semantics by hand: time of origin") {
     struct chain : cca::graph<ms1, cca::node<"a", count>, cca::node<"m", relay, cca::timed<1>>, cca::node<"r", look>,
                               cca::wire<"a.y", "m.x", cca::delayed<2>>, cca::wire<"m.y", "r.x">> {};
     CHECK(origins(after<chain>(5).get<"r">().log) == times{0, ms, 0, ms, 2 * ms});
-    struct self : cca::graph<ms1, cca::node<"a", count, cca::timed<3>>, cca::node<"m", sum, cca::timed<1>>, cca::node<"r", look>,
-                             cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"m.y", "m.z", cca::delayed<1>>, cca::wire<"m.y", "r.x">> {};
+    struct self
+        : cca::graph<ms1, cca::node<"a", count, cca::timed<3>>, cca::node<"m", sum, cca::timed<1>>, cca::node<"r", look>,
+                     cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"m.y", "m.z", cca::delayed<1>>, cca::wire<"m.y", "r.x">> {};
     CHECK(origins(after<self>(5).get<"r">().log) == times{0, 0, 0, 3 * ms, 3 * ms});
     // Over other components, and over more than one delayed wire.
-    struct wide : cca::graph<ms1, cca::node<"a", count, cca::timed<3>>, cca::node<"m", sum, cca::timed<1>>, cca::node<"n", relay, cca::timed<1>>,
-                             cca::node<"r", look>, cca::wire<"a.y", "m.x", cca::latest>, cca::wire<"m.y", "n.x", cca::delayed<1>>,
-                             cca::wire<"n.y", "m.z", cca::delayed<1>>, cca::wire<"m.y", "r.x">> {};
+    struct wide : cca::graph<ms1, cca::node<"a", count, cca::timed<3>>, cca::node<"m", sum, cca::timed<1>>,
+                             cca::node<"n", relay, cca::timed<1>>, cca::node<"r", look>, cca::wire<"a.y", "m.x", cca::latest>,
+                             cca::wire<"m.y", "n.x", cca::delayed<1>>, cca::wire<"n.y", "m.z", cca::delayed<1>>,
+                             cca::wire<"m.y", "r.x">> {};
     CHECK(origins(after<wide>(5).get<"r">().log) == times{0, 0, 0, 3 * ms, 3 * ms});
   }
 
@@ -92,7 +96,10 @@ TEST_SUITE("semantics by hand: time of origin") {
 TEST_SUITE("semantics by hand: faults") {
   struct robot {
     std::string* to = nullptr;
-    auto sense() -> cca::out<"y", value> { *to += 's'; return 0.0; }
+    auto sense() -> cca::out<"y", value> {
+      *to += 's';
+      return 0.0;
+    }
     void act() { *to += 'a'; }
     void on_fault() { *to += 'F'; }
   };
@@ -108,10 +115,11 @@ TEST_SUITE("semantics by hand: faults") {
     void process(cca::in<"x", value>) { *to += 'l'; }
     void on_fault() { *to += '?'; }
   };
-  struct g : cca::graph<ms1, cca::node<"robot", robot>, cca::node<"failing", failing>, cca::node<"later", later>, cca::node<"other", robot>,
-                        cca::wire<"failing.y", "later.x">> {};
+  struct g : cca::graph<ms1, cca::node<"robot", robot>, cca::node<"failing", failing>, cca::node<"later", later>,
+                        cca::node<"other", robot>, cca::wire<"failing.y", "later.x">> {};
 
-  TEST_CASE("the controller runs every resource node's on_fault in the same beat, is faulted, and stays so until it is told to go on") {
+  TEST_CASE(
+      "the controller runs every resource node's on_fault in the same beat, is faulted, and stays so until it is told to go on") {
     cca::controller<g> c;
     std::string order;
     c.get<"robot">().to = c.get<"other">().to = c.get<"failing">().to = c.get<"later">().to = &order;
@@ -138,7 +146,10 @@ TEST_SUITE("semantics by hand: faults") {
   TEST_CASE("an empty fault is none") {
     struct calm {
       int firings = 0;
-      auto process() -> cca::fault { ++firings; return {}; }
+      auto process() -> cca::fault {
+        ++firings;
+        return {};
+      }
     };
     struct quiet : cca::graph<ms1, cca::node<"c", calm>> {};
     CHECK(after<quiet>(3).get<"c">().firings == 3);
@@ -147,8 +158,9 @@ TEST_SUITE("semantics by hand: faults") {
 
 TEST_SUITE("semantics by hand: a controller is a value") {
   TEST_CASE("a copy is a snapshot: both go on alike, and neither touches the other") {
-    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", sum, cca::timed<1>>, cca::node<"r", look>, cca::wire<"s.y", "m.x", cca::delayed<2>>,
-                          cca::wire<"m.y", "m.z", cca::delayed<1>>, cca::wire<"m.y", "r.x", cca::queue<4, cca::drop_oldest>>> {};
+    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", sum, cca::timed<1>>, cca::node<"r", look>,
+                          cca::wire<"s.y", "m.x", cca::delayed<2>>, cca::wire<"m.y", "m.z", cca::delayed<1>>,
+                          cca::wire<"m.y", "r.x", cca::queue<4, cca::drop_oldest>>> {};
     auto c = after<g>(10);
     auto copy = c;
     for (int k = 0; k < 10; ++k) c.step();

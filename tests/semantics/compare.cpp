@@ -18,7 +18,9 @@ std::unique_ptr<interpreter> interpreted(std::unique_ptr<interpreter> i, int cou
   return i;
 }
 
-std::unique_ptr<interpreter> interpreted(const graph& g, int count) { return interpreted(std::make_unique<interpreter>(g), count); }
+std::unique_ptr<interpreter> interpreted(const graph& g, int count) {
+  return interpreted(std::make_unique<interpreter>(g), count);
+}
 
 void comparison::add(const std::string& text, const outcome& o, int count) {
   const graph g = described(text);
@@ -40,14 +42,18 @@ void comparison::add(const std::string& text, const outcome& o, int count) {
 void comparison::tell(const std::string& text, const outcome& o, const interpreter& i, long at) {
   std::cout << "\n---- a difference ----\n" << text;
   if (!o.copy_agrees) std::cout << "a copy of the controller did not go on like the original\n";
-  if (o.faulted != i.faulted) std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did" << (i.faulted ? "" : " not") << '\n';
+  if (o.faulted != i.faulted)
+    std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did"
+              << (i.faulted ? "" : " not") << '\n';
   if (at < 0) return;
   const auto place = static_cast<std::size_t>(at);
   for (std::size_t before = place > 6 ? place - 6 : 0; before < place; ++before) std::cout << o.firings[before] << '\n';
   std::cout << "firing " << at << "\n  the library:     ";
-  if (place < o.firings.size()) std::cout << o.firings[place]; else std::cout << "nothing more";
+  if (place < o.firings.size()) std::cout << o.firings[place];
+  else std::cout << "nothing more";
   std::cout << "\n  the interpreter: ";
-  if (place < i.firings.size()) std::cout << i.firings[place]; else std::cout << "nothing more";
+  if (place < i.firings.size()) std::cout << i.firings[place];
+  else std::cout << "nothing more";
   std::cout << '\n';
 }
 
@@ -57,10 +63,12 @@ bool comparison::report() const {
   std::cout << "\nMutants, and the architecture that caught each:\n";
   bool all_caught = true;
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
-    std::cout << std::setw(9) << caught_in[m] << "  " << all_mutants[m].mistake << (caught_in[m] ? "" : "   <- not caught") << '\n';
+    std::cout << std::setw(9) << caught_in[m] << "  " << all_mutants[m].mistake << (caught_in[m] ? "" : "   <- not caught")
+              << '\n';
     all_caught = all_caught && caught_in[m];
   }
-  std::cout << '\n' << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples << " samples compared, "
+  std::cout << '\n'
+            << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples << " samples compared, "
             << differences << " differences\n";
   return all_exercised && all_caught && differences == 0;
 }

@@ -7,7 +7,8 @@ namespace semantics {
 namespace {
 
 unsigned scrambled(int a, int b, int c) {
-  unsigned x = static_cast<unsigned>(a) * 2654435761u ^ static_cast<unsigned>(b) * 2246822519u ^ static_cast<unsigned>(c) * 3266489917u;
+  unsigned x =
+      static_cast<unsigned>(a) * 2654435761u ^ static_cast<unsigned>(b) * 2246822519u ^ static_cast<unsigned>(c) * 3266489917u;
   x ^= x >> 15;
   x *= 2246822519u;
   x ^= x >> 13;
@@ -54,11 +55,13 @@ bool same(const firing& a, const firing& b) {
   if (a.inputs.size() != b.inputs.size() || a.outputs.size() != b.outputs.size()) return false;
   for (std::size_t i = 0; i < a.inputs.size(); ++i) {
     const auto &x = a.inputs[i], &y = b.inputs[i];
-    if (x.name != y.name || !same(x.value, y.value) || x.origin != y.origin || x.fresh != y.fresh || x.wired != y.wired) return false;
+    if (x.name != y.name || !same(x.value, y.value) || x.origin != y.origin || x.fresh != y.fresh || x.wired != y.wired)
+      return false;
   }
   for (std::size_t i = 0; i < a.outputs.size(); ++i) {
     const auto &x = a.outputs[i], &y = b.outputs[i];
-    if (!same(x.value, y.value) || x.published != y.published || x.sets_origin != y.sets_origin || x.origin != y.origin) return false;
+    if (!same(x.value, y.value) || x.published != y.published || x.sets_origin != y.sets_origin || x.origin != y.origin)
+      return false;
   }
   return true;
 }
@@ -66,12 +69,14 @@ bool same(const firing& a, const firing& b) {
 std::ostream& operator<<(std::ostream& to, const firing& f) {
   constexpr const char* names[] = {"sense", "process", "act", "on_fault"};
   to.precision(17);
-  to << "beat " << f.beat << ": component " << f.id << " " << names[static_cast<int>(f.which)] << ", dt " << f.dt << " s, time " << f.time;
+  to << "beat " << f.beat << ": component " << f.id << " " << names[static_cast<int>(f.which)] << ", dt " << f.dt << " s, time "
+     << f.time;
   for (const auto& input : f.inputs) {
     to << "\n    sees " << input.name << " (";
     for (const double coordinate : input.value) to << ' ' << coordinate;
     to << " ) of ";
-    if (input.origin == never) to << "never"; else to << input.origin;
+    if (input.origin == never) to << "never";
+    else to << input.origin;
     to << (input.fresh ? ", fresh" : "") << (input.wired ? "" : ", not wired");
   }
   for (const auto& output : f.outputs) {

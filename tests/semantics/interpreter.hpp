@@ -13,14 +13,6 @@
 
 namespace semantics {
 
-// An input as its component would see it.
-struct sight {
-  std::vector<double> value;
-  std::int64_t origin = never;  // of an initial value: never
-  bool arrived = false;         // a sample, no initial value
-  bool fresh = false;
-};
-
 class interpreter {
 public:
   explicit interpreter(graph what) : g(std::move(what)) {}
@@ -113,9 +105,7 @@ public:
 
   // ---- what an input sees ----
 
-  const std::vector<publication>& history(const input& in) const {
-    return g.turns[in.writer].outputs[in.port].history;
-  }
+  const std::vector<publication>& history(const input& in) const { return g.turns[in.writer].outputs[in.port].history; }
 
   // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
   virtual std::int64_t arrival(const input& in, const publication& p) const {
@@ -183,8 +173,10 @@ public:
 
   virtual bool fires(const strategy& s, const turn& t) const {
     switch (s.is) {
-      case strategy::by_default: return false;  // see `when`
-      case strategy::timed: return (k - s.phase) % s.n == 0;
+      case strategy::by_default:
+        return false;  // see `when`
+      case strategy::timed:
+        return (k - s.phase) % s.n == 0;
       case strategy::restless:
         for (const input& in : t.inputs)
           if (fresh(t, in)) return true;
@@ -193,14 +185,18 @@ public:
         for (const input& in : t.inputs)
           if (in.wired && !fresh(t, in)) return false;
         return true;
-      case strategy::timeout: return k - std::max<std::int64_t>(t.last_fired, 0) >= s.n;
+      case strategy::timeout:
+        return k - std::max<std::int64_t>(t.last_fired, 0) >= s.n;
       case strategy::port_triggered:
         for (const std::string& name : s.names)
           if (fresh(t, named(t, name))) return true;
         return false;
-      case strategy::coordinated: return coordinated(t);
-      case strategy::full_speed: return true;
-      case strategy::inactive: return false;
+      case strategy::coordinated:
+        return coordinated(t);
+      case strategy::full_speed:
+        return true;
+      case strategy::inactive:
+        return false;
       case strategy::any_of:
         for (const strategy& part : s.parts)
           if (fires(part, t)) return true;
@@ -209,7 +205,8 @@ public:
         for (const strategy& part : s.parts)
           if (!fires(part, t)) return false;
         return true;
-      case strategy::user: return user_fires(s, t);
+      case strategy::user:
+        return user_fires(s, t);
     }
     return false;
   }

@@ -9,7 +9,9 @@ namespace mutants {
 namespace {
 
 template <class Mutant>
-std::unique_ptr<interpreter> made(graph g) { return std::make_unique<Mutant>(std::move(g)); }
+std::unique_ptr<interpreter> made(graph g) {
+  return std::make_unique<Mutant>(std::move(g));
+}
 
 using base = interpreter;
 
@@ -43,9 +45,7 @@ struct declared_order : base {
 
 struct first_dt_is_one_beat : base {
   using base::base;
-  double dt(const turn& t) const override {
-    return t.last_fired == never ? static_cast<double>(g.period) / 1e9 : base::dt(t);
-  }
+  double dt(const turn& t) const override { return t.last_fired == never ? static_cast<double>(g.period) / 1e9 : base::dt(t); }
 };
 
 struct dt_is_always_one_beat : base {
@@ -57,7 +57,9 @@ struct dt_is_always_one_beat : base {
 
 struct delayed_one_too_long : base {
   using base::base;
-  std::int64_t arrival(const input& in, const publication& p) const override { return base::arrival(in, p) + (in.is == policy::delayed); }
+  std::int64_t arrival(const input& in, const publication& p) const override {
+    return base::arrival(in, p) + (in.is == policy::delayed);
+  }
 };
 
 struct delayed_one_too_short : base {
@@ -69,7 +71,9 @@ struct delayed_one_too_short : base {
 
 struct latest_is_of_the_beat_before : base {
   using base::base;
-  std::int64_t arrival(const input& in, const publication& p) const override { return base::arrival(in, p) + (in.is == policy::latest); }
+  std::int64_t arrival(const input& in, const publication& p) const override {
+    return base::arrival(in, p) + (in.is == policy::latest);
+  }
 };
 
 struct oldest_instead_of_newest : base {
@@ -148,7 +152,9 @@ struct initial_is_fresh : base {
 
 struct queue_fresh_after_taking : base {
   using base::base;
-  bool fresh(const turn& t, const input& in) const override { return in.is == policy::queue ? in.waiting.size() > 1 : base::fresh(t, in); }
+  bool fresh(const turn& t, const input& in) const override {
+    return in.is == policy::queue ? in.waiting.size() > 1 : base::fresh(t, in);
+  }
 };
 
 // ---- when a component fires ----
@@ -193,7 +199,9 @@ struct moderate_waits_for_the_unwired : base {
 
 struct timeout_has_run_out_at_the_start : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override { return (s.is == strategy::timeout && t.last_fired == never) || base::fires(s, t); }
+  bool fires(const strategy& s, const turn& t) const override {
+    return (s.is == strategy::timeout && t.last_fired == never) || base::fires(s, t);
+  }
 };
 
 struct any_port_triggers : base {
@@ -283,7 +291,9 @@ struct loops_count : base {
 
 struct nothing_delayed_counts : base {
   using base::base;
-  bool counts(const turn&, const input& in, const sight& s) const override { return in.wired && s.arrived && in.is != policy::delayed; }
+  bool counts(const turn&, const input& in, const sight& s) const override {
+    return in.wired && s.arrived && in.is != policy::delayed;
+  }
 };
 
 struct only_direct_loops : base {

@@ -16,7 +16,9 @@ struct outcome {
 };
 
 struct registered {
-  registered(int from_seed, const char* described, outcome (*runs)(int)) : seed(from_seed), text(described), run(runs) { all().push_back(this); }
+  registered(int from_seed, const char* described, outcome (*runs)(int)) : seed(from_seed), text(described), run(runs) {
+    all().push_back(this);
+  }
   static std::vector<registered*>& all() {
     static std::vector<registered*> list;
     return list;

@@ -1,4 +1,4 @@
-// A graph at run time, already flat: vectors of nodes, their turns, and the histories of their outputs.
+// A graph at run time, already flat: vectors of nodes, their turns, the histories of their outputs, and what an input sees.
 #pragma once
 
 #include <deque>
@@ -80,6 +80,14 @@ struct graph {
   std::vector<node> nodes;  // as declared, depth first
   std::vector<turn> turns;  // as declared
   std::map<std::string, int> features;  // counted by who made the graph
+};
+
+// An input as its component would see it.
+struct sight {
+  std::vector<double> value;
+  std::int64_t origin = never;  // of an initial value: never
+  bool arrived = false;         // a sample, no initial value
+  bool fresh = false;
 };
 
 }  // namespace semantics
