@@ -1,0 +1,88 @@
+// Running: for a time, in steps, at any pace, with the same results.
+#include <doctest/doctest.h>
+
+#include <chrono>
+
+#include "counting.hpp"
+
+using namespace core_test;
+
+namespace {
+
+struct counting : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"tenth", adder, cca::timed<10>>, cca::node<"log", journal>,
+                             cca::wire<"counter.y", "tenth.x", cca::latest>, cca::wire<"tenth.y", "log.x">> {};
+struct odd_rate : cca::graph<cca::rate<3>, cca::node<"counter", counter>> {};
+
+template <class F>
+double seconds_of(F f) {
+  const auto begin = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+static_assert(noexcept(std::declval<cca::controller<counting>&>().step()));
+
+TEST_SUITE("running") {
+
+TEST_CASE("for a time") {
+  auto c = started<counting>();
+  CHECK_EQ(c.run(cca::for_<2>{}), cca::state::started);
+  CHECK_EQ(c.beat_index(), 2000);
+  c.run(cca::for_<0.25>{});
+  CHECK_EQ(c.beat_index(), 2250);
+  c.run(cca::for_beats<7>{});
+  CHECK_EQ(c.beat_index(), 2257);
+  c.run(cca::for_some_beats{3});
+  CHECK_EQ(c.beat_index(), 2260);
+  c.run(cca::for_beats<0>{});
+  c.run(cca::for_some_beats{-1});
+  CHECK_EQ(c.beat_index(), 2260);
+  CHECK_EQ(c.get<"counter">().value, 2260);
+  CHECK_EQ(c.state(), cca::state::started);
+}
+
+TEST_CASE("a beat is whole nanoseconds, rounded down") {
+  CHECK_EQ(cca::controller<counting>::period(), 1'000'000);
+  CHECK_EQ(cca::controller<odd_rate>::period(), 333'333'333);
+  auto c = started<odd_rate>();
+  c.run(cca::for_<10>{});
+  CHECK_EQ(c.beat_index(), 30);
+}
+
+TEST_CASE("between two beats") {
+  auto c = started<counting>();
+  std::vector<std::int64_t> indices;
+  c.run(cca::for_beats<4>{}, cca::as_fast_as_possible{}, [&](auto& running) {
+    CHECK_EQ(running.state(), cca::state::running);
+    indices.push_back(running.beat_index());
+  });
+  CHECK_EQ(indices, std::vector<std::int64_t>{1, 2, 3, 4});
+}
+
+TEST_CASE("at any pace, the same results") {
+  auto fast = started<counting>(), slow = fast, quick = fast, stepped = fast;
+  fast.run(cca::for_beats<60>{});
+  CHECK_GE(seconds_of([&] { slow.run(cca::for_beats<60>{}, cca::at_speed(0.5)); }), 0.11);  // the last beat begins at 118 ms
+  const double at_wall_clock = seconds_of([&] { auto c = stepped; c.run(cca::for_beats<60>{}, cca::at_wall_clock()); });
+  CHECK_GE(at_wall_clock, 0.055);
+  CHECK_LT(at_wall_clock, 30);
+  CHECK_GE(seconds_of([&] { quick.run(cca::for_beats<60>{}, cca::at_speed(10)); }), 0.0055);
+  for (int i = 0; i < 60; ++i) CHECK(stepped.step());
+  CHECK_EQ(fast.get<"log">().all.size(), 6);
+  CHECK_EQ(fast.get<"log">().all, slow.get<"log">().all);
+  CHECK_EQ(fast.get<"log">().all, quick.get<"log">().all);
+  CHECK_EQ(fast.get<"log">().all, stepped.get<"log">().all);
+}
+
+TEST_CASE("before start() nothing fires") {
+  cca::controller<counting> c;
+  CHECK_FALSE(c.step());
+  c.load();
+  CHECK_FALSE(c.step());
+  CHECK_EQ(c.get<"counter">().value, 0);
+  CHECK_EQ(c.beat_index(), 0);
+}
+
+}
