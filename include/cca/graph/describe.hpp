@@ -28,7 +28,7 @@ public:
   }
 
   std::string dot() {
-    text = "digraph \"" + std::string(g.scopes[0].graph->name) + "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
+    text = "digraph \"" + quoted(g.scopes[0].graph->name) + "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
            "  edge [fontname=\"sans-serif\", fontsize=10];\n";
     add_scope(0, 1, true);
     for (int i = 0; i < g.input_count; ++i)
@@ -93,7 +93,8 @@ private:
     std::string from(port_of(g, out).name), to(port_of(g, in).name);
     std::string all = from == to ? from : from + " → " + to;
     const auto c = published(g, out);
-    all += line_break + std::string(port_of(g, out).space->name);
+    const std::string_view space = port_of(g, out).space->name;
+    all += line_break + (line_break[0] == '<' ? std::string(space) : quoted(space));
     if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
     if (in.wire->policy == policy_kind::delayed) all += std::string(line_break) + "delayed " + std::to_string(in.wire->number);
     if (in.wire->policy == policy_kind::queue) all += std::string(line_break) + "queue " + std::to_string(in.wire->number);
@@ -108,8 +109,14 @@ private:
 
   static std::string escaped(std::string_view plain) {
     std::string html;
-    for (const char c : plain) c == '<' ? html += "&lt;" : c == '>' ? html += "&gt;" : html += c;
+    for (const char c : plain) c == '<' ? html += "&lt;" : c == '>' ? html += "&gt;" : c == '"' ? html += "&quot;" : html += c;
     return html;
+  }
+  // For DOT, in quotation marks.
+  static std::string quoted(std::string_view plain) {
+    std::string text;
+    for (const char c : plain) c == '"' ? text += "\\\"" : c == '\\' ? text += "\\\\" : text += c;
+    return text;
   }
   // Names of spaces may hold `<`, a line break does.
   static std::string keep_breaks(std::string_view all) {
