@@ -28,7 +28,9 @@ struct hip_and_wheel : cca::space<cca::joint_velocities, cca::axes<hip, wheel>, 
 // A leg that is at once where it is told to be.
 struct perfect_leg {
   auto sense() -> cca::out<"angles", leg_angles> { return at; }
-  void act(cca::in<"command", leg_angles> to) { at = to.vector(); }
+  void act(cca::in<"command", leg_angles> to) {
+    if (to.origin() != cca::never) at = to.vector();  // an initial value is no command
+  }
   void on_fault() { ++stops; }
   leg_angles::vector_type at{0.1, -0.9};
   int stops = 0;

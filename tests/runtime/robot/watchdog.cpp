@@ -37,7 +37,6 @@ struct claiming {
   std::int64_t offset = -2;
 };
 struct noting {
-  auto sense() -> cca::out<"angles", slow_angles> { return slow_angles::vector_type{0, 0}; }
   void act(cca::in<"command", slow_angles> to) { origin = to.origin(); }
   std::int64_t origin = cca::never;
 };
@@ -46,6 +45,18 @@ struct slow : cca::graph<cca::rate<1000>, cca::node<"far", claiming, cca::full_s
                          cca::node<"watchdog", cca::watchdog<slow_angles, Beats>>, cca::node<"leg", noting>,
                          cca::wire<"far.angles", "hold.command", cca::latest>, cca::wire<"hold.safe", "watchdog.command", cca::latest>,
                          cca::wire<"watchdog.fresh", "leg.command">> {};
+
+struct echo {
+  auto process(cca::in<"x", slow_angles> x) -> cca::out<"y", slow_angles> { return x; }
+};
+struct echoing {
+  auto sense() -> cca::out<"angles", slow_angles> { return slow_angles::vector_type{0, -1}; }
+  void act(cca::in<"command", slow_angles> to) { origin = to.origin(); }
+  std::int64_t origin = cca::never;
+};
+struct loop : cca::graph<cca::rate<1000>, cca::node<"gait", echo>, cca::node<"limits", cca::limiter<slow_angles>>, cca::node<"watchdog", cca::watchdog<slow_angles, 5>>,
+                         cca::node<"leg", echoing>, cca::wire<"leg.angles", "gait.x">, cca::wire<"gait.y", "limits.command">,
+                         cca::wire<"limits.safe", "watchdog.command", cca::delayed<3>>, cca::wire<"watchdog.fresh", "leg.command">> {};
 
 template <class Controller>
 std::int64_t steps_until_fault(Controller& c, int most) {
@@ -94,7 +105,16 @@ TEST_CASE("no command at all: the age counts from the first beat, and nothing is
   auto c = started<guarded>();
   c.get<"link">().up = false;
   CHECK_EQ(steps_until_fault(c, 50), 6);
-  CHECK_EQ(c.get<"leg">().at[0], 0.0);  // the leg's act sees no command but the initial value
+  CHECK_EQ(c.get<"leg">().at, Eigen::Vector2d(0.1, -0.9));
+  c.stop();
+  c.start();
+  CHECK_EQ(steps_until_fault(c, 50), 6);  // started again, it waits anew
+}
+
+TEST_CASE("the origin is passed on also where the wire closes a loop") {
+  auto c = started<loop>();
+  c.run(cca::for_beats<10>{});
+  CHECK_EQ(c.get<"leg">().origin, (9 - 3) * millisecond);
 }
 
 TEST_CASE("the age is that of the data, and the origin is passed on") {
