@@ -15,8 +15,8 @@ struct loop<Graph, std::integer_sequence<int, Rank...>> {
       if (c.fault) return;
     take_turn<Graph, Turn>(m, l, c, k);
   }
-  CCA_GLUE static void beat(memory<Graph>& m, course& c, std::int64_t k) {
-    locals<Graph> l;
+  CCA_GLUE static void beat([[maybe_unused]] memory<Graph>& m, [[maybe_unused]] course& c, [[maybe_unused]] std::int64_t k) {
+    [[maybe_unused]] locals<Graph> l;
     const int turns[] = {0, (turn_unless_faulted<plan_of<Graph>.order[Rank]>(m, l, c, k), 0)...};
     (void)turns;
   }

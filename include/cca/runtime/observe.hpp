@@ -17,7 +17,7 @@ template <class Graph, int Turn, int OnlyInput = -1, class F>
 CCA_GLUE void for_each_observed(F f) {
   if constexpr (has_observers<Graph, Turn>()) {
     [&]<int... L>(std::integer_sequence<int, L...>) {
-      const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
+      [[maybe_unused]] const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
         constexpr int input = plan_of<Graph>.links[Link].input;
         if constexpr (input_of<Graph, input>.turn == Turn && (OnlyInput < 0 || OnlyInput == input)) f.template operator()<Link>();
       };
