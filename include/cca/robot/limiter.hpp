@@ -124,7 +124,7 @@ public:
   using vector_type = typename Space::vector_type;
 
   auto process(in<"command", Space> command, optional_in<"measured", Space> measured, beat now) -> out<"safe", Space> {
-    if (!begun) [[unlikely]] {
+    if ((limits::has_any_rate || measured) && !begun) [[unlikely]] {
       begin(command, measured);
       if (!begun) return last;
     }
@@ -186,7 +186,13 @@ private:
     [&]<int... Axis>(std::integer_sequence<int, Axis...>) { (f(std::integral_constant<int, Axis>{}), ...); }(std::make_integer_sequence<int, Space::size>{});
   }
 
-  vector_type last = vector_type::Zero();
+  static vector_type rest() {
+    vector_type nearest_to_zero;
+    each_axis([&](auto axis) { nearest_to_zero[axis] = limits::in_range(axis, 0); });
+    return nearest_to_zero;
+  }
+
+  vector_type last = rest();
   bool begun = false;
   std::int64_t count = 0;
   intervention first{};

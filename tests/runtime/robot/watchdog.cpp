@@ -26,6 +26,19 @@ struct guarded : cca::graph<
     cca::wire<"limits.safe",    "leg.command">> {};
 // [watchdog end]
 
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0["link<br/><i>1000 Hz</i>"]
+  n2["limits<br/><i>restless</i>"]
+  n3[("leg<br/><i>1000 Hz</i>")]
+  subgraph g1["watchdog"]
+    n1["watch<br/><i>1000 Hz</i>"]
+  end
+  n0 -- "angles → command<br/>leg_angles" --> n1
+  n1 -- "fresh → command<br/>leg_angles" --> n2
+  n2 -- "safe → command<br/>leg_angles" --> n3
+)";  // [picture end]
+
 // Commands come slowly, are of data 2 beats old, and pass a limiter first.
 struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};  // of any rate
 struct claiming {
@@ -100,6 +113,8 @@ TEST_CASE("it faults in the first beat in which the command is too old") {
   c.resume();
   CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
 }
+
+TEST_CASE("its picture") { CHECK_EQ(cca::describe<guarded>::mermaid(), picture.substr(picture.find('\n') + 1)); }
 
 TEST_CASE("no command at all: the age counts from the first beat, and nothing is passed on until then") {
   auto c = started<guarded>();
