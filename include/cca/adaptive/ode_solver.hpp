@@ -1,0 +1,40 @@
+// The state of an ode, and how it moves on: a model with an integrator.
+//
+//   cca::ode_solver<vite_ode<2>, cca::rk4> solver;
+//   solver.advance(u, p, now.dt());         // in process
+//
+// A value: a copy goes on by itself. Preconditions: dt >= 0; the step is short enough for the integrator (explicit methods:
+// a rate of change of 2/dt is the limit). Example: tests/runtime/ode/example.cpp.
+#pragma once
+
+#include <cca/adaptive/ode_integrators.hpp>
+
+namespace cca {
+
+template <Ode Model, class Integrator = rk4>
+  requires IntegratorOf<Integrator, Model>
+class ode_solver {
+public:
+  using state = ode_state<Model>;
+  using input = ode_input<Model>;
+  using parameters = typename Model::parameters;
+
+  ode_solver() : x(initial_state<Model>()) {}
+  explicit ode_solver(const state& from) : x(from) {}
+
+  const state& get() const { return x; }
+  void set(const state& to) { x = to; }
+
+  void advance(const input& u, const parameters& p, double dt) {
+    Integrator{}.template step<Model>(x, u, p, dt);
+    if constexpr (requires { Model::project(x); }) x = Model::project(x);
+  }
+
+  // How fast the state changes here, under this input.
+  state rate(const input& u, const parameters& p) const { return Model::derivative(x, u, p); }
+
+private:
+  state x;
+};
+
+}  // namespace cca
