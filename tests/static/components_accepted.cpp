@@ -64,6 +64,20 @@ static_assert(!cca::well_formed<unsound> && cca::diagnosis<unsound>.rule == "wir
 struct shown : cca::graph<cca::rate<1000>, cca::node<"sink", sink>, cca::expose<"sink.x", "x">> {};
 static_assert(cca::well_formed<shown>);
 
+// Within a beat nothing leads back from a component to what was sensed, nor from what acts to a component; a beat later it does.
+struct relay {
+  auto sense(in_x x) -> out_y { return x; }
+  auto act(cca::in<"w", reading> w) -> cca::out<"z", reading> { return w; }
+};
+template <class... Policy>
+struct back : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"relay", relay>, cca::node<"sink", sink>, cca::wire<"source.y", "relay.w">,
+                         cca::wire<"source.y", "relay.x", Policy...>, cca::wire<"relay.z", "sink.x", cca::delayed<1>>> {};
+template <class... Policy>
+struct forth : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"relay", relay>, cca::node<"sink", sink>, cca::wire<"source.y", "relay.w">,
+                          cca::wire<"source.y", "relay.x", cca::delayed<1>>, cca::wire<"relay.z", "sink.x", Policy...>> {};
+static_assert(cca::diagnosis<back<>>.rule == "graph.algebraic_loop" && cca::diagnosis<forth<>>.rule == "graph.algebraic_loop");
+static_assert(cca::well_formed<back<cca::delayed<1>>> && cca::well_formed<forth<cca::delayed<1>>>);
+
 }  // namespace
 
 bool components_accepted() {
