@@ -88,8 +88,9 @@ inline void add_blank(firing&, const cca::fault*) {}
 template <class Port>
 void add_blank(firing& f, const Port* port) { f.outputs.push_back(blank(port)); }
 
+// Not inlined: what is under test is the loop around it, and writing down would be most of what the optimiser works on.
 template <class... Results, class... Inputs>
-auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs) -> typename result<Results...>::type {
+[[gnu::noinline]] auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs) -> typename result<Results...>::type {
   firing f;
   f.id = h.id;
   f.which = which;
