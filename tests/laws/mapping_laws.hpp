@@ -1,0 +1,43 @@
+// The laws of mappings, each stated once and run over every model that claims them.
+//
+// A model has the two mappings, `Forward` and `Inverse`, `Model::random(source)`, a point where both are defined, and
+// `Model::close(a, b)` for vectors of the space that Forward maps from.
+#pragma once
+
+#include <cca/cca.hpp>
+#include <cca/mapping/mapping.hpp>
+
+#include "space_laws.hpp"
+
+namespace laws {
+
+// A mapping called by hand: the input, and the outputs as a tuple.
+template <class Mapping, class Vector>
+auto map_all(Mapping& m, const Vector& v) {
+  return cca::detail::called(m, cca::sample<cca::input_space<Mapping>>(v), cca::beat{0, 1'000'000, 1});
+}
+template <class Mapping, class Vector>
+auto map(Mapping& m, const Vector& v) {
+  return cca::detail::output_in(map_all(m, v)).vector();
+}
+
+// Each takes back what the other one did; asked twice, a mapping answers the same.
+template <class Model>
+void inverse() {
+  source random{std::mt19937_64{11}};
+  typename Model::forward there;
+  typename Model::inverse back;
+  static_assert(cca::Mapping<typename Model::forward> && cca::Mapping<typename Model::inverse>);
+  static_assert(cca::SameSpace<cca::output_space<typename Model::forward>, cca::input_space<typename Model::inverse>>);
+  static_assert(cca::SameSpace<cca::input_space<typename Model::forward>, cca::output_space<typename Model::inverse>>);
+  for (int i = 0; i < rounds; ++i) {
+    const auto x = Model::random(random);
+    const auto y = map(there, x);
+    const auto again = map(back, y);
+    CHECK_MESSAGE(Model::close(again, x), "the inverse takes back: ", x.transpose(), " became ", again.transpose());
+    CHECK_MESSAGE((map(there, again) - y).norm() < 1e-9, "and the mapping takes there again");
+    CHECK_MESSAGE(map(there, x) == y, "the same answer twice");
+  }
+}
+
+}  // namespace laws

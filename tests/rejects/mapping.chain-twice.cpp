@@ -1,0 +1,22 @@
+// EXPECT: mapping\.chain: a mapping of this chain takes samples of another space
+// Two joints of a chain that don't meet are one error: the first.
+#include <cca/mapping/mapping_chain.hpp>
+
+struct one : cca::space<cca::number, cca::axes<cca::x>> {};
+struct two : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
+
+struct doubled {
+  Eigen::Vector2d operator()(const cca::sample<one>& a) const { return {a[cca::x{}], 2 * a[cca::x{}]}; }
+};
+struct sum {
+  double operator()(const Eigen::Vector2d& v) const { return v.sum(); }
+};
+
+using spread = cca::mapping<one, two, doubled>;
+using gathered = cca::mapping<two, one, sum>;
+
+#if CCA_REJECT
+cca::mapping_chain<spread, spread, spread> chain;
+#else
+cca::mapping_chain<spread, gathered, spread> chain;
+#endif
