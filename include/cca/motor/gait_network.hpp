@@ -1,0 +1,95 @@
+// Four coupled oscillators, one a leg, that fall into a gait.
+//
+//   cca::node<"cpg", cca::gait_network<left_front, right_front, left_hind, right_hind>, cca::timed<1>>
+//   in  "amplitude"   over<amplitude, legs>, >= 0
+//   in  "frequency"   over<frequency, legs>, Hz, optional: else the parameter, for all legs
+//   in  "gait"        gait_choice, a number of enum gait, optional: else the parameter
+//   out "phase"       over<phase, legs>, rad in [0, 2 pi)
+//   out "amplitude"   over<amplitude, legs>
+//   out "status"      ode_status_port: converged once phases are locked and amplitudes stand, apart from the common turning
+//
+// From one gait to another half of the phase differences may have to change by exactly pi, where the coupling is zero: an
+// unstable equilibrium, in which it would stay. So a change of gait moves leg i by i `nudge`s (0.06 degrees by default).
+// Coupling acts through the amplitudes: at amplitude 0 legs don't draw each other.
+// Precondition: one frequency for all legs, or ones that differ by less than the coupling can hold. Errors: an unknown
+// number at "gait" is taken for the walk. Cost: 60 sines a beat (RK4). Source: oscillator_network_ode.hpp, gait.hpp.
+// Example: tests/runtime/motor/gait_network.cpp.
+#pragma once
+
+#include <tuple>
+
+#include <cca/adaptive/ode_solver.hpp>
+#include <cca/adaptive/ode_status.hpp>
+#include <cca/component/beat.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/component/port.hpp>
+#include <cca/motor/gait.hpp>
+#include <cca/motor/oscillator_network_ode.hpp>
+#include <cca/motor/spaces.hpp>
+
+namespace cca {
+
+template <class LeftFront, class RightFront, class LeftHind, class RightHind, class Integrator = rk4>
+struct gait_network {
+  using ode = oscillator_network_ode<4>;
+  template <class Domain>
+  using legs = over<Domain, LeftFront, RightFront, LeftHind, RightHind>;
+
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::gait, gait), (cca::quantity<cca::frequency, 0, 100>, frequency),
+                             (bounded<double, 0, 1000>, coupling),     // w, 1/s
+                             (bounded<double, 0, 1000>, convergence),  // a, 1/s
+                             (bounded<double, 0, 1>, nudge),           // rad
+                             (ode_settling, settling));
+  };
+  parameters p{cca::gait::trot, 1.0, 4.0, 20.0, 1e-3, {0.02, 0.05}};
+
+  auto process(in<"amplitude", legs<cca::amplitude>> wanted, optional_in<"frequency", legs<cca::frequency>> turns,
+               optional_in<"gait", gait_choice> choice, beat now)
+      -> std::tuple<out<"phase", legs<cca::phase>>, out<"amplitude", legs<cca::amplitude>>, out<"status", ode_status_port>> {
+    const cca::gait next = choice ? choice.template as<cca::gait>() : p.gait;
+    ode::state x = solver.get();
+    if (!begun) start(x, next);
+    else if (next != current) change(x, next);
+    ode::input u;
+    if (turns) u.template head<4>() = turns.vector();
+    else u.template head<4>().setConstant(p.frequency);
+    u.template tail<4>() = wanted.vector();
+    at.weights.setConstant(p.coupling);
+    at.weights.diagonal().setZero();
+    at.convergence = p.convergence;
+    solver.set(x);
+    solver.advance(u, at, now.dt());
+    x = solver.get();
+    for (int i = 0; i < 4; ++i) x[i] = wrap_turn(x[i]);
+    solver.set(x);
+    ode::state rate = solver.rate(u, at);
+    rate.template head<4>().array() -= rate.template head<4>().mean();
+    return {x.template head<4>().eval(), x.template segment<4>(4).eval(), status_of(status.update(rate.norm(), p.settling))};
+  }
+
+  // Starts again, in the gait.
+  void on_start() { begun = false; }
+
+private:
+  void start(ode::state& x, cca::gait which) {
+    const auto phases = gait_phases(which);
+    for (int i = 0; i < 4; ++i) x[i] = phases[static_cast<std::size_t>(i)];
+    begun = true;
+    current = which;
+    at.phases = phase_matrix(which);
+  }
+  void change(ode::state& x, cca::gait which) {
+    for (int i = 0; i < 4; ++i) x[i] += i * p.nudge;
+    current = which;
+    at.phases = phase_matrix(which);
+  }
+
+  ode_solver<ode, Integrator> solver;
+  ode_monitor status;
+  ode::parameters at{};
+  cca::gait current{};
+  bool begun = false;
+};
+
+}  // namespace cca

@@ -1,0 +1,46 @@
+// The equations of N coupled phase oscillators with amplitudes.
+//
+//   theta_i' = 2 pi f_i + sum_j r_j w_ij sin(theta_j - theta_i - phi_ij)
+//   r_i''    = a (a / 4 (R_i - r_i) - r_i')
+//
+// state: theta_1..N (rad), r_1..N, r'_1..N; input: f_1..N (Hz), R_1..N (wanted amplitudes).
+// Closed forms: r_i comes to R_i critically damped, R_i + (r0 - R_i)(1 + a t / 2) e^(-a t / 2) from rest. Two oscillators of one
+// frequency at r = 1, w both ways: D = theta_2 - theta_1 - phi_12 obeys D' = -2 w sin D, so tan(D/2) = tan(D0/2) e^(-2 w t).
+// N of them, all coupled by w: a small disturbance of the phase differences decays as e^(-N w t).
+// Source: Ijspeert, Crespi, Ryczko, Cabelguen, From swimming to walking with a salamander robot driven by a spinal cord
+// model, Science 315, 2007, equations 1 and 2 (supporting text); phi_ij is the lead of j over i.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include <cca/adaptive/ode.hpp>
+
+namespace cca {
+
+template <int N>
+struct oscillator_network_ode {
+  using state = Eigen::Matrix<double, 3 * N, 1>;
+  using input = Eigen::Matrix<double, 2 * N, 1>;
+  using matrix = Eigen::Matrix<double, N, N>;
+  struct parameters {
+    matrix weights;      // w_ij, per s: how strongly j draws i; 0: not coupled
+    matrix phases;       // phi_ij, rad
+    double convergence;  // a, per s
+  };
+
+  static state derivative(const state& x, const input& u, const parameters& p) {
+    state rate;
+    for (int i = 0; i < N; ++i) {
+      double drawn = 2 * std::numbers::pi * u[i];
+      for (int j = 0; j < N; ++j)
+        if (p.weights(i, j) != 0) drawn += x[N + j] * p.weights(i, j) * std::sin(x[j] - x[i] - p.phases(i, j));
+      rate[i] = drawn;
+      rate[N + i] = x[2 * N + i];
+      rate[2 * N + i] = p.convergence * (p.convergence / 4 * (u[N + i] - x[N + i]) - x[2 * N + i]);
+    }
+    return rate;
+  }
+};
+
+}  // namespace cca
