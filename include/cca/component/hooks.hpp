@@ -17,7 +17,7 @@ template <class Component>
 struct hook_probe : Component, hook_names {};
 
 template <class Component>
-concept CanBeProbed = std::is_class_v<Component> && !std::is_final_v<Component>;
+concept CanBeProbed = requires { sizeof(Component); } && std::is_class_v<Component> && !std::is_final_v<Component>;
 
 template <class Component> concept NamesLoad = CanBeProbed<Component> && !requires { &hook_probe<Component>::on_load; };
 template <class Component> concept NamesSave = CanBeProbed<Component> && !requires { &hook_probe<Component>::on_save; };

@@ -19,7 +19,9 @@ struct clocking {
     for (int s = 0; s < g.scope_count; ++s)
       for (int i = 0; i < g.scopes[s].graph->count; ++i) {
         const auto& item = g.scopes[s].graph->items[i];
-        if (item.kind == item_kind::rate && s == 0) g.hz = item.hz;
+        if (item.kind != item_kind::rate || s > 0) continue;
+        if (g.hz > 0 && item.hz != g.hz) return refuse(rule::rate_mismatch, &item, 0);
+        g.hz = item.hz;
       }
     if (g.hz == 0) {
       for (int i = 0; i < g.input_count; ++i)

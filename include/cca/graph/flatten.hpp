@@ -26,12 +26,14 @@ struct flattening {
       const auto& port = half.inputs[p];
       const auto key = hash(port.name, base) ^ as_input;
       if (find(names.entries, names.mask, key) >= 0) refuse(rule::component_bad_parameter, &item, in_scope, p, 1);
+      if (port.space && !is_name(port.name)) refuse(rule::node_bad_name, &item, in_scope, 1);
       if (port.space) names.insert(key, g.input_count);
       if (port.space && port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, g.input_count, 0);
       g.inputs[g.input_count++] = {.turn = turn_index, .port = p};
     }
     for (int p = 0; p < half.output_count; ++p) {
       const auto& port = half.outputs[p];
+      if (!is_name(port.name)) refuse(rule::node_bad_name, &item, in_scope, 1);
       const auto key = hash(port.name, base) ^ as_output;
       if (find(names.entries, names.mask, key) >= 0) refuse(rule::component_bad_result, &item, in_scope, p, 1);
       names.insert(key, g.output_count);
@@ -83,6 +85,7 @@ struct flattening {
     }
     if (!component.bad_hook.empty()) refuse(rule::component_hook_signature, &item, in_scope);
     if (!component.bad_field.empty() || component.forgot_parameters) refuse(rule::parameters_unsupported_type, &item, in_scope);
+    if (!item.stranger.empty()) refuse(rule::strategy_no_fires, &item, in_scope);
     check_strategy(*item.strategy, item, in_scope);
     if (component.resource()) {
       const auto kind = item.strategy->kind;
@@ -97,6 +100,7 @@ struct flattening {
     const auto inner = from.parent < 0 ? hash(item.from) : hash(item.from, hash(".", from.hash));
     const auto outer = from.parent < 0 ? hash(item.to, hash(".outside.")) : hash(item.to, hash(".", from.hash));
     bool found = false;
+    if (!is_name(item.to)) refuse(rule::node_bad_name, &item, in_scope, 2);
     if (names_port(item.from)) {
       name_search writers(names.entries, names.mask, inner ^ as_output);
       for (int o = writers.next(); o >= 0; o = writers.next()) {
@@ -119,7 +123,9 @@ struct flattening {
     g.scopes[index] = {parent, item, &graph, scope_hash};
     for (int i = 0; i < graph.count; ++i) {
       const auto& part = graph.items[i];
+      if (part.kind == item_kind::unknown) refuse(rule::graph_unknown_item, &part, index);
       if (part.kind != item_kind::node && part.kind != item_kind::graph) continue;
+      if (!is_name(part.from)) refuse(rule::node_bad_name, &part, index, 0);
       const auto node_hash = path_hash(g.scopes[index], part.from, part.from_hash);
       if (find(names.entries, names.mask, node_hash ^ as_node) >= 0) refuse(rule::node_duplicate_name, &part, index, 0);
       names.insert(node_hash ^ as_node, 0);

@@ -27,7 +27,10 @@ struct item_info {
   ref<double> initial = nullptr;
   int initial_count = 0;
   double hz = 0;                              // rate
+  std::string_view stranger{};                // an item, a wire's option or a node's strategy that is none
+  bool repeats_option = false;                // wire: two policies, or two initial values
   std::uint64_t from_hash = 0, to_hash = 0;   // as paths of the outermost graph
+  std::uint64_t strategy_key = 0;             // type_key of a node's strategy
 };
 
 // How many of each a graph has, inner graphs included.
@@ -59,33 +62,59 @@ constexpr void describe_node(item_info& item) {
 template <auto... Coordinates>
 inline constexpr std::array<double, sizeof...(Coordinates) + 1> initial_values{static_cast<double>(Coordinates)..., 0.0};
 
-template <class Option>
-struct wire_option;  // no such option of a wire: a policy (latest, delayed, queue) or an `initial`
+// What a queue does when it is full.
+template <class Full>
+struct full_queue {};
+
+constexpr void set_policy(item_info& item, policy_kind policy, int number = 0) {
+  item.repeats_option |= item.policy != policy_kind::unstated;
+  item.policy = policy;
+  item.number = number;
+}
+
+template <class Option> struct wire_option {
+  static constexpr void set(item_info& item) { item.stranger = type_name<Option>(); }
+};
 template <> struct wire_option<latest> {
-  static constexpr void set(item_info& item) { item.policy = policy_kind::latest; }
+  static constexpr void set(item_info& item) { set_policy(item, policy_kind::latest); }
 };
 template <int Beats> struct wire_option<delayed<Beats>> {
-  static constexpr void set(item_info& item) { item.policy = policy_kind::delayed; item.number = Beats; }
+  static constexpr void set(item_info& item) { set_policy(item, policy_kind::delayed, Beats); }
 };
-template <class Full> constexpr full_kind full_of = full_kind::drop_oldest;
-template <> inline constexpr full_kind full_of<drop_newest> = full_kind::drop_newest;
-template <> inline constexpr full_kind full_of<reject> = full_kind::reject;
+template <class Full> struct wire_option<full_queue<Full>> {
+  static constexpr void set(item_info& item) { item.stranger = type_name<Full>(); }
+};
+template <> struct wire_option<full_queue<drop_oldest>> {
+  static constexpr void set(item_info& item) { item.full = full_kind::drop_oldest; }
+};
+template <> struct wire_option<full_queue<drop_newest>> {
+  static constexpr void set(item_info& item) { item.full = full_kind::drop_newest; }
+};
+template <> struct wire_option<full_queue<reject>> {
+  static constexpr void set(item_info& item) { item.full = full_kind::reject; }
+};
 template <int Capacity, class Full> struct wire_option<queue<Capacity, Full>> {
-  static constexpr void set(item_info& item) { item.policy = policy_kind::queue; item.number = Capacity; item.full = full_of<Full>; }
+  static constexpr void set(item_info& item) {
+    set_policy(item, policy_kind::queue, Capacity);
+    wire_option<full_queue<Full>>::set(item);
+  }
 };
 template <auto... Coordinates> struct wire_option<initial<Coordinates...>> {
-  static constexpr void set(item_info& item) { item.initial = initial_values<Coordinates...>.data(); item.initial_count = sizeof...(Coordinates); }
+  static constexpr void set(item_info& item) {
+    item.repeats_option |= bool(item.initial);
+    item.initial = initial_values<Coordinates...>.data();
+    item.initial_count = sizeof...(Coordinates);
+  }
 };
 
 template <class Item>
-inline constexpr item_info item_of{};
+inline constexpr item_info item_of{.stranger = type_name<Item>()};
 
 template <fixed_string Name, class Component, class Strategy>
 inline constexpr item_info item_of<node<Name, Component, Strategy>> = [] {
-  static_assert(ProcessingStrategy<Strategy>, "cca::node: the third argument is no processing strategy: use one of "
-                "cca/component/strategy.hpp or a type with `bool fires(cca::beat, const Inputs&)`");
-  item_info item{.from = Name.view(), .strategy = &strategy_of<Strategy>, .from_hash = hash(Name.view())};
+  item_info item{.from = Name.view(), .strategy = &strategy_of<Strategy>, .from_hash = hash(Name.view()), .strategy_key = type_key<Strategy>};
   describe_node<Component>(item);
+  if constexpr (!ProcessingStrategy<Strategy>) item.stranger = type_name<Strategy>();
   return item;
 }();
 
@@ -149,10 +178,13 @@ struct items_facts<list<Items...>> {
   static constexpr std::array<item_info, sizeof...(Items) + 1> items{item_of<Items>..., item_info{}};
 };
 
+// One that is no named struct would be called by all its items.
+constexpr std::string_view graph_name(std::string_view name) { return name.starts_with("graph<") ? "the graph" : name; }
+
 template <class Graph>
 struct graph_facts {
   using facts = items_facts<typename Graph::cca_items>;
-  static constexpr graph_info value{type_name<Graph>(), facts::items.data(), facts::count, sizes_of(facts::items.data(), facts::count)};
+  static constexpr graph_info value{graph_name(type_name<Graph>()), facts::items.data(), facts::count, sizes_of(facts::items.data(), facts::count)};
 };
 
 }  // namespace cca::detail

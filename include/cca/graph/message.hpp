@@ -44,6 +44,10 @@ constexpr void tell(telling& t) {
   if (broken == rule::none) return;
   t.say() << rule_ids[static_cast<std::size_t>(broken)] << ": ";
   switch (broken) {
+    case rule::graph_unknown_item: return tell_unknown_item(t);
+    case rule::node_bad_name: return tell_bad_name(t);
+    case rule::strategy_no_fires: return tell_no_fires(t);
+    case rule::wire_bad_option: return tell_bad_option(t);
     case rule::node_duplicate_name: return tell_duplicate_name(t);
     case rule::component_no_process: return tell_no_process(t);
     case rule::component_bad_parameter: return tell_bad_signature(t, true);

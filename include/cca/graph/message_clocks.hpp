@@ -13,6 +13,11 @@ constexpr void tell_rate_missing(telling& t) {
 
 constexpr void tell_rate_mismatch(telling& t) {
   if (t.item().kind == item_kind::rate) {
+    if (t.found().scope == 0) {
+      t.where << t.graph().name;
+      t.say() << t.graph().name << " states two rates, " << t.g.hz << " Hz and " << t.item().hz << " Hz, but all of it runs in one beat: keep one";
+      return;
+    }
     add_scope_path(t.where, t.g, t.found().scope);
     if (t.where.size > 0) --t.where.size;  // without the dot
     t.say() << "the inner graph `" << t.where.view() << "` (" << t.graph().name << ") states " << t.item().hz << " Hz, but "

@@ -1,9 +1,48 @@
 // Messages about a node alone: its name, its functions, hooks, parameters, spaces and strategy.
 #pragma once
 
+#include <cca/graph/names.hpp>
 #include <cca/graph/telling.hpp>
 
 namespace cca::detail {
+
+constexpr void tell_unknown_item(telling& t) {
+  t.where << t.graph().name;
+  t.say() << "`" << t.item().stranger << "` in " << t.graph().name
+          << " is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a component or graph; the others are cca::wire, "
+             "cca::expose, cca::observe, cca::rate and cca::require<cca::latency<...>, cca::beats<N>>";
+}
+
+constexpr void tell_bad_name(telling& t) {
+  t.at_node();
+  std::string_view what = "node", name = t.item().from;
+  if (t.found().a == 2) {
+    what = "port exposed";
+    name = t.item().to;
+  }
+  for (int which = 0; t.found().a == 1 && which < 3; ++which) {
+    const auto half = telling::half(*t.item().component, which);
+    for (int i = 0; half && i < half->input_count + half->output_count; ++i) {
+      const auto& port = i < half->input_count ? half->inputs[i] : half->outputs[i - half->input_count];
+      if (!port.space || is_name(port.name)) continue;
+      what = "port";
+      name = port.name;
+    }
+  }
+  t.say() << "a " << what << " of ";
+  if (t.found().a == 1) t.node();
+  else t.say() << t.graph().name;
+  if (name.empty()) t.say() << " has no name, so no wire could name it: give it one";
+  else t.say() << " is named `" << name << "`, but names are joined by dots to paths, and `*` stands for any of them: use neither in a name";
+}
+
+constexpr void tell_no_fires(telling& t) {
+  t.at_node();
+  t.node();
+  t.say() << " has the strategy `" << t.item().stranger
+          << "`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it `template <class Inputs> static bool "
+             "fires(cca::beat, const Inputs&)`";
+}
 
 constexpr void tell_duplicate_name(telling& t) {
   t.at_node();

@@ -60,8 +60,14 @@ constexpr const item_info* node_named(const graph_info& graph, std::string_view 
 }
 
 constexpr void tell_unknown_port(telling& t) {
-  t.at_wire();
   const auto& item = t.item();
+  if (item.kind == item_kind::observe) {
+    t.at_node();
+    t.say() << "cca::observe<`" << item.from << "`> in " << t.graph().name
+            << " hears nothing, for no output has such a path: write it from the nodes of this graph on, as in `node.port` or `node.*`";
+    return;
+  }
+  t.at_wire();
   const bool exposes = item.kind == item_kind::expose, reader = t.found().a == 1;
   const auto wrong = reader ? item.to : item.from;
   if (exposes) t.say() << "cca::expose<`" << item.from << "`, `" << item.to << "`>";
@@ -127,6 +133,17 @@ constexpr void tell_two_writers(telling& t) {
   t.say() << " and by ";
   t.port(t.g.outputs[t.found().b]);
   t.say() << ", but an input has one writer: put an arbiter in front, a component with an input for each that decides which one goes on";
+}
+
+constexpr void tell_bad_option(telling& t) {
+  t.at_wire();
+  t.say() << "the wire ";
+  t.wire();
+  if (t.item().stranger.empty()) t.say() << " has two policies, or two initial values, of which only one could hold: leave one of each";
+  else
+    t.say() << " has the option `" << t.item().stranger
+            << "`, which is none: it may have a policy (cca::latest, cca::delayed<N>, or cca::queue<C, F> where F is cca::drop_oldest, cca::drop_newest or "
+               "cca::reject) and a cca::initial<...>";
 }
 
 constexpr void tell_bad_initial(telling& t) {

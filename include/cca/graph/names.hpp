@@ -55,6 +55,9 @@ constexpr std::uint64_t path_hash(const scope& from, std::string_view name, std:
   return from.parent < 0 ? in_outermost : hash(name, hash(".", from.hash));
 }
 
+// Names are joined by dots to paths, and `*` stands for any of them.
+constexpr bool is_name(std::string_view name) { return !name.empty() && name.find('.') == name.npos && name.find('*') == name.npos; }
+
 // A wire names `node.port`, both of its own graph.
 constexpr bool names_port(std::string_view path) {
   int dots = 0;

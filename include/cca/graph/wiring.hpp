@@ -32,6 +32,7 @@ struct wiring {
   }
 
   constexpr void add_wire(const item_info& item, int in_scope) {
+    if (!item.stranger.empty() || item.repeats_option) refuse(rule::wire_bad_option, &item, in_scope);
     const auto& from = g.scopes[in_scope];
     const auto a = path_hash(from, item.from, item.from_hash), b = path_hash(from, item.to, item.to_hash);
     const int writer = names_port(item.from) ? find(names, mask, a ^ as_output) : -1;
