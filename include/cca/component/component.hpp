@@ -29,8 +29,13 @@ template <class Type> struct function_of<Type, phase_of_beat::act> { using type 
 template <class Type, phase_of_beat Phase>
 using half_of_component = half_of<typename function_of<Type, Phase>::type>;
 
+// Equal for equal types, and else only by an accident of spelling, size and hash.
+template <class Type>
+inline constexpr std::uint64_t type_key = hash(spelled<Type>(), sizeof(Type));
+
 struct component_info {
   std::string_view name{};
+  std::uint64_t key = 0;             // type_key of its type
   ref<half_info> sense = nullptr;
   ref<half_info> process = nullptr;
   ref<half_info> act = nullptr;
@@ -57,6 +62,7 @@ template <class Type>
 inline constexpr component_info component_of = [] {
   component_info info;
   info.name = type_name<Type>();
+  info.key = type_key<Type>;
   if constexpr (HasProcess<Type>) {
     info.process = &half_of_component<Type, phase_of_beat::process>::value;
     info.also_sense = HasSense<Type>;

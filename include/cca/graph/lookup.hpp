@@ -31,6 +31,13 @@ auto counted_from(std::integer_sequence<int, I...>) -> std::integer_sequence<int
 template <class Graph, int Turn>
 using inputs_of = decltype(counted_from<turn_of<Graph, Turn>.first_input>(std::make_integer_sequence<int, turn_of<Graph, Turn>.half->input_count>{}));
 
+template <class Graph, int Turn>
+using outputs_of = decltype(counted_from<turn_of<Graph, Turn>.first_output>(std::make_integer_sequence<int, turn_of<Graph, Turn>.half->output_count>{}));
+
+// Where things lie.
+template <class Graph, int Group>
+inline constexpr const storage_group& group_of = layout_of<Graph>.groups[Group];
+
 template <class Graph, int Input>
 inline constexpr bool is_wired = input_of<Graph, Input>.writer >= 0;
 

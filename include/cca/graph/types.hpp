@@ -4,22 +4,24 @@
 #include <array>
 #include <utility>
 
-#include <cca/graph/plan.hpp>
+#include <cca/graph/layout.hpp>
 
 namespace cca::detail {
 
 template <class Type>
 struct box { using type = Type; };
 
+// Item I of a graph. Keyed on the graph, not on the list of its items, which is long.
 #if defined(__has_builtin) && __has_builtin(__type_pack_element)
 template <int I, class List>
 struct nth_of;
 template <int I, class... Types>
 struct nth_of<I, list<Types...>> { using type = __type_pack_element<I, Types...>; };
-template <int I, class List>
-using nth = typename nth_of<I, List>::type;
+template <class Graph, int I>
+struct nth_item : nth_of<I, typename Graph::cca_items> {};
 #else
-// Without the builtin: a tree of blocks of sixteen, built once a list, searched by overload resolution within a block.
+// Without the builtin: a tree of blocks of sixteen, built once a graph, searched by overload resolution within a block.
+// `pick` is called by its full name on a pointer: to look it up by argument would complete every item's type.
 template <int I, class Type>
 struct indexed {};
 template <class Indices, class... Types>
@@ -29,7 +31,7 @@ struct block_of<std::integer_sequence<int, I...>, Types...> : indexed<I, Types>.
 template <class... Types>
 using block = block_of<std::make_integer_sequence<int, sizeof...(Types)>, Types...>;
 template <int I, class Type>
-box<Type> pick(const indexed<I, Type>&);
+box<Type> pick(const indexed<I, Type>*);
 
 template <class Done, class... Types>
 struct blocks_of;
@@ -40,23 +42,32 @@ struct blocks_of<list<Done...>, T0, T1, T2, T3, T4, T5, T6, T7, T8, T9, T10, T11
 template <class... Done, class... Rest>
 struct blocks_of<list<Done...>, Rest...> { using type = list<Done..., block<Rest...>>; };
 
+// The items, then blocks of them, then blocks of blocks, up to at most sixteen.
 template <class List>
-struct tree_of;
+struct blocked;
 template <class... Types>
-  requires(sizeof...(Types) <= 16)
-struct tree_of<list<Types...>> {
-  template <int I, int Stride>
-  using at = typename decltype(pick<I / Stride>(block<Types...>{}))::type;
-};
+struct blocked<list<Types...>> : blocks_of<list<>, Types...> {};
+template <class Graph, int Level>
+struct level_of { using type = typename blocked<typename level_of<Graph, Level - 1>::type>::type; };
+template <class Graph>
+struct level_of<Graph, 0> { using type = typename Graph::cca_items; };
+template <class List>
+struct as_block;
 template <class... Types>
-  requires(sizeof...(Types) > 16)
-struct tree_of<list<Types...>> {
-  using above = tree_of<typename blocks_of<list<>, Types...>::type>;
-  template <int I, int Stride>
-  using at = typename decltype(pick<(I / Stride) % 16>(typename above::template at<I, 16 * Stride>{}))::type;
-};
-template <int I, class List>
-using nth = typename tree_of<List>::template at<I, 1>;
+struct as_block<list<Types...>> { using type = block<Types...>; };
+
+template <class Graph, int Level, int I, bool IsTop>
+struct entry;
+template <class Graph, int Level, int I>
+inline constexpr bool is_top = graph_facts<Graph>::value.count <= 16 << 4 * Level;
+template <class Graph, int Level, int I>
+struct entry<Graph, Level, I, true> : decltype(detail::pick<I>(static_cast<typename as_block<typename level_of<Graph, Level>::type>::type*>(nullptr))) {};
+template <class Graph, int Level, int I>
+struct entry<Graph, Level, I, false>
+    : decltype(detail::pick<I % 16>(static_cast<typename entry<Graph, Level + 1, I / 16, is_top<Graph, Level + 1, I / 16>>::type*>(nullptr))) {};
+
+template <class Graph, int I>
+struct nth_item : entry<Graph, 0, I, is_top<Graph, 0, I>> {};
 #endif
 
 // Where a leaf stands among the items of a graph: the item, and its number within that item's own graph.
@@ -81,7 +92,7 @@ template <class Node, int Inner>
 struct leaf_type;
 
 template <class Graph, int Leaf>
-struct leaf_of : leaf_type<nth<leaf_places<Graph>[Leaf].item, typename Graph::cca_items>, leaf_places<Graph>[Leaf].inner> {};
+struct leaf_of : leaf_type<typename nth_item<Graph, leaf_places<Graph>[Leaf].item>::type, leaf_places<Graph>[Leaf].inner> {};
 
 template <fixed_string Name, class Component, class Strategy, int Inner>
 struct leaf_type<node<Name, Component, Strategy>, Inner> {

@@ -43,9 +43,9 @@ public:
       if constexpr (HasParameters<C>) check_parameters(component.p, path);
     });
     move(detail::transition::load, "load()");
-    for_each_component([]<class C>(std::string_view, C& component) {
+    visit([]<class C>(int, C& component) {
       if constexpr (detail::OnLoad<C>) component.on_load();
-    });
+    }, state_of_all);
   }
 
   // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
@@ -58,9 +58,9 @@ public:
 
   void save() {
     move(detail::transition::save, "save()");
-    for_each_component([]<class C>(std::string_view, C& component) {
+    visit([]<class C>(int, C& component) {
       if constexpr (detail::OnSave<C>) component.on_save();
-    });
+    }, state_of_all);
   }
 
   void save(std::string_view file) {
@@ -72,17 +72,17 @@ public:
 
   void start() {
     move(detail::transition::start, "start()");
-    for_each_component([]<class C>(std::string_view, C& component) {
+    visit([]<class C>(int, C& component) {
       if constexpr (detail::OnStart<C>) component.on_start();
-    });
+    }, state_of_all);
   }
 
   void stop() {
     move(detail::transition::stop, "stop()");
     reason = {};
-    for_each_component([]<class C>(std::string_view, C& component) {
+    visit([]<class C>(int, C& component) {
       if constexpr (detail::OnStop<C>) component.on_stop();
-    });
+    }, state_of_all);
   }
 
   // Goes on after a fault.
@@ -153,21 +153,25 @@ public:
 
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
-  void for_each_component(F f) { visit(f, state_of_all); }
+  void for_each_component(F f) {
+    visit([&](int leaf, auto& component) { f(std::string_view(path_of(leaf)), component); }, state_of_all);
+  }
   template <class F>
-  void for_each_component(F f) const { visit(f, state_of_all); }
+  void for_each_component(F f) const {
+    visit([&](int leaf, const auto& component) { f(std::string_view(path_of(leaf)), component); }, state_of_all);
+  }
 
 private:
-  template <int Leaf>
-  static auto& cell_of(detail::memory<Graph>& m) { return static_cast<detail::cell<Graph, Leaf>&>(m); }
-  template <int Leaf>
-  static const auto& cell_of(const detail::memory<Graph>& m) { return static_cast<const detail::cell<Graph, Leaf>&>(m); }
-
+  // f(number, component) for each. By way of a table, so that what `f` does with components of one type is compiled once.
+  template <class F, class Memory, int First>
+  static void visit_one(F& f, Memory& m, int leaf) {
+    f(leaf, detail::cells_at<Graph, First>(m).at(detail::layout_of<Graph>.cells[leaf].slot));
+  }
   template <class F, class Memory>
-  static void visit(F& f, Memory& m) {
+  static void visit(F f, Memory& m) {
     [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
-      const int all[] = {0, (f(std::string_view(path_of(Leaf)), cell_of<Leaf>(m).component), 0)...};
-      (void)all;
+      static constexpr void (*visitors[])(F&, Memory&, int) = {visit_one<F, Memory, detail::layout_of<Graph>.cells[Leaf].group>..., nullptr};
+      for (int leaf = 0; leaf < static_cast<int>(sizeof...(Leaf)); ++leaf) visitors[leaf](f, m, leaf);
     }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
   }
 
@@ -186,7 +190,7 @@ private:
   template <std::uint64_t Path, int Leaf, class Controller>
   static decltype(auto) at(Controller& controller) {
     if constexpr (Leaf >= 0) {
-      return (cell_of<Leaf>(controller.state_of_all).component);
+      return (detail::component_at<Graph, Leaf>(controller.state_of_all));
     } else {
       static_assert(detail::has_scope<Graph>(Path), "cca::controller::get: no node has this path");
       return nodes<Controller, Path>{controller};
@@ -195,11 +199,12 @@ private:
 
   template <int Output, class F>
   void observe_output(F& f) const {
-    const detail::kept_sample<Graph, Output>& s = state_of_all;
+    constexpr detail::seat place = detail::layout_of<Graph>.newest[Output];
+    const auto& s = detail::stored_at<Graph, place.group>(state_of_all, state_of_all, place.slot);
     bool is_fresh;
     if constexpr (detail::output_of<Graph, Output>.stamped) is_fresh = s.when == k - 1;
     else is_fresh = detail::newest_tick(detail::published_of<Graph, Output>, k - 1) == k - 1 && k > 0;
-    f(observation{detail::path_of_output<Graph, Output>(), {s.value.data(), s.value.size()}, s.origin, is_fresh});
+    f(observation{detail::path_of_output<Graph, Output>(), {s.value, std::size(s.value)}, s.origin, is_fresh});
   }
 
   static std::string path_of(int leaf) {
@@ -219,7 +224,9 @@ private:
     now = detail::after(what, now);
   }
 
-  [[gnu::flatten]] void advance() noexcept {
+  // It is not noexcept, its callers are: each call that is inlined here would split the code in two, and clang would take
+  // quadratic time to put it together again.
+  [[gnu::flatten]] void advance() {
     detail::course course;
     detail::loop<Graph, std::make_integer_sequence<int, detail::counts_of<Graph>.turn_count>>::beat(state_of_all, course, k);
     ++k;
@@ -230,13 +237,9 @@ private:
   // In the beat of the fault, instead of what would still have come.
   [[gnu::noinline]] void fail(const detail::course& course) noexcept {
     reason = course;
-    [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
-      const auto one = []<class C>(C& component) {
-        if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
-      };
-      const int all[] = {0, (one(cell_of<Leaf>(state_of_all).component), 0)...};
-      (void)all;
-    }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
+    visit([]<class C>(int, C& component) {
+      if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
+    }, state_of_all);
     now = detail::after(detail::transition::fail, now);
   }
 

@@ -1,6 +1,8 @@
 // Whether a component fires in beat k: settled at compile time wherever its clock is known, else asked of its strategy.
 #pragma once
 
+#include <tuple>
+
 #include <cca/runtime/observe.hpp>
 
 namespace cca::detail {
@@ -18,13 +20,13 @@ CCA_GLUE constexpr bool ticks(std::int64_t k) {
 template <class Graph, int Turn>
 struct question {
   const memory<Graph>& m;
-  const locals<Graph>& l;
+  const seats<Graph, Turn>& places;
   std::int64_t k;
   const last_firing& self;
 
   template <int Input>
   CCA_GLUE bool fresh() const {
-    if constexpr (is_wired<Graph, Input>) return is_fresh<Graph, Input>(see<Graph, Input>(m, l, k), self.last);
+    if constexpr (is_wired<Graph, Input>) return is_fresh<Graph, Input>(places, k, self.last);
     else return false;
   }
   template <int... Input>
@@ -47,7 +49,7 @@ struct question {
   template <int Input>
   CCA_GLUE void join(std::int64_t& common, bool& all) const {
     if constexpr (is_wired<Graph, Input>) {
-      const auto origin = see<Graph, Input>(m, l, k).origin;
+      const auto origin = origin_of<Graph, Input>(places, k);
       if (common == never) common = origin;
       all = all && origin != never && origin == common;
     }
@@ -56,7 +58,7 @@ struct question {
   // Does an observer of this function listen to something fresh?
   CCA_GLUE bool any_observed() const {
     bool any = false;
-    for_each_observed<Graph, Turn>([&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
+    if constexpr (has_observers<Graph, Turn>()) for_each_observed<Graph, Turn>([&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
     return any;
   }
 };
@@ -94,9 +96,8 @@ private:
       return 0;
     }();
     constexpr int input = turn_of<Graph, Turn>.first_input + position;
-    const auto h = see<Graph, input>(asked.m, asked.l, asked.k);
-    nth<parameter, list<Parameters...>> port{to_be_filled{}};
-    fill_port<Graph, input>(port, h, asked.self.last);
+    std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>> port{to_be_filled{}};
+    fill_port<Graph, input>(port, asked.places, asked.k, asked.self.last);
     return port;
   }
 };

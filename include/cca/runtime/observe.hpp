@@ -26,25 +26,39 @@ CCA_GLUE void for_each_observed(F f) {
   }
 }
 
+template <int Size>
+struct held : coordinates<Size> {
+  std::int64_t arrived;  // beat; -1: nothing has
+};
+
 template <class Graph, int Link>
 CCA_GLUE auto observe_one(const memory<Graph>& m, std::int64_t k) {
   constexpr int output = plan_of<Graph>.links[Link].output;
   constexpr const auto& in = input_of<Graph, plan_of<Graph>.links[Link].input>;
   constexpr int delay = turn_of<Graph, in.turn>.half->inputs[in.port].observed_delay;
+  constexpr int size = size_of_output<Graph, output>;
+  held<size> h{{{}, never}, -1};
   if constexpr (delay > 0 && output_of<Graph, output>.ring > 0) {
-    return hold_past<Graph, plan_of<Graph>.links[Link].input, delay, output>(m, k);
+    constexpr seat place = layout_of<Graph>.past[output];
+    if (const auto* entry = arrived_entry<Graph, output, delay>(stored_at<Graph, place.group>(m, m, place.slot), k)) {
+      copy_coordinates<size>(h.value, entry->value);
+      h.origin = entry->origin;
+      h.arrived = entry->when + delay;
+    } else {
+      copy_coordinates<size>(h.value, output_port_of<Graph, output>.space->zero);
+    }
   } else {
-    constexpr int size = size_of_output<Graph, output>;
     constexpr auto c = published_of<Graph, output>;
-    const kept_sample<Graph, output>& s = m;
-    held<size> h;
-    copy_coordinates<size>(h.value, s.value);
+    constexpr seat place = layout_of<Graph>.newest[output];
+    const auto& s = stored_at<Graph, place.group>(m, m, place.slot);
+    // What a wire gives as initial value is its reader's alone.
+    if (s.origin == never) copy_coordinates<size>(h.value, output_port_of<Graph, output>.space->zero);
+    else copy_coordinates<size>(h.value, s.value);
     h.origin = s.origin;
     if constexpr (c.known()) h.arrived = newest_tick({c.period, c.first + delay}, k);
-    else if constexpr (c.never()) h.arrived = -1;
-    else h.arrived = s.when < 0 ? -1 : s.when + delay;
-    return h;
+    else if constexpr (!c.never()) h.arrived = s.when < 0 ? -1 : s.when + delay;
   }
+  return h;
 }
 
 // The path of an output from the outermost graph, as static text.
