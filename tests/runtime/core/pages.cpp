@@ -9,9 +9,6 @@ namespace {
 
 using namespace core_test;
 
-struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}}; };
-struct knee : cca::dimension<"knee"> { static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}}; };
-struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
 struct load : cca::space<cca::number, cca::axes<cca::x>> {};
 struct contact : cca::space<cca::status, cca::axes<cca::x>> {};
 
