@@ -1,4 +1,5 @@
 // EXPECT: frame\.mismatch: the power of a wrench with a twist that acts at another point
+// A wrench and a twist that act at two points do not make a power.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>
 

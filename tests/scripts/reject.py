@@ -37,6 +37,8 @@ def prepare(folder, command):
     if is_clang(command):
         return run([*command, "-x", "c++-header", str(source), "-o", str(target)])
     header = next((where for where in (pathlib.Path(flag[2:]) / HEADER for flag in command if flag.startswith("-I")) if where.exists()), source)
+    # g++ reads this one where it finds the precompiled one beside it unfit.
+    (folder / HEADER).write_text(f'#include "{header}"\n')
     return run([*command, "-w", "-x", "c++-header", str(header), "-o", str(target)])
 
 

@@ -14,6 +14,11 @@ struct no_rate_mended : cca::graph<cca::node<"a", source<>>, cca::node<"b", sink
 static_assert(tells<no_rate, no_rate_mended>({"rate.missing", "no_rate",
     "neither no_rate nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph"}));
 
+struct two_rates : khz<cca::rate<500>, cca::node<"a", source<>>> {};
+struct two_rates_mended : khz<cca::rate<1000>, cca::node<"a", source<>>> {};
+static_assert(tells<two_rates, two_rates_mended>({"rate.mismatch", "two_rates",
+    "two_rates states two rates, 1000 Hz and 500 Hz, but all of it runs in one beat: keep one"}));
+
 struct slow_graph : cca::graph<cca::rate<250>, cca::node<"a", source<>>> {};
 struct slow_graph_mended : cca::graph<cca::rate<1000>, cca::node<"a", source<>>> {};
 

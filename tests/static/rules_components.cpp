@@ -349,4 +349,67 @@ struct graph_fires_mended : khz<cca::node<"g", inner>> {};
 static_assert(tells<graph_fires, graph_fires_mended>({"strategy.misplaced", "g",
     "`g` (inner) is a graph, and a strategy stands on components: give it to the nodes inside"}));
 
+struct no_item : khz<cca::node<"a", source<>>, source<>> {};
+struct no_item_mended : khz<cca::node<"a", source<>>> {};
+static_assert(tells<no_item, no_item_mended>({"graph.unknown_item", "no_item",
+    "`source<>` in no_item is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a "
+    "component or graph; the others are cca::wire, cca::expose, cca::observe, cca::rate and "
+    "cca::require<cca::latency<...>, cca::beats<N>>"}));
+
+struct no_bound : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">,
+    cca::require<cca::latency<"a.y", "b.x">, cca::rate<2>>> {};
+struct no_bound_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">,
+    cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
+static_assert(tells<no_bound, no_bound_mended>({"graph.unknown_item", "no_bound",
+    "`require<cca::latency<a.y, b.x>, cca::rate<2>>` in no_bound is no item of a graph, so it would be passed "
+    "over: write cca::node<`name`, type> for a component or graph; the others are cca::wire, cca::expose, "
+    "cca::observe, cca::rate and cca::require<cca::latency<...>, cca::beats<N>>"}));
+
+struct dotted_node : khz<cca::node<"a.b", source<>>> {};
+struct dotted_node_mended : khz<cca::node<"a_b", source<>>> {};
+static_assert(tells<dotted_node, dotted_node_mended>({"node.bad_name", "a.b",
+    "a node of dotted_node is named `a.b`, but names are joined by dots to paths, and `*` stands for any of them: "
+    "use neither in a name"}));
+
+struct nameless_node : khz<cca::node<"", source<>>> {};
+struct nameless_node_mended : khz<cca::node<"a", source<>>> {};
+static_assert(tells<nameless_node, nameless_node_mended>({"node.bad_name", "nameless_node",
+    "a node of nameless_node has no name, so no wire could name it: give it one"}));
+
+struct with_dotted_port {
+  void process(cca::optional_in<"x.1", signal>, cca::beat) {}
+};
+
+struct dotted_port : khz<cca::node<"a", with_dotted_port>> {};
+struct dotted_port_mended : khz<cca::node<"a", source<>>> {};
+static_assert(tells<dotted_port, dotted_port_mended>({"node.bad_name", "a",
+    "a port of `a` (with_dotted_port) is named `x.1`, but names are joined by dots to paths, and `*` stands for "
+    "any of them: use neither in a name"}));
+
+struct starred_expose : khz<cca::node<"a", source<>>, cca::expose<"a.y", "all.*">> {};
+struct starred_expose_mended : khz<cca::node<"a", source<>>, cca::expose<"a.y", "all">> {};
+static_assert(tells<starred_expose, starred_expose_mended>({"node.bad_name", "a.y",
+    "a port that starred_expose exposes is named `all.*`, but names are joined by dots to paths, and `*` stands "
+    "for any of them: use neither in a name"}));
+
+struct no_strategy : khz<cca::node<"a", source<>, signal>> {};
+struct no_strategy_mended : khz<cca::node<"a", source<>>> {};
+static_assert(tells<no_strategy, no_strategy_mended>({"strategy.no_fires", "a",
+    "`a` (source<>) has the strategy `signal`, which cannot say when it fires: use one like cca::timed<10> or "
+    "cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const Inputs&)`"}));
+
+struct fires_by_beat_only {
+  static bool fires(cca::beat) { return true; }
+};
+struct fires_at_once {
+  static bool fires(cca::beat, const auto&) { return true; }
+};
+
+struct no_template_strategy : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, fires_by_beat_only>, cca::wire<"a.y", "b.x">> {};
+struct no_template_strategy_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, fires_at_once>, cca::wire<"a.y", "b.x">> {};
+static_assert(tells<no_template_strategy, no_template_strategy_mended>({"strategy.no_fires", "b",
+    "`b` (sink<>) has the strategy `fires_by_beat_only`, which cannot say when it fires: use one like "
+    "cca::timed<10> or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const "
+    "Inputs&)`"}));
+
 }  // namespace

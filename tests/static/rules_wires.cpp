@@ -266,4 +266,37 @@ static_assert(tells<unlimited_measured, unlimited_measured_mended>({"robot.unlim
     "`r.measured` reaches the actuator `r.command` without passing a limiter: put a cca::limiter<angles> between "
     "them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
 
+struct no_option : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::timed<2>>> {};
+struct no_option_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
+static_assert(tells<no_option, no_option_mended>({"wire.bad_option", "a.y -> b.x",
+    "the wire `a.y` -> `b.x` has the option `timed<2>`, which is none: it may have a policy (cca::latest, "
+    "cca::delayed<N>, cca::queue<C, F>) and a cca::initial<...>"}));
+
+struct two_policies : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::delayed<1>, cca::latest>> {};
+struct two_policies_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::delayed<1>>> {};
+static_assert(tells<two_policies, two_policies_mended>({"wire.bad_option", "a.y -> b.x",
+    "the wire `a.y` -> `b.x` has two policies, or two initial values, of which only one could hold: leave one of "
+    "each"}));
+
+struct two_initials : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>,
+    cca::wire<"a.y", "b.x", cca::initial<1>, cca::initial<2>>> {};
+struct two_initials_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>,
+    cca::wire<"a.y", "b.x", cca::latest, cca::initial<2>>> {};
+static_assert(tells<two_initials, two_initials_mended>({"wire.bad_option", "a.y -> b.x",
+    "the wire `a.y` -> `b.x` has two policies, or two initial values, of which only one could hold: leave one of "
+    "each"}));
+
+struct lossless_queue : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::queue<2, cca::latest>>> {};
+struct lossless_queue_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>,
+    cca::wire<"a.y", "b.x", cca::queue<2, cca::reject>>> {};
+static_assert(tells<lossless_queue, lossless_queue_mended>({"wire.bad_option", "a.y -> b.x",
+    "the wire `a.y` -> `b.x` has a queue that does `latest` when it is full: say what is lost, cca::drop_oldest or "
+    "cca::drop_newest, or cca::reject"}));
+
+struct hears_nothing : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"c.*">> {};
+struct hears_nothing_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"a.*">> {};
+static_assert(tells<hears_nothing, hears_nothing_mended>({"wire.unknown_port", "c.*",
+    "cca::observe<`c.*`> in hears_nothing hears nothing, for no output has such a path: write it from the nodes of "
+    "this graph on, as in `node.port` or `node.*`"}));
+
 }  // namespace

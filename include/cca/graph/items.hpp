@@ -11,7 +11,7 @@ namespace cca::detail {
 
 enum class item_kind : std::uint8_t { node, graph, wire, expose, rate, require, observe, unknown };
 enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue };
-enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject };
+enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject, unknown };
 
 struct graph_info;
 
@@ -82,7 +82,7 @@ template <int Beats> struct wire_option<delayed<Beats>> {
   static constexpr void set(item_info& item) { set_policy(item, policy_kind::delayed, Beats); }
 };
 template <class Full> struct wire_option<full_queue<Full>> {
-  static constexpr void set(item_info& item) { item.stranger = type_name<Full>(); }
+  static constexpr void set(item_info& item) { item.full = full_kind::unknown; item.stranger = type_name<Full>(); }
 };
 template <> struct wire_option<full_queue<drop_oldest>> {
   static constexpr void set(item_info& item) { item.full = full_kind::drop_oldest; }

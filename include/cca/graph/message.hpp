@@ -18,7 +18,8 @@ constexpr text as_written(std::string_view spelled) {
                                                                       {"(anonymous namespace)::", ""},
                                                                       {"{anonymous}::", ""},
                                                                       {" *", "*"},
-                                                                      {" &", "&"}};
+                                                                      {" &", "&"},
+                                                                      {" >", ">"}};
   while (!spelled.empty()) {
     std::size_t used = 0;
     for (const auto name : names)

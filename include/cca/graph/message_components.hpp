@@ -15,23 +15,22 @@ constexpr void tell_unknown_item(telling& t) {
 
 constexpr void tell_bad_name(telling& t) {
   t.at_node();
-  std::string_view what = "node", name = t.item().from;
-  if (t.found().a == 2) {
-    what = "port exposed";
-    name = t.item().to;
-  }
+  if (t.where.size == 0) t.where << t.graph().name;
+  auto name = t.found().a == 2 ? t.item().to : t.item().from;
   for (int which = 0; t.found().a == 1 && which < 3; ++which) {
     const auto half = telling::half(*t.item().component, which);
     for (int i = 0; half && i < half->input_count + half->output_count; ++i) {
       const auto& port = i < half->input_count ? half->inputs[i] : half->outputs[i - half->input_count];
       if (!port.space || is_name(port.name)) continue;
-      what = "port";
       name = port.name;
     }
   }
-  t.say() << "a " << what << " of ";
-  if (t.found().a == 1) t.node();
-  else t.say() << t.graph().name;
+  if (t.found().a == 0) t.say() << "a node of " << t.graph().name;
+  if (t.found().a == 2) t.say() << "a port that " << t.graph().name << " exposes";
+  if (t.found().a == 1) {
+    t.say() << "a port of ";
+    t.node();
+  }
   if (name.empty()) t.say() << " has no name, so no wire could name it: give it one";
   else t.say() << " is named `" << name << "`, but names are joined by dots to paths, and `*` stands for any of them: use neither in a name";
 }

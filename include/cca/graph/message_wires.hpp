@@ -139,11 +139,13 @@ constexpr void tell_bad_option(telling& t) {
   t.at_wire();
   t.say() << "the wire ";
   t.wire();
-  if (t.item().stranger.empty()) t.say() << " has two policies, or two initial values, of which only one could hold: leave one of each";
+  if (t.item().full == full_kind::unknown)
+    t.say() << " has a queue that does `" << t.item().stranger << "` when it is full: say what is lost, cca::drop_oldest or cca::drop_newest, or cca::reject";
+  else if (t.item().stranger.empty()) t.say() << " has two policies, or two initial values, of which only one could hold: leave one of each";
   else
     t.say() << " has the option `" << t.item().stranger
-            << "`, which is none: it may have a policy (cca::latest, cca::delayed<N>, or cca::queue<C, F> where F is cca::drop_oldest, cca::drop_newest or "
-               "cca::reject) and a cca::initial<...>";
+            << "`, which is none: it may have a policy (cca::latest, cca::delayed<N>, cca::queue<C, F>) "
+               "and a cca::initial<...>";
 }
 
 constexpr void tell_bad_initial(telling& t) {

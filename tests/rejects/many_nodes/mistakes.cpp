@@ -1,3 +1,7 @@
+// EXPECT graph_unknown_item: graph\.unknown_item: `sink` in graph_unknown_item is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a component or
+// EXPECT node_bad_name: node\.bad_name: a node of node_bad_name is named `extra\.one`, but names are joined by dots to paths, and `\*` stands for any of them: use neither in a
+// EXPECT strategy_no_fires: strategy\.no_fires: `extra` \(source\) has the strategy `sink`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it
+// EXPECT wire_bad_option: wire\.bad_option: the wire `n7\.y` -> `extra\.x` has the option `timed<2>`, which is none: it may have a policy \(cca::latest, cca::delayed<N>,
 // EXPECT node_duplicate_name: node\.duplicate_name: two nodes of node_duplicate_name are named `n7` \(step, sink\), so a path to them has two meanings: give one of them another name
 // EXPECT component_no_process: component\.no_process: `extra` \(without_function\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
 // EXPECT component_bad_parameter: component\.bad_parameter: `extra` \(takes_number\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and
@@ -72,6 +76,8 @@ using at_1000_hz = cca::rate<1000>;
 
 namespace broken {
 
+struct graph_unknown_item : fifty_nodes_and<at_1000_hz, sink> {};
+struct node_bad_name : fifty_nodes_and<at_1000_hz, cca::node<"extra.one", source>> {};
 struct node_duplicate_name : fifty_nodes_and<at_1000_hz, cca::node<"n7", sink>, cca::wire<"n6.y", "n7.x">> {};
 struct component_no_process : fifty_nodes_and<at_1000_hz, cca::node<"extra", without_function>> {};
 struct component_bad_parameter : fifty_nodes_and<at_1000_hz, cca::node<"extra", takes_number>> {};
@@ -79,12 +85,14 @@ struct component_bad_result : fifty_nodes_and<at_1000_hz, cca::node<"extra", ret
 struct component_hook_signature : fifty_nodes_and<at_1000_hz, cca::node<"extra", starts_with_number>, cca::wire<"n7.y", "extra.x">> {};
 struct parameters_unsupported_type : fifty_nodes_and<at_1000_hz, cca::node<"extra", has_pointer>, cca::wire<"n7.y", "extra.x">> {};
 struct space_duplicate_axis : fifty_nodes_and<at_1000_hz, cca::node<"extra", source_of<angle_twice>>> {};
+struct strategy_no_fires : fifty_nodes_and<at_1000_hz, cca::node<"extra", source, sink>> {};
 struct strategy_unknown_port
     : fifty_nodes_and<at_1000_hz, cca::node<"extra", merge, cca::port_triggered<"a", "c">>, cca::wire<"n7.y", "extra.a">, cca::wire<"n8.y", "extra.b">> {};
 struct strategy_misplaced : fifty_nodes_and<at_1000_hz, cca::node<"extra", actuator<signal>, cca::moderate>, cca::wire<"n7.y", "extra.command">> {};
 struct wire_unknown_port : fifty_nodes_and<at_1000_hz, cca::node<"extra", merge>, cca::wire<"n7.y", "extra.a">, cca::wire<"n8.out", "extra.b">> {};
 struct wire_direction : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"extra.x", "n7.y">> {};
 struct wire_two_writers : fifty_nodes_and<at_1000_hz, cca::wire<"n7.y", "n23.x", cca::latest>> {};
+struct wire_bad_option : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"n7.y", "extra.x", cca::timed<2>>> {};
 struct wire_bad_initial : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"n7.y", "extra.x", cca::initial<1, 2>>> {};
 struct space_mismatch : fifty_nodes_and<at_1000_hz, cca::node<"extra", source_of<hip_angle>>, cca::node<"end", sink>, cca::wire<"extra.y", "end.x">> {};
 struct wire_unconnected_input : fifty_nodes_and<at_1000_hz, cca::node<"extra", merge>, cca::wire<"n7.y", "extra.a">> {};

@@ -1,0 +1,15 @@
+// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but names are joined by dots to paths, and `\*` stands for any of them: use
+// Ports, too, are named in paths.
+#include "parts.hpp"
+
+struct balance {
+#if CCA_REJECT
+  auto process(cca::beat) -> cca::out<"angles.left", leg_angles> { return {}; }
+#else
+  auto process(cca::beat) -> cca::out<"angles_left", leg_angles> { return {}; }
+#endif
+};
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>> {};
+
+cca::controller<walk> c;

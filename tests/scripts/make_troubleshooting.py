@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Makes docs/troubleshooting.md from the files of tests/rejects.
+
+usage: make_troubleshooting.py ROOT [-- COMPILER...]     writes the page (compilers: g++ clang++-19)
+       make_troubleshooting.py ROOT --check              compiles nothing: rules, code and texts are those of the files
+
+Each rule has a section: its meaning (the comment at the top of its file), the code in `#if CCA_REJECT` and in its `#else`,
+and what each compiler says. Files of a variant, `<id>-<variant>.cpp`, follow as shorter sections.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import textwrap
+
+import reject
+import rules
+
+COMPILERS = ["g++", "clang++-19"]
+WIDTH = 118
+HEAD = """# Troubleshooting
+
+<!-- Made by tests/scripts/make_troubleshooting.py from tests/rejects; to change it, change those. -->
+
+What the compiler says when an architecture breaks a rule, why, and what to do. Look for the rule's id, the word with a dot
+that the message begins with.
+
+- One rule is reported at a time, the first in the order of this page; when it is mended the next may appear.
+- g++ shows the message as one line, in the type that it could not complete. clang shows the same text in pieces of 35
+  letters, `line{"..."}`, to be read on from one to the next.
+- The same text can be had as a value: `static_assert(cca::well_formed<trot>)`, or print `cca::diagnosis<trot>.message`.
+
+The examples are made of these parts ([parts.hpp](../tests/rejects/parts.hpp)):
+
+"""
+
+
+class Reject:
+    def __init__(self, file):
+        self.file, self.text = file, file.read_text()
+        self.rule, _, self.variant = file.stem.partition("-")
+        self.expect = re.match(r"// EXPECT: (.*)\n", self.text)[1]
+        self.meaning = " ".join(re.match(r"// EXPECT.*\n((?://.*\n)*)", self.text)[1].replace("//", "").split())
+        parts = re.findall(r"^#if CCA_REJECT\n(.*?)(?:^#else\n(.*?))?^#endif", self.text, re.M | re.S)
+        self.broken, self.fixed = ("\n...\n".join(textwrap.dedent(p[i]).rstrip() for p in parts) for i in (0, 1))
+
+
+def order(root):
+    """The ids as the header lists them, which is the order of the checks; then the others."""
+    listed = rules.rules_of_graphs(root)
+    tested = {file.stem.split("-")[0] for file in (root / "tests/rejects").glob("*.cpp")}
+    return [rule for rule in listed if rule in tested] + sorted(tested - set(listed))
+
+
+def trimmed(output, file):
+    """The first error and where it comes from, with file names only."""
+    lines = output.splitlines()
+    at = next(i for i, line in enumerate(lines) if " error: " in line)
+    told = [lines[at]]
+    for line in lines:
+        if re.search(re.escape(file.name) + r":\d+:\d+:.*(required from here|in instantiation of)", line):
+            told.append(line)
+            break
+    short = [re.sub(r"\S*/(?=[\w.+-]+\.[hc]pp:\d)", "", line) for line in told]
+    short[0] = re.sub(r"^([\w.+-]+\.hpp):\d+:\d+:", r"\1:", short[0])
+    return "\n".join(wrapped(piece, "    ") for line in short for piece in re.sub(r'(?<=[<}])(,?) ?(?=line\{")', r"\1\n    ", line).split("\n"))
+
+
+def wrapped(text, indent=""):
+    """Columns of clang stay as they are."""
+    if text.startswith("    line{"):
+        return text
+    return textwrap.fill(text, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+
+
+def compiled(files, root, compilers):
+    """(file name, compiler) -> what it says."""
+    said = {}
+    eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
+    for compiler in compilers:
+        for file in files:
+            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", *eigen], file, "-DCCA_REJECT=1")
+            first = (reject.errors(output) or [""])[0]
+            if not re.search(Reject(file).expect, reject.sentence(first)):
+                sys.exit(f"{file} on {compiler}: unexpected output\n{output}")
+            said[file.name, compiler] = (trimmed(output, file), reject.sentence(first).replace("\\'", "'"))
+    return said
+
+
+def from_page(page):
+    """The same, as the page has it."""
+    said = {}
+    for name, section in re.findall(r"^<!-- (\S+\.cpp) -->\n(.*?)(?=^<!-- \S+\.cpp -->|\Z)", page, re.M | re.S):
+        full = re.search(r"^Message:\n\n```text\n(.*?)\n```", section, re.M | re.S)
+        sentence = full[1].replace("\n", " ") if full else ""
+        for compiler in COMPILERS:
+            block = re.search(rf"^`{re.escape(compiler)}`:\n\n```text\n(.*?)\n```", section, re.M | re.S)
+            said[name, compiler] = (block[1] if block else "", sentence)
+    return said
+
+
+def fenced(code, language="cpp"):
+    return f"```{language}\n{code}\n```\n\n"
+
+
+def section(one, said):
+    text = f"<!-- {one.file.name} -->\n"
+    text += f"{one.meaning}\n\n" if not one.variant else f"**{one.meaning}**\n\n"
+    text += "Broken:\n\n" + fenced(one.broken) + ("Fixed:\n\n" + fenced(one.fixed) if one.fixed else "")
+    sentence = said[one.file.name, COMPILERS[0]][1]
+    text += "Message:\n\n" + fenced(wrapped(sentence), "text")
+    if not one.variant:
+        for compiler in COMPILERS:
+            text += f"`{compiler}`:\n\n" + fenced(said[one.file.name, compiler][0], "text")
+    return text + f"The whole file: [{one.file.name}](../tests/rejects/{one.file.name})\n\n"
+
+
+def make(root, files, said):
+    parts = (root / "tests/rejects/parts.hpp").read_text()
+    text = HEAD + fenced(parts[parts.index("struct"):].rstrip()) + "## Rules\n\n"
+    known = [Reject(file) for file in files]
+    for rule in order(root):
+        text += f"- [{rule}](#{rule.replace('.', '')})\n"
+    for rule in order(root):
+        text += f"\n## {rule}\n\n"
+        for one in sorted((r for r in known if r.rule == rule), key=lambda r: r.variant):
+            text += section(one, said)
+    return re.sub(r"\n{3,}", "\n\n", text).rstrip() + "\n"
+
+
+def main(arguments):
+    root = pathlib.Path(arguments[0]).resolve() if arguments else pathlib.Path(__file__).resolve().parents[2]
+    page = root / "docs/troubleshooting.md"
+    files = sorted((root / "tests/rejects").glob("*.cpp"))
+    if "--check" not in arguments:
+        page.parent.mkdir(exist_ok=True)
+        page.write_text(make(root, files, compiled(files, root, COMPILERS)))
+        return
+    old = page.read_text()
+    said = from_page(old)
+    wrong = [file.name for file in files
+             if (file.name, COMPILERS[0]) not in said or not re.search(Reject(file).expect, said[file.name, COMPILERS[0]][1])]
+    if wrong or make(root, files, said) != old:
+        sys.exit(f"{page} is not what the files say: make it anew with {pathlib.Path(__file__).name}\n" + "\n".join(wrong))
+    print(f"{page.name} has {len(files)} examples, as the files have them")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
