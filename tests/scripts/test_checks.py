@@ -4,6 +4,7 @@ import tempfile
 import unittest
 
 import includes
+import make_troubleshooting
 import reject
 import rules
 import snippets
@@ -136,6 +137,36 @@ class Rejects(Tree):
         self.assertEqual(reject.prepare(self.root / "headers", command)[0], 0)
         file = self.write("space.mismatch.cpp", self.SOUND.replace("#if", "#include <cca/cca.hpp>\nknown k;\n#if", 1))
         self.assertEqual(reject.verdict(file, reject.prepared(self.root / "headers", command))[0], "")
+
+
+class Troubleshooting(Tree):
+    REJECT = ("// EXPECT: rule\\.a: it is `(b|c)`\n// Why it is\n// so.\n#include <x>\nf(\n#if CCA_REJECT\n    b,\n    1\n#else\n    c\n#endif\n);\n")
+    OUTPUT = ('In file included from here:\n/long/way/refusal.hpp:16:17: error: t<line{"rule.a: it is    "}, line{"`b`   "}>\n'
+              "/there/rule.a.cpp:29:27: note: in instantiation of template class 'c<g>' requested here\n")
+
+    def page(self):
+        file = self.write("tests/rejects/rule.a.cpp", self.REJECT)
+        self.write("tests/rejects/parts.hpp", "#pragma once\nstruct part {};\n")
+        said = {(file.name, c): (make_troubleshooting.trimmed(self.OUTPUT, file), "rule.a: it is `b`") for c in make_troubleshooting.COMPILERS}
+        self.write("docs/troubleshooting.md", make_troubleshooting.make(self.root, [file], said))
+        return self.root / "docs/troubleshooting.md"
+
+    def test_page(self):
+        text = self.page().read_text()
+        for part in ("## rule.a", "Why it is so.", "b,\n1\n", "```cpp\nc\n```", "rule.a: it is `b`", 'refusal.hpp: error: t<\n    line{"rule.a: it is    "},\n'):
+            self.assertIn(part, text)
+        make_troubleshooting.main([str(self.root), "--check"])
+
+    def test_out_of_date(self):
+        self.page()
+        for old, new in (("    c\n", "    d\n"), ("Why", "How"), ("(b|c)", "(d|e)")):
+            self.write("tests/rejects/rule.a.cpp", self.REJECT.replace(old, new))
+            with self.subTest(new=new), self.assertRaises(SystemExit):
+                make_troubleshooting.main([str(self.root), "--check"])
+        self.page()
+        self.write("tests/rejects/rule.a-more.cpp", self.REJECT)
+        with self.assertRaises(SystemExit):
+            make_troubleshooting.main([str(self.root), "--check"])
 
 
 if __name__ == "__main__":
