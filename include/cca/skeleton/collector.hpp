@@ -3,7 +3,8 @@
 //
 //   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>      in "hip", "knee"; out "angles"
 //
-// Cost: none after inlining.
+// The inputs' spaces are sub-spaces of the output's, and its origin is the oldest of theirs. Cost: none after inlining.
+// Example: tests/runtime/skeleton/splitter_collector.cpp; docs/skeletons.md.
 #pragma once
 
 #include <cca/component/port.hpp>
