@@ -1,0 +1,81 @@
+// VITE as a component: moves from where it is to a target, with a bell-shaped velocity.
+//
+//   cca::node<"reach", cca::vite<leg_angles>, cca::timed<1>>
+//   in  "target"     S, any space of one number an axis
+//   in  "start"      S, optional: where it is when it begins (the measured position); else the space's zero
+//   in  "go"         over<amplitude, go_axis>, optional: a factor on the speed; 0 holds still
+//   out "position"   S
+//   out "velocity"   velocity_of<S>
+//   out "status"     ode_status_port: converged once it has arrived
+//
+// The GO signal's clock starts when the movement does: when what had converged is given another target. A target that moves
+// while it is under way is followed without a jump of the velocity.
+// Parameters: `convergence` a (1/s), `speed` G0 (1/s), `rise` b (s), `exponent` n. With the defaults it has done 99 % of the
+// way after 1.1 s. Errors: none; a NaN in the target stays. Cost: four derivatives. Source: vite_ode.hpp.
+// Example: tests/runtime/motor/vite.cpp.
+#pragma once
+
+#include <tuple>
+
+#include <cca/adaptive/ode_solver.hpp>
+#include <cca/adaptive/ode_status.hpp>
+#include <cca/component/beat.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/component/port.hpp>
+#include <cca/motor/spaces.hpp>
+#include <cca/motor/vite_ode.hpp>
+
+namespace cca {
+
+struct go_axis : dimension<"go"> {};
+
+template <detail::LinearSpace S, class Integrator = rk4>
+struct vite {
+  using ode = vite_ode<S::size>;
+
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (bounded<double, 0, 1000>, convergence), (bounded<double, 0, 1000>, speed),
+                             (bounded<double, 0, 100>, rise), (bounded<int, 1, 8>, exponent), (ode_settling, settling));
+  };
+  parameters p{30.0, 7.5, 0.4, 2, {1e-3, 1e-2}};
+
+  auto process(in<"target", S> target, optional_in<"start", S> start, optional_in<"go", over<cca::amplitude, go_axis>> go, beat now)
+      -> std::tuple<out<"position", S>, out<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
+    constexpr int D = S::size;
+    typename ode::state x = solver.get();
+    if (!begun) {
+      x.setZero();
+      x.template head<D>() = start ? start.vector() : sample<S>{}.vector();
+      begun = true;
+    }
+    const typename ode::parameters at{p.convergence, p.rise, p.exponent};
+    typename ode::input u;
+    u.template head<D>() = target.vector();
+    u[D] = p.speed * (go ? go[go_axis{}] : 1.0);
+    const bool rested = status.get() == ode_status::converged;
+    if (rested && status.update(rate(x, u, at), p.settling) == ode_status::transient) x[2 * D] = 0;
+    solver.set(x);
+    solver.advance(u, at, now.dt());
+    x = solver.get();
+    const typename ode::state moving = solver.rate(u, at);
+    return {x.template head<D>().eval(), moving.template head<D>().eval(), status_of(status.update(rate(x, u, at), p.settling))};
+  }
+
+  // Begins at "start" again.
+  void on_start() {
+    begun = false;
+    status = {};
+  }
+
+private:
+  // Of positions and difference vectors: the clock never rests.
+  static double rate(const typename ode::state& x, const typename ode::input& u, const typename ode::parameters& at) {
+    return ode::derivative(x, u, at).template head<2 * S::size>().norm();
+  }
+
+  ode_solver<ode, Integrator> solver;
+  ode_monitor status;
+  bool begun = false;
+};
+
+}  // namespace cca
