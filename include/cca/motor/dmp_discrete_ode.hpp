@@ -1,0 +1,68 @@
+// The equations of a discrete movement primitive of D coordinates that share a canonical system.
+//
+//   tau z' = az (az / 4 (g - y) - z) + f(x),   tau y' = z        transformation system (2.1), critically damped
+//   tau x' = -ax x                                               canonical system (2.2), from 1
+//   f(x)   = sum Psi_i w_i / sum Psi_i x (g - y0)                forcing term (2.3, 2.4: dmp_basis.hpp)
+//   tau g' = ag (goal - g)                                       a goal that jumps doesn't make the acceleration jump
+//
+// state: y, z, g (D each), x; input: goal, y0 (where the movement began; D each), tau (the duration in s).
+// With f not scaled, weights are in units of y, and a movement may end where it began. A changed tau changes the speed from
+// there on, not the shape; a changed goal bends the rest of the way.
+// Closed form without forcing term, from rest, g = goal: g - y = (g - y0)(1 + l t) e^(-l t), l = az / (2 tau).
+// Source: Ijspeert et al., Neural Computation 25, 2013; numbers of its equations above; the moving goal: its section 2.1.
+#pragma once
+
+#include <cmath>
+
+#include <cca/adaptive/ode.hpp>
+#include <cca/motor/dmp_basis.hpp>
+
+namespace cca {
+
+template <int D, int N>
+struct dmp_discrete_ode {
+  using vector = Eigen::Matrix<double, D, 1>;
+  using state = Eigen::Matrix<double, 3 * D + 1, 1>;
+  using input = Eigen::Matrix<double, 2 * D + 1, 1>;
+  struct parameters {
+    Eigen::Matrix<double, D, N> weights;
+    double stiffness;  // az
+    double decay;      // ax
+    double goal_rate;  // ag
+    bool scaled;       // the forcing term by g - y0
+  };
+  static constexpr int positions = D;
+
+  static state initial() { return at_rest(vector::Zero(), vector::Zero()); }
+  static state at_rest(const vector& y, const vector& goal) {
+    state x;
+    x << y, vector::Zero(), goal, 1.0;
+    return x;
+  }
+
+  // What scales the forcing term.
+  static vector scale(const vector& g, const vector& y0, const parameters& p) {
+    return p.scaled ? vector(g - y0) : vector(vector::Ones());
+  }
+
+  static state derivative(const state& s, const input& u, const parameters& p) {
+    const vector y = s.template head<D>(), z = s.template segment<D>(D), g = s.template segment<D>(2 * D);
+    const double x = s[3 * D], tau = u[2 * D];
+    const vector shape = p.weights * discrete_activations<N>(x, p.decay);
+    const vector forcing = x * shape.cwiseProduct(scale(g, u.template segment<D>(D), p));
+    state rate;
+    rate.template head<D>() = z;
+    rate.template segment<D>(D) = p.stiffness * (p.stiffness / 4 * (g - y) - z) + forcing;
+    rate.template segment<D>(2 * D) = p.goal_rate * (u.template head<D>() - g);
+    rate[3 * D] = -p.decay * x;
+    return rate / tau;
+  }
+
+  // The forcing term that a demonstration asks for (2.12): position, velocity and acceleration at one time, the goal its end.
+  static vector wanted_forcing(const vector& y, const vector& velocity, const vector& acceleration, const vector& goal, double tau,
+                               const parameters& p) {
+    return tau * tau * acceleration - p.stiffness * (p.stiffness / 4 * (goal - y) - tau * velocity);
+  }
+};
+
+}  // namespace cca

@@ -1,0 +1,80 @@
+// A rhythmic movement primitive as a component: the DMP Transformation System of the seed's section 6.3. It makes of an
+// oscillator's phase and amplitude a learned periodic shape around a goal.
+//
+//   cca::node<"dmp", cca::dmp_rhythmic<leg_angles, stride, 25>, cca::timed<1>>       25 basis functions
+//   in  "phase"       over<phase, Axis>, rad
+//   in  "amplitude"   over<amplitude, Axis>; 0 or less: no swing, it comes to the goal
+//   in  "frequency"   over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
+//   in  "goal"        S, any space of one number an axis: what it swings around; may change while it runs
+//   in  "start"       S, optional: where it begins; else at the goal
+//   out "position"    S
+//   out "velocity"    velocity_of<S>
+//   out "status"      ode_status_port: converged at rest; the phase's own running doesn't count
+//
+// Precondition: the phase runs at the frequency. Between two firings it is taken to go on so; each firing takes it anew.
+// Errors: none; a NaN at an input stays. Cost: five times N exponentials. Source: dmp_rhythmic_ode.hpp.
+// Example: tests/runtime/motor/dmp.cpp.
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+#include <tuple>
+
+#include <cca/adaptive/ode_solver.hpp>
+#include <cca/adaptive/ode_status.hpp>
+#include <cca/component/beat.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/component/port.hpp>
+#include <cca/motor/dmp_rhythmic_ode.hpp>
+#include <cca/motor/spaces.hpp>
+
+namespace cca {
+
+template <detail::LinearSpace S, class Axis, int N, class Integrator = rk4>
+struct dmp_rhythmic {
+  using ode = dmp_rhythmic_ode<S::size, N>;
+  using weight_matrix = Eigen::Matrix<double, S::size, N>;
+
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (weight_matrix, weights), (cca::quantity<cca::frequency, 0.01, 100>, frequency),
+                             (bounded<double, 0.1, 1000>, stiffness), (ode_settling, settling));
+  };
+  parameters p{weight_matrix::Zero(), 1.0, 25.0, {1e-3, 1e-2}};
+
+  auto process(in<"phase", over<cca::phase, Axis>> phase, in<"amplitude", over<cca::amplitude, Axis>> size,
+               optional_in<"frequency", over<cca::frequency, Axis>> turns, in<"goal", S> goal, optional_in<"start", S> start, beat now)
+      -> std::tuple<out<"position", S>, out<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
+    constexpr int D = S::size;
+    using vector = typename ode::vector;
+    const double hertz = turns ? std::max(0.01, turns[Axis{}]) : p.frequency.value();
+    const typename ode::parameters at{p.weights, p.stiffness};
+    typename ode::input u;
+    u << goal.vector(), std::max(0.0, size[Axis{}]), 1 / (2 * std::numbers::pi * hertz);
+    typename ode::state x = solver.get();
+    if (!begun) {
+      x.setZero();
+      x.template head<D>() = start ? start.vector() : goal.vector();
+      begun = true;
+    }
+    // The sample is the phase at the end of this step.
+    x[2 * D] = phase[Axis{}] - 2 * std::numbers::pi * hertz * now.dt();
+    solver.set(x);
+    solver.advance(u, at, now.dt());
+    const typename ode::state rate = solver.rate(u, at);
+    return {vector(solver.get().template head<D>()), vector(rate.template head<D>()),
+            status_of(status.update(rate.template head<2 * D>().norm(), p.settling))};
+  }
+
+  // Begins at "start" again.
+  void on_start() {
+    begun = false;
+    status = {};
+  }
+
+private:
+  ode_solver<ode, Integrator> solver;
+  ode_monitor status;
+  bool begun = false;
+};
+
+}  // namespace cca
