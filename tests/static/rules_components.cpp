@@ -412,4 +412,10 @@ static_assert(tells<no_template_strategy, no_template_strategy_mended>({"strateg
     "cca::timed<10> or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const "
     "Inputs&)`"}));
 
+// A component, and not even that, in place of a graph.
+static_assert(!cca::well_formed<nothing> && !cca::well_formed<int>);
+static_assert(told{"graph.unknown_item", "nothing",
+    "`nothing` is no graph: what runs is a struct derived from cca::graph<...>; a component is put into one as cca::node<`name`, nothing>"}
+                  .by(cca::diagnosis<nothing>));
+
 }  // namespace

@@ -25,19 +25,35 @@ struct report {
   text where{}, message{};
 };
 
-template <class Graph>
+// The first broken rule. What is no graph at all is told so.
+template <class Type>
+consteval rule broken_by() {
+  if constexpr (Graph<Type>) return counts_of<Type>.found.broken;
+  else return rule::graph_unknown_item;
+}
+
+template <class Type>
 consteval report make_report() {
-  auto plan = plan_of<Graph>;
-  telling t{plan.view(), flattened_of<Graph>.unknown_trigger};
-  tell(t);
-  return {as_written(t.where.view()), as_written(t.message.view())};
+  report r;
+  if constexpr (Graph<Type>) {
+    auto plan = plan_of<Type>;
+    telling t{plan.view(), flattened_of<Type>.unknown_trigger};
+    tell(t);
+    r = {t.where, t.message};
+  } else {
+    r.where << type_name<Type>();
+    r.message << rule_ids[static_cast<std::size_t>(broken_by<Type>())] << ": `" << type_name<Type>()
+              << "` is no graph: what runs is a struct derived from cca::graph<...>; a component is put into one as cca::node<`name`, "
+              << type_name<Type>() << ">";
+  }
+  return {as_written(r.where.view()), as_written(r.message.view())};
 }
 template <class Graph>
 inline constexpr report report_of = make_report<Graph>();
 
 template <class Graph>
 consteval diagnosis_value make_diagnosis() {
-  constexpr auto broken = counts_of<Graph>.found.broken;
+  constexpr auto broken = broken_by<Graph>();
   if constexpr (broken == rule::none) return {};
   else return {rule_ids[static_cast<std::size_t>(broken)], report_of<Graph>.where.view(), report_of<Graph>.message.view()};
 }
@@ -96,7 +112,7 @@ using refusal = refused_graph<message<report_of<Graph>.message.size>(report_of<G
 }  // namespace detail
 
 template <class Graph>
-inline constexpr bool well_formed = detail::counts_of<Graph>.found.broken == detail::rule::none;
+inline constexpr bool well_formed = detail::broken_by<Graph>() == detail::rule::none;
 
 template <class Graph>
 inline constexpr diagnosis_value diagnosis = detail::make_diagnosis<Graph>();
