@@ -28,6 +28,7 @@
 #include <utility>
 
 #include <cca/component/beat.hpp>
+#include <cca/component/inlining.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/limits.hpp>
@@ -181,10 +182,11 @@ private:
     return value;
   }
 
+  // By itself clang would leave a call to each of these, since they do many axes at once.
+  template <class F, int... Axis>
+  CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) { (f(std::integral_constant<int, Axis>{}), ...); }
   template <class F>
-  static void each_axis(F f) {
-    [&]<int... Axis>(std::integer_sequence<int, Axis...>) { (f(std::integral_constant<int, Axis>{}), ...); }(std::make_integer_sequence<int, Space::size>{});
-  }
+  CCA_GLUE static void each_axis(F f) { at_each(f, std::make_integer_sequence<int, Space::size>{}); }
 
   static vector_type rest() {
     vector_type nearest_to_zero;

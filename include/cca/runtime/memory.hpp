@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include <cca/graph/lookup.hpp>
-#include <cca/runtime/inlining.hpp>
+#include <cca/component/inlining.hpp>
 
 namespace cca::detail {
 

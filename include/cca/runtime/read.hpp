@@ -2,7 +2,7 @@
 // that reads where the sample lies, so that nothing is copied on the way to the port.
 #pragma once
 
-#include <cca/runtime/inlining.hpp>
+#include <cca/component/inlining.hpp>
 #include <cca/runtime/memory.hpp>
 
 namespace cca::detail {
