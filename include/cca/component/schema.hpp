@@ -83,7 +83,7 @@ concept Ranged = requires { typename Type::value_type; Type::lower; Type::upper;
                  std::derived_from<Type, ranged<typename Type::value_type, Type::lower, Type::upper>>;
 
 template <class Type> constexpr std::size_t text_capacity = 0;
-template <std::size_t Capacity> constexpr std::size_t text_capacity<text<Capacity>> = Capacity;
+template <std::size_t Capacity> constexpr std::size_t text_capacity<cca::text<Capacity>> = Capacity;
 
 template <class Type> struct array_traits { static constexpr std::size_t count = 0; };
 template <class Type, std::size_t Count>

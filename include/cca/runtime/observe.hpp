@@ -86,36 +86,43 @@ constexpr std::string_view path_of_output() {
   return {output_path<Graph, Output>.first.data(), output_path<Graph, Output>.second};
 }
 
-template <int Values, int Count>
-struct observations {
-  std::array<observation, Count + 1> entries;
-  std::array<double, Values + 1> values;
-  int count = 0, used = 0;
-};
-
+// What one observer hears. The entries point into the values, so it is filled where it stays.
 template <class Graph, int Input>
-CCA_GLUE auto observed(const memory<Graph>& m, std::int64_t k, std::int64_t last) {
-  constexpr auto sizes = [] {
-    std::pair<int, int> total{};
+class observations {
+  // Coordinates of all samples, and their number.
+  static constexpr auto sizes = [] {
+    std::pair<std::size_t, std::size_t> total{};
     for (int l = 0; l < counts_of<Graph>.link_count; ++l)
       if (plan_of<Graph>.links[l].input == Input) {
         const auto& o = plan_of<Graph>.outputs[plan_of<Graph>.links[l].output];
-        total.first += plan_of<Graph>.turns[o.turn].half->outputs[o.port].space->size;
+        total.first += static_cast<std::size_t>(plan_of<Graph>.turns[o.turn].half->outputs[o.port].space->size);
         ++total.second;
       }
     return total;
   }();
-  observations<sizes.first, sizes.second> all;
-  for_each_observed<Graph, input_of<Graph, Input>.turn, Input>([&]<int Link>() {
-    constexpr int output = plan_of<Graph>.links[Link].output;
-    constexpr int size = size_of_output<Graph, output>;
-    const auto h = observe_one<Graph, Link>(m, k);
-    double* values = all.values.data() + all.used;
-    copy_coordinates<size>(values, h.value);
-    all.entries[static_cast<std::size_t>(all.count++)] = {path_of_output<Graph, output>(), {values, static_cast<std::size_t>(size)}, h.origin, h.arrived > last};
-    all.used += size;
-  });
-  return all;
-}
+
+public:
+  CCA_GLUE observations(const memory<Graph>& m, std::int64_t k, std::int64_t last) {
+    double* next = values.data();
+    for_each_observed<Graph, input_of<Graph, Input>.turn, Input>([&]<int Link>() {
+      constexpr int output = plan_of<Graph>.links[Link].output;
+      constexpr int size = size_of_output<Graph, output>;
+      const auto h = observe_one<Graph, Link>(m, k);
+      copy_coordinates<size>(next, h.value);
+      entries[count++] = {path_of_output<Graph, output>(), {next, static_cast<std::size_t>(size)}, h.origin, h.arrived > last};
+      next += size;
+    });
+  }
+  observations(const observations&) = delete;
+  observations& operator=(const observations&) = delete;
+
+  template <fixed_string Scope, class Policy>
+  operator observe<Scope, Policy>() const { return {entries.data(), count}; }
+
+private:
+  std::array<observation, sizes.second + 1> entries;
+  std::array<double, sizes.first + 1> values;
+  std::size_t count = 0;
+};
 
 }  // namespace cca::detail

@@ -30,13 +30,8 @@ struct argument<Graph, Turn, Input, beat> {
 };
 template <class Graph, int Turn, int Input, fixed_string Scope, class Policy>
 struct argument<Graph, Turn, Input, observe<Scope, Policy>> {
-  using storage = decltype(observed<Graph, Input>(std::declval<const memory<Graph>&>(), 0, 0));
-  struct listening {
-    storage all;
-    operator observe<Scope, Policy>() const { return {all.entries.data(), static_cast<std::size_t>(all.count)}; }
-  };
-  CCA_GLUE static listening get(const memory<Graph>& m, const seats<Graph, Turn>&, std::int64_t k, std::int64_t last, beat) {
-    return {observed<Graph, Input>(m, k, last)};
+  CCA_GLUE static observations<Graph, Input> get(const memory<Graph>& m, const seats<Graph, Turn>&, std::int64_t k, std::int64_t last, beat) {
+    return {m, k, last};
   }
 };
 
