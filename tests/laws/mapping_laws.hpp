@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cca/cca.hpp>
-#include <cca/mapping/mapping.hpp>
+#include <cca/mapping/mapping_chain.hpp>
 
 #include "space_laws.hpp"
 

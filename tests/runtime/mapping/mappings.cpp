@@ -142,7 +142,7 @@ TEST_CASE("a chain hands on what its mappings give, their statuses and the beat"
 }
 
 TEST_CASE("placements are those of matrices") {
-  constexpr auto a = hip_in_trunk::where, b = trunk_in_world::where;
+  constexpr auto a = hip_in_trunk::where, b = trunk_in_world::where * cca::turned_about({-1, 0.5, 3}, 2.0);
   CHECK((matrix(b * a) - matrix(b) * matrix(a)).norm() < 1e-15);
   CHECK((vector(b * a) - (matrix(b) * vector(a) + vector(b))).norm() < 1e-15);
   CHECK((matrix(inverse(a)) - matrix(a).transpose()).norm() < 1e-15);
@@ -166,6 +166,17 @@ TEST_CASE("frame changes are those of matrices") {
     const Eigen::Vector3d p = random.vector(2);
     cca::frame_change<hip_in_trunk, foot_in_hip, foot_in_trunk> position;
     CHECK((laws::map(position, p) - (R * p + t)).norm() < 1e-14);
+
+    // Of things turned and placed in the hip's frame: the rows of their rotation, and their place.
+    const Eigen::Vector4d q = quaternion(random);
+    cca::frame_change<hip_in_trunk, turn_in_hip, turn_in_trunk> turn;
+    CHECK((cca::rotation::matrix<double>(laws::map(turn, q)) - R * cca::rotation::matrix<double>(q)).norm() < 1e-14);
+    Eigen::Matrix<double, 7, 1> thing;
+    thing << p, q;
+    cca::frame_change<hip_in_trunk, pose_in_hip, pose_in_trunk> pose;
+    const auto placed = laws::map(pose, thing);
+    CHECK((placed.head<3>() - (R * p + t)).norm() < 1e-14);
+    CHECK((cca::rotation::matrix<double>(placed.tail<4>()) - R * cca::rotation::matrix<double>(q)).norm() < 1e-14);
 
     Eigen::Matrix<double, 6, 1> v;
     v << random.vector(2), random.vector(2);

@@ -1,0 +1,170 @@
+// Where the links of a chain or a tree of joints are, and how they move: the functions behind the components.
+//
+//   const cca::chain_pose<arm> now(angles);      angles: Eigen vector over arm::axes, rad (prismatic: m)
+//   now.tip()        position and orientation of the tip in the chain's base
+//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the tip's origin, along the base's axes
+//
+// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most a product of two 3 x 3 matrices a joint.
+// Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, sections 2.7 and 3.1 (geometric Jacobian).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <cca/mapping/serial_chain.hpp>
+
+namespace cca {
+
+using matrix3 = Eigen::Matrix<double, 3, 3>;
+
+// Where a frame stands in the base: its axes as columns, its origin in m.
+struct rigid {
+  matrix3 turn = matrix3::Identity();
+  Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
+
+  rigid operator*(const placement& p) const {
+    return {turn * rotation::matrix(detail::vector_of(p.rotation)), turn * detail::vector_of(p.translation) + at};
+  }
+};
+
+namespace detail {
+
+// A rotation by columns, turned further about an axis of its own. About x, y or z two columns change; else it's Rodrigues' formula.
+inline void turn_about(matrix3& m, const body_link& l, double angle) {
+  const double s = std::sin(angle), c = std::cos(angle);
+  if (l.principal >= 0) {
+    const int i = (l.principal + 1) % 3, j = (l.principal + 2) % 3;
+    const vector3 a = m.col(i), b = m.col(j);
+    m.col(i) = c * a + s * b;
+    m.col(j) = c * b - s * a;
+    return;
+  }
+  const double x = l.axis[0], y = l.axis[1], z = l.axis[2], v = 1 - c;
+  matrix3 r;
+  r << c + v * x * x, v * x * y - s * z, v * x * z + s * y,  //
+      v * x * y + s * z, c + v * y * y, v * y * z - s * x,   //
+      v * x * z - s * y, v * y * z + s * x, c + v * z * z;
+  m = (m * r).eval();
+}
+
+// A link in the base: its frame, and the axis of its joint.
+struct placed_link {
+  rigid frame;
+  vector3 axis;
+};
+
+template <std::size_t Count, class Coordinates>
+void place_links(const std::array<body_link, Count>& links, const Coordinates& q, std::array<placed_link, Count>& placed) {
+  const rigid base;
+  for (std::size_t i = 0; i < Count; ++i) {
+    const body_link& l = links[i];
+    const rigid& parent = l.parent < 0 ? base : placed[static_cast<std::size_t>(l.parent)].frame;
+    rigid& frame = placed[i].frame;
+    const double angle = l.ratio * q[l.coordinate] + l.rest;
+    frame.at = parent.at + parent.turn * vector_of(l.at);
+    if (l.straight) frame.turn = parent.turn;
+    else frame.turn = parent.turn * Eigen::Map<const matrix3>(l.turn.data());
+    placed[i].axis = frame.turn * vector_of(l.axis);
+    if (l.kind == joint_kind::revolute) turn_about(frame.turn, l, angle);
+    else frame.at += angle * placed[i].axis;
+  }
+}
+
+// The velocity of a point that the last link carries, for each coordinate: its column of the geometric Jacobian.
+template <std::size_t Count, class Jacobian>
+void fill_jacobian(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, int last, const vector3& point,
+                   Jacobian& jacobian) {
+  jacobian.setZero();
+  for (int i = last; i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
+    const body_link& l = links[static_cast<std::size_t>(i)];
+    const placed_link& at = placed[static_cast<std::size_t>(i)];
+    if (l.kind == joint_kind::revolute) {
+      jacobian.col(l.coordinate).template head<3>() += l.ratio * at.axis;
+      jacobian.col(l.coordinate).template tail<3>() += l.ratio * rotation::cross<double>(at.axis, point - at.frame.at);
+    } else {
+      jacobian.col(l.coordinate).template tail<3>() += l.ratio * at.axis;
+    }
+  }
+}
+
+// From the columns of a rotation; the largest of the four squares is the one that is divided by (Shepperd 1978).
+inline vector4 quaternion_of(const matrix3& m) {
+  const double trace = m(0, 0) + m(1, 1) + m(2, 2);
+  int largest = 3;
+  double most = trace;
+  for (int i = 0; i < 3; ++i)
+    if (m(i, i) > most) largest = i, most = m(i, i);
+  vector4 q;
+  if (largest == 3) {
+    q << m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), 1 + trace;
+  } else {
+    const int i = largest, j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = 1 + 2 * m(i, i) - trace;
+    q[j] = m(j, i) + m(i, j);
+    q[k] = m(k, i) + m(i, k);
+    q[3] = m(k, j) - m(j, k);
+  }
+  return rotation::normalised(q);
+}
+
+// Angles in the order of the chain's axes, from a space that has those axes in some order.
+template <class Wanted, class Space>
+struct picked;
+template <class... Wanted, class Space>
+struct picked<axes<Wanted...>, Space> {
+  static constexpr bool all = (Space::axes::template contains<Wanted> && ...);
+  static constexpr std::array<int, sizeof...(Wanted)> index{Space::axes::template index_of<Wanted>...};
+
+  template <class Vector>
+  static auto from(const Vector& v) {
+    Eigen::Matrix<double, sizeof...(Wanted), 1> q;
+    for (int i = 0; i < static_cast<int>(sizeof...(Wanted)); ++i) q[i] = v[index[static_cast<std::size_t>(i)]];
+    return q;
+  }
+  template <class Vector>
+  static typename Space::vector_type to(const Vector& q) {
+    typename Space::vector_type v = Space::vector_type::Zero();
+    for (int i = 0; i < static_cast<int>(sizeof...(Wanted)); ++i) v[index[static_cast<std::size_t>(i)]] = q[i];
+    return v;
+  }
+};
+
+// Whether the space has the chain's axes and no others.
+template <class Chain, class Space>
+concept MovedBy = picked<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
+template <class Chain, class Space>
+concept MovedWithin = picked<typename Chain::axes, Space>::all;
+
+}  // namespace detail
+
+template <SerialChain Chain>
+class chain_pose {
+public:
+  static constexpr int size = Chain::axes::count;
+  static constexpr std::size_t count = Chain::joints.size();
+  static_assert(detail::coordinates_exist<Chain>, "cca::serial_chain: a joint is driven by a coordinate that the chain has no axis for");
+  using vector_type = Eigen::Matrix<double, size, 1>;
+  using jacobian_type = Eigen::Matrix<double, 6, size>;
+
+  explicit chain_pose(const vector_type& q) { detail::place_links(detail::chain_links<Chain>, q, links); }
+
+  // In the base: a link, and the tip.
+  const rigid& link(std::size_t i) const { return links[i].frame; }
+  rigid tip() const {
+    if constexpr (count == 0) return rigid{} * Chain::tip;
+    else return links[count - 1].frame * Chain::tip;
+  }
+
+  jacobian_type jacobian() const {
+    jacobian_type j;
+    detail::fill_jacobian(detail::chain_links<Chain>, links, static_cast<int>(count) - 1, tip().at, j);
+    return j;
+  }
+
+private:
+  std::array<detail::placed_link, count> links;
+};
+
+}  // namespace cca

@@ -1,0 +1,156 @@
+// A leg of three segments whose lower one stays parallel to the upper: a pantograph, as Oncilla's. Kinematics in closed form.
+//
+//   struct left_front_leg : cca::pantograph_leg<trunk, paw, cca::axes<abduction, hip, knee>,
+//                                               cca::pantograph{.upper = 0.078, .middle = 0.095, .lower = 0.06, .side = 1}> {};
+//
+// Frame: x forward, y left, z up, its origin in the hip, or where `hip` places it in the base. The leg's plane is that of x and
+// z, turned about x by the abduction (positive outward: to +y on side +1, the left one). In it a segment at angle t points to
+// (sin t, -cos t): the upper one stands at `hip`, the middle one at `hip - knee`, the lower one at `hip` again. So it is a leg
+// of two links, upper + lower and middle. With axes<hip, knee> it stays in its plane: then positions are over axes<x, z>.
+//
+// It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of all there are: the
+// reachable points of the plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and
+// the nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, section 2.12.1).
+// Preconditions: lengths are positive, a range of abduction is less than a turn. Cost: about 10 sines and arc tangents.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+#include <cca/mapping/damped_least_squares.hpp>
+
+namespace cca {
+
+struct pantograph {
+  double upper = 0, middle = 0, lower = 0;  // m; the lower one to where the foot touches
+  double side = 1;                          // +1: abduction leads to +y, -1: to -y
+  placement hip{};                          // in the base
+};
+
+template <class Base, class Tip, class Axes, pantograph Geometry>
+struct pantograph_leg : serial_chain<Base, Tip, Axes> {
+  static_assert(Axes::count == 2 || Axes::count == 3, "cca::pantograph_leg: its axes are abduction, hip and knee, or hip and knee");
+  static constexpr pantograph geometry = Geometry;
+  static constexpr placement tip = at(0, 0, -Geometry.lower);
+  static constexpr auto joints = [] {
+    constexpr std::size_t abducted = Axes::count == 3;
+    constexpr int hip = abducted, knee = hip + 1;
+    std::array<joint, 3 + abducted> all{};
+    if constexpr (abducted) all[0] = revolute(along_x, Geometry.hip).driven_by(0, Geometry.side);
+    all[abducted] = revolute(along_y, abducted ? placement{} : Geometry.hip).driven_by(hip, -1);
+    all[abducted + 1] = revolute(along_y, at(0, 0, -Geometry.upper)).driven_by(knee);
+    all[abducted + 2] = revolute(along_y, at(0, 0, -Geometry.middle)).driven_by(knee, -1);
+    return all;
+  }();
+};
+
+template <class Type>
+concept PantographLeg = SerialChain<Type> && requires { requires std::is_same_v<std::remove_cvref_t<decltype(Type::geometry)>, pantograph>; };
+
+namespace detail {
+
+// The angle, up to whole turns, that lies nearest to the range.
+inline double nearest_in(double angle, double low, double high) {
+  if (std::isfinite(low) && std::isfinite(high))
+    angle -= 2 * std::numbers::pi * std::round((angle - (low + high) / 2) / (2 * std::numbers::pi));
+  return angle < low ? low : angle > high ? high : angle;
+}
+
+// The leg in its plane.
+struct plane_leg {
+  double a, b;  // upper + lower, middle
+  double hip_low, hip_high, knee_low, knee_high;
+
+  struct answer {
+    double hip = 0, knee = 0, square = std::numeric_limits<double>::infinity(), change = 0;
+  };
+
+  answer solve(double x, double z, double hip_before, double knee_before) const {
+    answer best;
+    const auto offer = [&](double hip, double knee) {
+      const double dx = a * std::sin(hip) + b * std::sin(hip - knee) - x, dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
+      const double square = dx * dx + dz * dz, change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
+      constexpr double same = 1e-24;  // m^2: then the one that moves less
+      if (square < best.square - same || (square <= best.square + same && change < best.change)) best = {hip, knee, square, change};
+    };
+    const double towards = std::atan2(x, -z);
+    // With a knee, the hip that turns the foot to the target.
+    const auto with_knee = [&](double knee) {
+      if (knee < knee_low || knee > knee_high) return;
+      offer(nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high), knee);
+    };
+    // With a hip, the knee that turns the middle segment to the target.
+    const auto with_hip = [&](double hip) {
+      if (!std::isfinite(hip)) return;
+      offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))), knee_low, knee_high));
+    };
+    const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
+    if (std::abs(cosine) <= 1)
+      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) with_knee(knee);
+    if (best.square > 1e-24)
+      for (const double knee : {knee_low, knee_high, 0.0, std::numbers::pi, -std::numbers::pi})
+        if (std::isfinite(knee)) with_knee(knee);
+    if (best.square > 1e-24)
+      for (const double hip : {hip_low, hip_high}) with_hip(hip);
+    return best;
+  }
+};
+
+// Of a pantograph leg: the same form as least_squares_solver.
+template <class Leg, class Joints, class Tip, class Settings>
+class pantograph_solver {
+  using limits = chain_limits<Leg, Joints>;
+  static constexpr bool abducted = Leg::axes::count == 3;
+  static constexpr int hip = abducted, knee = hip + 1;
+  static constexpr pantograph geometry = Leg::geometry;
+  static constexpr plane_leg leg{geometry.upper + geometry.lower, geometry.middle, limits::lower(hip), limits::upper(hip),
+                                 limits::lower(knee), limits::upper(knee)};
+
+public:
+  using vector = typename limits::vector;
+  struct answer {
+    vector q;
+    double distance;
+    reaching status;
+  };
+
+  static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
+    answer best{near, std::numeric_limits<double>::infinity(), reaching::nearest};
+    if constexpr (abducted) {
+      const vector3 p = in_hip(wanted);
+      const double radius = std::hypot(p[1], p[2]);
+      // The tilt that turns the plane to the target, for a foot below the hip and for one above it.
+      const double first = radius > 0 ? std::atan2(p[1], -p[2]) : 0, second = radius > 0 ? std::atan2(-p[1], p[2]) : 0;
+      const double side = geometry.side < 0 ? -1 : 1;
+      const double low = side > 0 ? limits::lower(0) : -limits::upper(0), high = side > 0 ? limits::upper(0) : -limits::lower(0);
+      for (const double towards : {first, second}) {
+        const double tilt = nearest_in(towards, low, high);
+        const double across = p[1] * std::cos(tilt) + p[2] * std::sin(tilt), up = p[2] * std::cos(tilt) - p[1] * std::sin(tilt);
+        const auto found = leg.solve(p[0], up, near[hip], near[knee]);
+        const double distance = std::sqrt(found.square + across * across);
+        if (distance < best.distance - 1e-12) best = {vector(side * tilt, found.hip, found.knee), distance, reaching::nearest};
+      }
+    } else {
+      const vector3 p = in_hip(wanted);
+      const auto found = leg.solve(p[0], p[2], near[hip], near[knee]);
+      best = {vector(found.hip, found.knee), std::sqrt(found.square), reaching::nearest};
+    }
+    if (best.distance <= Settings::tolerance) best.status = reaching::reached;
+    return best;
+  }
+
+private:
+  static vector3 in_hip(const typename Tip::vector_type& wanted) {
+    constexpr placement back = inverse(geometry.hip);
+    vector3 p = vector_of(geometry.hip.translation);
+    using part = cartesian_part<typename Tip::axes>;
+    for (int i = 0; i < Tip::size; ++i) p[part::of[static_cast<std::size_t>(i)]] = wanted[i];
+    return rotation::rotate(vector_of(back.rotation), p) + vector_of(back.translation);
+  }
+};
+
+}  // namespace detail
+}  // namespace cca

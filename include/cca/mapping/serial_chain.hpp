@@ -1,0 +1,133 @@
+// Serial chains: joints in a row, from one frame to another, as constants of a named struct.
+//
+//   struct arm : cca::serial_chain<trunk, hand, cca::axes<shoulder, elbow>> {
+//     static constexpr std::array joints{cca::revolute(cca::along_z, cca::at(0, 0.1, 0)), cca::revolute(cca::along_y, cca::at(0.3, 0, 0))};
+//     static constexpr cca::placement tip = cca::at(0.25, 0, 0);
+//     static constexpr std::array<cca::link_inertia, 2> links{...};   // optional: what each joint carries
+//   };
+//
+// A joint stands in the frame of the link before it (the first one: in the chain's base), with its angle at 0, and moves what
+// follows about or along its axis. The tip stands in the last link. Each joint has a coordinate, by default the one of its own
+// index; a coupled joint names another's, and a ratio: a pantograph is two joints of one coordinate with ratios 1 and -1.
+// Units: m, rad (a prismatic joint's coordinate: m), kg, kg m^2. An axis has a length other than 0; it is normalised.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <cca/mapping/placement.hpp>
+#include <cca/space/space.hpp>
+
+namespace cca {
+
+enum class joint_kind : std::uint8_t { revolute, prismatic };
+
+struct joint {
+  joint_kind kind = joint_kind::revolute;
+  std::array<double, 3> axis = along_z;
+  placement where{};
+  int coordinate = -1;  // -1: that of the joint's own index
+  double ratio = 1;     // angle of the joint = ratio * coordinate + rest
+  double rest = 0;
+
+  // The same joint moved by another coordinate.
+  constexpr joint driven_by(int other, double by = 1, double at_zero = 0) const { return {kind, axis, where, other, by, at_zero}; }
+};
+
+constexpr joint revolute(const std::array<double, 3>& axis, const placement& where = {}) { return {joint_kind::revolute, axis, where}; }
+constexpr joint prismatic(const std::array<double, 3>& axis, const placement& where = {}) { return {joint_kind::prismatic, axis, where}; }
+
+// Mass in kg, its centre in the link's frame in m, the inertia about that centre along the link's axes in kg m^2: xx, yy, zz,
+// xy, xz, yz (the products as they stand in the matrix).
+struct link_inertia {
+  double mass = 0;
+  std::array<double, 3> centre{};
+  std::array<double, 6> about_centre{};
+};
+
+template <class Base, class Tip, class Axes>
+struct serial_chain {
+  using base = Base;
+  using tip_frame = Tip;
+  using axes = Axes;
+};
+
+template <class Type>
+concept SerialChain = requires {
+  typename Type::base;
+  typename Type::tip_frame;
+  typename Type::axes;
+  { Type::tip } -> std::convertible_to<placement>;
+  Type::joints.size();
+};
+
+// With what its links weigh.
+template <class Type>
+concept DynamicChain = SerialChain<Type> && requires { Type::links.size(); };
+
+namespace detail {
+
+// A joint ready for use: its place as a matrix (by columns), its axis of length 1, which link it stands in (-1: the base).
+struct body_link {
+  int parent = -1;
+  joint_kind kind = joint_kind::revolute;
+  int coordinate = 0;
+  double ratio = 1, rest = 0;
+  int principal = -1;    // the axis is x, y or z, or -1
+  bool straight = true;  // the joint's frame is not turned against its parent's
+  std::array<double, 3> axis{}, at{};
+  std::array<double, 9> turn{};
+  link_inertia inertia{};
+};
+
+constexpr std::array<double, 9> matrix_of(const std::array<double, 4>& q) {
+  const auto a = turned_by(q, along_x), b = turned_by(q, along_y), c = turned_by(q, along_z);
+  return {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]};
+}
+
+constexpr body_link body_link_of(const joint& j, int index, int parent, const placement& parent_to_base = {}, int first_coordinate = 0) {
+  body_link l;
+  const placement where = parent_to_base * j.where;
+  const double length = constant_root(j.axis[0] * j.axis[0] + j.axis[1] * j.axis[1] + j.axis[2] * j.axis[2]);
+  l.parent = parent;
+  l.kind = j.kind;
+  l.coordinate = first_coordinate + (j.coordinate < 0 ? index : j.coordinate);
+  l.ratio = j.ratio;
+  l.rest = j.rest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    l.axis[i] = j.axis[i] / length;
+    if (l.axis[i] == 1) l.principal = static_cast<int>(i);
+  }
+  l.at = where.translation;
+  l.turn = matrix_of(where.rotation);
+  l.straight = where.rotation[0] == 0 && where.rotation[1] == 0 && where.rotation[2] == 0;
+  return l;
+}
+
+template <std::size_t Count>
+constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& joints) {
+  std::array<body_link, Count> links{};
+  for (std::size_t i = 0; i < Count; ++i) links[i] = body_link_of(joints[i], static_cast<int>(i), static_cast<int>(i) - 1);
+  return links;
+}
+
+template <class Chain>
+inline constexpr auto chain_links = [] {
+  auto links = links_of(Chain::joints);
+  if constexpr (DynamicChain<Chain>) {
+    static_assert(Chain::links.size() == Chain::joints.size(), "cca::serial_chain: `links` says what each of the `joints` carries");
+    for (std::size_t i = 0; i < links.size(); ++i) links[i].inertia = Chain::links[i];
+  }
+  return links;
+}();
+
+template <class Chain>
+constexpr bool coordinates_exist = [] {
+  for (const auto& l : chain_links<Chain>)
+    if (l.coordinate < 0 || l.coordinate >= Chain::axes::count) return false;
+  return true;
+}();
+
+}  // namespace detail
+}  // namespace cca
