@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Fails if a beat still calls something that is not of libm, by the disassembly.
+
+    calls.py <compiler> [flags...]
+
+Looks at small.cpp, and at a chain, a fan-out and a graph of mixed rates of 30 nodes.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import generate
+
+HERE = pathlib.Path(__file__).resolve().parent
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE)]
+LIBM = {"sin", "cos", "sincos", "tan", "atan", "atan2", "asin", "acos", "exp", "log", "pow", "sqrt", "fmod", "floor", "ceil", "round", "hypot"}
+# What a limiter does in its first beat and when it steps in: out of the way, and never in a beat as usual.
+SELDOM = re.compile(r"cca::limiter<.*>::(begin|corrected)\b|::limiter<.*(begin|corrected)")
+
+
+def calls(listing):
+    """In the functions that are the beat: (function, what it calls). A call in an object file is named by its relocation."""
+    function, waits = None, False
+    for line in listing.splitlines():
+        head = re.match(r"(?:[0-9a-f]+ )?<(.*)>:$", line)
+        if head:
+            function = head[1]
+            continue
+        if not function or "advance()" not in function:
+            continue
+        if waits and (relocation := re.search(r"R_X86_64_(?:PLT32|PC32|GOTPCRELX?)\s+(.*?)(?:-0x[0-9a-f]+)?$", line)):
+            if not relocation[1].startswith(".text"):
+                yield function, relocation[1]
+        waits = bool(re.search(r"\s(call|jmp)\s", line))
+        if waits and re.search(r"\scall\s+\*", line):
+            yield function, "a pointer: " + line.split("call")[1].strip()
+
+
+def bad_calls(compiler, flags, source, work):
+    done = subprocess.run([compiler, "-std=c++20", *flags, *INCLUDES, "-c", str(source), "-o", str(work / "beat.o")], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(done.stderr[:3000])
+    listing = subprocess.run(["objdump", "-dr", "-C", "--no-show-raw-insn", str(work / "beat.o")], capture_output=True, text=True, check=True).stdout
+    if "advance()" not in listing:
+        sys.exit(f"{source.name}: no beat in the disassembly")
+    return sorted({called for _, called in calls(listing) if called not in LIBM and not SELDOM.search(called)})
+
+
+def main():
+    compiler, flags = sys.argv[1], sys.argv[2:] or ["-O2"]
+    failed = False
+    with tempfile.TemporaryDirectory() as folder:
+        work = pathlib.Path(folder)
+        sources = [HERE / "small.cpp"]
+        for shape in generate.SHAPES:
+            sources.append(work / f"{shape}.cpp")
+            sources[-1].write_text(generate.source(shape, 30, only_graph=True))
+        for source in sources:
+            bad = bad_calls(compiler, flags, source, work)
+            print(f"{source.stem}: {'calls ' + '; '.join(bad) if bad else 'calls nothing but libm'}")
+            failed |= bool(bad)
+    sys.exit(failed)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+"""All figures of docs/performance.md in one run: builds the programs of this folder with both compilers, checks that the
+three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
+
+    measure.py                 everything (half an hour on two cores at rest)
+    measure.py --only compile  one part: trot, synthetic, compile, listing; the others stay as they were in figures.json
+    measure.py --page          only the page, from figures.json
+
+Counts (instructions, calls, allocations, bytes, instantiations) do not depend on how busy the machine is; times do.
+"""
+import argparse
+import datetime
+import json
+import math
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+
+import generate
+import page
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent
+COMPILERS = ("g++", "clang++-19")
+FORMS = ("graph", "by_hand", "classical")
+SIZES = (10, 30, 100, 300)
+COMPILE_SIZES = (10, 30, 100, 300, 1000)
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(HERE)]
+
+
+def run(command, **options):
+    done = subprocess.run(command, text=True, capture_output=True, **options)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stderr[:3000]}")
+    return done
+
+
+def build(compiler, flags, source, program):
+    run(["nice", compiler, "-std=c++20", "-DNDEBUG", *flags, *INCLUDES, str(source), str(HERE / "counting.cpp"), "-o", str(program),
+         "-lbenchmark", "-lpthread"])
+
+
+def instructions(program, form):
+    """A beat: the difference between two lengths of run."""
+    counts = []
+    for beats in (1000, 3000):
+        out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(program), form, str(beats)]).stderr
+        counts.append(int(re.search(r"Collected : (\d+)", out)[1]))
+    return (counts[1] - counts[0]) / 2000
+
+
+def nanoseconds(program):
+    out = run([str(program), "--benchmark_format=json", "--benchmark_repetitions=5", "--benchmark_min_time=0.1"]).stdout
+    times = {}
+    for entry in json.loads(out)["benchmarks"]:
+        if entry["run_type"] == "iteration":
+            times.setdefault(entry["name"], []).append(entry["cpu_time"])
+    return {form: statistics.median(all_times) for form, all_times in times.items()}
+
+
+def functions(program):
+    """The disassembly: name of each function -> its lines."""
+    listing = run(["objdump", "-d", "--no-show-raw-insn", "-C", "--no-addresses", str(program)]).stdout
+    found, name = {}, None
+    for line in listing.splitlines():
+        head = re.match(r"<(.*)>:$", line)
+        if head:
+            name = head[1]
+            found[name] = []
+        elif name and line.strip():
+            found[name].append(line.strip())
+    return found
+
+
+def loop_of(program):
+    """The beat of the graph: advance(), or what it was inlined into."""
+    all_functions = functions(program)
+    for wanted in ("::advance()", "::step()", "one_beat<bench::as_graph"):
+        for name, lines in all_functions.items():
+            if wanted in name and "cca::controller" in name or (wanted.startswith("one_beat") and wanted in name):
+                return lines
+    sys.exit(f"{program}: no beat in its disassembly")
+
+
+def calls_of(lines):
+    """What is called in the hot part. g++ puts what is unlikely into a part of its own."""
+    called = {}
+    for line in lines:
+        call = re.search(r"\b(?:call|jmp)\s+(?:[0-9a-f]+ )?<(.*)>", line)
+        if call and "+0x" not in call[1]:
+            name = re.sub(r"@plt$", "", call[1])
+            called[name] = called.get(name, 0) + 1
+    return called
+
+
+def forms(program, with_times=True):
+    run([str(program), "check"])
+    figures = {form: {"instructions": instructions(program, form)} for form in FORMS}
+    for line in run([str(program), "figures"]).stdout.splitlines():
+        form, allocations, size = line.split()
+        figures[form].update(allocations=float(allocations), bytes=int(size))
+    if with_times:
+        for form, time in nanoseconds(program).items():
+            figures[form]["ns"] = time
+    lines = loop_of(program)
+    figures["graph"]["calls"] = calls_of(lines)
+    figures["graph"]["size"] = len(lines)
+    return figures
+
+
+def trot(work):
+    rows = []
+    for compiler in COMPILERS:
+        for flags in (["-O2"], ["-O3"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"]):
+            program = work / "trot"
+            # Contraction to fused multiply-adds may differ from one function to another: off, so that bits can be compared.
+            build(compiler, [*flags, "-ffp-contract=off"], HERE / "trot.cpp", program)
+            rows.append({"compiler": compiler, "flags": " ".join(flags), **forms(program)})
+            print("trot", compiler, *flags, {f: rows[-1][f]["instructions"] for f in FORMS}, flush=True)
+    return rows
+
+
+def synthetic(work):
+    rows = []
+    for compiler in COMPILERS:
+        for shape in generate.SHAPES:
+            for size in SIZES:
+                source, program = work / "synthetic.cpp", work / "synthetic"
+                source.write_text(generate.source(shape, size))
+                build(compiler, ["-O2"], source, program)
+                rows.append({"compiler": compiler, "shape": shape, "nodes": size, **forms(program)})
+                print(shape, size, compiler, {f: rows[-1][f]["instructions"] for f in FORMS}, flush=True)
+    return rows
+
+
+def compile_cost(compiler, source, times):
+    """User and system seconds (least of several), and megabytes."""
+    seconds, megabytes = [], 0
+    for _ in range(times):
+        child = subprocess.Popen([compiler, "-std=c++20", "-O2", *INCLUDES, "-c", str(source), "-o", "/dev/null"], stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(child.pid, 0)
+        if status != 0:
+            sys.exit(f"{source} does not compile with {compiler}")
+        seconds.append(usage.ru_utime + usage.ru_stime)
+        megabytes = max(megabytes, usage.ru_maxrss / 1024)
+    return {"seconds": min(seconds), "megabytes": megabytes}
+
+
+def instantiations(source, work):
+    """Classes and functions that clang makes of templates."""
+    run(["clang++-19", "-std=c++20", "-O0", *INCLUDES, "-ftime-trace", "-ftime-trace-granularity=0", "-c", str(source), "-o", str(work / "trace.o")])
+    events = json.loads((work / "trace.json").read_text())["traceEvents"]
+    count = {e["name"]: e["args"]["count"] for e in events if e["name"].startswith("Total Instantiate")}
+    return {"classes": count.get("Total InstantiateClass", 0), "functions": count.get("Total InstantiateFunction", 0)}
+
+
+def exponent(rows, base):
+    """Of seconds above the empty file, between the last two sizes."""
+    (n1, s1), (n2, s2) = [(r["nodes"], r["seconds"] - base) for r in rows[-2:]]
+    return math.log(s2 / s1) / math.log(n2 / n1) if s1 > 0 and s2 > 0 else float("nan")
+
+
+def compile_times(work):
+    result = {"bases": [], "rows": []}
+    for compiler in COMPILERS:
+        for what, text in (("Eigen/Core", "#include <Eigen/Core>\n"), ("cca/cca.hpp", "#include <cca/cca.hpp>\n")):
+            source = work / "base.cpp"
+            source.write_text(text)
+            result["bases"].append({"compiler": compiler, "includes": what, **compile_cost(compiler, source, 5)})
+    for shape, own_types in (("chain", False), ("mixed", False), ("chain", True)):
+        for compiler in COMPILERS:
+            for size in COMPILE_SIZES:
+                source = work / "graph.cpp"
+                source.write_text(generate.source(shape, size, only_graph=True, own_types=own_types))
+                row = {"shape": shape + (", a type each" if own_types else ""), "compiler": compiler, "nodes": size,
+                       **compile_cost(compiler, source, 3 if size < 300 else 1)}
+                if compiler.startswith("clang"):
+                    row.update(instantiations(source, work))
+                result["rows"].append(row)
+                print(row, flush=True)
+    return result
+
+
+def listing(work):
+    source = work / "small.cpp"
+    source.write_text(generate.source("chain", 4, only_graph=True))
+    result = {}
+    for compiler in COMPILERS:
+        run([compiler, "-std=c++20", "-O2", "-DNDEBUG", *INCLUDES, "-c", str(source), "-o", str(work / "small.o")])
+        for name, lines in functions(work / "small.o").items():
+            if "advance()" in name and "cold" not in name:
+                result[compiler] = lines
+    return result
+
+
+def machine():
+    cpu = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    versions = [run([c, "--version"]).stdout.splitlines()[0] for c in (*COMPILERS, "valgrind")]
+    commit = run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"]).stdout.strip()
+    return {"cpu": cpu[1] if cpu else "unknown", "cores": os.cpu_count(), "load": os.getloadavg()[0], "versions": versions,
+            "date": datetime.date.today().isoformat(), "commit": commit}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parts = {"trot": trot, "synthetic": synthetic, "compile": compile_times, "listing": listing}
+    parser.add_argument("--only", choices=parts, action="append")
+    parser.add_argument("--page", action="store_true")
+    a = parser.parse_args()
+    file = HERE / "figures.json"
+    figures = json.loads(file.read_text()) if file.exists() else {}
+    if not a.page:
+        with tempfile.TemporaryDirectory() as work:
+            for name in a.only or parts:
+                figures[name] = {"machine": machine(), "data": parts[name](pathlib.Path(work))}
+                file.write_text(json.dumps(figures, indent=1) + "\n")
+    (ROOT / "docs" / "performance.md").write_text(page.text(figures, exponent))
+
+
+if __name__ == "__main__":
+    main()

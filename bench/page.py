@@ -1,0 +1,118 @@
+"""docs/performance.md from bench/figures.json: called by measure.py."""
+
+FORMS = ("graph", "by_hand", "classical")
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(c) for c in row) + " |" for row in rows]) + "\n"
+
+
+def number(x):
+    return f"{x:,.0f}" if x >= 100 else f"{x:.1f}"
+
+
+def three(row, what):
+    return " / ".join(number(row[f][what]) for f in FORMS)
+
+
+def calls(row):
+    return ", ".join(f"{n} {name.split('(')[0].split('::')[-1]}" for name, n in sorted(row["graph"]["calls"].items())) or "none"
+
+
+def ratio(row):
+    return f"{row['graph']['instructions'] / row['by_hand']['instructions']:.3f}"
+
+
+def measured(part):
+    m = part["machine"]
+    return (f"Measured on {m['date']} at commit {m['commit']}: {m['cpu']}, {m['cores']} cores, load {m['load']:.1f} at the start; "
+            f"{'; '.join(m['versions'])}.\n")
+
+
+def trot(part):
+    rows = [[r["compiler"], f"`{r['flags']}`", three(r, "instructions"), f"**{ratio(r)}**", three(r, "ns"), calls(r),
+             three(r, "allocations"), three(r, "bytes")] for r in part["data"]]
+    worst = max(r["graph"]["instructions"] / r["by_hand"]["instructions"] for r in part["data"])
+    return f"""## The trot's controller
+
+The graph of `examples/trot` with a robot that plays stored angles back (`bench/trot.cpp`), beside the same arithmetic written
+by hand as one loop on Eigen vectors, and beside the classical way: virtual components, samples behind shared pointers, queues
+(`bench/classical.hpp`). The three give the same results to the last bit, which each run checks. Each figure reads
+graph / by hand / classical. The largest ratio of the graph to the loop by hand is {worst:.2f}; the goal is at most 1.00.
+
+{table(["compiler", "flags", "instructions a beat", "graph : by hand", "ns a beat", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
+Instructions are counted by callgrind, libm's included. Bytes are those on the heap with all that the form allocates.
+{measured(part)}"""
+
+
+def synthetic(part):
+    rows = [[r["shape"], r["nodes"], r["compiler"], three(r, "instructions"), f"**{ratio(r)}**", three(r, "ns"), calls(r),
+             three(r, "allocations"), three(r, "bytes")] for r in part["data"]]
+    return f"""## Chain, fan-out, mixed rates
+
+Low-pass filters on samples of two axes, `-O2`: one after another, all behind one source, and one after another at 1000, 500,
+200 and 100 Hz in turn. By hand: a loop over an array of filters. Graph / by hand / classical.
+
+{table(["shape", "nodes", "compiler", "instructions a beat", "graph : by hand", "ns a beat", "calls left", "allocations a beat", "bytes of state"], rows)}
+{measured(part)}"""
+
+
+def compiling(part, exponent):
+    data = part["data"]
+    base = {b["compiler"]: b["seconds"] for b in data["bases"] if b["includes"] == "Eigen/Core"}
+    bases = table(["file that only includes", "compiler", "s", "MB"],
+                  [[b["includes"], b["compiler"], f"{b['seconds']:.2f}", f"{b['megabytes']:.0f}"] for b in data["bases"]])
+    rows, growth = [], []
+    keys = dict.fromkeys((r["shape"], r["compiler"]) for r in data["rows"])
+    for shape, compiler in keys:
+        mine = [r for r in data["rows"] if (r["shape"], r["compiler"]) == (shape, compiler)]
+        for r in mine:
+            rows.append([shape, compiler, r["nodes"], f"{r['seconds']:.1f}", f"{r['seconds'] - base[compiler]:.1f}", f"{r['megabytes']:.0f}",
+                         r.get("classes", ""), r.get("functions", "")])
+        growth.append([shape, compiler, f"{mine[-2]['nodes']} to {mine[-1]['nodes']}", f"{exponent(mine, base[compiler]):.2f}"])
+    return f"""## Compiling
+
+One file with a graph and a function that makes a beat of it, `-O2`, samples of two axes. Seconds are those of the processor,
+user and system. Instantiations are counted by clang in the whole file, Eigen and the standard library included.
+The goals: 1,000 nodes in 15 s and 700 MB; 100 nodes at most 1 s above Eigen alone.
+
+{bases}
+{table(["graph", "compiler", "nodes", "s", "s above Eigen", "MB", "classes instantiated", "functions instantiated"], rows)}
+Growth exponent of the seconds above Eigen (1: linear):
+
+{table(["graph", "compiler", "nodes", "exponent"], growth)}
+Components of one type that are wired alike are compiled once (`include/cca/graph/layout.hpp`); "a type each" is the other
+extreme, where no two components share anything.
+{measured(part)}"""
+
+
+def listing(part):
+    blocks = "\n".join(f"{compiler}:\n\n```asm\n" + "\n".join(lines) + "\n```\n" for compiler, lines in part["data"].items())
+    return f"""## The loop of a small graph
+
+A source and three low-pass filters in a row, `-O2`: all that a beat is. No sample, port or origin is left; the beat's number
+is counted in the last lines.
+
+{blocks}"""
+
+
+def text(figures, exponent):
+    parts = ["""# Performance
+
+<!-- Made by bench/measure.py from bench/figures.json: change those, not this page. -->
+
+All figures come from one command, `bench/measure.py` (also `cmake --preset bench && cmake --build --preset bench --target
+performance`). It needs g++, clang++-19, valgrind, objdump and Google Benchmark, all of which `bootstrap` installs. Counts are the
+same on a busy machine; times are medians of five and are not. `tests/runtime/no_allocation` and the test `performance: calls` keep
+watch that a beat allocates nothing and calls nothing but libm.
+"""]
+    if "trot" in figures:
+        parts.append(trot(figures["trot"]))
+    if "synthetic" in figures:
+        parts.append(synthetic(figures["synthetic"]))
+    if "compile" in figures:
+        parts.append(compiling(figures["compile"], exponent))
+    if "listing" in figures:
+        parts.append(listing(figures["listing"]))
+    return "\n".join(parts)
