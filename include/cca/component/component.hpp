@@ -46,7 +46,6 @@ struct component_info {
   bool also_sense = false, also_act = false;  // beside `process`
   bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
   bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
-  int unlimited_axis = -1;           // of a limiter's space
   constexpr bool resource() const { return sense || act; }
 };
 
