@@ -1,0 +1,231 @@
+// A body: body parts, each a serial chain that hangs on another part or on the body's base, as types (seed, figure 4.5).
+//
+//   struct oncilla_body : cca::body<trunk,
+//       cca::part<"left_front_leg", left_front_leg, cca::driven_by<"left_front_hip", "left_front_knee">>,
+//       cca::part<"left_front_paw", left_front_paw>, ...> {
+//     static constexpr cca::link_inertia base{3.66, {0, 0, 0.02}, {...}};      // optional: what the base itself weighs
+//   };
+//
+// A part hangs where its chain begins: on the part whose chain ends in that frame, else on the base. So the frames make the
+// tree; if all parts begin in the base, it's a star. A part may have no joints: then it is a place on another one. What its
+// links weigh is optional (`links` of the chain, serial_chain.hpp).
+// `driven_by` ties a part to the resource nodes that move and feel it; `cca::embodied<Body, Graph>` checks that they are there.
+//
+// Coordinates of a body are those of its parts, in the order of declaration: `axes_of<Body>`.
+// Errors: body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp; docs/body.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include <cca/component/component.hpp>
+#include <cca/graph/graph.hpp>
+#include <cca/mapping/serial_chain.hpp>
+#include <cca/space/fixed_string.hpp>
+#include <cca/space/limits.hpp>
+
+namespace cca {
+
+// Names of resource nodes.
+template <fixed_string... Nodes>
+struct driven_by {
+  static constexpr std::array<std::string_view, sizeof...(Nodes)> names{Nodes.view()...};
+};
+
+template <fixed_string Name, SerialChain Chain, class Nodes = driven_by<>>
+struct part {
+  static constexpr std::string_view name = Name.view();
+  using chain = Chain;
+  using nodes = Nodes;
+};
+
+namespace detail {
+
+// Which part each one hangs on: -1 the base, -2 nothing.
+template <class Base, class... Parts>
+struct attachments {
+  static constexpr std::size_t count = sizeof...(Parts);
+  static constexpr int base = -1, nothing = -2;
+
+  template <class Part>
+  static constexpr int parent_of() {
+    if (std::is_same_v<typename Part::chain::base, Base>) return base;
+    int found = nothing, i = 0;
+    ((found = std::is_same_v<typename Part::chain::base, typename Parts::chain::tip_frame> ? i : found, ++i), ...);
+    return found;
+  }
+  static constexpr std::array<int, count> parent{parent_of<Parts>()...};
+
+  // Two ways to one frame, or a way back to the base: a loop.
+  template <class Part>
+  static constexpr int ends_like() {
+    return (int{std::is_same_v<typename Part::chain::tip_frame, typename Parts::chain::tip_frame>} + ... +
+            int{std::is_same_v<typename Part::chain::tip_frame, Base>});
+  }
+
+  // Whether the way from a part to what it hangs on comes by again.
+  static constexpr bool in_cycle(std::size_t i) {
+    int at = parent[i];
+    for (std::size_t steps = 0; at >= 0 && steps < count; ++steps) at = parent[static_cast<std::size_t>(at)];
+    return at >= 0;
+  }
+
+  template <class Part, std::size_t Index>
+  static constexpr bool closes_loop = in_cycle(Index) || ends_like<Part>() > 1;
+
+  static constexpr std::array<std::string_view, count> names{Parts::name...};
+  static constexpr bool distinct = [] {
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (names[i] == names[j]) return false;
+    return true;
+  }();
+};
+
+// Concepts, so that the compilers name the part.
+template <class Part, class Attachments, std::size_t Index>
+concept HangsInTree = !Attachments::template closes_loop<Part, Index>;
+template <class Part, class Attachments, std::size_t Index>
+concept HangsOnSomething = Attachments::parent[Index] != Attachments::nothing;
+
+// In functions, for the reason that stands in mapping.hpp; each rule is reported for the first part that breaks it, and
+// a loop before what hangs on nothing.
+template <class Attachments, std::size_t Index, class... Parts>
+constexpr auto check_cycles() {
+  if constexpr (Index < sizeof...(Parts)) {
+    using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
+    static_assert(HangsInTree<part, Attachments, Index>,
+                  "body.cycle: the parts of this body close a loop: a part hangs, by way of others, on itself, or two chains end in "
+                  "one frame (or one in the base); a body is a tree or a star, so let each chain end in a frame of its own, and leave "
+                  "out the joint that closes the loop");
+    if constexpr (HangsInTree<part, Attachments, Index>) return check_cycles<Attachments, Index + 1, Parts...>();
+    else return std::false_type{};
+  } else {
+    return std::true_type{};
+  }
+}
+template <class Attachments, std::size_t Index, class... Parts>
+constexpr auto check_attached() {
+  if constexpr (Index < sizeof...(Parts)) {
+    using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
+    static_assert(HangsOnSomething<part, Attachments, Index>,
+                  "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is neither the body's base "
+                  "nor the end of another part; begin it in one of those, or add the part that leads there");
+    if constexpr (HangsOnSomething<part, Attachments, Index>) return check_attached<Attachments, Index + 1, Parts...>();
+    else return std::false_type{};
+  } else {
+    return std::true_type{};
+  }
+}
+template <class... Axes>
+struct joined_axes { using type = axes<>; };
+template <class... A>
+struct joined_axes<axes<A...>> { using type = axes<A...>; };
+template <class... A, class... B, class... Rest>
+struct joined_axes<axes<A...>, axes<B...>, Rest...> : joined_axes<axes<A..., B...>, Rest...> {};
+
+template <class Base, class... Parts>
+constexpr auto check_body() {
+  using all = attachments<Base, Parts...>;
+  static_assert(all::distinct, "cca::body: two of its parts have one name");
+  static_assert(repeated_in<typename joined_axes<typename Parts::chain::axes...>::type>::first() < 0,
+                "cca::body: two of its parts move about one axis; give each part axes of its own");
+  if constexpr (decltype(check_cycles<all, 0, Parts...>())::value) return check_attached<all, 0, Parts...>();
+  else return std::false_type{};
+}
+
+}  // namespace detail
+
+template <class Base, class... Parts>
+struct body {
+  using base_frame = Base;
+  using parts = std::tuple<Parts...>;
+  using attached = detail::attachments<Base, Parts...>;
+  using sound = decltype(detail::check_body<Base, Parts...>());
+  using axes = typename detail::joined_axes<typename Parts::chain::axes...>::type;
+};
+
+template <class Type>
+concept Body = requires {
+  typename Type::parts;
+  typename Type::attached;
+  typename Type::base_frame;
+};
+
+template <Body Type>
+using axes_of = typename Type::axes;
+
+// The position of a part by its name, -1 if there is none.
+template <Body Type>
+constexpr int part_index(std::string_view name) {
+  for (std::size_t i = 0; i < Type::attached::count; ++i)
+    if (Type::attached::names[i] == name) return static_cast<int>(i);
+  return -1;
+}
+
+namespace detail {
+
+// Whether a graph has a resource node of that name, itself or in a graph of its own under a dotted path.
+template <class Items>
+struct nodes_among;
+template <class Item>
+struct resource_under {
+  static constexpr bool has(std::string_view) { return false; }
+};
+template <class Type>
+constexpr bool has_resource(std::string_view path) {
+  if constexpr (Graph<Type>) return nodes_among<typename Type::cca_items>::has(path);
+  else return false;
+}
+template <fixed_string Name, class Component, class Strategy>
+struct resource_under<node<Name, Component, Strategy>> {
+  static constexpr bool has(std::string_view path) {
+    if (!path.starts_with(Name.view())) return false;
+    const auto rest = path.substr(Name.view().size());
+    if (rest.empty()) return IsResource<Component>;
+    return rest.front() == '.' && has_resource<Component>(rest.substr(1));
+  }
+};
+template <class... Items>
+struct nodes_among<list<Items...>> {
+  static constexpr bool has(std::string_view path) { return (resource_under<Items>::has(path) || ...); }
+};
+
+template <class Part, class Graph>
+concept DrivenIn = [] {
+  for (const auto name : Part::nodes::names)
+    if (!has_resource<Graph>(name)) return false;
+  return true;
+}();
+
+template <class Graph, class... Parts>
+constexpr auto check_driven() {
+  if constexpr (sizeof...(Parts) == 0) {
+    return std::true_type{};
+  } else {
+    return []<class First, class... Rest>(std::type_identity<std::tuple<First, Rest...>>) {
+      static_assert(DrivenIn<First, Graph>,
+                    "body.unattached: a part of this body is driven by a resource node that the graph doesn't have: a node with "
+                    "`sense` or `act` and that name; add it, or name the one that is meant (of an inner graph by its path)");
+      if constexpr (DrivenIn<First, Graph>) return check_driven<Graph, Rest...>();
+      else return std::false_type{};
+    }(std::type_identity<std::tuple<Parts...>>());
+  }
+}
+template <class Graph, class Parts>
+struct driven_in;
+template <class Graph, class... Parts>
+struct driven_in<Graph, std::tuple<Parts...>> {
+  using checked = decltype(check_driven<Graph, Parts...>());
+};
+
+}  // namespace detail
+
+// Refuses a graph that lacks a resource node which a part of the body names: `static_assert(cca::embodied<body, graph>);`
+template <Body Type, class Graph>
+inline constexpr bool embodied = detail::driven_in<Graph, typename Type::parts>::checked::value;
+
+}  // namespace cca

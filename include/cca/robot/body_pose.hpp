@@ -1,0 +1,146 @@
+// Where all parts of a body are: forward kinematics, Jacobians and the centre of mass, in the frame of the body's base.
+//
+//   const cca::body_pose<oncilla_body> now(q);        q over axes_of<oncilla_body>, rad (prismatic: m)
+//   now.tip<"left_front_leg">()                        position and orientation of the part's end
+//   now.jacobian<"left_front_leg">()                   6 x coordinates: angular velocity, then velocity of its end's origin
+//   now.centre_of_mass()                               of all that weighs something, the base included; m
+//
+// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most two products of 3 x 3 matrices a joint.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+
+#include <cca/mapping/kinematics.hpp>
+#include <cca/robot/body.hpp>
+
+namespace cca {
+namespace detail {
+
+// Where a part ends: in which link (-1: the base), and where in that.
+struct part_end {
+  int link = -1;
+  placement where{};
+};
+
+// A body's links in one row, each behind the one that it hangs on.
+template <std::size_t Links, std::size_t Parts>
+struct body_tree {
+  std::array<body_link, Links> links{};
+  std::array<part_end, Parts> ends{};
+};
+
+template <class Base, class Chain>
+constexpr void hang(Base& tree, std::size_t& used, std::size_t part, int on, int first_coordinate) {
+  part_end end = on < 0 ? part_end{} : tree.ends[static_cast<std::size_t>(on)];
+  for (std::size_t i = 0; i < Chain::joints.size(); ++i) {
+    auto& l = tree.links[used];
+    l = body_link_of(Chain::joints[i], static_cast<int>(i), end.link, end.where, first_coordinate);
+    if constexpr (DynamicChain<Chain>) l.inertia = Chain::links[i];
+    end = {static_cast<int>(used++), {}};
+  }
+  tree.ends[part] = {end.link, end.where * Chain::tip};
+}
+
+template <class Body, class Parts>
+struct tree_facts;
+template <class Body, class... Parts>
+struct tree_facts<Body, std::tuple<Parts...>> {
+  static constexpr std::size_t count = sizeof...(Parts), links = (Parts::chain::joints.size() + ... + 0u);
+  static_assert((coordinates_exist<typename Parts::chain> && ...), "cca::body: a joint is driven by a coordinate that its chain has no axis for");
+
+  static constexpr auto value = [] {
+    body_tree<links, count> tree;
+    std::array<bool, count> done{};
+    std::size_t used = 0;
+    for (std::size_t round = 0; round < count; ++round) {
+      std::size_t i = 0;
+      int first = 0;
+      const auto add = [&]<class Part>(std::type_identity<Part>) {
+        const int on = Body::attached::parent[i];
+        if (!done[i] && (on < 0 || done[static_cast<std::size_t>(on)])) {
+          hang<decltype(tree), typename Part::chain>(tree, used, i, on, first);
+          done[i] = true;
+        }
+        ++i;
+        first += Part::chain::axes::count;
+      };
+      (add(std::type_identity<Parts>()), ...);
+    }
+    return tree;
+  }();
+};
+
+template <class Body>
+inline constexpr const auto& body_tree_of = tree_facts<Body, typename Body::parts>::value;
+
+template <class Body>
+constexpr link_inertia base_inertia_of() {
+  if constexpr (requires { Body::base.mass; }) return Body::base;
+  else return {};
+}
+
+// The centre of mass of all links, and of the base.
+template <std::size_t Count>
+vector3 centre_of_mass(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, const link_inertia& base) {
+  double mass = base.mass;
+  vector3 moment = base.mass * vector_of(base.centre);
+  for (std::size_t i = 0; i < Count; ++i) {
+    const auto& [m, centre, inertia] = links[i].inertia;
+    mass += m;
+    moment += m * (placed[i].frame.at + placed[i].frame.turn * vector_of(centre));
+  }
+  return mass > 0 ? vector3(moment / mass) : vector3::Zero();
+}
+
+}  // namespace detail
+
+template <Body Type>
+class body_pose {
+  static constexpr const auto& tree = detail::body_tree_of<Type>;
+  static constexpr std::size_t count = tree.links.size();
+
+public:
+  static constexpr int size = axes_of<Type>::count;
+  using vector_type = Eigen::Matrix<double, size, 1>;
+  using jacobian_type = Eigen::Matrix<double, 6, size>;
+
+  explicit body_pose(const vector_type& q) { detail::place_links(tree.links, q, placed); }
+
+  template <fixed_string Part>
+  rigid tip() const { return end(number<Part>()); }
+
+  template <fixed_string Part>
+  jacobian_type jacobian() const {
+    constexpr std::size_t i = number<Part>();
+    jacobian_type j;
+    detail::fill_jacobian(tree.links, placed, tree.ends[i].link, end(i).at, j);
+    return j;
+  }
+
+  // By the order of declaration.
+  rigid end(std::size_t part) const {
+    const auto& e = tree.ends[part];
+    return (e.link < 0 ? rigid{} : placed[static_cast<std::size_t>(e.link)].frame) * e.where;
+  }
+
+  Eigen::Matrix<double, 3, 1> centre_of_mass() const {
+    return detail::centre_of_mass(tree.links, placed, detail::base_inertia_of<Type>());
+  }
+
+  // For body_dynamics.hpp.
+  const auto& links() const { return placed; }
+
+private:
+  template <fixed_string Part>
+  static constexpr std::size_t number() {
+    constexpr int i = part_index<Type>(Part.view());
+    static_assert(i >= 0, "cca::body_pose: this body has no part of that name");
+    return i < 0 ? 0 : static_cast<std::size_t>(i);
+  }
+
+  std::array<detail::placed_link, count> placed;
+};
+
+}  // namespace cca

@@ -1,0 +1,99 @@
+// Random trees of joints, as the library's row of links and as a KDL::Tree.
+#pragma once
+
+#include <string>
+
+#include <kdl/frames.hpp>
+#include <kdl/jntarray.hpp>
+#include <kdl/tree.hpp>
+
+#include <cca/robot/body_dynamics.hpp>
+
+#include "../../laws/space_laws.hpp"
+
+namespace body_test {
+
+inline KDL::Vector kdl(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+inline KDL::Vector kdl(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+inline Eigen::Vector3d eigen(const KDL::Vector& v) { return {v[0], v[1], v[2]}; }
+inline Eigen::Matrix3d eigen(const KDL::Rotation& r) {
+  Eigen::Matrix3d m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m(i, j) = r(i, j);
+  return m;
+}
+inline KDL::Frame kdl(const cca::placement& p) {
+  return {KDL::Rotation::Quaternion(p.rotation[0], p.rotation[1], p.rotation[2], p.rotation[3]), kdl(p.translation)};
+}
+
+inline std::array<double, 3> array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+inline cca::placement random_placement(laws::source& random) {
+  const Eigen::Vector4d q = cca::rotation::exp(random.vector(2));
+  return {array(random.vector(1)), {q[0], q[1], q[2], q[3]}};
+}
+
+// Of four points with mass, so that there is such a body.
+inline cca::link_inertia random_inertia(laws::source& random) {
+  cca::link_inertia of;
+  std::array<Eigen::Vector3d, 4> points;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  std::array<double, 4> masses;
+  for (std::size_t i = 0; i < 4; ++i) {
+    points[i] = random.vector(0.3), masses[i] = random(0.1, 2);
+    of.mass += masses[i];
+    centre += masses[i] * points[i];
+  }
+  centre /= of.mass;
+  of.centre = array(centre);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d d = points[i] - centre;
+    const Eigen::Matrix3d m = masses[i] * (d.dot(d) * Eigen::Matrix3d::Identity() - d * d.transpose());
+    const std::array<double, 6> add{m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
+    for (std::size_t k = 0; k < 6; ++k) of.about_centre[k] += add[k];
+  }
+  return of;
+}
+
+// In KDL a segment's joint stands in the segment before: its axis there, and the segment's tip at zero is our link's frame.
+inline KDL::Segment segment(const std::string& name, const cca::joint& j, const cca::link_inertia& inertia) {
+  const KDL::Frame where = kdl(j.where);
+  const auto kind = j.kind == cca::joint_kind::revolute ? KDL::Joint::RotAxis : KDL::Joint::TransAxis;
+  const auto& i = inertia.about_centre;
+  return KDL::Segment(name, KDL::Joint(name, where.p, where.M * kdl(j.axis), kind), where,
+                      KDL::RigidBodyInertia(inertia.mass, kdl(inertia.centre), KDL::RotationalInertia(i[0], i[1], i[2], i[3], i[4], i[5])));
+}
+
+template <std::size_t Count>
+struct random_tree {
+  std::array<cca::detail::body_link, Count> links;
+  KDL::Tree tree{"base"};
+
+  // A chain, or each link on any of those before it or on the base.
+  random_tree(laws::source& random, bool chain) {
+    KDL::Tree built("base");
+    for (std::size_t i = 0; i < Count; ++i) {
+      const int parent = chain ? static_cast<int>(i) - 1 : static_cast<int>(random(-1, static_cast<double>(i) - 1e-9) + 1) - 1;
+      cca::joint j;
+      j.kind = random(0, 1) < 0.75 ? cca::joint_kind::revolute : cca::joint_kind::prismatic;
+      const double axis = random(0, 6);
+      j.axis = axis < 1 ? cca::along_x : axis < 2 ? cca::along_y : axis < 3 ? cca::along_z : array(random.vector(1).normalized());
+      if (random(0, 1) < 0.8) j.where = random_placement(random);
+      links[i] = cca::detail::body_link_of(j, static_cast<int>(i), parent);
+      links[i].inertia = random_inertia(random);
+      built.addSegment(segment(std::to_string(i), j, links[i].inertia), parent < 0 ? "base" : std::to_string(parent));
+    }
+    tree = built;  // a copy numbers its joints anew, depth first; KDL's solvers hold copies, so this one's numbers are theirs
+  }
+
+  // Where KDL has the joint of a link.
+  int number(std::size_t i) const { return static_cast<int>(GetTreeElementQNr(tree.getSegment(std::to_string(i))->second)); }
+
+  template <class Vector>
+  KDL::JntArray joints(const Vector& q) const {
+    KDL::JntArray a(static_cast<unsigned>(Count));
+    for (std::size_t i = 0; i < Count; ++i) a(static_cast<unsigned>(number(i))) = q[static_cast<Eigen::Index>(i)];
+    return a;
+  }
+};
+
+}  // namespace body_test
