@@ -52,7 +52,8 @@ struct hmm_motion {
     vector velocity = vector::Zero();
     if (position.vector().allFinite()) {
       const weights predicted = begun ? weights(p.transitions.transpose() * now) : p.mixture.priors;
-      const auto answer = regress<S::size, S::size, K>(p.mixture, predicted, position.vector(), [](const vector& x, const vector& mean) { return vector(x - mean); });
+      const auto answer = regress<S::size, S::size, K>(p.mixture, predicted, position.vector(),
+                                                       [](const vector& x, const vector& mean) { return vector(x - mean); });
       now = answer.responsibilities;
       velocity = answer.mean;
       begun = true;
