@@ -126,7 +126,7 @@ public:
 
   auto process(in<"command", Space> command, optional_in<"measured", Space> measured, beat now) -> out<"safe", Space> {
     if ((limits::has_any_rate || measured) && !begun) [[unlikely]] {
-      begin(command, measured);
+      begin(command.vector(), measured.vector(), static_cast<bool>(measured), command.fresh());
       if (!begun) return last;
     }
     const double dt = time_since(now);
@@ -150,14 +150,14 @@ public:
   intervention first_intervention() const { return first; }
 
 private:
-  template <class Command, class Measured>
-  void begin(const Command& command, const Measured& measured) {
+  // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.
+  void begin(vector_type command, vector_type measured, bool is_measured, bool fresh) {
     each_axis([&](auto axis) {
-      const double there = measured.vector()[axis], wanted = command.vector()[axis];
-      const double start = measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
+      const double there = measured[axis], wanted = command[axis];
+      const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
       last[axis] = limits::in_range(axis, start);
     });
-    begun = command.fresh() || !measured;
+    begun = fresh || !is_measured;
   }
 
   static double time_since(const beat& now) {
@@ -166,7 +166,7 @@ private:
   }
 
   // The same once more, with what is to be told of it. Unrolled as well, else the command would have to lie in memory.
-  vector_type corrected(const vector_type& command, std::int64_t k, double dt) {
+  vector_type corrected(vector_type command, std::int64_t k, double dt) {
     vector_type value;
     each_axis([&](auto axis) {
       const double wanted = command[axis];
