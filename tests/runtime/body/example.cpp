@@ -89,7 +89,7 @@ TEST_CASE("where its parts are") {
   const cca::body_pose<walker::body> now(Eigen::Vector4d(0, 0, 0, cca::pi / 2));  // over axes_of<walker::body>
   CHECK((now.tip<"finger">().at - Eigen::Vector3d(0.1 + 0.2 + 0.15 + 0.03, 0.05, 0)).norm() < 1e-15);
   CHECK((now.tip<"head">().at - Eigen::Vector3d(0.15, 0.05, 0.05 + 0.03)).norm() < 1e-15);
-  const auto velocity = now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // of the shoulder: downward
+  const Eigen::Matrix<double, 6, 1> velocity = now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // of the shoulder: downward
   CHECK(velocity[5] == doctest::Approx(-0.38));
   // [places end]
 }

@@ -62,7 +62,36 @@ struct foot_in_base_plane : cca::space<cca::cartesian_position<trunk>, cca::axes
 
 }  // namespace
 
+// [chain]
+namespace reaching_arm {
+
+struct shoulder : cca::dimension<"shoulder"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1.5, 1.5}};
+};
+struct elbow : cca::dimension<"elbow"> {
+  static constexpr auto limits = cca::limits{cca::angle{0.1, 2.5}};
+};
+struct arm : cca::serial_chain<trunk, hip, cca::axes<shoulder, elbow>> {  // from one frame to another
+  static constexpr std::array joints{cca::revolute(cca::along_z, cca::at(0.1, 0, 0)), cca::revolute(cca::along_z, cca::at(0.3, 0, 0))};
+  static constexpr auto tip = cca::at(0.25, 0, 0);
+};
+struct arm_angles : cca::space<cca::joint_angles, cca::axes<shoulder, elbow>> {};
+struct hand : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::y>> {};
+
+using ik = cca::inverse_kinematics<arm, arm_angles, hand>;  // in "position"; out "angles", "status"
+
+}  // namespace reaching_arm
+// [chain end]
+
 TEST_SUITE("kinematics") {
+
+TEST_CASE("the example of docs/mappings.md") {
+  reaching_arm::ik ik;
+  const auto near = solve(ik, Eigen::Vector2d(0.4, 0.2));
+  CHECK(near.status == cca::reaching::reached);
+  CHECK((cca::chain_pose<reaching_arm::arm>(near.q).tip().at - Eigen::Vector3d(0.4, 0.2, 0)).norm() < 1e-8);
+  CHECK(solve(ik, Eigen::Vector2d(0.9, 0.2)).status == cca::reaching::nearest);
+}
 
 TEST_CASE_TEMPLATE("the Jacobian is what differences of the positions say", Chain, plane_arm, skew_arm, sliding_arm, whole_arm, left_leg,
                    right_leg, leg_in_plane) {
