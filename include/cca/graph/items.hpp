@@ -110,21 +110,25 @@ template <auto... Coordinates> struct wire_option<initial<Coordinates...>> {
 template <class Item>
 inline constexpr item_info item_of{.stranger = type_name<Item>()};
 
-template <fixed_string Name, class Component, class Strategy>
-inline constexpr item_info item_of<node<Name, Component, Strategy>> = [] {
-  item_info item{.from = Name.view(), .strategy = &strategy_of<Strategy>, .from_hash = hash(Name.view()), .strategy_key = type_key<Strategy>};
+// By functions of the types alone, so that nodes of equal types and wires of equal options are made by the same.
+template <class Component, class Strategy>
+constexpr item_info node_item(std::string_view name) {
+  item_info item{.from = name, .strategy = &strategy_of<Strategy>, .from_hash = hash(name), .strategy_key = type_key<Strategy>};
   describe_node<Component>(item);
   if constexpr (!ProcessingStrategy<Strategy>) item.stranger = type_name<Strategy>();
   return item;
-}();
+}
+template <fixed_string Name, class Component, class Strategy>
+inline constexpr item_info item_of<node<Name, Component, Strategy>> = node_item<Component, Strategy>(Name.view());
 
-template <fixed_string From, fixed_string To, class... Options>
-inline constexpr item_info item_of<wire<From, To, Options...>> = [] {
-  item_info item{.kind = item_kind::wire, .from = From.view(), .to = To.view(),
-                 .from_hash = hash(From.view()), .to_hash = hash(To.view())};
+template <class... Options>
+constexpr item_info wire_item(std::string_view from, std::string_view to) {
+  item_info item{.kind = item_kind::wire, .from = from, .to = to, .from_hash = hash(from), .to_hash = hash(to)};
   (wire_option<Options>::set(item), ...);
   return item;
-}();
+}
+template <fixed_string From, fixed_string To, class... Options>
+inline constexpr item_info item_of<wire<From, To, Options...>> = wire_item<Options...>(From.view(), To.view());
 
 template <fixed_string Inner, fixed_string Outer>
 inline constexpr item_info item_of<expose<Inner, Outer>>{.kind = item_kind::expose, .from = Inner.view(), .to = Outer.view()};
