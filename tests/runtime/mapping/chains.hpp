@@ -49,10 +49,10 @@ struct whole_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a3, a4, a5, a
   static constexpr auto tip = at(0.1, 0, 0);
 };
 
-// The leg of the simulated robot, its axes with its limits.
+// The leg of the simulated robot, its axes with its limits; but inward half as far, so that the sides differ.
 inline constexpr cca::sim::oncilla_model oncilla = cca::sim::oncilla_defaults;
 struct abduction : cca::dimension<"abduction"> {
-  static constexpr auto limits = cca::limits{cca::angle{oncilla.abduction_range.low, oncilla.abduction_range.high}};
+  static constexpr auto limits = cca::limits{cca::angle{oncilla.abduction_range.low / 2, oncilla.abduction_range.high}};
 };
 struct hip_joint : cca::dimension<"hip"> {
   static constexpr auto limits = cca::limits{cca::angle{oncilla.hip_range.low, oncilla.hip_range.high}};
