@@ -25,7 +25,7 @@ struct rigid {
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
   rigid operator*(const placement& p) const {
-    return {turn * rotation::matrix(detail::vector_of(p.rotation)), turn * detail::vector_of(p.translation) + at};
+    return {turn * rotation::matrix(detail::as_vector(p.rotation)), turn * detail::as_vector(p.translation) + at};
   }
 };
 
@@ -63,10 +63,10 @@ void place_links(const std::array<body_link, Count>& links, const Coordinates& q
     const rigid& parent = l.parent < 0 ? base : placed[static_cast<std::size_t>(l.parent)].frame;
     rigid& frame = placed[i].frame;
     const double angle = l.ratio * q[l.coordinate] + l.rest;
-    frame.at = parent.at + parent.turn * vector_of(l.at);
+    frame.at = parent.at + parent.turn * as_vector(l.at);
     if (l.straight) frame.turn = parent.turn;
     else frame.turn = parent.turn * Eigen::Map<const matrix3>(l.turn.data());
-    placed[i].axis = frame.turn * vector_of(l.axis);
+    placed[i].axis = frame.turn * as_vector(l.axis);
     if (l.kind == joint_kind::revolute) turn_about(frame.turn, l, angle);
     else frame.at += angle * placed[i].axis;
   }

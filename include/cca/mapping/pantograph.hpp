@@ -145,10 +145,10 @@ public:
 private:
   static vector3 in_hip(const typename Tip::vector_type& wanted) {
     constexpr placement back = inverse(geometry.hip);
-    vector3 p = vector_of(geometry.hip.translation);
+    vector3 p = as_vector(geometry.hip.translation);
     using part = cartesian_part<typename Tip::axes>;
     for (int i = 0; i < Tip::size; ++i) p[part::of[static_cast<std::size_t>(i)]] = wanted[i];
-    return rotation::rotate(vector_of(back.rotation), p) + vector_of(back.translation);
+    return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
   }
 };
 

@@ -102,8 +102,8 @@ struct inverse_of : placed<typename Where::frame, typename Where::thing> {
 
 namespace detail {
 
-inline vector3 vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
-inline vector4 vector_of(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
+inline vector3 as_vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+inline vector4 as_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
 
 }  // namespace detail
 }  // namespace cca

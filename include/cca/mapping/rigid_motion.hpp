@@ -54,8 +54,8 @@ struct cartesian_part<axes<Axes...>> {
 template <class Space, bool Moved>
 typename Space::vector_type moved_by(const placement& where, const typename Space::vector_type& v) {
   using domain = typename Space::domain;
-  const vector3 t = vector_of(where.translation);
-  const vector4 q = vector_of(where.rotation);
+  const vector3 t = as_vector(where.translation);
+  const vector4 q = as_vector(where.rotation);
   typename Space::vector_type result = v;
   if constexpr (one_kind<domain, cartesian_position<void>>) {
     if constexpr (Space::size == 3 && std::is_same_v<typename Space::axes, axes<x, y, z>>) {

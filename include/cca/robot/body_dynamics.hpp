@@ -54,7 +54,7 @@ struct frame_motion {
 
 // What a body needs to move so, about its frame's origin (Newton and Euler).
 inline load needed(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
-  const vector3 c = turn * vector_of(of.centre);
+  const vector3 c = turn * as_vector(of.centre);
   const vector3 acceleration = m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
   // The inertia in its own axes, where it's constant.
   const matrix3 inertia = matrix_of(of.about_centre);
@@ -117,7 +117,7 @@ Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links
   std::array<vector3, Count> moment;  // mass times centre, from the base's origin
   for (std::size_t i = 0; i < Count; ++i) {
     mass[i] = links[i].inertia.mass;
-    moment[i] = mass[i] * (placed[i].frame.at + placed[i].frame.turn * vector_of(links[i].inertia.centre));
+    moment[i] = mass[i] * (placed[i].frame.at + placed[i].frame.turn * as_vector(links[i].inertia.centre));
   }
   Eigen::Matrix<double, Size, 1> torques = Eigen::Matrix<double, Size, 1>::Zero();
   for (std::size_t i = Count; i-- > 0;) {

@@ -85,11 +85,11 @@ constexpr link_inertia base_inertia_of() {
 template <std::size_t Count>
 vector3 centre_of_mass(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, const link_inertia& base) {
   double mass = base.mass;
-  vector3 moment = base.mass * vector_of(base.centre);
+  vector3 moment = base.mass * as_vector(base.centre);
   for (std::size_t i = 0; i < Count; ++i) {
     const auto& [m, centre, inertia] = links[i].inertia;
     mass += m;
-    moment += m * (placed[i].frame.at + placed[i].frame.turn * vector_of(centre));
+    moment += m * (placed[i].frame.at + placed[i].frame.turn * as_vector(centre));
   }
   return mass > 0 ? vector3(moment / mass) : vector3::Zero();
 }

@@ -80,7 +80,7 @@ vector random_state(laws::source& random, double size) {
 cca::rigid by_hand(const vector& q, std::string_view which) {
   const auto step = [](const cca::rigid& from, const cca::joint& j, double x) {
     cca::rigid to = from * j.where;
-    const Eigen::Vector3d axis = cca::detail::vector_of(j.axis).normalized();
+    const Eigen::Vector3d axis = cca::detail::as_vector(j.axis).normalized();
     if (j.kind == cca::joint_kind::prismatic) to.at += to.turn * axis * x;
     else to.turn = to.turn * cca::rotation::matrix<double>(cca::rotation::about<double>(axis, x));
     return to;
@@ -104,7 +104,7 @@ double energy(const vector& q, const vector& dq, const Eigen::Vector3d& gravity)
   double sum = 0;
   for (std::size_t i = 0; i < now.links().size(); ++i) {
     const auto& inertia = cca::detail::body_tree_of<dog>.links[i].inertia;
-    const Eigen::Vector3d c = cca::detail::vector_of(inertia.centre);
+    const Eigen::Vector3d c = cca::detail::as_vector(inertia.centre);
     const auto point = [&](const cca::body_pose<dog>& p) -> Eigen::Vector3d { return p.links()[i].frame.at + p.links()[i].frame.turn * c; };
     const Eigen::Vector3d v = (point(after) - point(before)) / (2 * h);
     const Eigen::Matrix3d spin = now.links()[i].frame.turn.transpose() * (after.links()[i].frame.turn - before.links()[i].frame.turn) / (2 * h);
@@ -220,12 +220,12 @@ TEST_CASE("a base that moves") {
     // The whole, frozen, is one rigid body: its inertia about the base's origin.
     Eigen::Matrix3d inertia = cca::detail::matrix_of(dog::base.about_centre);
     const auto add = [&](double m, const Eigen::Vector3d& p) { inertia += m * (p.dot(p) * Eigen::Matrix3d::Identity() - p * p.transpose()); };
-    add(dog::base.mass, cca::detail::vector_of(dog::base.centre));
+    add(dog::base.mass, cca::detail::as_vector(dog::base.centre));
     for (std::size_t k = 0; k < now.links().size(); ++k) {
       const auto& link = cca::detail::body_tree_of<dog>.links[k].inertia;
       const auto& frame = now.links()[k].frame;
       inertia += frame.turn * cca::detail::matrix_of(link.about_centre) * frame.turn.transpose();
-      add(link.mass, frame.at + frame.turn * cca::detail::vector_of(link.centre));
+      add(link.mass, frame.at + frame.turn * cca::detail::as_vector(link.centre));
     }
     const Eigen::Vector3d expected = inertia * dw + w.cross(inertia * w) + 3.69 * c.cross(base.acceleration);
     CHECK((held.wrench.head<3>() - expected).norm() < 1e-12);

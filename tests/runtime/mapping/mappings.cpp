@@ -152,7 +152,7 @@ TEST_CASE("placements are those of matrices") {
     CHECK(std::abs(cca::detail::constant_cosine(angle) - std::cos(angle)) < 4e-16);
     const Eigen::Vector3d axis(1, 2, -1);
     const auto q = cca::turned_about({1, 2, -1}, angle).rotation;
-    CHECK((cca::detail::vector_of(q) - cca::rotation::about<double>(axis, angle)).norm() < 1e-15);
+    CHECK((cca::detail::as_vector(q) - cca::rotation::about<double>(axis, angle)).norm() < 1e-15);
   }
   for (const double square : {0.0, 1e-12, 0.25, 2.0, 6.0, 1e9})
     CHECK(cca::detail::constant_root(square) == doctest::Approx(std::sqrt(square)).epsilon(1e-15));
