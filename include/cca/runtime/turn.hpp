@@ -147,16 +147,6 @@ CCA_GLUE constexpr std::int64_t beats_since(std::int64_t k) {
   else return k == c.first ? 1 : c.period;
 }
 
-// The beat before k of a known clock, k being one; -1 if there is none. Without a branch where that is possible: one in
-// each function, though nobody may ask for it, is much of what a compiler has to do.
-template <clock Clock>
-CCA_GLUE constexpr std::int64_t last_tick_before(std::int64_t k) {
-  const std::int64_t before = k - Clock.period;
-  if constexpr (Clock.every_beat()) return before;
-  else if constexpr (Clock.first < Clock.period) return before < -1 ? -1 : before;
-  else return k == Clock.first ? -1 : before;
-}
-
 // One function of a component, for all that are alike.
 template <class Graph, int Turn, class Parameters>
 struct function_in_beat;
@@ -244,7 +234,7 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
   CCA_GLUE void turn(component& self) const {
     if constexpr (!t.fires.every_beat())
       if (!ticks<t.fires>(k)) return;
-    fire(self, beat{k, period, beats_since<Graph, Turn>(k)}, last_tick_before<t.fires>(k));
+    fire(self, beat{k, period, beats_since<Graph, Turn>(k)}, k == t.fires.first ? -1 : k - t.fires.period);
   }
 
   CCA_GLUE void turn(component& self, last_firing& own) const {
