@@ -84,7 +84,8 @@ struct laying_out {
     for (int o = 0; o < g.output_count; ++o) {
       const auto& out = g.outputs[o];
       const int size = port_of(g, out).space->size;
-      const bool sure = !published(g, out).dynamic();
+      // What is written in each beat needs no first value; of the rest g++ would warn that it may be read before.
+      const bool sure = published(g, out).every_beat();
       if (out.kept) to.newest[o] = place(out.stamped ? storage_kind::kept_with_beat : storage_kind::kept, size);
       else if (out.local) to.newest[o] = place(sure ? storage_kind::local : storage_kind::local_if_published, size);
       if (out.ring > 0) to.past[o] = place(storage_kind::past, size, out.ring);
