@@ -216,7 +216,10 @@ def main():
     if not a.page:
         with tempfile.TemporaryDirectory() as work:
             for name in a.only or parts:
-                figures[name] = {"machine": machine(), "data": parts[name](pathlib.Path(work))}
+                part = {"machine": machine(), "data": parts[name](pathlib.Path(work))}
+                # Anew, since two parts may be measured at the same time.
+                figures = json.loads(file.read_text()) if file.exists() else {}
+                figures[name] = part
                 file.write_text(json.dumps(figures, indent=1) + "\n")
     (ROOT / "docs" / "performance.md").write_text(page.text(figures, exponent))
 

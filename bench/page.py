@@ -1,5 +1,7 @@
 """docs/performance.md from bench/figures.json: called by measure.py."""
 
+import re
+
 FORMS = ("graph", "by_hand", "classical")
 
 
@@ -16,8 +18,14 @@ def three(row, what):
     return " / ".join(number(row[f][what]) for f in FORMS)
 
 
+def short(name):
+    """`sin`; of a limiter, what it does in its first beat and when it steps in."""
+    seldom = re.search(r"cca::(limiter)<.*::(begin|corrected)\b", name)
+    return f"{seldom[1]}::{seldom[2]} (seldom)" if seldom else name.split("(")[0]
+
+
 def calls(row):
-    return ", ".join(f"{n} {name.split('(')[0].split('::')[-1]}" for name, n in sorted(row["graph"]["calls"].items())) or "none"
+    return ", ".join(f"{n} {short(name)}" for name, n in sorted(row["graph"]["calls"].items())) or "none"
 
 
 def ratio(row):
