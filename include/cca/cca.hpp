@@ -11,8 +11,10 @@
 #include <cca/robot/watchdog.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/skeleton/blend.hpp>
 #include <cca/skeleton/collector.hpp>
 #include <cca/skeleton/splitter.hpp>
+#include <cca/skeleton/switch_between.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/version.hpp>

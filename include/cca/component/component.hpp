@@ -44,6 +44,7 @@ struct component_info {
   std::string_view bad_field_type{};
   bool forgot_parameters = false;    // a struct `parameters`, but no member `p` of it
   bool also_sense = false, also_act = false;  // beside `process`
+  std::string_view wrong_arity{};    // of a skeleton: what does not come out even in it, as the end of a sentence
   bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
   bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
   constexpr bool resource() const { return sense || act; }
@@ -74,6 +75,7 @@ inline constexpr component_info component_of = [] {
   info.bad_field = bad_field_of<Type>.name;
   info.bad_field_type = bad_field_of<Type>.type;
   info.forgot_parameters = bad_field_of<Type>.forgot_parameters;
+  if constexpr (requires { Type::wrong_arity; }) info.wrong_arity = Type::wrong_arity;
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;
   return info;

@@ -72,6 +72,7 @@ struct flattening {
     const int leaf_index = g.leaf_count++;
     auto& l = g.leaves[leaf_index];
     l = {.item = &item, .scope = in_scope, .first_turn = g.turn_count};
+    if (!component.wrong_arity.empty()) refuse(rule::skeleton_arity, &item, in_scope);
     if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope, 0);
     if (component.also_sense || component.also_act) refuse(rule::component_no_process, &item, in_scope, 1);
     for (const auto& [half, phase] : {std::pair{component.sense, phase_of_beat::sense}, std::pair{component.process, phase_of_beat::process},

@@ -50,6 +50,7 @@ constexpr void tell(telling& t) {
     case rule::strategy_no_fires: return tell_no_fires(t);
     case rule::wire_bad_option: return tell_bad_option(t);
     case rule::node_duplicate_name: return tell_duplicate_name(t);
+    case rule::skeleton_arity: return tell_arity(t);
     case rule::component_no_process: return tell_no_process(t);
     case rule::component_bad_parameter: return tell_bad_signature(t, true);
     case rule::component_bad_result: return tell_bad_signature(t, false);

@@ -60,6 +60,12 @@ constexpr void tell_duplicate_name(telling& t) {
   t.say() << "), so a path to them has two meanings: give one of them another name";
 }
 
+constexpr void tell_arity(telling& t) {
+  t.at_node();
+  t.node();
+  t.say() << " " << t.item().component->wrong_arity;
+}
+
 constexpr void tell_no_process(telling& t) {
   t.at_node();
   t.node();

@@ -3,6 +3,7 @@
 // EXPECT strategy_no_fires: strategy\.no_fires: `extra` \(source\) has the strategy `sink`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it
 // EXPECT wire_bad_option: wire\.bad_option: the wire `n7\.y` -> `extra\.x` has the option `timed<2>`, which is none: it may have a policy \(cca::latest, cca::delayed<N>,
 // EXPECT node_duplicate_name: node\.duplicate_name: two nodes of node_duplicate_name are named `n7` \(step, sink\), so a path to them has two meanings: give one of them another name
+// EXPECT skeleton_arity: skeleton\.arity: `extra` \(switch_between<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more, or
 // EXPECT component_no_process: component\.no_process: `extra` \(without_function\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
 // EXPECT component_bad_parameter: component\.bad_parameter: `extra` \(takes_number\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and
 // EXPECT component_bad_result: component\.bad_result: `extra` \(returns_number\): `process` returns `double`, but it may return only ports \(cca::out, cca::maybe\) and a cca::fault, one
@@ -79,6 +80,7 @@ namespace broken {
 struct graph_unknown_item : fifty_nodes_and<at_1000_hz, sink> {};
 struct node_bad_name : fifty_nodes_and<at_1000_hz, cca::node<"extra.one", source>> {};
 struct node_duplicate_name : fifty_nodes_and<at_1000_hz, cca::node<"n7", sink>, cca::wire<"n6.y", "n7.x">> {};
+struct skeleton_arity : fifty_nodes_and<at_1000_hz, cca::node<"extra", cca::switch_between<"y", signal, "a">>, cca::wire<"n7.y", "extra.a">> {};
 struct component_no_process : fifty_nodes_and<at_1000_hz, cca::node<"extra", without_function>> {};
 struct component_bad_parameter : fifty_nodes_and<at_1000_hz, cca::node<"extra", takes_number>> {};
 struct component_bad_result : fifty_nodes_and<at_1000_hz, cca::node<"extra", returns_number>, cca::wire<"n7.y", "extra.x">> {};

@@ -1,0 +1,41 @@
+// A sample between others, by the domain's own interpolation: on a line, on a circle, between orientations by slerp.
+//
+// Of several with weights each is interpolated with the mean of those before it, which on a line is the weighted mean. What has
+// no part in the result does not touch it, be it NaN; its origin is the oldest of those that have. A domain type without
+// interpolation (a status) gives the nearer one. Cost: that of an interpolation for each source but the first.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <cca/space/sample.hpp>
+
+namespace cca::detail {
+
+template <class Space>
+constexpr sample<Space> mixed(const sample<Space>& a, const sample<Space>& b, double t) {
+  if (!(t > 0)) return a;
+  if (t >= 1) return b;
+  if constexpr (requires { a.interpolated(b, t); }) return a.interpolated(b, t);
+  else return t < 0.5 ? a : b;
+}
+
+template <class Space, std::size_t Count, class... Rest>
+constexpr sample<Space> mixed_of(const std::array<double, Count>& weights, const sample<Space>& first, const Rest&... rest) {
+  sample<Space> mean = first;
+  double sum = weights[0];
+  std::size_t i = 1;
+  ((sum += weights[i], mean = mixed<Space>(mean, rest, sum > 0 ? weights[i] / sum : 0), ++i), ...);
+  return mean;
+}
+
+// The source of this number.
+template <class Space, class... Rest>
+constexpr sample<Space> one_of(int number, const sample<Space>& first, const Rest&... rest) {
+  sample<Space> chosen = first;
+  int i = 0;
+  ((++i == number ? void(chosen = rest) : void()), ...);
+  return chosen;
+}
+
+}  // namespace cca::detail
