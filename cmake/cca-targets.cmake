@@ -1,4 +1,4 @@
-# The targets: cca::cca (the core), cca::config and cca::sim. All of them are headers only.
+# The targets: cca::cca (the core), cca::config, cca::sim and cca::hardware. All of them are headers only.
 
 include(GNUInstallDirs)
 
@@ -18,8 +18,8 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|sim)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config and sim")
+  if(NOT component MATCHES "^(config|sim|hardware)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, sim and hardware")
   endif()
 endforeach()
 
@@ -47,4 +47,11 @@ if("sim" IN_LIST CCA_COMPONENTS)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
   cca_add_headers(sim ${include} ${headers})
   target_link_libraries(cca_sim INTERFACE cca ODE::ODE)
+endif()
+
+if("hardware" IN_LIST CCA_COMPONENTS)
+  set(include ${PROJECT_SOURCE_DIR}/hardware/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(hardware ${include} ${headers})
+  target_link_libraries(cca_hardware INTERFACE cca)
 endif()

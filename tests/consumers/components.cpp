@@ -1,8 +1,12 @@
-// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a step.
+// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a step,
+// a drive is told something over a bus in memory.
+#include <array>
 #include <fstream>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/hardware/memory_bus.hpp>
+#include <cca/hardware/mit.hpp>
 #include <cca/sim/world.hpp>
 
 struct hip : cca::dimension<"hip"> {
@@ -33,5 +37,11 @@ int main() {
 
   cca::sim::world world;
   world.advance({});
-  return c.get<"joint">().at == 0.25 && world.mass() > 5 ? 0 : 1;
+
+  using drive = cca::hardware::mit_drive<cca::hardware::ak80_9, 3>;
+  cca::hardware::memory_bus<> wire;
+  wire.end(0).send(drive::set_point({.position = 0.25, .stiffness = 20}).frames);
+  wire.advance(1'000'000);
+  std::array<cca::hardware::received_frame, 4> heard;
+  return c.get<"joint">().at == 0.25 && world.mass() > 5 && wire.end(1).receive(heard) == 1 ? 0 : 1;
 }

@@ -1,0 +1,160 @@
+// What all drives have in common: what one is told, what it tells, and what a drive's type states.
+//
+// A drive is a type without state. Its functions are constexpr and pure, between frames and numbers in SI units at the drive's
+// output shaft, after its own gear: rad, rad/s, N m, degrees Celsius.
+//
+//   D::name, D::limits      what it is, and what its frames can say, per quantity
+//   D::requests, D::replies the ids that it listens to, and those that it sends
+//   D::traffic              the frames that a cycle costs (bus_plan.hpp)
+//   D::watchdog             what it does by itself when no set-point comes
+//   D::set_point(command)   frames of a cycle. Not finite: none at all. Beyond what a frame can say: the nearest, and `cut` says
+//   so. D::decode(frame, report)  takes what the frame tells into the report; false: not of this drive, or not well-formed, and
+//   nothing is changed D::enabling             the way to where it moves: `next(report)` once a cycle gives the frames to send,
+//   until `done` or `failed` D::disable()            frames after which it holds nothing any more
+//
+// Models: mit.hpp, odrive.hpp, moteus.hpp, cia402.hpp. docs/drives.md.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include <cca/hardware/can_bus.hpp>
+#include <cca/hardware/can_filter.hpp>
+#include <cca/hardware/frame_bits.hpp>
+
+namespace cca::hardware {
+
+// torque of the motor = stiffness (position - q) + damping (velocity - v) + torque, where the drive can; a drive says by `uses`
+// which of these it takes.
+struct drive_command {
+  double position = 0;   // rad
+  double velocity = 0;   // rad/s
+  double torque = 0;     // N m
+  double stiffness = 0;  // N m/rad
+  double damping = 0;    // N m s/rad
+};
+
+// Sets of these: what a command was cut in, what a report told.
+enum drive_quantity : std::uint8_t {
+  no_quantity = 0,
+  of_position = 1,
+  of_velocity = 2,
+  of_torque = 4,
+  of_stiffness = 8,
+  of_damping = 16,
+  of_temperature = 32,
+  of_activity = 64,
+};
+
+enum class drive_activity : std::uint8_t { unknown, disabled, enabling, enabled, faulted };
+
+// What is wrong with a drive, as far as drives agree; `code` in the report has the drive's own number.
+enum class drive_fault : std::uint8_t {
+  none,
+  over_current,
+  over_voltage,
+  under_voltage,
+  over_temperature,
+  position_sensor,
+  phases,
+  watchdog,       // no set-point in time
+  limit,          // of speed, torque or position
+  configuration,  // it lacks a calibration or a setting
+  power_stage,
+  communication,
+  emergency_stop,
+  other,
+};
+
+constexpr std::string_view name_of(drive_fault f) {
+  constexpr std::string_view names[] = {
+      "none",     "over-current", "over-voltage",  "under-voltage", "over-temperature", "position sensor", "phases",
+      "watchdog", "limit",        "configuration", "power stage",   "communication",    "emergency stop",  "other"};
+  return names[static_cast<std::size_t>(f)];
+}
+
+struct drive_report {
+  static constexpr double untold = std::numeric_limits<double>::quiet_NaN();
+
+  double position = untold;     // rad
+  double velocity = untold;     // rad/s
+  double torque = untold;       // N m
+  double temperature = untold;  // degrees Celsius, of the power stage where there are two
+  drive_activity activity = drive_activity::unknown;
+  drive_fault fault = drive_fault::none;
+  std::uint32_t code = 0;    // the drive's own number of state or fault
+  std::uint8_t told = 0;     // drive_quantity: what the last frame told
+  std::uint8_t at_end = 0;   // drive_quantity: the number is the last that the frame can say, the truth may lie beyond
+  std::uint64_t frames = 0;  // how many told something
+};
+
+// A few frames, in order.
+template <std::size_t Most>
+struct frame_list {
+  std::array<can_frame, Most> frames{};
+  std::size_t count = 0;
+
+  constexpr frame_list() = default;
+  template <class... Frames>
+  requires(sizeof...(Frames) > 0 && (std::same_as<Frames, can_frame> && ...)) constexpr frame_list(const Frames&... f)
+      : frames{f...}, count(sizeof...(Frames)) {}
+
+  constexpr void add(const can_frame& f) { frames[count++] = f; }
+  constexpr bool empty() const { return count == 0; }
+  constexpr std::size_t size() const { return count; }
+  constexpr const can_frame& operator[](std::size_t i) const { return frames[i]; }
+  constexpr operator std::span<const can_frame>() const { return {frames.data(), count}; }
+};
+using drive_frames = frame_list<8>;
+
+struct set_point_frames {
+  drive_frames frames{};
+  bool finite = true;    // false: the command holds NaN or infinity where the drive uses it, and there are no frames
+  std::uint8_t cut = 0;  // drive_quantity: what was beyond the drive's range
+};
+
+enum class enable_progress : std::uint8_t { going, done, failed };
+struct enable_step {
+  drive_frames frames{};
+  enable_progress progress = enable_progress::going;
+};
+
+// What stops a drive that hears nothing: `nanoseconds` after the last set-point, 0 where that is a setting of the drive's own.
+struct drive_watchdog {
+  std::int64_t nanoseconds = 0;
+  std::string_view what_it_does;
+};
+
+// Frames on the bus: so many in each cycle, or one in each period whatever the cycle.
+struct frame_traffic {
+  frame_shape shape{};
+  int a_cycle = 1;
+  std::int64_t period = 0;  // ns; 0: by cycle
+};
+
+template <class Type>
+concept Drive = requires(const drive_command& command, const can_frame& frame, drive_report& report,
+                         typename Type::enabling& enabling) {
+  { Type::name } -> std::convertible_to<std::string_view>;
+  { Type::uses } -> std::convertible_to<std::uint8_t>;
+  { Type::watchdog } -> std::convertible_to<drive_watchdog>;
+  {std::span<const can_filter>(Type::requests)};
+  {std::span<const can_filter>(Type::replies)};
+  {std::span<const frame_traffic>(Type::traffic)};
+  Type::limits;
+  { Type::set_point(command) }
+  noexcept->std::same_as<set_point_frames>;
+  { Type::decode(frame, report) }
+  noexcept->std::same_as<bool>;
+  { Type::disable() }
+  noexcept->std::same_as<drive_frames>;
+  { enabling.next(report) }
+  noexcept->std::same_as<enable_step>;
+};
+
+}  // namespace cca::hardware

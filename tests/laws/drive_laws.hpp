@@ -1,0 +1,148 @@
+// The laws of a Drive, stated once and run over every model of it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <span>
+
+#include <doctest/doctest.h>
+
+#include <cca/hardware/drive.hpp>
+
+namespace laws {
+
+namespace drives {
+
+using namespace cca::hardware;
+
+inline constexpr std::array<double drive_command::*, 5> numbers{&drive_command::position, &drive_command::velocity,
+                                                                &drive_command::torque, &drive_command::stiffness,
+                                                                &drive_command::damping};
+inline constexpr std::array<drive_quantity, 5> quantities{of_position, of_velocity, of_torque, of_stiffness, of_damping};
+
+inline bool among(std::span<const can_filter> filters, can_id id) {
+  return std::any_of(filters.begin(), filters.end(), [id](const can_filter& f) { return f.matches(id); });
+}
+inline bool same(const drive_report& a, const drive_report& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+template <Drive D>
+void check_frames(const drive_frames& frames) {
+  for (const can_frame& f : std::span<const can_frame>(frames)) {
+    CHECK_MESSAGE(f.valid(), "can be on a bus");
+    CHECK_MESSAGE(among(D::requests, f.id), "is one of those that it listens to");
+  }
+}
+
+// What it asks for can be sent; what is not finite is not sent at all.
+template <Drive D>
+void asks() {
+  std::mt19937_64 bits(1);
+  const auto random = [&](double size) { return size * (static_cast<double>(bits() >> 11) * 0x1p-52 - 1); };
+  for (int i = 0; i < 2000; ++i) {
+    drive_command c;
+    const double size = std::pow(10, random(20));
+    for (const auto number : numbers) c.*number = random(size);
+    const auto asked = D::set_point(c);
+    CHECK_MESSAGE(asked.finite, "finite numbers are taken, whatever their size");
+    CHECK_MESSAGE(!asked.frames.empty(), "and sent");
+    CHECK_MESSAGE((asked.cut & ~D::uses) == 0, "only what it uses is cut");
+    check_frames<D>(asked.frames);
+  }
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()})
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      drive_command c;
+      c.*numbers[i] = bad;
+      const auto asked = D::set_point(c);
+      const bool used = (D::uses & quantities[i]) != 0;
+      CHECK_MESSAGE(asked.finite == !used, "NaN and infinity are told");
+      CHECK_MESSAGE(asked.frames.empty() == used, "and not sent");
+    }
+  for (std::size_t i = 0; i < numbers.size(); ++i)  // beyond all ranges, and far beyond: the same frame
+    for (const double sign : {-1, 1}) {
+      drive_command far, further;
+      far.*numbers[i] = sign * 1e60;
+      further.*numbers[i] = sign * 1e300;
+      const auto a = D::set_point(far), b = D::set_point(further);
+      const bool used = (D::uses & quantities[i]) != 0;
+      CHECK_MESSAGE(((a.cut & quantities[i]) != 0) == used, "it says what it cut");
+      REQUIRE(a.frames.size() == b.frames.size());
+      for (std::size_t f = 0; f < a.frames.size(); ++f) CHECK_MESSAGE(a.frames[f] == b.frames[f], "to the end of the range");
+    }
+  CHECK_MESSAGE(D::set_point({}).cut == 0, "zero is within all ranges");
+}
+
+// Whatever the bytes: what is not its own changes nothing; what it takes are numbers or NaN, and says what it told.
+template <Drive D>
+void hears_anything() {
+  std::mt19937_64 bits(2);
+  drive_report r;
+  std::uint64_t taken = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    can_frame f{
+        .length = static_cast<std::uint8_t>(bits()), .fd = bits() % 4 == 0, .fast = bits() % 2 == 0, .remote = bits() % 16 == 0};
+    const auto& mine = D::replies[bits() % D::replies.size()];
+    f.id = bits() % 16 ? can_id{(mine.id.number & mine.mask) |
+                                    (static_cast<std::uint32_t>(bits()) & ~mine.mask & (mine.id.extended ? 0x1FFFFFFFu : 0x7FFu)),
+                                mine.id.extended}
+                       : can_id{static_cast<std::uint32_t>(bits()), bits() % 2 == 0};
+    if (bits() % 2) f.length = static_cast<std::uint8_t>(bits() % 9);
+    for (auto& byte : f.data) byte = static_cast<std::uint8_t>(bits());
+    if (bits() % 2) f.data[0] = D::set_point({}).frames[0].data[0];  // a byte that may mean something
+    const drive_report before = r;
+    if (!D::decode(f, r)) {
+      REQUIRE_MESSAGE(same(before, r), "what is not taken changes nothing");
+      continue;
+    }
+    ++taken;
+    REQUIRE_MESSAGE(among(D::replies, f.id), "it takes only what it sends");
+    REQUIRE_MESSAGE(r.frames == before.frames + 1, "it is counted");
+    REQUIRE_MESSAGE(r.told != 0, "it told something");
+    if (!(r.told & of_position))
+      REQUIRE_MESSAGE(std::memcmp(&r.position, &before.position, sizeof r.position) == 0, "a position that isn't told stays");
+  }
+  (void)taken;
+}
+
+// Off, and on the way to on: frames that can be sent; and no way ends without an answer.
+template <Drive D>
+void starts_and_stops() {
+  CHECK(!D::disable().empty());
+  check_frames<D>(D::disable());
+  typename D::enabling enabling;
+  for (int i = 0; i < 1000; ++i) {
+    const auto step = enabling.next({});
+    check_frames<D>(step.frames);
+    REQUIRE_MESSAGE(step.progress != enable_progress::done, "nobody has answered");
+  }
+}
+
+// No id is asked under and answered under at once; traffic is frames that can be.
+template <Drive D>
+void is_stated_soundly() {
+  for (const can_filter& a : D::requests)
+    for (const can_filter& b : D::replies) CHECK_MESSAGE(!overlap(a, b), "requests and replies have ids of their own");
+  for (const frame_traffic& t : D::traffic) {
+    CHECK(fd_length(t.shape.length) == t.shape.length);
+    CHECK((t.shape.fd || t.shape.length <= 8));
+    CHECK((t.a_cycle > 0 || t.period > 0));
+  }
+}
+
+template <Drive D>
+void drive() {
+  asks<D>();
+  hears_anything<D>();
+  starts_and_stops<D>();
+  is_stated_soundly<D>();
+}
+
+}  // namespace drives
+
+using drives::drive;
+
+}  // namespace laws
