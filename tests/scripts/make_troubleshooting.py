@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Makes docs/troubleshooting.md from the files of tests/rejects.
 
-usage: make_troubleshooting.py ROOT [-- COMPILER...]     writes the page (compilers: g++ clang++-19)
-       make_troubleshooting.py ROOT --check              compiles nothing: rules, code and texts are those of the files
+usage: make_troubleshooting.py ROOT            writes the page; compiles what on it is not as the files have it
+       make_troubleshooting.py ROOT --all      compiles all of them, for a change to what the compilers say (some minutes)
+       make_troubleshooting.py ROOT --check    compiles nothing: rules, code and texts are those of the files
 
 Each rule has a section: its meaning (the comment at the top of its file), the code in `#if CCA_REJECT` and in its `#else`,
 and what each compiler says. Files of a variant, `<id>-<variant>.cpp`, follow as shorter sections.
@@ -128,20 +129,27 @@ def make(root, files, said):
     return re.sub(r"\n{3,}", "\n\n", text).rstrip() + "\n"
 
 
+def is_stale(file, page, said):
+    one = Reject(file)
+    if (file.name, COMPILERS[0]) not in said or not re.search(one.expect, said[file.name, COMPILERS[0]][1]):
+        return True
+    return section(one, said) not in re.sub(r"\n{3,}", "\n\n", page) + "\n"
+
+
 def main(arguments):
     root = pathlib.Path(arguments[0]).resolve() if arguments else pathlib.Path(__file__).resolve().parents[2]
     page = root / "docs/troubleshooting.md"
     files = sorted((root / "tests/rejects").glob("*.cpp"))
-    if "--check" not in arguments:
-        page.parent.mkdir(exist_ok=True)
-        page.write_text(make(root, files, compiled(files, root, COMPILERS)))
-        return
-    old = page.read_text()
+    old = page.read_text() if page.exists() else ""
     said = from_page(old)
-    wrong = [file.name for file in files
-             if (file.name, COMPILERS[0]) not in said or not re.search(Reject(file).expect, said[file.name, COMPILERS[0]][1])]
-    if wrong or make(root, files, said) != old:
-        sys.exit(f"{page} is not what the files say: make it anew with {pathlib.Path(__file__).name}\n" + "\n".join(wrong))
+    stale = [file for file in files if is_stale(file, old, said)]
+    if "--check" not in arguments:
+        said |= compiled(files if "--all" in arguments else stale, root, COMPILERS)
+        page.parent.mkdir(exist_ok=True)
+        page.write_text(make(root, files, said))
+        return
+    if stale or make(root, files, said) != old:
+        sys.exit(f"{page} is not what the files say: make it anew with {pathlib.Path(__file__).name}\n" + "\n".join(file.name for file in stale))
     print(f"{page.name} has {len(files)} examples, as the files have them")
 
 

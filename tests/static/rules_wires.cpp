@@ -266,6 +266,19 @@ static_assert(tells<unlimited_measured, unlimited_measured_mended>({"robot.unlim
     "`r.measured` reaches the actuator `r.command` without passing a limiter: put a cca::limiter<angles> between "
     "them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
 
+struct limited_later : khz<cca::node<"a", source<angles>, cca::timed<10, 9>>, cca::node<"l", cca::limiter<angles>>, cca::node<"r", robot<>>,
+    cca::wire<"a.y", "l.command">, cca::wire<"l.safe", "r.command", cca::latest, cca::initial<0.5, 0.5>>> {};
+struct limited_later_mended : khz<cca::node<"a", source<angles>, cca::timed<10, 9>>, cca::node<"l", cca::limiter<angles>>, cca::node<"r", robot<>>,
+    cca::wire<"a.y", "l.command">, cca::wire<"l.safe", "r.command", cca::latest, cca::initial<0.5, -0.5>>> {};
+static_assert(tells<limited_later, limited_later_mended>({"robot.unlimited_command", "l.safe -> r.command",
+    "`r.command` may be read before a first command has passed a limiter, and would then hold the cca::initial of its wire, which lies outside of the "
+    "limits of `knee`, on its way to the actuator: give the wire a cca::initial<...> within them"}));
+
+// Never read, and so no matter.
+struct limited_at_once : khz<cca::node<"a", source<angles>>, cca::node<"l", cca::limiter<angles>>, cca::node<"r", robot<>>, cca::wire<"a.y", "l.command">,
+    cca::wire<"l.safe", "r.command", cca::initial<0.5, 0.5>>> {};
+static_assert(cca::well_formed<limited_at_once>);
+
 struct no_option : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::timed<2>>> {};
 struct no_option_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
 static_assert(tells<no_option, no_option_mended>({"wire.bad_option", "a.y -> b.x",

@@ -8,23 +8,45 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include <cca/space/fixed_string.hpp>
 #include <cca/space/sample.hpp>
+#include <cca/space/scalar.hpp>
 
 namespace cca {
 
+namespace detail {
+
+// Stands for what is no space, so that the compiler has one thing to say and not twenty.
+struct no_space : space<number, axes<x>> {};
+
+template <class Type>
+inline constexpr bool is_space = Space<Type>;  // asked as a concept, both compilers would add what it is made of
+
+// A function and not a struct, of which clang would no longer know the members.
+template <class Type>
+constexpr auto space_or_refused() {
+  static_assert(is_space<Type>, "component.bad_parameter: a port is of a space, and this type is none: make one of it, as in "
+                                "`struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`");
+  return std::type_identity<std::conditional_t<is_space<Type>, Type, no_space>>{};
+}
+template <class Type>
+using checked_space = typename decltype(space_or_refused<Type>())::type;
+
+}  // namespace detail
+
 // An input: the sample that the component sees in this firing. `fresh()`: it arrived since the component last fired.
 template <fixed_string Name, class Space>
-class in : public sample<Space> {
+class in : public sample<detail::checked_space<Space>> {
 public:
   static constexpr std::string_view name = Name.view();
 
   constexpr in() = default;
-  explicit in(detail::to_be_filled tag) : sample<Space>(tag) {}
+  explicit in(detail::to_be_filled tag) : in::sample(tag) {}
   template <class Vector>
   constexpr in(const Eigen::MatrixBase<Vector>& v, std::int64_t origin, bool is_fresh)
-      : sample<Space>(v, origin), arrived(is_fresh) {}
+      : in::sample(v, origin), arrived(is_fresh) {}
 
   constexpr bool fresh() const { return arrived; }
 
@@ -54,24 +76,24 @@ template <fixed_string Name, class Space>
 class out {
 public:
   static constexpr std::string_view name = Name.view();
-  using space = Space;
-  using vector_type = typename Space::vector_type;
+  using space = detail::checked_space<Space>;
+  using vector_type = typename space::vector_type;
 
-  constexpr out() : out(sample<Space>{}) {}
-  constexpr out(const sample<Space>& value) : coordinates(value.vector()) {}
+  constexpr out() : out(sample<space>{}) {}
+  constexpr out(const sample<space>& value) : coordinates(value.vector()) {}
   template <class Vector>
   constexpr out(const Eigen::MatrixBase<Vector>& v) : coordinates(v) {}
   constexpr out(double number)
-    requires(Space::size == 1)
+    requires(space::size == 1)
   {
     coordinates[0] = number;
   }
 
   template <class Axis>
   constexpr double& operator[](Axis) {
-    static_assert(Space::axes::template contains<Axis>, "cca::out: this space has no such axis");
-    static_assert(Space::size == Space::axes::count, "cca::out: this domain type has no value per axis");
-    return coordinates[Space::axes::template index_of<Axis>];
+    static_assert(space::axes::template contains<Axis>, "cca::out: this space has no such axis");
+    static_assert(space::size == space::axes::count, "cca::out: this domain type has no value per axis");
+    return coordinates[space::axes::template index_of<Axis>];
   }
   template <class Axis>
   constexpr double operator[](Axis axis) const { return const_cast<out&>(*this)[axis]; }
@@ -92,12 +114,12 @@ template <fixed_string Name, class Space>
 class maybe : public out<Name, Space> {
 public:
   constexpr maybe() = default;
-  constexpr maybe(const sample<Space>& value) : out<Name, Space>(value), published(true) {}
+  constexpr maybe(const sample<typename maybe::space>& value) : out<Name, Space>(value), published(true) {}
   constexpr maybe(const out<Name, Space>& value) : out<Name, Space>(value), published(true) {}
   template <class Vector>
   constexpr maybe(const Eigen::MatrixBase<Vector>& v) : out<Name, Space>(v), published(true) {}
   constexpr maybe(double number)
-    requires(Space::size == 1)
+    requires(maybe::space::size == 1)
       : out<Name, Space>(number), published(true) {}
 
   // Filling it by axis publishes it.

@@ -43,12 +43,12 @@ struct parameter_facts<beat> {
 template <fixed_string Name, class Space>
 struct parameter_facts<in<Name, Space>> {
   static constexpr auto kind = parameter_kind::input;
-  static constexpr port_info port{Name.view(), &space_of<Space>};
+  static constexpr port_info port{Name.view(), &space_of<checked_space<Space>>};
 };
 template <fixed_string Name, class Space>
 struct parameter_facts<optional_in<Name, Space>> {
   static constexpr auto kind = parameter_kind::input;
-  static constexpr port_info port{Name.view(), &space_of<Space>, true};
+  static constexpr port_info port{Name.view(), &space_of<checked_space<Space>>, true};
 };
 
 template <class Policy>
@@ -81,12 +81,12 @@ struct result_facts<fault> {
 template <fixed_string Name, class Space>
 struct result_facts<out<Name, Space>> {
   static constexpr auto kind = result_kind::output;
-  static constexpr port_info port{Name.view(), &space_of<Space>};
+  static constexpr port_info port{Name.view(), &space_of<checked_space<Space>>};
 };
 template <fixed_string Name, class Space>
 struct result_facts<maybe<Name, Space>> {
   static constexpr auto kind = result_kind::output;
-  static constexpr port_info port{Name.view(), &space_of<Space>, false, true};
+  static constexpr port_info port{Name.view(), &space_of<checked_space<Space>>, false, true};
 };
 
 template <class Result>

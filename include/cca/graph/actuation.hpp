@@ -8,8 +8,8 @@ namespace cca::detail {
 struct actuation {
   flat_view g;
 
-  constexpr void refuse(rule broken, const item_info* item, int scope, int a = -1, int b = -1) {
-    if (g.found.broken == rule::none) g.found = {broken, a, b, -1, item, scope};
+  constexpr void refuse(rule broken, const item_info* item, int scope, int a = -1, int b = -1, int c = -1) {
+    if (g.found.broken == rule::none) g.found = {broken, a, b, c, item, scope};
   }
 
   // Every way by which a sample of this output came to be leads through a limiter, or through parts that keep within
@@ -24,6 +24,30 @@ struct actuation {
     return true;
   }
 
+  // What an input holds before a first sample has come is a command as well: the axis along which it lies outside of the
+  // limits, or -1.
+  constexpr int beyond_limits(const input& in) const {
+    if (in.in_beat) return -1;
+    const auto& space = *port_of(g, in).space;
+    const auto& wire = *in.wire;
+    for (int c = 0; c < space.axis_count; ++c) {
+      const double value = wire.initial ? wire.initial[wire.initial_count == 1 ? 0 : c] : space.zero[c];
+      if (!(space.lower[c] <= value && value <= space.upper[c])) return c;
+    }
+    return -1;
+  }
+
+  // All that may lie on the wires between an actuator and the limiters that it is fed by, before these have fired.
+  constexpr void check_initial(int input_index, int actuator, int depth = 0) {
+    const auto& in = g.inputs[input_index];
+    if (in.writer < 0 || depth > g.leaf_count) return;
+    if (const int c = beyond_limits(in); c >= 0) refuse(rule::robot_unlimited_command, in.wire, g.leaves[g.turns[in.turn].leaf].scope, input_index, actuator, c);
+    const auto& t = g.turns[g.outputs[in.writer].turn];
+    const auto& component = *node_of(g, t).component;
+    if (component.limits_commands || t.phase == phase_of_beat::act || !component.preserves_limits) return;
+    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) check_initial(i, actuator, depth + 1);
+  }
+
   constexpr void run() {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];
@@ -36,6 +60,7 @@ struct actuation {
       if ((actuates || item.component->limits_commands) && space->missing_limits >= 0)
         refuse(rule::space_missing_limits, &item, scope, i);
       if (actuates && in.writer >= 0 && !is_limited(in.writer)) refuse(rule::robot_unlimited_command, in.wire, scope, in.writer, i);
+      if (actuates) check_initial(i, i);
     }
   }
 };

@@ -228,7 +228,21 @@ constexpr void tell_missing_limits(telling& t) {
           << "{lower, upper}};` to it";
 }
 
+constexpr void tell_initial_beyond_limits(telling& t) {
+  const auto& in = t.g.inputs[t.found().a];
+  t.at_wire();
+  t.port(in);
+  t.say() << " may be read before a first command has passed a limiter, and would then hold " << (t.item().initial ? "the cca::initial of its wire" : "zero")
+          << ", which lies outside of the limits of `" << t.space(in).axes[t.found().c] << "`, on its way to the actuator";
+  if (t.found().a != t.found().b) {
+    t.say() << " ";
+    t.port(t.g.inputs[t.found().b]);
+  }
+  t.say() << ": give the wire a cca::initial<...> within them";
+}
+
 constexpr void tell_unlimited(telling& t) {
+  if (t.found().c >= 0) return tell_initial_beyond_limits(t);
   const auto& from = t.g.outputs[t.found().a];
   const auto& to = t.g.inputs[t.found().b];
   t.at_wire();

@@ -88,14 +88,14 @@ private:
         if (half.inputs[p].name == Name.view()) return p;
       return -1;
     }();
-    static_assert(position >= 0, "cca: the strategy asks for an input that the component does not have");
+    static_assert(position >= 0, "strategy.unknown_port: the strategy of this node looks at an input by a name that its component has no input of");
     constexpr int parameter = [] {
       const auto& positions = half_facts<list<Parameters...>, list<>>::input_of_parameter;
       for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
         if (positions[i] == position) return static_cast<int>(i);
       return 0;
     }();
-    constexpr int input = turn_of<Graph, Turn>.first_input + position;
+    constexpr int input = turn_of<Graph, Turn>.first_input + (position < 0 ? 0 : position);
     std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>> port{to_be_filled{}};
     fill_port<Graph, input>(port, asked.places, asked.k, asked.self.last);
     return port;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include <cca/graph/lookup.hpp>
 #include <cca/component/inlining.hpp>
@@ -13,6 +14,9 @@ namespace cca::detail {
 // All components of one type; `First` is the first of them. Stateless ones are one and the same.
 template <class Component>
 struct cell {
+  static_assert(std::is_default_constructible_v<Component>,
+                "cca::controller: a component starts from its default values, so it needs a constructor without arguments; what differs between nodes is "
+                "a template argument or one of its `parameters`");
   [[no_unique_address]] Component component{};
 };
 template <class Component, int Count>

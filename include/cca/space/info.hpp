@@ -24,6 +24,7 @@ struct space_info {
   int duplicate_axis;  // index, or -1
   int missing_limits;  // index of the first axis without limits for the domain's quantity, or -1
   std::string_view quantity;
+  const double *lower, *upper;  // limits of that quantity, one number an axis; infinite where an axis states none
 };
 
 template <class Axes>
@@ -53,6 +54,8 @@ inline constexpr space_info space_of = {
     duplicate_axis<Space>,
     missing_limits<Space>,
     type_name<typename Space::domain::quantity>(),
+    lower_limits<Space, typename Space::domain::quantity>.data(),
+    upper_limits<Space, typename Space::domain::quantity>.data(),
 };
 
 // A rate that only one of them states does not count.

@@ -11,6 +11,7 @@
 #include "../../../examples/trot/cma_es.hpp"
 #include "../../../examples/trot/command_line.hpp"
 #include "../../../examples/trot/csv.hpp"
+#include "../../../examples/trot/parallel.hpp"
 #include "../../../examples/trot/rollout.hpp"
 #include "../../../examples/trot/statistics.hpp"
 #include "../../../examples/trot/summary.hpp"
@@ -43,6 +44,20 @@ TEST_SUITE("trot") {
     for (const double duty : s.duty_factor) {
       CHECK(duty > 0.3);
       CHECK(duty < 0.9);
+    }
+  }
+
+  TEST_CASE("ten disturbances, 20 s each: no fall, 0.6 m/s, straight") {
+    std::vector<trot::statistics> all(10);
+    trot::on_all_cores(all.size(), [&](std::size_t seed) { all[seed] = trot::evaluate(run(20, seed)); }, [](std::size_t) {});
+    for (std::size_t seed = 0; seed < all.size(); ++seed) {
+      CAPTURE(seed);
+      const trot::statistics& s = all[seed];
+      CHECK(!s.fell);
+      CHECK(s.speed >= 0.6);
+      CHECK(std::abs(s.drift) < 0.05 * s.distance);
+      CHECK(s.max_roll < cca::sim::degrees(30));
+      CHECK(s.max_pitch < cca::sim::degrees(30));
     }
   }
 

@@ -1,0 +1,22 @@
+// EXPECT: strategy\.unknown_port: the strategy of this node looks at an input by a name that its component has no input of
+// A strategy of the user's own looks at inputs that the component has.
+#include "parts.hpp"
+
+struct when_far {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& inputs) {
+#if CCA_REJECT
+    return inputs.template get<"angle">().vector().norm() > 1;
+#else
+    return inputs.template get<"angles">().vector().norm() > 1;
+#endif
+  }
+};
+
+struct walk : cca::graph<
+    cca::rate<1000>,
+    cca::node<"stance", stance>,
+    cca::node<"recorder", recorder, when_far>,
+    cca::wire<"stance.angles", "recorder.angles", cca::latest>> {};
+
+void beat(cca::controller<walk>& c) { c.step(); }
