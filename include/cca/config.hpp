@@ -13,8 +13,8 @@
 
 #include <toml++/toml.h>
 
+#include <cca/component/file.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/config/file.hpp>
 #include <cca/config/read.hpp>
 #include <cca/config/write.hpp>
 

@@ -42,10 +42,11 @@ public:
     for_each_component([]<class C>(std::string_view path, C& component) {
       if constexpr (HasParameters<C>) check_parameters(component.p, path);
     });
-    move(detail::transition::load, "load()");
+    // A hook may refuse, where a file is damaged: then the state stays as it was.
     visit([]<class C>(int, C& component) {
       if constexpr (detail::OnLoad<C>) component.on_load();
     }, state_of_all);
+    move(detail::transition::load, "load()");
   }
 
   // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
@@ -57,10 +58,11 @@ public:
   }
 
   void save() {
-    move(detail::transition::save, "save()");
+    check(detail::transition::save, "save()");
     visit([]<class C>(int, C& component) {
       if constexpr (detail::OnSave<C>) component.on_save();
     }, state_of_all);
+    move(detail::transition::save, "save()");
   }
 
   void save(std::string_view file) {

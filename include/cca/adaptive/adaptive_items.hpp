@@ -1,0 +1,294 @@
+// What an adaptive component is made of: its items, from the signatures of its parts.
+#pragma once
+
+#include <cca/adaptive/component_status.hpp>
+#include <cca/component/mapped_ports.hpp>
+#include <cca/component/strategy.hpp>
+#include <cca/graph/graph.hpp>
+
+namespace cca {
+
+template <fixed_string Reference, fixed_string Command, fixed_string OdeStatus>
+struct named {};
+template <criterion_target Target>
+struct against {};
+template <class Mapping>
+struct reference_through {};
+template <class Mapping>
+struct feedback_through {};
+template <class Mapping>
+struct command_through {};
+template <fixed_string Input, class Mapping>
+struct control_through {};
+
+namespace detail {
+
+template <class List>
+struct graph_from;
+template <class... Items>
+struct graph_from<list<Items...>> : graph<Items...> {};
+
+template <class... Lists>
+struct joined;
+template <class... A>
+struct joined<list<A...>> { using type = list<A...>; };
+template <class... A, class... B, class... Rest>
+struct joined<list<A...>, list<B...>, Rest...> : joined<list<A..., B...>, Rest...> {};
+
+// "module" and "goal" make "module.goal".
+template <std::size_t A, std::size_t B>
+consteval auto with_dot(const fixed_string<A>& node, const fixed_string<B>& port) {
+  char text[A + B]{};
+  for (std::size_t i = 0; i + 1 < A; ++i) text[i] = node.text[i];
+  text[A - 1] = '.';
+  for (std::size_t i = 0; i < B; ++i) text[A + i] = port.text[i];
+  return fixed_string<A + B>(text);
+}
+template <fixed_string Node, fixed_string Port>
+inline constexpr auto path_to = with_dot(Node, Port);
+
+// The options, one of each kind.
+template <template <class> class Kind, class... Options>
+struct mapping_among { using type = void; };
+template <template <class> class Kind, class Mapping, class... Rest>
+struct mapping_among<Kind, Kind<Mapping>, Rest...> { using type = Mapping; };
+template <template <class> class Kind, class Other, class... Rest>
+struct mapping_among<Kind, Other, Rest...> : mapping_among<Kind, Rest...> {};
+
+template <fixed_string Input, class... Options>
+struct control_among { using type = void; };
+template <fixed_string Input, class Mapping, class... Rest>
+struct control_among<Input, control_through<Input, Mapping>, Rest...> { using type = Mapping; };
+template <fixed_string Input, class Other, class... Rest>
+struct control_among<Input, Other, Rest...> : control_among<Input, Rest...> {};
+
+template <class Type>
+concept StatesStrategy = strategy_of<Type>.kind != strategy_kind::user || requires { &Type::template fires<any_inputs>; };
+
+template <class... Options>
+struct strategy_among { using type = timed<1>; };
+template <StatesStrategy First, class... Rest>
+struct strategy_among<First, Rest...> { using type = First; };
+template <class First, class... Rest>
+struct strategy_among<First, Rest...> : strategy_among<Rest...> {};
+
+template <class... Options>
+struct names_among { using type = named<"reference", "command", "ode">; };
+template <fixed_string Reference, fixed_string Command, fixed_string OdeStatus, class... Rest>
+struct names_among<named<Reference, Command, OdeStatus>, Rest...> { using type = named<Reference, Command, OdeStatus>; };
+template <class First, class... Rest>
+struct names_among<First, Rest...> : names_among<Rest...> {};
+
+template <criterion_target Default, class... Options>
+inline constexpr criterion_target target_among = Default;
+template <criterion_target Default, criterion_target Target, class... Rest>
+inline constexpr criterion_target target_among<Default, against<Target>, Rest...> = Target;
+template <criterion_target Default, class First, class... Rest>
+inline constexpr criterion_target target_among<Default, First, Rest...> = target_among<Default, Rest...>;
+
+template <class Type>
+constexpr bool is_component_option = StatesStrategy<Type>;
+template <fixed_string A, fixed_string B, fixed_string C>
+constexpr bool is_component_option<named<A, B, C>> = true;
+template <criterion_target Target>
+constexpr bool is_component_option<against<Target>> = true;
+template <class M>
+constexpr bool is_component_option<reference_through<M>> = true;
+template <class M>
+constexpr bool is_component_option<feedback_through<M>> = true;
+template <class M>
+constexpr bool is_component_option<command_through<M>> = true;
+template <fixed_string Input, class M>
+constexpr bool is_component_option<control_through<Input, M>> = true;
+
+template <class Type>
+concept ComponentOption = is_component_option<Type>;
+
+// A port's name as a template argument, and its space.
+template <class Port>
+struct port_facts;
+template <template <fixed_string, class> class Kind, fixed_string Name, class Of>
+struct port_facts<Kind<Name, Of>> {
+  static constexpr auto name = Name;
+  using space = Of;
+};
+template <class Type>
+concept NamedPort = requires { port_facts<Type>::name; };
+
+// All ports of a component, or what a graph shows.
+template <fixed_string Name, class Space>
+struct exposed_port {
+  static constexpr std::string_view name = Name.view();
+};
+template <class Item>
+struct exposed_by { using type = list<>; };
+template <fixed_string Inner, fixed_string Outer>
+struct exposed_by<expose<Inner, Outer>> { using type = list<exposed_port<Outer, void>>; };
+
+template <class Component>
+struct ports_in { using type = typename joined<typename process_facts<Component>::parameters, typename process_facts<Component>::results>::type; };
+template <class Items>
+struct ports_shown;
+template <class... Items>
+struct ports_shown<list<Items...>> : joined<list<>, typename exposed_by<Items>::type...> {};
+template <Graph Component>
+struct ports_in<Component> : ports_shown<typename Component::cca_items> {};
+
+// Whether there is a port of that name, and its space; void where a graph only shows it.
+template <fixed_string Name, class Ports>
+struct port_at {
+  static constexpr bool exists = false;
+  using space = void;
+};
+template <fixed_string Name, class First, class... Rest>
+struct port_at<Name, list<First, Rest...>> : port_at<Name, list<Rest...>> {};
+template <fixed_string Name, NamedPort First, class... Rest>
+  requires(First::name == Name.view())
+struct port_at<Name, list<First, Rest...>> {
+  static constexpr bool exists = true;
+  using space = typename port_facts<First>::space;
+};
+
+// Inner end of a mapping on a port: what it takes and what it gives.
+template <class Mapping>
+inline constexpr auto taken_by = port_facts<typename mapped_inputs<Mapping>::first>::name;
+template <class Mapping>
+inline constexpr auto given_by = port_facts<typename mapped_outputs<Mapping>::first>::name;
+
+// "ball" makes "through_ball", the node of the mapping on that port.
+template <std::size_t Size>
+consteval auto node_through(const fixed_string<Size>& port) {
+  constexpr std::string_view before = "through_";
+  char text[Size + 8]{};
+  for (std::size_t i = 0; i < 8; ++i) text[i] = before[i];
+  for (std::size_t i = 0; i < Size; ++i) text[8 + i] = port.text[i];
+  return fixed_string<Size + 8>(text);
+}
+template <fixed_string Port>
+inline constexpr auto through = node_through(Port);
+
+// An outer input that feeds ports of inner nodes, with or without a mapping; an inner output that is shown.
+template <class Mapping, fixed_string Outer, fixed_string... Inner>
+struct fed {
+  using type = list<node<through<Outer>, Mapping>, expose<path_to<through<Outer>, taken_by<Mapping>>, Outer>,
+                    wire<path_to<through<Outer>, given_by<Mapping>>, Inner, latest>...>;
+};
+template <fixed_string Outer, fixed_string... Inner>
+struct fed<void, Outer, Inner...> { using type = list<expose<Inner, Outer>...>; };
+
+template <class Mapping, fixed_string Inner, fixed_string Outer>
+struct given {
+  using type = list<node<through<Outer>, Mapping>, wire<Inner, path_to<through<Outer>, taken_by<Mapping>>, latest>,
+                    expose<path_to<through<Outer>, given_by<Mapping>>, Outer>>;
+};
+template <fixed_string Inner, fixed_string Outer>
+struct given<void, Inner, Outer> { using type = list<expose<Inner, Outer>>; };
+
+template <bool Chosen, class List>
+using if_chosen = std::conditional_t<Chosen, List, list<>>;
+
+// Each port of a node that has none of the roles, under its own name.
+template <fixed_string... Names>
+struct roles {};
+template <fixed_string Node, class Port, class Roles, class... Options>
+struct port_shown { using type = list<>; };
+template <fixed_string Node, NamedPort Port, fixed_string... Roles, class... Options>
+  requires((Port::name != Roles.view()) && ...)
+struct port_shown<Node, Port, roles<Roles...>, Options...>
+    : fed<typename control_among<port_facts<Port>::name, Options...>::type, port_facts<Port>::name, path_to<Node, port_facts<Port>::name>> {};
+
+template <fixed_string Node, class Ports, class Roles, class... Options>
+struct shown_ports;
+template <fixed_string Node, class... Ports, class Roles, class... Options>
+struct shown_ports<Node, list<Ports...>, Roles, Options...> : joined<list<>, typename port_shown<Node, Ports, Roles, Options...>::type...> {};
+
+template <class Module, class Strategy>
+struct module_node { using type = node<"module", Module, Strategy>; };
+template <Graph Module, class Strategy>
+struct module_node<Module, Strategy> { using type = node<"module", Module>; };
+
+// Spaces, so that the compilers name the two; one that isn't known is left to the wires.
+template <class Takes, class Given>
+constexpr bool comparable = matching<Takes, Given>;
+template <class Takes>
+constexpr bool comparable<Takes, void> = true;
+template <class Takes, class Given>
+concept Compares = comparable<Takes, Given>;
+
+template <class Mapping>
+struct space_given { using type = typename mapped_outputs<Mapping>::first::space; };
+template <>
+struct space_given<void> { using type = void; };
+
+template <class CriterionsTarget, class ModulesTarget, class CriterionsFeedback, class MappedFeedback>
+constexpr bool check_criterion() {
+  static_assert(Compares<CriterionsTarget, ModulesTarget>,
+                "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, frame, axes or rate) "
+                "than that in which its module has the target (the two are named below, the criterion's first); use the criterion over "
+                "the module's space, or let it measure against the other target: against<criterion_target::...>");
+  constexpr bool targets = Compares<CriterionsTarget, ModulesTarget>;
+  static_assert(!targets || Compares<CriterionsFeedback, MappedFeedback>,
+                "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, frame, axes or rate) "
+                "than that to which its feedback_through<...> maps (the two are named below, the criterion's first); map the feedback to "
+                "the criterion's space");
+  return targets && Compares<CriterionsFeedback, MappedFeedback>;
+}
+
+// Stands for a criterion that has been reported.
+template <class Target, class Feedback>
+struct unmeasured {
+  auto process(in<"target", Target>, in<"feedback", Feedback>) -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> { return {}; }
+};
+
+template <class Module, class Measure, class Names, class... Options>
+struct adaptive_items_of;
+template <class Module, class Measure, fixed_string Reference, fixed_string Command, fixed_string OdeStatus, class... Options>
+struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, Options...> {
+  using module_ports = typename ports_in<Module>::type;
+  using criterion_ports = typename ports_in<Measure>::type;
+  using strategy = typename strategy_among<Options...>::type;
+  using on_reference = typename mapping_among<reference_through, Options...>::type;
+  using on_feedback = typename mapping_among<feedback_through, Options...>::type;
+  using on_command = typename mapping_among<command_through, Options...>::type;
+  static constexpr bool to_reference = target_among<Measure::compares, Options...> == criterion_target::reference;
+  static constexpr bool follows = port_at<Reference, module_ports>::exists, feels = port_at<"feedback", module_ports>::exists,
+                        learns = port_at<"module", module_ports>::exists;
+
+  using target = typename port_at<"target", criterion_ports>::space;
+  using feedback = typename port_at<"feedback", criterion_ports>::space;
+  using in_module = typename std::conditional_t<to_reference, port_at<Reference, module_ports>, port_at<Command, module_ports>>::space;
+  static constexpr bool measured = check_criterion<target, in_module, feedback, typename space_given<on_feedback>::type>();
+  using stand_in = unmeasured<std::conditional_t<std::is_void_v<in_module>, target, in_module>,
+                              std::conditional_t<std::is_void_v<on_feedback>, feedback, typename space_given<on_feedback>::type>>;
+
+  static constexpr auto module_reference = path_to<"module", Reference>, module_command = path_to<"module", Command>;
+  using reference_items = typename std::conditional_t<
+      follows && to_reference, fed<on_reference, "reference", module_reference, "criterion.target">,
+      std::conditional_t<follows, fed<on_reference, "reference", module_reference>,
+                         std::conditional_t<to_reference, fed<on_reference, "reference", "criterion.target">, joined<list<>>>>>::type;
+  using feedback_items = typename std::conditional_t<feels, fed<on_feedback, "feedback", "criterion.feedback", "module.feedback">,
+                                                     fed<on_feedback, "feedback", "criterion.feedback">>::type;
+
+  using type = typename joined<
+      list<typename module_node<Module, strategy>::type, node<"criterion", std::conditional_t<measured, Measure, stand_in>, strategy>,
+           node<"status", status_of_component<Measure::at_rest>, strategy>, wire<path_to<"module", OdeStatus>, "status.ode", latest>,
+           wire<"criterion.state", "status.criterion", latest>, expose<"status.ode", "ode_status">, expose<"status.module", "module_status">,
+           expose<"status.component", "component_status">, expose<"criterion.error", "error">>,
+      if_chosen<learns, list<wire<"module.module", "status.module", latest>>>,
+      if_chosen<!to_reference, list<wire<module_command, "criterion.target", latest>>>, reference_items, feedback_items,
+      typename given<on_command, module_command, "command">::type,
+      typename shown_ports<"module", module_ports, roles<Reference, Command, OdeStatus, "module", "feedback">, Options...>::type,
+      if_chosen<measured, typename shown_ports<"criterion", criterion_ports, roles<"target", "feedback", "error", "state">>::type>>::type;
+};
+
+template <class Module, class Measure, class... Options>
+struct adaptive_items {
+  static_assert(sizeof(Module) != 0);  // first of all: what is wrong with the module is reported from here
+  static_assert((ComponentOption<Options> && ...),
+                "cca::adaptive_component: one of its options is none: a strategy, named<...>, against<...>, reference_through<M>, "
+                "feedback_through<M>, command_through<M> or control_through<`name`, M>");
+  using type = typename adaptive_items_of<Module, Measure, typename names_among<Options...>::type, Options...>::type;
+};
+
+}  // namespace detail
+}  // namespace cca

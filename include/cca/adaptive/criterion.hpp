@@ -1,0 +1,91 @@
+// A criterion measures how far what is lies from what should be (seed, chapter 3, *Criterion*), with hysteresis.
+//
+// It is a component with inputs "target" and "feedback" and outputs "error" (criterion_error: in the unit of the space) and
+// "state" (criterion_port: a criterion_state). It says
+//   compares     criterion_target::command or ::reference: which of them an adaptive component takes as target
+//   at_rest      true if its component has reached something only once its ode has converged, too
+// and its other inputs become inputs of the component. Rule: criterion.spaces. Laws: tests/laws/criterion_laws.hpp.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <string_view>
+
+#include <cca/component/beat.hpp>
+#include <cca/component/field_types.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/component/port.hpp>
+#include <cca/space/domain.hpp>
+
+namespace cca {
+
+enum class criterion_state : std::uint8_t { open, fulfilled, lost };
+enum class criterion_target : std::uint8_t { command, reference };
+
+struct error_axis : dimension<"error"> {};
+struct criterion_error : space<number, axes<error_axis>> {};
+struct criterion_axis : dimension<"criterion"> {};
+struct criterion_port : space<status, axes<criterion_axis>> {};
+
+template <class Type>
+concept Criterion = detail::HasProcess<Type> && requires {
+  { Type::compares } -> std::convertible_to<criterion_target>;
+  { Type::at_rest } -> std::convertible_to<bool>;
+};
+
+// How far two samples of a space are apart, in its domain type's unit: positions, by their distance; orientations, by the angle
+// between them; phases, the short way round; else the axis that is furthest off.
+template <Space S>
+double apart(const sample<S>& a, const sample<S>& b) {
+  if constexpr (requires { a.distance(b); }) return a.distance(b);
+  else if constexpr (requires { a.angle_to(b); }) return a.angle_to(b);
+  else if constexpr (std::same_as<typename S::domain, phase>) return a.difference(b).cwiseAbs().maxCoeff();
+  else return (a.vector() - b.vector()).cwiseAbs().maxCoeff();
+}
+
+namespace detail {
+
+template <class Domain>
+struct distance_quantity { using type = typename Domain::quantity; };
+template <class Frame>
+struct distance_quantity<orientation<Frame>> { using type = angle; };
+
+}  // namespace detail
+
+// Thresholds of an error. Fulfilled: at most `within` for `hold`; open again above `until`. Lost: above `lost` for `hold`, or not
+// a number; open again below `until`.
+template <Quantity Unit>
+struct error_limits {
+  using bound = quantity<Unit, 0, infinity>;
+  using period = quantity<duration, 0, infinity>;
+  BOOST_HANA_DEFINE_STRUCT(error_limits, (bound, within), (bound, until), (bound, lost), (period, hold));
+  constexpr error_limits(double near = 0.05, double leave = 0.1, double far = infinity, double seconds = 0)
+      : within(near), until(leave), lost(far), hold(seconds) {}
+  std::string_view check() const {
+    return within > until ? "`within` lies above `until`" : until > lost ? "`until` lies above `lost`" : "";
+  }
+};
+
+// The state, from one error to the next.
+class error_monitor {
+public:
+  template <Quantity Unit>
+  criterion_state update(double error, const error_limits<Unit>& limits, double dt) {
+    const bool near = error <= limits.within, far = !(error <= limits.lost);
+    for_near = near ? for_near + dt : 0;
+    for_far = far ? for_far + dt : 0;
+    constexpr double rounding = 1e-9;
+    if (far && (for_far + rounding >= limits.hold || !std::isfinite(error))) now = criterion_state::lost;
+    else if (near && for_near + rounding >= limits.hold) now = criterion_state::fulfilled;
+    else if (now == criterion_state::fulfilled ? error > limits.until : error <= limits.until) now = criterion_state::open;
+    return now;
+  }
+  criterion_state get() const { return now; }
+
+private:
+  double for_near = 0, for_far = 0;
+  criterion_state now = criterion_state::open;
+};
+
+}  // namespace cca

@@ -1,0 +1,132 @@
+// What has been learned, in a file and back: to the bit, or refused.
+#include "rig.hpp"
+
+using namespace adaptive_test;
+
+namespace {
+
+template <int N>
+using module_of = cca::dmp_rhythmic_module<leg, stride, N>;
+using module = module_of<8>;
+
+struct inputs {
+  auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, stride>>, cca::out<"one", cca::over<cca::amplitude, stride>>, cca::out<"centre", leg>> {
+    return {1e-9 * static_cast<double>(now.time()), 1.0, Eigen::Vector2d(0.1, -0.2)};
+  }
+};
+template <class Module>
+struct alone : cca::graph<cca::rate<1000>, cca::node<"in", inputs>, cca::node<"dmp", Module, cca::timed<1>>, cca::wire<"in.phase", "dmp.phase">,
+                          cca::wire<"in.one", "dmp.amplitude">, cca::wire<"in.centre", "dmp.reference">> {};
+
+module::learner::learned taught() {
+  module::learner::learned known;
+  for (int i = 0; i < 200; ++i) {
+    const double f = 0.1 * i;
+    module::learner::step(known, {f, 0.7}, {std::sin(f) / 3, -1e-7 * std::cos(f)}, {});
+  }
+  return known;
+}
+
+std::string saved(const temporary& file) {
+  cca::controller<alone<module>> c;
+  c.load();
+  c.get<"dmp">().learning.hand_over(taught());
+  c.get<"dmp">().p.files = {"", ""};
+  REQUIRE(c.get<"dmp">().p.files.save.assign(file.path));
+  c.save();
+  CHECK(c.state() == cca::state::created);
+  return file.text();
+}
+
+template <class Module>
+std::string refusal_by(const std::string& path, double stiffness = 25) {
+  cca::controller<alone<Module>> c;
+  auto& dmp = c.template get<"dmp">();
+  dmp.p.stiffness = stiffness;
+  REQUIRE(dmp.p.files.load.assign(path));
+  const auto before = dmp.learning.get().function.weights;
+  const auto words = words_of([&] { c.load(); });
+  CHECK((c.state() == (words.empty() ? cca::state::loaded : cca::state::created)));
+  if (!words.empty()) {
+    CHECK(dmp.learning.get().function.weights == before);
+    CHECK(dmp.learning.state() == cca::learning::idle);
+    dmp.p.files.load = {};
+    c.load();  // as if nothing had happened
+    CHECK(c.state() == cca::state::loaded);
+  }
+  return words;
+}
+
+void replace(std::string& text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  REQUIRE(at != text.npos);
+  text.replace(at, what.size(), by);
+  const auto end = text.rfind("checksum ");
+  text = text.substr(0, end) + "checksum " + cca::detail::checksum_of(text.substr(0, end)) + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("what is saved comes back to the bit, and is written again as it was") {
+  const temporary file("shape"), again("shape_again");
+  const auto text = saved(file);
+  CHECK(text.starts_with("cca learned 1\nmodel rhythmic_shape over hip, knee with 8 functions\nlearner locally_weighted_regression\nconstant stiffness 25\n"));
+  cca::controller<alone<module>> c;
+  auto& dmp = c.get<"dmp">();
+  REQUIRE(dmp.p.files.load.assign(file.path));
+  REQUIRE(dmp.p.files.save.assign(again.path));
+  c.load();
+  const auto known = taught();
+  CHECK(dmp.learning.state() == cca::learning::trained);
+  CHECK(dmp.learning.get().function.weights == known.function.weights);
+  CHECK(dmp.learning.get().evidence == known.evidence);
+  CHECK(dmp.learning.get().seen == known.seen);
+  c.save();
+  CHECK(again.text() == text);
+}
+
+TEST_CASE("a file of another model, learner, version or constant is refused, with what was expected") {
+  const temporary file("other");
+  auto text = saved(file);
+  CHECK(refusal_by<module>(file.path).empty());
+  CHECK(refusal_by<module_of<9>>(file.path) ==
+        file.path + ":2: it belongs to another model: it says `model rhythmic_shape over hip, knee with 8 functions`, expected `model rhythmic_shape over hip, knee with 9 functions`");
+  CHECK(refusal_by<module>(file.path, 30) == file.path + ":4: it was learned for another value; set it as it was, or learn anew: it says `constant stiffness 25`, expected `constant stiffness 30`");
+  const auto changed = [&](const std::string& what, const std::string& by) {
+    auto other = text;
+    replace(other, what, by);
+    file.write(other);
+    return refusal_by<module>(file.path);
+  };
+  CHECK(changed("cca learned 1", "cca learned 2").starts_with(file.path + ":1: the format is of another version: `cca learned 2`, expected `cca learned 1`"));
+  CHECK(changed("locally_weighted", "globally_weighted").starts_with(file.path + ":3: it is of another learner"));
+  CHECK(changed("numbers function.weights 16", "numbers function.weights 17").starts_with(file.path + ":5: it has other fields"));
+  CHECK(changed("numbers seen 8\n", "numbers seen 8\nnan ") == file.path + ":11: seen[0]: expected a finite number, got `nan`");
+  CHECK(changed("cca learned 1", "[cpg]\nfrequency").starts_with(file.path + ":1: this is no file of what a module has learned"));
+}
+
+TEST_CASE("a file that is damaged anywhere is refused") {
+  const temporary file("damaged");
+  const auto text = saved(file);
+  for (std::size_t at = 0; at < text.size(); at += 7) {
+    auto broken = text;
+    broken[at] = static_cast<char>(broken[at] ^ 1);
+    file.write(broken);
+    CHECK(!refusal_by<module>(file.path).empty());
+    file.write(text.substr(0, at));
+    CHECK(!refusal_by<module>(file.path).empty());
+  }
+  file.write(text + "0");
+  CHECK(refusal_by<module>(file.path).find("damaged") != std::string::npos);
+  CHECK(refusal_by<module>(file.path + ".missing").find("cannot be read") != std::string::npos);
+}
+
+TEST_CASE("what can't be saved leaves the state as it was") {
+  cca::controller<alone<module>> c;
+  c.load();
+  REQUIRE(c.get<"dmp">().p.files.save.assign("/nowhere/shape"));
+  CHECK(words_of([&] { c.save(); }) == "/nowhere/shape: not written: the module has learned nothing");
+  c.get<"dmp">().learning.hand_over(taught());
+  CHECK(words_of([&] { c.save(); }).find("/nowhere/shape: cannot be written") == 0);
+  CHECK(c.state() == cca::state::loaded);
+}
