@@ -261,13 +261,15 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
   using stand_in = unmeasured<std::conditional_t<std::is_void_v<in_module>, target, in_module>,
                               std::conditional_t<std::is_void_v<on_feedback>, feedback, typename space_given<on_feedback>::type>>;
 
-  static constexpr auto module_reference = path_to<"module", Reference>, module_command = path_to<"module", Command>;
+  static constexpr auto module_reference = path_to<"module", Reference>, module_command = path_to<"module", Command>,
+                        module_feedback = path_to<"module", "feedback">, measured_target = path_to<"criterion", "target">,
+                        measured_feedback = path_to<"criterion", "feedback">;
   using reference_items = typename std::conditional_t<
-      follows && to_reference, fed<on_reference, "reference", module_reference, "criterion.target">,
+      follows && to_reference, fed<on_reference, "reference", module_reference, measured_target>,
       std::conditional_t<follows, fed<on_reference, "reference", module_reference>,
-                         std::conditional_t<to_reference, fed<on_reference, "reference", "criterion.target">, joined<list<>>>>>::type;
-  using feedback_items = typename std::conditional_t<feels, fed<on_feedback, "feedback", "criterion.feedback", "module.feedback">,
-                                                     fed<on_feedback, "feedback", "criterion.feedback">>::type;
+                         std::conditional_t<to_reference, fed<on_reference, "reference", measured_target>, joined<list<>>>>>::type;
+  using feedback_items = typename std::conditional_t<feels, fed<on_feedback, "feedback", measured_feedback, module_feedback>,
+                                                     fed<on_feedback, "feedback", measured_feedback>>::type;
 
   using type = typename joined<
       list<typename module_node<Module, strategy>::type, node<"criterion", std::conditional_t<measured, Measure, stand_in>, strategy>,
