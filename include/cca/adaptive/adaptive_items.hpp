@@ -261,9 +261,11 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
   using stand_in = unmeasured<std::conditional_t<std::is_void_v<in_module>, target, in_module>,
                               std::conditional_t<std::is_void_v<on_feedback>, feedback, typename space_given<on_feedback>::type>>;
 
-  static constexpr auto module_reference = path_to<"module", Reference>, module_command = path_to<"module", Command>,
-                        module_feedback = path_to<"module", "feedback">, measured_target = path_to<"criterion", "target">,
-                        measured_feedback = path_to<"criterion", "feedback">;
+  static constexpr auto module_reference = path_to<"module", Reference>;
+  static constexpr auto module_command = path_to<"module", Command>;
+  static constexpr auto module_feedback = path_to<"module", "feedback">;
+  static constexpr auto measured_target = path_to<"criterion", "target">;
+  static constexpr auto measured_feedback = path_to<"criterion", "feedback">;
   using reference_items = typename std::conditional_t<
       follows && to_reference, fed<on_reference, "reference", module_reference, measured_target>,
       std::conditional_t<follows, fed<on_reference, "reference", module_reference>,
