@@ -1,0 +1,135 @@
+// A Sequencer and the skills that it leads through: it goes on by what they tell, and elsewhere when that takes too long.
+#include <cca/adaptive/reaching_criterion.hpp>
+#include <cca/adaptive/sequencer.hpp>
+#include <cca/motor/vite.hpp>
+
+#include "rig.hpp"
+
+using namespace adaptive_test;
+
+namespace {
+
+// [sequencer]
+struct plan : cca::steps<
+    cca::step<"trot">,
+    cca::step<"stop",  cca::after<1000>>,
+    cca::step<"reach", cca::is<"cpg.status", cca::ode_status::converged>,                         cca::or_after<3000, "trot">>,
+    cca::step<"hold",  cca::is<"arm.status.component", cca::component_status::reached>, cca::held_for<100>, cca::or_after<4000, "lift">, cca::then<"lift">>,
+    cca::step<"lift",  cca::after<300>,                                                             cca::then<"trot">>> {};
+
+struct leader {  // what each step means for the skills
+  auto process(cca::in<"step", cca::step_port> step) -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>, cca::out<"target", leg>> {
+    const int now = static_cast<int>(step[cca::step_axis{}]);
+    const bool reaching = now == plan::at<"reach"> || now == plan::at<"hold">;
+    return {now == plan::at<"trot"> ? 1.0 : -1.0, reaching ? Eigen::Vector2d(0.5, -0.2) : Eigen::Vector2d(0.1, -0.8)};
+  }
+};
+
+// VITE, whose ports have other names, as the module of an adaptive component.
+struct arm : cca::adaptive_component<cca::vite<leg>, cca::reaching_goal<leg>, cca::named<"target", "position", "status">> {};
+
+struct held_arm {  // follows, until it is held
+  auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> { return angles += held ? 0 * angles : Eigen::Vector2d(0.2 * (wanted.vector() - angles)); }
+  Eigen::Vector2d angles{0, 0};
+  bool held = false;
+};
+
+struct skills : cca::graph<
+    cca::rate<1000>,
+    cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>,
+    cca::node<"leader",    leader>,
+    cca::node<"cpg",       cca::hopf<stride>, cca::timed<1>>,
+    cca::node<"arm",       arm>,
+    cca::node<"robot",     held_arm>,
+    cca::wire<"sequencer.step",   "leader.step">,
+    cca::wire<"leader.amplitude", "cpg.amplitude", cca::latest>,
+    cca::wire<"leader.target",    "arm.reference", cca::latest>,
+    cca::wire<"arm.command",      "robot.command">,
+    cca::wire<"robot.angles",     "arm.feedback", cca::delayed<1>>> {};
+// [sequencer end]
+
+}  // namespace
+
+namespace {
+
+std::vector<std::string> names_over(cca::controller<skills>& c, int beats) {
+  std::vector<std::string> names;
+  for (int k = 0; k < beats; ++k) {
+    c.step();
+    const std::string name(c.get<"sequencer">().steps.name());
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  return names;
+}
+
+using name_list = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a sequencer goes from skill to skill by what they tell") {
+  cca::controller<skills> c;
+  c.get<"arm.criterion">().p.limits = {0.005, 0.01, cca::infinity, 0.0};
+  c.load();
+  c.start();
+  auto names = names_over(c, 6000);
+  REQUIRE(names.size() > 6);
+  names.resize(6);
+  CHECK(names == name_list{"trot", "stop", "reach", "hold", "lift", "trot"});
+  CHECK(!c.get<"sequencer">().steps.timed_out());
+  CHECK(c.fault().reason() == std::string());
+}
+
+TEST_CASE("where a condition takes too long, the timeout leads elsewhere") {
+  cca::controller<skills> c;
+  c.get<"arm.criterion">().p.limits = {0.005, 0.01, cca::infinity, 0.0};
+  c.load();
+  c.start();
+  CHECK(names_over(c, 2000).back() == "reach");
+  const auto reached_at = c.beat_index();
+  c.get<"robot">().held = true;
+  std::int64_t lifted_at = 0;
+  for (int k = 0; k < 6000 && lifted_at == 0; ++k) {
+    c.step();
+    if (c.get<"sequencer">().steps.in<"lift">()) lifted_at = c.beat_index();
+    CHECK(!c.get<"sequencer">().steps.in<"hold">());
+  }
+  CHECK(lifted_at - reached_at <= 4010);
+  CHECK(lifted_at - reached_at > 3000);
+  CHECK(c.get<"sequencer">().steps.timed_out());
+  CHECK(names_over(c, 400) == name_list{"lift", "trot"});
+}
+
+namespace {
+
+struct nothing {
+  auto process(cca::beat) -> cca::out<"status", cca::ode_status_port> { return 0.0; }
+};
+struct misspelt : cca::steps<cca::step<"first">, cca::step<"second", cca::is<"nobody.status", 1>>> {};
+struct deaf : cca::graph<cca::rate<1000>, cca::node<"somebody", nothing>, cca::node<"sequencer", cca::sequencer<"*.status.*", misspelt>, cca::timed<1>>> {};
+
+struct counted : cca::steps<cca::step<"a">, cca::step<"b", cca::all<cca::after<10>, cca::no<cca::is<"somebody.status", 1>>>, cca::held_for<5>>> {};
+struct counting : cca::graph<cca::rate<1000>, cca::node<"somebody", nothing>, cca::node<"sequencer", cca::sequencer<"*.status.*", counted>, cca::timed<1>>> {};
+
+}  // namespace
+
+TEST_CASE("a path that nobody publishes is a fault, not a wait for ever") {
+  cca::controller<deaf> c;
+  c.load();
+  c.start();
+  c.step();
+  CHECK(c.state() == cca::state::faulted);
+  CHECK(std::string(c.fault().reason()).find("nobody publishes") != std::string::npos);
+}
+
+TEST_CASE("beats are counted from when a step began, and a condition has to hold on end") {
+  cca::controller<counting> c;
+  c.load();
+  c.start();
+  c.run(cca::for_beats<15>{});  // holds from beat 10 on, since beat 0
+  CHECK(c.get<"sequencer">().steps.in<"a">());
+  c.step();
+  CHECK(c.get<"sequencer">().steps.in<"b">());
+  const std::size_t before = laws::allocations();
+  for (int k = 0; k < 100; ++k) c.step();
+  CHECK(laws::allocations() == before);
+}
