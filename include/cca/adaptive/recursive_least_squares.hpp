@@ -1,0 +1,78 @@
+// Least squares of a model that is linear in its weights, one example after the other, with forgetting; or all at once.
+//
+//   k = P f / (l + f^T P f),  W += (y - W f) k^T,  P <- (P - k f^T P) / l       online; f = regressors(x), P = 1/ridge at first
+//   W = (sum y f^T) P,        P = (ridge + sum f f^T)^-1                       batch: the same for l = 1, but for rounding
+//
+// It forgets only while the examples excite it: not where P would become larger than it was at first (else P winds up).
+// Inside the trained region: f^T P f, the variance of the answer in units of an example's own, is at most `leverage`.
+// Cost: of a step R (2 R + D) products; of a batch R^2 an example and R^3. Precondition: R <= 128 (P is of fixed size).
+// Source: Ljung, System Identification, second edition 1999, equations 11.12 (recursion), 7.32 (batch); the bound of P: Astrom
+// and Wittenmark, Adaptive Control, second edition 1995, section 11.5. Example: tests/runtime/adaptive/learners.cpp.
+#pragma once
+
+#include <Eigen/Cholesky>
+
+#include <cca/adaptive/learner.hpp>
+#include <cca/component/field_types.hpp>
+
+namespace cca {
+
+template <LinearModel Model>
+struct recursive_least_squares {
+  using model = Model;
+  using input = typename model::input;
+  using output = typename model::output;
+  using parameters = typename model::parameters;
+  using regressor = decltype(model::regressors(std::declval<const input&>()));
+  static constexpr int size = regressor::RowsAtCompileTime;
+  using covariance = Eigen::Matrix<double, size, size>;
+  static constexpr std::string_view name = "recursive_least_squares";
+
+  struct settings {
+    BOOST_HANA_DEFINE_STRUCT(settings, (bounded<double, 0.5, 1>, memory), (bounded<double, 1e-12, 1e12>, ridge), (bounded<double, 0, infinity>, leverage));
+    constexpr settings(double keep = 1.0, double small = 1e-6, double most = 1.0) : memory(keep), ridge(small), leverage(most) {}
+  };
+
+  // Zero `uncertainty`: nothing has been learned.
+  struct learned {
+    BOOST_HANA_DEFINE_STRUCT(learned, (parameters, function), (covariance, uncertainty));
+    learned() : function(), uncertainty(covariance::Zero()) {}
+  };
+
+  static bool inside(const learned& known, const input& x, const settings& s) {
+    const regressor f = model::regressors(x);
+    const double leverage = f.dot(known.uncertainty * f);
+    return known.uncertainty(0, 0) > 0 && leverage <= s.leverage;
+  }
+
+  static void step(learned& known, const input& x, const output& y, const settings& s) {
+    covariance& P = known.uncertainty;
+    if (!(P(0, 0) > 0)) P = covariance::Identity() / s.ridge;
+    const regressor f = model::regressors(x), Pf = P * f;
+    const double memory = P.trace() < size / s.ridge ? s.memory.value() : 1.0;
+    const double scale = 1 / (memory + f.dot(Pf));
+    const output off = y - known.function.weights * f;
+    known.function.weights += off * (scale * Pf).transpose();
+    // Column by column, so that it stays symmetric to the bit.
+    for (int j = 0; j < size; ++j)
+      for (int i = 0; i <= j; ++i) P(i, j) = P(j, i) = (P(i, j) - scale * Pf[i] * Pf[j]) / memory;
+  }
+
+  static learned batch(std::span<const example<model>> examples, const settings& s) {
+    learned known;
+    covariance A = s.ridge * covariance::Identity();
+    Eigen::Matrix<double, size, output::RowsAtCompileTime> b = Eigen::Matrix<double, size, output::RowsAtCompileTime>::Zero();
+    for (const auto& one : examples) {
+      const regressor f = model::regressors(one.x);
+      A += f * f.transpose();
+      b += f * one.y.transpose();
+    }
+    const Eigen::LLT<covariance> factor(A);
+    known.function.weights = factor.solve(b).transpose();
+    const covariance inverse = factor.solve(covariance::Identity());
+    known.uncertainty = (inverse + inverse.transpose()) / 2;
+    return known;
+  }
+};
+
+}  // namespace cca
