@@ -11,10 +11,17 @@
 #include <cca/robot/watchdog.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/skeleton/arbiter.hpp>
 #include <cca/skeleton/blend.hpp>
 #include <cca/skeleton/collector.hpp>
+#include <cca/skeleton/decimate.hpp>
+#include <cca/skeleton/farm.hpp>
+#include <cca/skeleton/hold.hpp>
+#include <cca/skeleton/interpolate.hpp>
+#include <cca/skeleton/pipeline.hpp>
 #include <cca/skeleton/splitter.hpp>
 #include <cca/skeleton/switch_between.hpp>
+#include <cca/space/array.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/version.hpp>

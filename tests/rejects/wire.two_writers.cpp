@@ -1,13 +1,6 @@
-// EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an input has one writer: put an arbiter in front, a
+// EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an input has one writer: put an arbiter in front, cca::arbiter<`angles`, leg_angles, cca::by_priority<`first`, `second`>>, and wire each to an input of it
 // An input has one writer; which of two is to be heard somebody has to decide.
 #include "parts.hpp"
-
-struct arbiter {
-  auto process(cca::in<"first", leg_angles> a, cca::in<"second", leg_angles> b) -> cca::out<"angles", leg_angles> {
-    if (a.fresh()) return a;
-    return b;
-  }
-};
 
 struct walk : cca::graph<
     cca::rate<1000>,
@@ -18,7 +11,7 @@ struct walk : cca::graph<
     cca::wire<"stance.angles", "recorder.angles">,
     cca::wire<"swing.angles", "recorder.angles">
 #else
-    cca::node<"arbiter", arbiter>,
+    cca::node<"arbiter", cca::arbiter<"angles", leg_angles, cca::by_priority<"first", "second">>>,
     cca::wire<"stance.angles", "arbiter.first">,
     cca::wire<"swing.angles", "arbiter.second">,
     cca::wire<"arbiter.angles", "recorder.angles">

@@ -101,8 +101,8 @@ struct two_writers : khz<cca::node<"a", source<>>, cca::node<"c", source<>>, cca
     cca::wire<"c.y", "b.x">> {};
 struct two_writers_mended : khz<cca::node<"a", source<>>, cca::node<"c", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
 static_assert(tells<two_writers, two_writers_mended>({"wire.two_writers", "b.x",
-    "`b.x` is written by `a.y` and by `c.y`, but an input has one writer: put an arbiter in front, a component "
-    "with an input for each that decides which one goes on"}));
+    "`b.x` is written by `a.y` and by `c.y`, but an input has one writer: put an arbiter in front, "
+    "cca::arbiter<`x`, signal, cca::by_priority<`first`, `second`>>, and wire each to an input of it"}));
 
 struct twice_wired : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::wire<"a.y", "b.x">> {};
 struct twice_wired_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
@@ -114,8 +114,8 @@ struct fed : cca::graph<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::w
 struct two_writers_inside : khz<cca::node<"g", fed>, cca::node<"a", source<>>, cca::wire<"a.y", "g.x">> {};
 struct two_writers_inside_mended : khz<cca::node<"g", fed>> {};
 static_assert(tells<two_writers_inside, two_writers_inside_mended>({"wire.two_writers", "g.b.x",
-    "`g.b.x` is written by `a.y` and by `g.a.y`, but an input has one writer: put an arbiter in front, a component "
-    "with an input for each that decides which one goes on"}));
+    "`g.b.x` is written by `a.y` and by `g.a.y`, but an input has one writer: put an arbiter in front, "
+    "cca::arbiter<`x`, signal, cca::by_priority<`first`, `second`>>, and wire each to an input of it"}));
 
 struct initial_too_long : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::initial<1, 2, 3>>> {};
 struct initial_too_long_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::initial<1>>> {};

@@ -16,6 +16,9 @@ public:
   // Nanoseconds since beat 0.
   constexpr std::int64_t time() const { return k * T; }
 
+  // Nanoseconds a beat.
+  constexpr std::int64_t period() const { return T; }
+
   // Seconds since this component last fired (the first time: N beats for timed<N>, else one beat).
   constexpr double dt() const { return static_cast<double>(since * T) / 1e9; }
 

@@ -132,7 +132,8 @@ constexpr void tell_two_writers(telling& t) {
   }
   t.say() << " and by ";
   t.port(t.g.outputs[t.found().b]);
-  t.say() << ", but an input has one writer: put an arbiter in front, a component with an input for each that decides which one goes on";
+  t.say() << ", but an input has one writer: put an arbiter in front, cca::arbiter<`" << port_of(t.g, in).name << "`, " << t.space(in).name
+          << ", cca::by_priority<`first`, `second`>>, and wire each to an input of it";
 }
 
 constexpr void tell_bad_option(telling& t) {

@@ -3,7 +3,7 @@
 //
 //   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>      in "hip", "knee"; out "angles"
 //
-// The inputs' spaces are sub-spaces of the output's, and its origin is the oldest of theirs. Cost: none after inlining.
+// The inputs' spaces are sub-spaces of the output's, and its origin is the oldest of theirs. Errors: skeleton.arity. Cost: none after inlining.
 // Example: tests/runtime/skeleton/splitter_collector.cpp; docs/skeletons.md.
 #pragma once
 
@@ -28,9 +28,20 @@ struct collector_of<Output, Space, axes<Axes...>> {
   }
 };
 
+template <class Space>
+struct not_together {
+  static constexpr text told() {
+    text t;
+    t << "is to put " << type_name<Space>() << " together, which has " << Space::size << " numbers over " << Space::axes::count
+      << " axes, so it is not made of one for each: collect what it is computed from, and compute it in a component";
+    return t;
+  }
+};
+
 }  // namespace detail
 
 template <fixed_string Output, class Space>
-struct collector : detail::collector_of<Output, Space, typename Space::axes> {};
+struct collector : std::conditional_t<Space::size == Space::axes::count, detail::collector_of<Output, Space, typename Space::axes>,
+                                      detail::uneven<detail::not_together<Space>>> {};
 
 }  // namespace cca

@@ -14,7 +14,7 @@
 // EXPECT strategy_misplaced: strategy\.misplaced: `extra` \(actuator<signal>\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
 // EXPECT wire_unknown_port: wire\.unknown_port: the wire `n8\.out` -> `extra\.b` in wire_unknown_port names `n8\.out`, but `n8` \(step\) has no such output; did you mean `n8\.y`\?
 // EXPECT wire_direction: wire\.direction: a wire leads from an output to an input, but in `extra\.x` -> `n7\.y` in wire_direction `extra\.x` is an input and `n7\.y` an output:
-// EXPECT wire_two_writers: wire\.two_writers: `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front, a component with an input for
+// EXPECT wire_two_writers: wire\.two_writers: `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front, cca::arbiter<`x`, signal,
 // EXPECT wire_bad_initial: wire\.bad_initial: cca::initial of the wire `n7\.y` -> `extra\.x` gives 2 numbers, but `extra\.x` has 1: give one for each, or one for all
 // EXPECT space_mismatch: space\.mismatch: `extra\.y` publishes hip_angle \(joint_angles over hip\) but `end\.x` expects signal \(number over x\): the domain types differ; put a
 // EXPECT wire_unconnected_input: wire\.unconnected_input: `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to `extra\.b`, or expose it,

@@ -2,33 +2,17 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 
-#include <cca/cca.hpp>
+#include "by_hand.hpp"
 
 namespace {
+
+using namespace skeleton_test;
 
 struct hip : cca::dimension<"hip"> {};
 struct knee : cca::dimension<"knee"> {};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 struct cpg_amplitude : cca::space<cca::amplitude, cca::axes<cca::x>> {};
-
-// A source that a test moves by hand; `speaks` false: it publishes nothing.
-template <class Space, int Number = 0>
-struct by_hand {
-  cca::sample<Space> now;
-  bool speaks = true;
-  auto process(cca::beat) -> cca::maybe<"y", Space> {
-    if (speaks) return now;
-    return {};
-  }
-};
-template <class Space>
-struct listener {
-  cca::sample<Space> last;
-  int heard = 0;
-  void process(cca::in<"x", Space> x) { last = x, ++heard; }
-};
 
 // [blend]
 struct paw_command : cca::graph<
@@ -72,18 +56,6 @@ struct room : cca::frame<"room"> {};
 struct attitude : cca::space<cca::orientation<room>, cca::axes<cca::x, cca::y, cca::z>> {};
 struct turn : cca::space<cca::phase, cca::axes<cca::x>> {};
 struct mode_of_leg : cca::space<cca::status, cca::axes<cca::x>> {};
-
-template <class Graph>
-cca::controller<Graph> started() {
-  cca::controller<Graph> c;
-  c.load();
-  c.start();
-  return c;
-}
-template <class Space>
-cca::sample<Space> number(double n) { return cca::sample<Space>(Space::vector_type::Constant(n)); }
-
-const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

@@ -1,0 +1,60 @@
+// Sharing out: a sample of an array-valued space becomes a sample of each part, and the other way round.
+//
+//   share_out<Whole, Part, N>   in "input": Whole;  out "part0", "part1", ...: Part
+//   gather<Whole, Part, N>      in "part0", "part1", ...: Part;  out "output": Whole; use it `moderate`
+//
+// Whole is `array_of<Part, N>`, or has the domain type of Part and its axes stand in the order of the parts: eight joint angles are
+// four parts of two. Then the axes change their names on the way, and with them what limits them. Cost: none after inlining.
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include <cca/component/port.hpp>
+#include <cca/space/array.hpp>
+
+namespace cca::detail {
+
+// How many parts a whole has; 0 if it has none of that kind, or does not come out even.
+template <class Whole, class Part>
+constexpr int parts_in = [] {
+  if constexpr (Whole::axes::count % Part::axes::count != 0) return 0;
+  else {
+    constexpr int count = Whole::axes::count / Part::axes::count;
+    if constexpr (std::is_same_v<typename Whole::domain, array_domain<typename Part::domain, count>>)
+      return std::is_same_v<typename Whole::axes, typename array_axes<typename Part::axes, std::make_index_sequence<count>>::type> ? count : 0;
+    else
+      return std::is_same_v<typename Whole::domain, typename Part::domain> && Whole::size == count * Part::size ? count : 0;
+  }
+}();
+
+template <std::size_t I>
+inline constexpr auto part_name = numbered<"part", I>;
+
+template <class Whole, class Part, class Numbers>
+struct share_out_of;
+template <class Whole, class Part, std::size_t... I>
+struct share_out_of<Whole, Part, std::index_sequence<I...>> {
+  auto process(in<"input", Whole> whole) -> std::tuple<out<part_name<I>, Part>...> {
+    return {out<part_name<I>, Part>(whole.vector().template segment<Part::size>(static_cast<int>(I) * Part::size))...};
+  }
+};
+
+template <class Whole, class Part, class Numbers>
+struct gather_of;
+template <class Whole, class Part, std::size_t... I>
+struct gather_of<Whole, Part, std::index_sequence<I...>> {
+  auto process(in<part_name<I>, Part>... parts) -> out<"output", Whole> {
+    typename Whole::vector_type whole;
+    ((whole.template segment<Part::size>(static_cast<int>(I) * Part::size) = parts.vector()), ...);
+    return whole;
+  }
+};
+
+template <class Whole, class Part, int Count>
+struct share_out : share_out_of<Whole, Part, std::make_index_sequence<Count>> {};
+template <class Whole, class Part, int Count>
+struct gather : gather_of<Whole, Part, std::make_index_sequence<Count>> {};
+
+}  // namespace cca::detail

@@ -1,0 +1,83 @@
+// An array-valued space: so many samples of one space, one after another, as one sample.
+//
+//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, element<x, 1>, ...
+//
+// Its rate is that of the space; its domain type is `array_domain`. A sample has `template part<I>()`, the sample of element I, and
+// interpolates element by element. An axis keeps its limits in each element.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include <cca/space/frame.hpp>
+#include <cca/space/joined_names.hpp>
+#include <cca/space/linear.hpp>
+#include <cca/space/sample.hpp>
+
+namespace cca {
+
+// The axis of one element, under the name "hip2".
+template <class Axis, std::size_t Number>
+struct element : Axis {
+  static constexpr auto label = detail::numbered<Axis::label, Number>;
+  static constexpr std::string_view name = label.view();
+};
+
+template <class Domain, int Count>
+struct array_domain {
+  using quantity = typename Domain::quantity;
+  using frames = typename detail::frames_of<Domain>::type;
+  static constexpr bool actuated = Domain::actuated;
+  static constexpr int width(int axes) { return Count * Domain::width(axes / Count); }
+  static constexpr double zero(int i, int axes) { return Domain::zero(i % Domain::width(axes / Count), axes / Count); }
+
+  template <class Self>
+  struct methods : detail::mixin<Self> {
+    template <int Number>
+    constexpr auto part() const {
+      using one = typename Self::space::element_space;
+      return sample<one>(this->self().vector().template segment<one::size>(Number * one::size), this->self().origin());
+    }
+
+    // Each element on its own; t = 0 is this one, t = 1 is `to`.
+    template <Sample To>
+    constexpr Self interpolated(const To& to, double t) const {
+      typename Self::space::vector_type v;
+      if constexpr (detail::meet<Self, To>())
+        [&]<int... Number>(std::integer_sequence<int, Number...>) {
+          constexpr int size = Self::space::element_space::size;
+          ((v.template segment<size>(Number * size) = part<Number>().interpolated(to.template part<Number>(), t).vector()), ...);
+        }(std::make_integer_sequence<int, Count>());
+      return Self(v, detail::older(this->self().origin(), to.origin()));
+    }
+  };
+};
+
+namespace detail {
+
+template <class Axes, class Numbers>
+struct array_axes;
+template <class... Axes, std::size_t... Number>
+struct array_axes<axes<Axes...>, std::index_sequence<Number...>> {
+  template <std::size_t N>
+  using one = axes<element<Axes, N>...>;
+  template <class... All>
+  struct all;
+  template <class... A>
+  struct all<axes<A...>> { using type = axes<A...>; };
+  template <class... A, class... B, class... Rest>
+  struct all<axes<A...>, axes<B...>, Rest...> : all<axes<A..., B...>, Rest...> {};
+  using type = typename all<one<Number>...>::type;
+};
+
+}  // namespace detail
+
+template <class Element, int Count>
+struct array_of : space<array_domain<typename Element::domain, Count>,
+                        typename detail::array_axes<typename Element::axes, std::make_index_sequence<Count>>::type, typename Element::rate> {
+  static_assert(Count > 0, "cca::array_of<Space, N>: N is a number of elements, at least one");
+  using element_space = Element;
+};
+
+}  // namespace cca

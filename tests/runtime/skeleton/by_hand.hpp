@@ -1,0 +1,47 @@
+// What the tests of skeletons put around them: sources that a test moves by hand, and a listener that notes what comes.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <cca/cca.hpp>
+
+namespace skeleton_test {
+
+// `speaks` false: it publishes nothing. `of` is not `never`: the origin of what it says.
+template <class Space, int Number = 0>
+struct by_hand {
+  cca::sample<Space> now;
+  bool speaks = true;
+  auto process(cca::beat) -> cca::maybe<"y", Space> {
+    if (!speaks) return {};
+    return cca::maybe<"y", Space>(now).with_origin(now.origin());
+  }
+};
+
+template <class Space>
+struct listener {
+  struct note {
+    std::int64_t beat;
+    cca::sample<Space> sample;
+  };
+  cca::sample<Space> last;
+  std::vector<note> all;
+  void process(cca::in<"x", Space> x, cca::beat now) { last = x, all.push_back({now.index(), x}); }
+};
+
+template <class Graph>
+cca::controller<Graph> started() {
+  cca::controller<Graph> c;
+  c.load();
+  c.start();
+  return c;
+}
+
+template <class Space>
+cca::sample<Space> number(double n, std::int64_t origin = cca::never) { return cca::sample<Space>(Space::vector_type::Constant(n), origin); }
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace skeleton_test
