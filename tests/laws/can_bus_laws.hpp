@@ -2,8 +2,8 @@
 //
 // A rig says of a model: `end(i)`, two ends at least of one bus; `settle()`, after which what was sent has arrived; `has_fd`;
 // and, where it can, `away(i)` and `back(i)`, which take an end from the bus (by a link that goes down, or by bus-off) and return
-// it, and `blocked(i)`, after which nobody acknowledges what the end i sends, and `unblocked(i)`. A rig is made anew for each
-// law.
+// it, and `blocked(i)`, after which nobody acknowledges what the end i sends, and `unblocked(i)`; `asks_for_bytes`, where its
+// remote frames have length 0 only; `rounds`, where it is slow. A rig is made anew for each law.
 #pragma once
 
 #include <array>
@@ -20,9 +20,11 @@ namespace laws {
 namespace can {
 
 using namespace cca::hardware;
+using cca::hardware::can_frame;  // and not that of linux/can.h
 
 struct frame_source {
   std::mt19937_64 bits;
+  bool remote_bytes = true;  // remote frames may ask for bytes
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
 
   // Any that can be on a bus.
@@ -36,6 +38,7 @@ struct frame_source {
     } else {
       f.length = static_cast<std::uint8_t>(below(9));
       f.remote = kind == 1 && below(4) == 0;
+      if (f.remote && !remote_bytes) f.length = 0;
     }
     if (!f.remote)
       for (std::size_t i = 0; i < f.length; ++i) f.data[i] = static_cast<std::uint8_t>(below(256));
@@ -56,32 +59,36 @@ std::vector<received_frame> all_from(Bus&& bus, std::size_t batch = 7) {
 template <class Rig>
 void conveys() {
   Rig rig;
-  frame_source random{std::mt19937_64{1}};
-  std::int64_t last = 0;
-  for (int round = 0; round < 60; ++round) {
-    std::vector<can_frame> sent;
-    const can_id id = random.frame(false).id;
-    for (std::uint64_t n = random.below(8); n > 0; --n) {
-      sent.push_back(random.frame(Rig::has_fd));
-      sent.back().id = id;
-    }
-    const auto result = rig.end(0).send(sent);
-    CHECK_MESSAGE(result.sent == sent.size(), "all are taken");
-    CHECK_MESSAGE(result.outcome == send_outcome::sent, "and it says so");
-    rig.settle();
-    const auto got = all_from(rig.end(1));
-    REQUIRE_MESSAGE(got.size() == sent.size(), "each arrives once");
-    for (std::size_t i = 0; i < got.size(); ++i) {
-      CHECK_MESSAGE(got[i].frame == sent[i], "as it was sent");
-      CHECK_MESSAGE(got[i].time >= last, "times don't go backwards");
-      last = got[i].time;
-    }
-    CHECK_MESSAGE(all_from(rig.end(0)).empty(), "the sender does not get its own");
-  }
-  CHECK_MESSAGE(rig.end(0).counters().confirmed == rig.end(0).counters().sent, "all are confirmed");
-  CHECK_MESSAGE(rig.end(0).in_flight() == 0, "nothing is in flight");
-  CHECK_MESSAGE(rig.end(1).counters().received == rig.end(0).counters().sent, "all are counted");
+  frame_source random{std::mt19937_64{1}, !requires {Rig::asks_for_bytes;
 }
+};  // namespace can
+std::int64_t last = 0;
+int rounds = 60;
+if constexpr (requires { Rig::rounds; }) rounds = Rig::rounds;
+for (int round = 0; round < rounds; ++round) {
+  std::vector<can_frame> sent;
+  const can_id id = random.frame(false).id;
+  for (std::uint64_t n = random.below(8); n > 0; --n) {
+    sent.push_back(random.frame(Rig::has_fd));
+    sent.back().id = id;
+  }
+  const auto result = rig.end(0).send(sent);
+  CHECK_MESSAGE(result.sent == sent.size(), "all are taken");
+  CHECK_MESSAGE(result.outcome == send_outcome::sent, "and it says so");
+  rig.settle();
+  const auto got = all_from(rig.end(1));
+  REQUIRE_MESSAGE(got.size() == sent.size(), "each arrives once");
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    CHECK_MESSAGE(got[i].frame == sent[i], "as it was sent");
+    CHECK_MESSAGE(got[i].time >= last, "times don't go backwards");
+    last = got[i].time;
+  }
+  CHECK_MESSAGE(all_from(rig.end(0)).empty(), "the sender does not get its own");
+}
+CHECK_MESSAGE(rig.end(0).counters().confirmed == rig.end(0).counters().sent, "all are confirmed");
+CHECK_MESSAGE(rig.end(0).in_flight() == 0, "nothing is in flight");
+CHECK_MESSAGE(rig.end(1).counters().received == rig.end(0).counters().sent, "all are counted");
+}  // namespace laws
 
 // Nothing to say, nothing to hear, no room: no harm.
 template <class Rig>
@@ -153,7 +160,7 @@ void sends_nothing_stale() {
     all_from(rig.end(0));
     CHECK_MESSAGE(!is_away(rig.end(0).state()), "it is back");
     CHECK_MESSAGE(rig.end(0).counters().ups + rig.end(0).counters().restarts == 1, "that is counted");
-    CHECK_MESSAGE(rig.end(0).counters().interruptions() == 1, "and the interruption is remembered");
+    CHECK_MESSAGE(rig.end(0).counters().interruptions() >= 1, "and the interruption is remembered");
     rig.settle();
     CHECK_MESSAGE(all_from(rig.end(1)).empty(), "nothing stale is sent");
     rig.end(0).send(std::array{after});

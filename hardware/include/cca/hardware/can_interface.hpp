@@ -1,0 +1,149 @@
+// Opens a raw CAN socket on an interface, and asks the interface how it is. Outside of the loop it throws cca::refused, with
+// what to do; the questions don't throw.
+//
+// Filters are the kernel's, exact ones are found by a table. `bind` to a name that doesn't exist would mean all interfaces: so
+// the name is looked up first, and whether it is CAN.
+#pragma once
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <linux/can/raw.h>
+#include <net/if.h>
+#include <net/if_arp.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cca/component/refused.hpp>
+#include <cca/hardware/kernel_frame.hpp>
+
+namespace cca::hardware::detail {
+
+class file_descriptor {
+public:
+  explicit file_descriptor(int number = -1) noexcept : fd(number) {}
+  file_descriptor(file_descriptor&& other) noexcept : fd(std::exchange(other.fd, -1)) {}
+  file_descriptor& operator=(file_descriptor&& other) noexcept {
+    std::swap(fd, other.fd);
+    return *this;
+  }
+  ~file_descriptor() {
+    if (fd >= 0) ::close(fd);
+  }
+  int get() const noexcept { return fd; }
+
+private:
+  int fd;
+};
+
+using interface_name = std::array<char, IFNAMSIZ>;
+
+enum class link : std::uint8_t { gone, down, no_carrier, up };
+
+class can_interface {
+public:
+  can_interface() = default;
+  explicit can_interface(std::string_view which) {
+    if (which.empty() || which.size() >= IFNAMSIZ)
+      throw refused("socket_can: `" + std::string(which) + "` is no name of an interface");
+    std::memcpy(name.data(), which.data(), which.size());
+  }
+
+  // By a socket of any kind.
+  link state(int fd) const noexcept {
+    ifreq request = asking();
+    if (::ioctl(fd, SIOCGIFFLAGS, &request) != 0) return link::gone;
+    const unsigned flags = static_cast<unsigned short>(request.ifr_flags);
+    return (flags & IFF_UP) == 0 ? link::down : (flags & IFF_RUNNING) == 0 ? link::no_carrier : link::up;
+  }
+  int index(int fd) const noexcept {
+    ifreq request = asking();
+    return ::ioctl(fd, SIOCGIFINDEX, &request) == 0 ? request.ifr_ifindex : 0;
+  }
+  int mtu(int fd) const noexcept {
+    ifreq request = asking();
+    return ::ioctl(fd, SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
+  }
+  bool is_can(int fd) const noexcept {
+    ifreq request = asking();
+    return ::ioctl(fd, SIOCGIFHWADDR, &request) == 0 && request.ifr_hwaddr.sa_family == ARPHRD_CAN;
+  }
+  bool bind(int fd) const noexcept {
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = index(fd);
+    return address.can_ifindex != 0 && ::bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  std::string text() const { return name.data(); }
+
+private:
+  ifreq asking() const noexcept {
+    ifreq request{};
+    std::memcpy(request.ifr_name, name.data(), name.size());
+    return request;
+  }
+  interface_name name{};
+};
+
+// "can0, vcan0", or "none".
+inline std::string names_of_can_interfaces(int fd) {
+  std::string names;
+  if (auto* const all = if_nameindex()) {
+    for (auto* each = all; each->if_index != 0; ++each)
+      if (can_interface(each->if_name).is_can(fd)) names += (names.empty() ? "" : ", ") + std::string(each->if_name);
+    if_freenameindex(all);
+  }
+  return names.empty() ? "none" : names;
+}
+
+template <class Value>
+void set_option(int fd, int level, int option, const Value& value, const char* what) {
+  if (::setsockopt(fd, level, option, &value, sizeof value) != 0)
+    throw refused(std::string("socket_can: the kernel refuses ") + what + ": " + std::strerror(errno));
+}
+
+// With filters none of `let_through` means all frames.
+inline file_descriptor open_can(const can_interface& which, std::span<const can_filter> let_through, bool with_fd) {
+  file_descriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
+  const int fd = socket.get();
+  if (fd < 0) {
+    throw refused(errno == EAFNOSUPPORT
+                      ? "socket_can: this kernel has no CAN: load the modules can and can-raw, or use a kernel that has them"
+                      : std::string("socket_can: no socket: ") + std::strerror(errno));
+  }
+  if (which.index(fd) == 0)
+    throw refused("socket_can: there is no interface `" + which.text() + "`; those with CAN: " + names_of_can_interfaces(fd));
+  if (!which.is_can(fd))
+    throw refused("socket_can: `" + which.text() + "` is no CAN interface; those with CAN: " + names_of_can_interfaces(fd));
+  if (with_fd && which.mtu(fd) != fd_size) {
+    throw refused("socket_can: `" + which.text() + "` takes no FD frames: with the link down, `ip link set " + which.text() +
+                  " type can fd on` with a `dbitrate` (vcan: `mtu 72`)");
+  }
+  if (let_through.size() > CAN_RAW_FILTER_MAX) throw refused("socket_can: more than 512 filters; use masks");
+  if (!let_through.empty()) {
+    std::vector<::can_filter> filters;
+    for (const can_filter& f : let_through) filters.push_back(to_kernel(f));
+    if (::setsockopt(fd, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
+                     static_cast<socklen_t>(filters.size() * sizeof(::can_filter))) != 0)
+      throw refused(std::string("socket_can: the kernel refuses the filters: ") + std::strerror(errno));
+  }
+  const int yes = 1;
+  set_option(fd, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, can_err_mask_t{CAN_ERR_MASK & ~CAN_ERR_BUSERROR},
+             "error frames");  // BUSERROR floods
+  set_option(fd, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, yes, "confirmations");
+  if (with_fd) set_option(fd, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, yes, "FD frames");
+  set_option(fd, SOL_SOCKET, SO_TIMESTAMPNS, yes, "timestamps");
+  set_option(fd, SOL_SOCKET, SO_RXQ_OVFL, yes, "the counter of lost frames");
+  if (!which.bind(fd)) throw refused("socket_can: cannot bind to `" + which.text() + "`: " + std::strerror(errno));
+  return socket;
+}
+
+}  // namespace cca::hardware::detail

@@ -1,0 +1,85 @@
+// Frames as Linux has them, there and back. Needs its headers, and no CAN in the kernel.
+//
+// Read is what n bytes say: 16 a classic frame, 72 an FD one, nothing else. An error frame is none of either: is_error asks
+// first. Source: Linux, Documentation/networking/can.rst; include/uapi/linux/can.h.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <linux/can.h>
+#include <linux/can/error.h>
+
+#include <cca/hardware/can_bus.hpp>
+#include <cca/hardware/can_filter.hpp>
+
+namespace cca::hardware::detail {
+
+// Not CAN_MTU: that macro says `struct can_frame`, which is ours in this namespace.
+inline constexpr std::size_t classic_size = sizeof(::can_frame), fd_size = sizeof(::canfd_frame);
+
+// Frames that can be on a bus only.
+constexpr canfd_frame to_kernel(const can_frame& f) {
+  canfd_frame k{};
+  k.can_id = f.id.number | (f.id.extended ? CAN_EFF_FLAG : 0u) | (f.remote ? CAN_RTR_FLAG : 0u);
+  k.len = f.length;
+  if (f.fd) k.flags = f.fast ? CANFD_BRS : 0;
+  const auto payload = f.payload();
+  std::copy(payload.begin(), payload.end(), k.data);
+  return k;
+}
+constexpr std::size_t kernel_size(const can_frame& f) { return f.fd ? fd_size : classic_size; }
+
+constexpr bool is_error(const canfd_frame& k) { return (k.can_id & CAN_ERR_FLAG) != 0; }
+
+constexpr can_frame from_kernel(const canfd_frame& k, std::size_t size) {
+  can_frame f{};
+  f.id.extended = (k.can_id & CAN_EFF_FLAG) != 0;
+  f.id.number = k.can_id & (f.id.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
+  f.fd = size == fd_size;
+  f.fast = f.fd && (k.flags & CANFD_BRS) != 0;
+  f.remote = !f.fd && (k.can_id & CAN_RTR_FLAG) != 0;
+  f.length = std::min<std::uint8_t>(k.len, f.fd ? 64 : 8);
+  std::copy_n(k.data, f.payload().size(), f.data.begin());
+  return f;
+}
+
+// Exact in the id's kind too, and no remote frames: a mask of the id alone would let 29-bit ids through that end alike.
+constexpr ::can_filter to_kernel(const can_filter& f) {
+  const std::uint32_t bits = f.id.extended ? CAN_EFF_MASK : CAN_SFF_MASK;
+  return {.can_id = (f.id.number & bits) | (f.id.extended ? CAN_EFF_FLAG : 0u),
+          .can_mask = (f.mask & bits) | CAN_EFF_FLAG | CAN_RTR_FLAG};
+}
+
+// What an error frame tells, into state and counters. A classic frame of 8 bytes; others tell nothing.
+constexpr bus_state after_error(bus_state s, const canfd_frame& k, bus_counters& c) {
+  ++c.errors;
+  if (k.len != CAN_ERR_DLC) return s;
+  const auto told = [&k](std::uint32_t what) { return (k.can_id & what) != 0; };
+  c.arbitration_lost += told(CAN_ERR_LOSTARB);
+  c.protocol_errors += told(CAN_ERR_PROT);
+  c.not_acknowledged += told(CAN_ERR_ACK);
+  c.timeouts += told(CAN_ERR_TX_TIMEOUT);
+  if (told(CAN_ERR_CNT)) c.transmit_errors = k.data[6], c.receive_errors = k.data[7];
+  if (told(CAN_ERR_CRTL)) {
+    const unsigned controller = k.data[1];
+    c.overflows += (controller & (CAN_ERR_CRTL_RX_OVERFLOW | CAN_ERR_CRTL_TX_OVERFLOW)) != 0;
+    if (s != bus_state::bus_off) {
+      if (controller & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) s = bus_state::passive;
+      else if (controller & (CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING)) s = bus_state::warning;
+      else if (controller & CAN_ERR_CRTL_ACTIVE) s = bus_state::active;
+    }
+  }
+  if (told(CAN_ERR_BUSOFF) && s != bus_state::bus_off) {
+    ++c.bus_offs;
+    s = bus_state::bus_off;
+  }
+  if (told(CAN_ERR_RESTARTED) && s == bus_state::bus_off) {
+    ++c.restarts;
+    s = bus_state::active;
+  }
+  return s;
+}
+
+}  // namespace cca::hardware::detail

@@ -1,0 +1,90 @@
+// Real CAN for the tests: interfaces that the machine has, or the guest that the preset test-can-guest boots (tests/can_guest).
+// In a guest (CCA_CAN_GUEST is set) what is missing is a failure; elsewhere the test says that it was left out.
+#pragma once
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cca/hardware/socket_can.hpp>
+
+namespace can_rigs {
+
+using namespace cca::hardware;
+
+inline bool in_guest() { return std::getenv("CCA_CAN_GUEST") != nullptr; }
+
+inline void wait_ms(long ms) {
+  const timespec t{ms / 1000, ms % 1000 * 1'000'000};
+  nanosleep(&t, nullptr);
+}
+
+// As `ip link set NAME up`; false where we may not. The kernel lets frames through some time later, after a bus-off up to a
+// second.
+inline bool set_link(const std::string& name, bool up) {
+  const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  ifreq request{};
+  name.copy(request.ifr_name, IFNAMSIZ - 1);
+  bool done = ioctl(fd, SIOCGIFFLAGS, &request) == 0;
+  request.ifr_flags = static_cast<short>(up ? request.ifr_flags | IFF_UP : request.ifr_flags & ~IFF_UP);
+  done = done && ioctl(fd, SIOCSIFFLAGS, &request) == 0;
+  for (int i = 0; done && up && i < 3000 && (request.ifr_flags & IFF_RUNNING) == 0; ++i) {
+    wait_ms(1);
+    ioctl(fd, SIOCGIFFLAGS, &request);
+  }
+  const int why = errno;
+  close(fd);
+  if (!done) MESSAGE("setting " << name << (up ? " up: " : " down: ") << std::string(std::strerror(why)));
+  return done;
+}
+
+// Whether the test can run; where it must and can't, it has failed.
+inline bool present(const char* name) {
+  std::string why;
+  try {
+    const socket_can bus(name);
+    if (set_link(name, true)) return true;
+    why = std::string("no right to set ") + name + " up and down";
+  } catch (const cca::refused& r) { why = r.what(); }
+  if (in_guest()) FAIL("the guest lacks what it was to have: " << why);
+  MESSAGE("left out: " << why);
+  return false;
+}
+
+// Two sockets on one virtual interface.
+struct vcan {
+  static constexpr bool has_fd = true;
+  static constexpr std::size_t most_waiting = 16;
+  static constexpr const char* names[] = {"vcan0", "vcan0"};
+  socket_can a{"vcan0", {.fd = true}}, b{"vcan0", {.fd = true}};
+
+  socket_can& end(std::size_t i) { return i == 0 ? a : b; }
+  void settle() { wait_ms(2); }
+  void away(std::size_t) { REQUIRE(set_link("vcan0", false)); }
+  void back(std::size_t) { REQUIRE(set_link("vcan0", true)); }
+  ~vcan() { set_link("vcan0", true); }
+};
+
+// Two controllers on one bus, as the emulator has them (SJA1000).
+struct controllers {
+  static constexpr bool has_fd = false, asks_for_bytes = false;
+  static constexpr std::size_t most_waiting = 16;
+  socket_can a{"can0"}, b{"can1"};
+
+  socket_can& end(std::size_t i) { return i == 0 ? a : b; }
+  void settle() { wait_ms(10); }
+  void away(std::size_t) { REQUIRE(set_link("can0", false)); }
+  void back(std::size_t) { REQUIRE(set_link("can0", true)); }
+  ~controllers() { set_link("can0", true); }
+};
+
+}  // namespace can_rigs
