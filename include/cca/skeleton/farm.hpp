@@ -39,8 +39,8 @@ struct farm_of<Worker, From, To, std::index_sequence<I...>>
     : graph<node<"split", share_out<From, part_taken<Worker>, sizeof...(I)>>,
             node<worker_name<I>, Worker, typename fires_with_input<Worker>::type>...,
             node<"join", gather<To, part_given<Worker>, sizeof...(I)>, moderate>,
-            wire<joined<"split", part_name<I>>, joined<worker_name<I>, input_of_stage<Worker>::name>>...,
-            wire<joined<worker_name<I>, output_of_stage<Worker>::name>, joined<"join", part_name<I>>>...,
+            wire<joined_name<"split", part_name<I>>, joined_name<worker_name<I>, input_of_stage<Worker>::name>>...,
+            wire<joined_name<worker_name<I>, output_of_stage<Worker>::name>, joined_name<"join", part_name<I>>>...,
             expose<"split.input", "input">, expose<"join.output", "output">> {
   using passage_in = passage<"input", From>;
   using passage_out = passage<"output", To>;

@@ -26,16 +26,16 @@ template <class Stages, std::size_t I>
 using stage_at = std::tuple_element_t<I, Stages>;
 
 template <class Stages, std::size_t I, class... Policy>
-using wire_to_next = wire<joined<stage_name<I>, output_of_stage<stage_at<Stages, I>>::name>,
-                          joined<stage_name<I + 1>, input_of_stage<stage_at<Stages, I + 1>>::name>, Policy...>;
+using wire_to_next = wire<joined_name<stage_name<I>, output_of_stage<stage_at<Stages, I>>::name>,
+                          joined_name<stage_name<I + 1>, input_of_stage<stage_at<Stages, I + 1>>::name>, Policy...>;
 
 template <class Stages, class Nodes, class Wires, class... Policy>
 struct pipeline_of;
 template <class Stages, std::size_t... N, std::size_t... W, class... Policy>
 struct pipeline_of<Stages, std::index_sequence<N...>, std::index_sequence<W...>, Policy...>
     : graph<node<stage_name<N>, stage_at<Stages, N>, typename fires_with_input<stage_at<Stages, N>>::type>..., wire_to_next<Stages, W, Policy...>...,
-            expose<joined<stage_name<0>, input_of_stage<stage_at<Stages, 0>>::name>, "input">,
-            expose<joined<stage_name<sizeof...(W)>, output_of_stage<stage_at<Stages, sizeof...(W)>>::name>, "output">> {
+            expose<joined_name<stage_name<0>, input_of_stage<stage_at<Stages, 0>>::name>, "input">,
+            expose<joined_name<stage_name<sizeof...(W)>, output_of_stage<stage_at<Stages, sizeof...(W)>>::name>, "output">> {
   using passage_in = passage<"input", typename input_of_stage<stage_at<Stages, 0>>::space>;
   using passage_out = passage<"output", typename output_of_stage<stage_at<Stages, sizeof...(W)>>::space>;
 };

@@ -44,12 +44,12 @@ template <class List> struct passages_in;
 template <class... Ports> struct passages_in<list<Ports...>> : passages<typename passage_of<Ports>::type...> {};
 
 template <class Type>
-struct through {
+struct passage_through {
   using inputs = passages<>;
   using outputs = passages<>;
 };
 template <HasProcess Component>
-struct through<Component> {
+struct passage_through<Component> {
   using facts = function_facts<decltype(&Component::process)>;
   using inputs = passages_in<typename facts::parameters>;
   using outputs = passages_in<typename facts::results>;
@@ -57,14 +57,14 @@ struct through<Component> {
 // A skeleton that is a graph says it itself.
 template <class Graph>
   requires requires { typename Graph::passage_in; }
-struct through<Graph> {
+struct passage_through<Graph> {
   using inputs = passages<typename Graph::passage_in>;
   using outputs = passages<typename Graph::passage_out>;
 };
 
-template <class Type> using input_of_stage = typename through<Type>::inputs::first;
-template <class Type> using output_of_stage = typename through<Type>::outputs::first;
-template <class Type> concept GoesThrough = through<Type>::inputs::count == 1 && through<Type>::outputs::count == 1;
+template <class Type> using input_of_stage = typename passage_through<Type>::inputs::first;
+template <class Type> using output_of_stage = typename passage_through<Type>::outputs::first;
+template <class Type> concept GoesThrough = passage_through<Type>::inputs::count == 1 && passage_through<Type>::outputs::count == 1;
 
 // Its node fires with each sample. A graph takes no strategy: its nodes have theirs.
 template <class Type>
@@ -75,7 +75,7 @@ struct fires_with_input<Type> { using type = by_default; };
 // `stage1` is a `fuse`, which has 2 inputs that must be wired and 1 output ...
 template <class Type>
 constexpr void say_passages(text& t) {
-  using all = through<Type>;
+  using all = passage_through<Type>;
   t << type_name<Type>();
   if constexpr (Graph<Type>) {
     t << " is a graph, of which is not known what goes through: of graphs it takes pipelines and farms";

@@ -30,6 +30,6 @@ consteval auto joined_text() {
 template <fixed_string Before, std::size_t Number>
 inline constexpr auto numbered = numbered_text<Before, Number>();
 template <fixed_string Before, fixed_string After>
-inline constexpr auto joined = joined_text<Before, After>();
+inline constexpr auto joined_name = joined_text<Before, After>();
 
 }  // namespace cca::detail
