@@ -1,6 +1,6 @@
 // One benchmark program: the same arithmetic as a graph, as a loop written by hand, and in the classical way.
 //
-//   program check                    compares the three, bit for bit, beat by beat; exits with 1 where they differ
+//   program check [<beats>]          compares the three, bit for bit, beat by beat; exits with 1 where they differ
 //   program <form> <beats>           runs `graph`, `by_hand` or `classical` so many beats (under callgrind)
 //   program figures                  allocations a beat and bytes of state, one line a form
 //   program [--benchmark_...]        nanoseconds a beat (Google Benchmark)
@@ -15,6 +15,8 @@
 #include <cstring>
 #include <memory>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 
 #include <benchmark/benchmark.h>
 
@@ -77,44 +79,39 @@ bool same_bits(const A& a, const B& b) {
   return true;
 }
 
-template <class Graph, class ByHand, class Classical>
-int check() {
+// The graph first, then the forms to compare it with.
+template <class Graph, class... Others>
+int check(int beats) {
   const auto g = std::make_unique<Graph>();
-  const auto h = std::make_unique<ByHand>();
-  const auto c = std::make_unique<Classical>();
-  for (int k = 0; k < 3000; ++k) {
+  const auto others = std::make_tuple(std::make_unique<Others>()...);
+  for (int k = 0; k < beats; ++k) {
     g->step();
-    h->step();
-    c->step();
-    if (!same_bits(g->result(), h->result()) || !same_bits(g->result(), c->result())) {
-      std::fprintf(stderr, "beat %d: the three forms differ: %.17g, %.17g, %.17g\n", k, g->result()[0], h->result()[0], c->result()[0]);
-      return 1;
-    }
+    const bool same = std::apply([&](const auto&... one) { return ((one->step(), same_bits(g->result(), one->result())) && ...); }, others);
+    if (same) continue;
+    std::fprintf(stderr, "beat %d: the forms differ: %.17g", k, g->result()[0]);
+    std::apply([&](const auto&... one) { (std::fprintf(stderr, ", %.17g", one->result()[0]), ...); }, others);
+    std::fputc('\n', stderr);
+    return 1;
   }
   return 0;
 }
 
-template <class Graph, class ByHand, class Classical>
+template <class Graph, class... Others>
 int program(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
-  if (what == "check") return check<Graph, ByHand, Classical>();
+  if (what == "check") return check<Graph, Others...>(argc > 2 ? std::atoi(argv[2]) : 3000);
   if (what == "figures") {
     figures<Graph>();
-    figures<ByHand>();
-    figures<Classical>();
+    (figures<Others>(), ...);
     return 0;
   }
   if (argc == 3) {
     const int beats = std::atoi(argv[2]);
-    if (what == "graph") run<Graph>(beats);
-    else if (what == "by_hand") run<ByHand>(beats);
-    else if (what == "classical") run<Classical>(beats);
-    else return 2;
-    return 0;
+    const auto run_if = [&]<class Form>(std::type_identity<Form>) { return what == Form::name && (run<Form>(beats), true); };
+    return run_if(std::type_identity<Graph>{}) || (run_if(std::type_identity<Others>{}) || ...) ? 0 : 2;
   }
-  benchmark::RegisterBenchmark("graph", time<Graph>);
-  benchmark::RegisterBenchmark("by_hand", time<ByHand>);
-  benchmark::RegisterBenchmark("classical", time<Classical>);
+  benchmark::RegisterBenchmark(Graph::name, time<Graph>);
+  (benchmark::RegisterBenchmark(Others::name, time<Others>), ...);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -36,6 +36,7 @@ struct disturbance {
   std::array<double, 3> trunk_velocity{};                     // m/s, at the start
   double friction = 0.75;
   std::array<push, 3> pushes{};
+  push another{};  // for a program to set, none is drawn
 
   // None at all: what a run without a seed gets.
   static disturbance none() { return {}; }
@@ -60,9 +61,12 @@ struct disturbance {
 
   std::array<double, 3> push_at(double time) const {
     std::array<double, 3> sum{};
-    for (const push& p : pushes)
+    const auto add = [&](const push& p) {
       if (p.acts_at(time))
         for (std::size_t k = 0; k < 3; ++k) sum[k] += p.force[k];
+    };
+    for (const push& p : pushes) add(p);
+    add(another);
     return sum;
   }
 };

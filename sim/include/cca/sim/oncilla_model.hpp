@@ -62,7 +62,7 @@ struct oncilla_model {
 
   // Joint ranges. Hip: 0 is straight down, positive swings the foot forward. Knee: flexion, 0 would be the straight leg.
   // Abduction: positive moves the foot outward. Toe: 0 continues the lower segment.
-  interval hip_range{-1.2, 1.2};
+  interval hip_range{-1.2, 1.9};  // forward beyond the horizontal: to reach
   interval knee_range{degrees(35), degrees(150)};
   interval abduction_range{degrees(-20), degrees(20)};
   interval toe_range{-0.8, 0.8};

@@ -44,6 +44,9 @@ class simulator {
     disturbance_ = disturbance;
   }
 
+  // While it runs, too.
+  void disturb(const sim::disturbance& disturbance) { disturbance_ = disturbance; }
+
   const sim::world& world() const { return world_; }
 
   auto sense() -> std::tuple<

@@ -1,0 +1,82 @@
+// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on: run, table, CSV, picture. --help lists the options.
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+
+#include "../trot/csv.hpp"
+#include "../trot/progress.hpp"
+#include "../trot/recording.hpp"
+#include "../trot/svg.hpp"
+#include "command_line.hpp"
+#include "rollout.hpp"
+#include "summary.hpp"
+
+namespace {
+
+template <class Write>
+void write(const std::string& name, Write content) {
+  std::ofstream file(name);
+  if (file) content(file);
+  file.close();
+  if (!file) throw std::runtime_error(name + ": cannot be written");
+}
+
+int run(const skills::options& o) {
+  skills::combined controller;
+  skills::load(controller, o.shape, o.config);
+
+  trot::progress_bar bar("skills", !o.quiet);
+  trot::recording recorded;
+  const bool records = o.csv || o.svg;
+  const auto result = skills::roll_out(controller, o.run, [&](const skills::combined& c) {
+    const auto& world = c.get<"robot.simulator">().world();
+    if (records) {
+      if (c.beat_index() == 1) recorded.begin(world, 30'000);
+      recorded.note(world);
+    }
+    if (c.beat_index() % 20 != 0) return;
+    const auto& steps = c.get<"sequencer">().steps;
+    char note[64];
+    std::snprintf(note, sizeof note, "%5.1f s  %s", world.time(), std::string(steps.name()).c_str());
+    bar.show(static_cast<double>(steps.step()) / skills::plan::count, note);
+  });
+  bar.show(1);
+  bar.done();
+
+  if (!o.quiet) skills::write_table(std::cout, o.run, result);
+  if (o.summary) write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+  if (o.csv) write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
+  if (o.svg)
+    write(*o.svg, [&](std::ostream& file) {
+      char title[128];
+      std::snprintf(title, sizeof title, "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s", result.reach_error * 1e3, result.reach_time);
+      trot::write_svg(file, recorded, title);
+    });
+  return skills::succeeded(result) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    const skills::options options = skills::parse({arguments + 1, arguments + count});
+    if (options.help) {
+      std::cout << skills::usage;
+      return 0;
+    }
+    return run(options);
+  } catch (const skills::command_line_error& error) {
+    std::cerr << "combination_of_skills: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "combination_of_skills: " << error.what() << '\n';
+    return 3;
+  }
+}

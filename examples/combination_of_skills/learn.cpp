@@ -1,0 +1,157 @@
+// Learns the shape of a trot from a recording of it, and writes it to a file: what the Combination of Skills trots by.
+//
+//   combination_of_skills_learn --out trot.shape
+//
+// The robot of examples/trot trots in the simulator. What its gait commands is recorded with the phase and the amplitude that it
+// belongs to, and shown to the module; that learns in a batch and is saved by its life-cycle.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "../trot/command_line.hpp"
+#include "../trot/rollout.hpp"
+#include "architecture.hpp"
+
+namespace {
+
+using angles = cca::sim::leg_angles::vector_type;
+
+// [record]
+struct recorded_trot : cca::graph<
+    cca::rate<1000>,
+    cca::node<"trot", trot::simulated_trot>,
+    cca::observe<"trot.cpg.*">,
+    cca::observe<"trot.gait.*">> {};
+// [record end]
+
+struct moment {
+  double phase = 0, amplitude = 0;
+  angles commanded = angles::Zero();
+};
+
+// What stands still is the robot with its legs where the gait swings around.
+angles neutral(const trot::gait::parameters& p) {
+  angles q;
+  q << p.front.hip, p.front.hip, p.hind.hip, p.hind.hip, p.front.knee, p.front.knee, p.hind.knee, p.hind.knee;
+  return q;
+}
+
+std::vector<moment> recorded(double seconds) {
+  cca::controller<recorded_trot> c;
+  c.load();
+  c.get<"trot.robot.simulator">().put_down(
+      cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
+  c.start();
+  std::vector<moment> all;
+  const double settled = 2;  // s, then it trots
+  while (1e-3 * static_cast<double>(c.beat_index()) < settled + seconds) {
+    c.step();
+    moment now;
+    c.observed([&](const cca::observation& one) {
+      if (one.path == "trot.cpg.phase") now.phase = one.values[0];
+      if (one.path == "trot.cpg.amplitude") now.amplitude = one.values[0];
+      if (one.path == "trot.gait.angles") std::copy(one.values.begin(), one.values.end(), now.commanded.begin());
+    });
+    if (1e-3 * static_cast<double>(c.beat_index()) > settled) all.push_back(now);
+  }
+  return all;
+}
+
+// [teach]
+// Plays the recording back, beat by beat.
+struct playback {
+  auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, skills::stride>>, cca::out<"amplitude", cca::over<cca::amplitude, skills::stride>>,
+                                            cca::out<"angles", cca::sim::leg_angles>, cca::out<"neutral", cca::sim::leg_angles>> {
+    const moment& m = played[static_cast<std::size_t>(now.index()) % played.size()];
+    return {m.phase, m.amplitude, m.commanded, around};
+  }
+  std::vector<moment> played{moment{}};
+  angles around = angles::Zero();
+};
+
+struct teaching : cca::graph<
+    cca::rate<1000>,
+    cca::node<"recording", playback>,
+    cca::node<"dmp", skills::shape_of_trot<20000>, cca::timed<1>>,
+    cca::wire<"recording.phase", "dmp.phase">,
+    cca::wire<"recording.amplitude", "dmp.amplitude">,
+    cca::wire<"recording.neutral", "dmp.reference">,
+    cca::wire<"recording.angles", "dmp.demonstration">,
+    cca::observe<"dmp.*">> {};
+// [teach end]
+
+struct options {
+  std::string out = "trot.shape";
+  double seconds = 8;
+  bool quiet = false;
+};
+
+options parse(const std::vector<std::string>& arguments) {
+  options o;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& name = arguments[i];
+    const auto value = [&]() -> const std::string& {
+      if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
+      return arguments[++i];
+    };
+    if (name == "--out") o.out = value();
+    else if (name == "--seconds") o.seconds = trot::detail::number(name, value(), 1, 19);
+    else if (name == "--quiet") o.quiet = true;
+    else throw trot::command_line_error(name + ": expected --out, --seconds or --quiet");
+  }
+  return o;
+}
+
+// Largest distance of what the module makes of the recording's phases from the recording, rad, once it has begun.
+double greatest_error(cca::controller<teaching>& c) {
+  double worst = 0;
+  const auto& played = c.get<"recording">().played;
+  for (std::size_t i = 0; i < played.size(); ++i) {
+    c.step();
+    const moment& m = played[static_cast<std::size_t>(c.beat_index() - 1) % played.size()];
+    c.observed([&](const cca::observation& one) {
+      if (one.path != "dmp.command" || i < 200) return;
+      for (std::size_t j = 0; j < 8; ++j) worst = std::max(worst, std::abs(one.values[j] - m.commanded[static_cast<int>(j)]));
+    });
+  }
+  return worst;
+}
+
+void run(const options& o) {
+  cca::controller<teaching> c;
+  auto& dmp = c.get<"dmp">();
+  if (!dmp.p.files.save.assign(o.out)) throw trot::command_line_error(o.out + ": this name is too long");
+  c.get<"recording">().played = recorded(o.seconds);
+  c.get<"recording">().around = neutral(trot::gait{}.p);
+  c.load();
+  c.start();
+  dmp.learning.collect();
+  c.run(cca::for_beats<1000>{});
+  for (std::size_t i = 1000; i < c.get<"recording">().played.size(); ++i) c.step();
+  const auto batch = dmp.learning.begin_batch(dmp.p.settings);
+  dmp.learning.hand_over(batch());
+  const double error = greatest_error(c);
+  c.stop();
+  c.save();
+  if (!o.quiet)
+    std::printf("learned from %zu beats of trot, written to %s; it follows the recording within %.4f rad\n", c.get<"recording">().played.size(), o.out.c_str(), error);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    run(parse({arguments + 1, arguments + count}));
+    return 0;
+  } catch (const trot::command_line_error& error) {
+    std::cerr << "combination_of_skills_learn: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "combination_of_skills_learn: " << error.what() << '\n';
+    return 3;
+  }
+}

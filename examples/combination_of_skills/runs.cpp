@@ -1,0 +1,125 @@
+// The Combination of Skills from many disturbance seeds, with either paw, for each ball, on all cores: how often it falls, how
+// near the paw comes, how long that takes.
+//
+//   combination_of_skills_runs --shape trot.shape --count 10 --summary summary.json
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+
+#include "../trot/parallel.hpp"
+#include "../trot/progress.hpp"
+#include "command_line.hpp"
+#include "rollout.hpp"
+#include "summary.hpp"
+
+namespace {
+
+struct options {
+  std::string shape = "trot.shape", summary;
+  std::optional<std::string> config;
+  std::uint64_t first = 0, count = 10;
+  skills::circumstances run;
+};
+
+options parse(const std::vector<std::string>& arguments) {
+  options o;
+  for (std::size_t i = 0; i < arguments.size(); i += 2) {
+    const std::string& name = arguments[i];
+    if (i + 1 == arguments.size()) throw skills::command_line_error(name + ": expected a value after it");
+    const std::string& value = arguments[i + 1];
+    if (name == "--shape") o.shape = value;
+    else if (name == "--config") o.config = value;
+    else if (name == "--summary") o.summary = value;
+    else if (name == "--first") o.first = trot::detail::whole_number(name, value);
+    else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
+    else if (name == "--push") o.run.push = trot::detail::number(name, value, 0, 100);
+    else if (name == "--seconds") skills::set_seconds(o.run, trot::detail::number(name, value, 1, 20));
+    else throw skills::command_line_error(name + ": expected --shape, --config, --summary, --first, --count, --push or --seconds");
+  }
+  return o;
+}
+
+void print(const std::vector<skills::told_run>& runs, skills::target where, skills::paw_side paw) {
+  int count = 0, fell = 0, good = 0;
+  double sum = 0, worst = 0, slowest = 0, slow = 1e9;
+  for (const auto& [c, r] : runs) {
+    if (c.where != where || c.paw != paw) continue;
+    ++count;
+    fell += r.fell;
+    good += skills::succeeded(r);
+    if (!skills::succeeded(r)) continue;
+    sum += r.reach_error;
+    worst = std::max(worst, r.worst_error);
+    slowest = std::max(slowest, r.reach_time);
+    slow = std::min(slow, r.speed_after);
+  }
+  std::printf("  %-7s %-6s %3d of %d, %d fell; ball %.2f mm off on average, %.2f at most, in %.2f s at most; then %.3f m/s at least\n",
+              std::string(skills::target_names[static_cast<std::size_t>(where)]).c_str(), std::string(skills::paw_names[static_cast<std::size_t>(paw)]).c_str(),
+              good, count, fell, good ? sum / good * 1e3 : 0, worst * 1e3, slowest, good ? slow : 0);
+}
+
+int run(const options& o) {
+  skills::combined start;
+  skills::load(start, o.shape, o.config);
+
+  std::vector<skills::told_run> runs;
+  for (std::uint64_t seed = o.first; seed < o.first + o.count; ++seed)
+    for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw)
+      for (std::size_t where = 0; where < skills::target_names.size(); ++where) {
+        skills::circumstances c = o.run;
+        c.seed = seed;
+        c.paw = static_cast<skills::paw_side>(paw);
+        c.where = static_cast<skills::target>(where);
+        runs.push_back({c, {}});
+      }
+
+  trot::progress_bar bar("runs");
+  trot::on_all_cores(
+      runs.size(),
+      [&](std::size_t i) {
+        skills::combined controller = start;
+        runs[i].what = skills::roll_out(controller, runs[i].where, [](const skills::combined&) {});
+      },
+      [&](std::size_t finished) { bar.show(static_cast<double>(finished) / static_cast<double>(runs.size())); });
+  bar.done();
+
+  for (std::size_t where = 0; where < skills::target_names.size(); ++where)
+    for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw) print(runs, static_cast<skills::target>(where), static_cast<skills::paw_side>(paw));
+  for (const auto& [c, r] : runs)
+    if (!skills::succeeded(r))
+      std::printf("  not so: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, %.2f s\n", static_cast<int>(c.seed.value_or(0)),
+                  std::string(skills::paw_names[static_cast<std::size_t>(c.paw)]).c_str(), std::string(skills::target_names[static_cast<std::size_t>(c.where)]).c_str(),
+                  r.fell ? "fell" : "ended", std::string(skills::plan::table[static_cast<std::size_t>(r.last)].name).c_str(), r.worst_error * 1e3, r.reach_time);
+  if (!o.summary.empty()) {
+    std::ofstream file(o.summary);
+    skills::write_json(file, runs);
+    file.close();
+    if (!file) throw std::runtime_error(o.summary + ": cannot be written");
+  }
+  return std::all_of(runs.begin(), runs.end(), [](const skills::told_run& one) { return skills::succeeded(one.what); }) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(parse({arguments + 1, arguments + count}));
+  } catch (const skills::command_line_error& error) {
+    std::cerr << "combination_of_skills_runs: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "combination_of_skills_runs: " << error.what() << '\n';
+    return 3;
+  }
+}

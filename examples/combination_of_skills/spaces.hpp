@@ -1,0 +1,54 @@
+#pragma once
+// What flows between the components, besides the robot's own spaces.
+//
+// Positions are given in the frame of the trunk (x forward, y left, z up, from its centre). A foot is where its sphere's centre is.
+#include <cstdint>
+
+#include <cca/motor/spaces.hpp>
+#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/space/domain.hpp>
+
+namespace skills {
+
+using cca::sim::trunk_frame;
+
+struct foot_frame {};
+
+struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator, a step of each leg
+struct yaw : cca::dimension<"yaw"> {};
+
+// A point that a foot is at, or shall come to; also where the ball is.
+struct point_in_trunk : cca::space<cca::cartesian_position<trunk_frame>, cca::axes<cca::x, cca::y, cca::z>> {};
+
+// A hip has two axes, abduction and swing.
+struct hip_angles : cca::space<cca::joint_angles, cca::axes<cca::sim::left_front_abduction, cca::sim::right_front_abduction,
+                                                            cca::sim::left_hind_abduction, cca::sim::right_hind_abduction,
+                                                            cca::sim::left_front_hip, cca::sim::right_front_hip,
+                                                            cca::sim::left_hind_hip, cca::sim::right_hind_hip>> {};
+struct knee_angles : cca::space<cca::joint_angles, cca::axes<cca::sim::left_front_knee, cca::sim::right_front_knee,
+                                                             cca::sim::left_hind_knee, cca::sim::right_hind_knee>> {};
+
+// The joints of a leg.
+struct left_front_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::left_front_abduction, cca::sim::left_front_hip, cca::sim::left_front_knee>> {};
+struct right_front_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::right_front_abduction, cca::sim::right_front_hip, cca::sim::right_front_knee>> {};
+struct left_hind_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::left_hind_abduction, cca::sim::left_hind_hip, cca::sim::left_hind_knee>> {};
+struct right_hind_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::right_hind_abduction, cca::sim::right_hind_hip, cca::sim::right_hind_knee>> {};
+
+struct turning : cca::space<cca::number, cca::axes<yaw>> {};  // > 0 to the left: right legs swing farther
+struct wanted_stiffness : cca::space<cca::joint_stiffness, cca::sim::hip_axes> {};
+struct supports : cca::space<cca::number, cca::sim::foot_axes> {};  // 1: the leg stands and carries, 0: it swings
+
+// Which front leg the ball is in front of.
+enum class paw_side : std::uint8_t { left, right };
+struct side_axis : cca::dimension<"side"> {};
+struct side_port : cca::space<cca::status, cca::axes<side_axis>> {};
+
+// Whether there is a ball, and whether the robot is near enough to stop; whether the paw carries.
+enum class ball_state : std::uint8_t { unseen, ahead, near };
+enum class paw_state : std::uint8_t { raised, grounded };
+struct state_axis : cca::dimension<"state"> {};
+struct ball_status : cca::space<cca::status, cca::axes<state_axis>> {};
+struct paw_status : cca::space<cca::status, cca::axes<state_axis>> {};
+struct trunk_status : cca::space<cca::status, cca::axes<state_axis>> {};  // a criterion_state
+
+}  // namespace skills

@@ -1,0 +1,159 @@
+// The Combination of Skills of the example: one skill after the other, the paw at the ball, on its feet.
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include <cca/config.hpp>
+
+#include "../../../examples/combination_of_skills/command_line.hpp"
+#include "../../../examples/combination_of_skills/idle_robot.hpp"
+#include "../../../examples/combination_of_skills/rollout.hpp"
+#include "../../../examples/combination_of_skills/summary.hpp"
+
+namespace laws {
+std::size_t allocations();  // ../motor/allocations.cpp
+}
+
+using skills::plan;
+
+namespace {
+
+const std::string shape = CCA_EXAMPLES "/combination_of_skills/trot.shape";
+
+skills::circumstances short_run(std::uint64_t seed, skills::paw_side paw, skills::target where) {
+  skills::circumstances c{seed, paw, where};
+  skills::set_seconds(c, 1.5);
+  return c;
+}
+
+skills::result run(const skills::circumstances& c) {
+  skills::combined controller;
+  skills::load(controller, shape, {});
+  return skills::roll_out(controller, c, [](const skills::combined&) {});
+}
+
+void check(const skills::result& r) {
+  CHECK(!r.fell);
+  CHECK(r.reach_error < 0.002);
+  CHECK(r.worst_error < 0.005);
+  CHECK(r.reach_time < 3);
+  CHECK(r.speed_after > 0.2);
+  // Each skill begins where the one before it is done.
+  for (std::size_t i = 0; i < r.skills.size(); ++i) {
+    CAPTURE(plan::table[i].name);
+    const auto& told = r.skills[i];
+    const bool last = i + 1 == r.skills.size();
+    CHECK((told.how == (last ? skills::outcome::going_on : skills::outcome::done)));
+    if (!last) CHECK(told.end == r.skills[i + 1].begin);
+    if (!last) CHECK(told.end > told.begin);
+  }
+}
+
+struct idle : skills::architecture<skills::idle_robot> {};
+using idling = cca::controller<idle>;
+
+template <class Controller>
+void load_idle(Controller& c) {
+  REQUIRE(c.template get<"dmp.module">().p.files.load.assign(shape));
+  c.load();
+  c.start();
+}
+
+}  // namespace
+
+TEST_CASE("the left paw comes to a ball ahead") { check(run(short_run(1, skills::paw_side::left, skills::target::ahead))); }
+
+TEST_CASE("the right paw comes to a ball that hangs inside") { check(run(short_run(2, skills::paw_side::right, skills::target::inside))); }
+
+TEST_CASE("the same seed gives the same bits, and another seed others") {
+  const auto c = short_run(3, skills::paw_side::left, skills::target::high);
+  const auto first = run(c), again = run(c);
+  CHECK(first.seconds == again.seconds);
+  CHECK(first.reach_error == again.reach_error);
+  CHECK(first.speed_after == again.speed_after);
+  auto other = c;
+  other.seed = 4;
+  CHECK(run(other).reach_error != first.reach_error);
+}
+
+TEST_CASE("what the status ports don't say in time is given up, by a way out") {
+  // The ball is out of reach: the paw goes as near as it can, is drawn back, and the robot trots on.
+  auto c = short_run(1, skills::paw_side::left, skills::target::ahead);
+  skills::combined controller;
+  auto parameters = controller.get<"orders">().p;
+  parameters.stand.feet.ahead = 0.10;  // the trunk moves back so far that the ball is not in reach
+  controller.set<"orders">(parameters);
+  skills::load(controller, shape, {});
+  const auto r = skills::roll_out(controller, c, [](const skills::combined&) {});
+  CHECK((r.of<"reach">().how == skills::outcome::timed_out));
+  CHECK((r.of<"touch">().how == skills::outcome::not_begun));
+  CHECK((r.of<"draw back">().how == skills::outcome::done));
+  CHECK(r.last == plan::at<"trot on">);
+  CHECK(!r.touched());
+  CHECK(!r.fell);
+}
+
+TEST_CASE("without a ball it trots, with the shape that it was taught") {
+  idling c;
+  load_idle(c);
+  c.run(cca::for_<3>{});
+  CHECK(c.get<"sequencer">().steps.name() == "trot");
+  double low = 9, high = -9;
+  for (int k = 0; k < 300; ++k) {
+    c.step();
+    low = std::min(low, c.get<"robot">().legs[0]), high = std::max(high, c.get<"robot">().legs[0]);
+  }
+  // 12.3 degrees to each side at amplitude 1, of which the speed asks 0.94.
+  CHECK(high - low == doctest::Approx(2 * 0.94 * cca::sim::degrees(12.3)).epsilon(0.05));
+  CHECK(c.get<"robot">().hips[0] == doctest::Approx(30));
+}
+
+TEST_CASE("locomotion and reaching are blended by the oscillator's amplitude") {
+  idling c;
+  load_idle(c);
+  c.run(cca::for_<2>{});
+  c.get<"camera">().ball = {0.22, 0.08, -0.13};
+  c.get<"camera">().sees = true;
+  c.run(cca::for_<2>{});
+  CHECK(c.get<"sequencer">().steps.step() > plan::at<"stop">);
+  auto& robot = c.get<"robot">();
+  c.run(cca::for_<1>{});
+  // At rest: nothing swings any more, whatever the phase.
+  const auto before = robot.legs;
+  c.run(cca::for_beats<50>{});
+  CHECK((robot.legs - before).cwiseAbs().maxCoeff() < 1e-2);
+  CHECK(robot.hips[0] > 100);
+}
+
+TEST_CASE("a beat allocates nothing") {
+  idling c;
+  load_idle(c);
+  c.get<"camera">().ball = {0.22, 0.08, -0.13};
+  for (int k = 0; k < 2000; ++k) c.step();
+  c.get<"camera">().sees = true;
+  const std::size_t before = laws::allocations();
+  for (int k = 0; k < 20'000; ++k) c.step();
+  CHECK(laws::allocations() == before);
+  CHECK(c.get<"sequencer">().steps.step() >= plan::at<"reach">);
+}
+
+TEST_CASE("the summary is a list of runs") {
+  skills::circumstances c;
+  skills::result r;
+  r.fell = true;
+  r.reach_error = 0.00125;
+  std::ostringstream text;
+  skills::write_json(text, {{c, r}, {c, r}});
+  CHECK(text.str().find("[\n {\"seed\": 0, \"paw\": \"left\", \"target\": \"ahead\", \"reach_error_mm\": 1.25, ") == 0);
+  CHECK(text.str().find("\"reach_time_s\": null, ") != std::string::npos);
+  CHECK(text.str().find("\"fell\": true, \"speed_after_m_s\": 0, ") != std::string::npos);
+}
+
+TEST_CASE("a command line that can't be understood is refused") {
+  CHECK(skills::parse({"--paw", "right", "--target", "world", "--seed", "none"}).run.paw == skills::paw_side::right);
+  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{{"--paw", "hind"}, {"--target", "moon"}, {"--seed", "x"}, {"--push"}, {"--what"}})
+    CHECK_THROWS_AS(skills::parse(bad), skills::command_line_error);
+}

@@ -1,0 +1,110 @@
+// The picture of the Combination of Skills, as its page shows it.
+#include <string_view>
+
+#include <doctest/doctest.h>
+
+#include "../../../examples/combination_of_skills/architecture.hpp"
+#include "../../../examples/combination_of_skills/idle_robot.hpp"
+
+namespace {
+
+struct idle : skills::architecture<skills::idle_robot> {};
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0[("robot<br/><i>1000 Hz</i>")]
+  n1[("camera<br/><i>1000 Hz</i>")]
+  n2["sequencer<br/><i>100 Hz</i>"]
+  n3["orders<br/><i>100 Hz</i>"]
+  n9["hip_reaching<br/><i>1000 Hz</i>"]
+  n10["knee_reaching<br/><i>1000 Hz</i>"]
+  n11["cpg<br/><i>1000 Hz</i>"]
+  n15["goal<br/><i>1000 Hz</i>"]
+  n16["limits<br/><i>1000 Hz</i>"]
+  n17["abduction_limits<br/><i>1000 Hz</i>"]
+  n18["stiffness_limits<br/><i>1000 Hz</i>"]
+  n19["measured<br/><i>1000 Hz</i>"]
+  n20["heading<br/><i>100 Hz</i>"]
+  n21["steering<br/><i>1000 Hz</i>"]
+  n22["balance<br/><i>1000 Hz</i>"]
+  n23["paw<br/><i>1000 Hz</i>"]
+  n24["aim<br/><i>1000 Hz</i>"]
+  n25["ball<br/><i>1000 Hz</i>"]
+  n27["trunk<br/><i>1000 Hz</i>"]
+  subgraph g1["inverse_kinematics"]
+    n4["left_front<br/><i>100 Hz</i>"]
+    n5["right_front<br/><i>100 Hz</i>"]
+    n6["left_hind<br/><i>100 Hz</i>"]
+    n7["right_hind<br/><i>100 Hz</i>"]
+    n8["by_kind<br/><i>100 Hz</i>"]
+  end
+  subgraph g2["dmp"]
+    n12["module<br/><i>1000 Hz</i>"]
+    n13["criterion<br/><i>1000 Hz</i>"]
+    n14["status<br/><i>1000 Hz</i>"]
+  end
+  subgraph g3["reaching"]
+    n26["status<br/><i>1000 Hz</i>"]
+  end
+  n16 -- "safe → command<br/>leg_angles, 1000 Hz" --> n0
+  n17 -- "safe → abduction<br/>abduction_angles, 1000 Hz" --> n0
+  n18 -- "safe → stiffness<br/>hip_stiffnesses, 1000 Hz" --> n0
+  n2 -- "step<br/>step_port, 100 Hz" --> n3
+  n1 -- "ball<br/>point_in_trunk" --> n3
+  n24 -- "aim<br/>point_in_trunk, 1000 Hz" --> n3
+  n23 -- "side<br/>side_port, 1000 Hz" --> n3
+  n3 -- "left_front → position<br/>point_in_trunk, 100 Hz" --> n4
+  n3 -- "right_front → position<br/>point_in_trunk, 100 Hz" --> n5
+  n3 -- "left_hind → position<br/>point_in_trunk, 100 Hz" --> n6
+  n3 -- "right_hind → position<br/>point_in_trunk, 100 Hz" --> n7
+  n4 -- "angles → left_front<br/>left_front_joints, 100 Hz" --> n8
+  n5 -- "angles → right_front<br/>right_front_joints, 100 Hz" --> n8
+  n6 -- "angles → left_hind<br/>left_hind_joints, 100 Hz" --> n8
+  n7 -- "angles → right_hind<br/>right_hind_joints, 100 Hz" --> n8
+  n8 -- "hips → target<br/>hip_angles, 100 Hz" --> n9
+  n19 -- "hips → start<br/>hip_angles, 1000 Hz" --> n9
+  n8 -- "knees → target<br/>knee_angles, 100 Hz" --> n10
+  n19 -- "knees → start<br/>knee_angles, 1000 Hz" --> n10
+  n3 -- "amplitude<br/>over&lt;cca::amplitude, skills::stride&gt;, 100 Hz" --> n11
+  n11 -- "phase<br/>over&lt;cca::phase, skills::stride&gt;, 1000 Hz" --> n12
+  n11 -- "amplitude<br/>over&lt;cca::amplitude, skills::stride&gt;, 1000 Hz" --> n12
+  n15 -- "legs → reference<br/>leg_angles, 1000 Hz" --> n12
+  n12 -- "command → target<br/>leg_angles, 1000 Hz" --> n13
+  n0 -- "angles → feedback<br/>leg_angles, 1000 Hz" --> n13
+  n12 -- "ode<br/>ode_status_port, 1000 Hz" --> n14
+  n12 -- "module<br/>module_status_port, 1000 Hz" --> n14
+  n13 -- "state → criterion<br/>criterion_port, 1000 Hz" --> n14
+  n9 -- "position → hips<br/>hip_angles, 1000 Hz" --> n15
+  n10 -- "position → knees<br/>knee_angles, 1000 Hz" --> n15
+  n22 -- "angles → command<br/>leg_angles, 1000 Hz" --> n16
+  n0 -- "angles → measured<br/>leg_angles, 1000 Hz" --> n16
+  n15 -- "abduction → command<br/>abduction_angles, 1000 Hz" --> n17
+  n0 -- "abducted → measured<br/>abduction_angles, 1000 Hz" --> n17
+  n3 -- "stiffness → command<br/>wanted_stiffness, 100 Hz" --> n18
+  n0 -- "angles<br/>leg_angles, 1000 Hz" --> n19
+  n0 -- "abducted<br/>abduction_angles, 1000 Hz" --> n19
+  n0 -- "orientation<br/>trunk_orientation, 1000 Hz" --> n20
+  n1 -- "ball<br/>point_in_trunk" --> n20
+  n23 -- "side<br/>side_port, 1000 Hz" --> n20
+  n11 -- "amplitude<br/>over&lt;cca::amplitude, skills::stride&gt;, 1000 Hz" --> n20
+  n15 -- "legs → goal<br/>leg_angles, 1000 Hz" --> n21
+  n20 -- "turn<br/>turning, 100 Hz" --> n21
+  n12 -- "command<br/>leg_angles, 1000 Hz" --> n21
+  n0 -- "angular_velocity<br/>trunk_angular_velocity, 1000 Hz" --> n22
+  n3 -- "supports<br/>supports, 100 Hz" --> n22
+  n21 -- "angles → command<br/>leg_angles, 1000 Hz" --> n22
+  n1 -- "ball<br/>point_in_trunk" --> n23
+  n0 -- "angles<br/>leg_angles, 1000 Hz" --> n23
+  n0 -- "abducted<br/>abduction_angles, 1000 Hz" --> n23
+  n0 -- "contacts<br/>foot_contacts, 1000 Hz" --> n23
+  n1 -- "ball<br/>point_in_trunk" --> n24
+  n23 -- "paw<br/>point_in_trunk, 1000 Hz" --> n24
+  n1 -- "ball<br/>point_in_trunk" --> n25
+  n1 -- "ball → target<br/>point_in_trunk" --> n26
+  n23 -- "paw → feedback<br/>point_in_trunk, 1000 Hz" --> n26
+  n0 -- "angular_velocity<br/>trunk_angular_velocity, 1000 Hz" --> n27
+)";  // [picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of the Combination of Skills") { CHECK_EQ(cca::describe<idle>::mermaid(), picture.substr(picture.find('\n') + 1)); }
