@@ -5,7 +5,10 @@ Rules allow. Then it is cut into nested graphs, some of which are used twice.
 """
 import random
 
-DIMENSIONS = {"num1": 1, "num2": 2, "num3": 3, "ang1": 1, "ang2": 2}
+from skeletons import AXES, Group, Skeletons
+
+DIMENSIONS = {"num1": 1, "num2": 2, "num3": 3, "ang1": 1, "ang2": 2, "pick1": 1}
+DIMENSIONS.update({f"{space}_{axis}": 1 for space, axes in AXES.items() for axis in axes})  # one axis of a space
 BASE_RATES = [1000, 1200, 600, 300, 100, 12, 7]
 
 
@@ -34,6 +37,7 @@ class Leaf:
         self.publishes, self.origin, self.fault_at = 100, 0, -1
         self.fault_half, self.fault_first = None, False
         self.hears, self.hears_policy = None, ("latest",)  # the child of its own graph that an observer listens to
+        self.skeleton = None  # of the library's: its kind, and what its function depends on
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
 
     def inputs(self):
@@ -60,8 +64,12 @@ class Graph:
         self.name = name
         self.children, self.wires, self.exposes = [], [], {}
         self.rate = None
+        self.group = None  # a skeleton of the library's, which has what this graph shows
 
     def expose(self, inner):
+        if self.group:
+            self.exposes[self.group.exposes[inner]] = inner
+            return self.group.exposes[inner]
         for outer, known in self.exposes.items():
             if known == inner:
                 return outer
@@ -84,6 +92,7 @@ class Architecture:
         self.make_rates()
         self.make_policies()
         self.make_habits()
+        self.groups = Skeletons(self, Leaf, Port, Wire).groups
         self.nest()
 
     def chance(self, percent):
@@ -387,7 +396,8 @@ class Architecture:
 
     def nest(self):
         rng = self.rng
-        order = list(self.nodes)
+        grouped = [leaf for group in self.groups for leaf in group.leaves]
+        order = [leaf for leaf in self.nodes if leaf not in grouped] + self.groups
         rng.shuffle(order)
         self.types = []
         self.where = {}  # leaf -> the graphs around it, outermost first, with their names in them
@@ -412,6 +422,14 @@ class Architecture:
                 name = f"s{len(self.types)}"
                 graph.children.append((name, self.make_graph(order[i:i + take], depth + 1, around + [(graph, name)])))
                 i += take
+            elif isinstance(order[i], Group):
+                inner, name = Graph(""), f"z{len(self.where)}"
+                inner.group = order[i]
+                graph.children.append((name, inner))
+                for leaf in inner.group.leaves:
+                    inner.children.append((leaf.name, leaf))
+                    self.where[leaf] = around + [(graph, name), (inner, leaf.name)]
+                i += 1
             else:
                 graph.children.append((order[i].name, order[i]))
                 self.where[order[i]] = around + [(graph, order[i].name)]
@@ -454,7 +472,7 @@ class Architecture:
 
     def add_observers(self, graph, depth):
         for _, child in list(graph.children):
-            if isinstance(child, Graph) and depth < 2:
+            if isinstance(child, Graph) and depth < 2 and not child.group:
                 self.add_observers(child, depth + 1)
         if not self.chance(12):
             return

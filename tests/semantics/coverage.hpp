@@ -24,6 +24,7 @@ public:
     for (const turn& t : i.g.turns) {
       const node& n = i.g.nodes[t.node];
       if (t.firings > 0) add(n.when, t.which == half::process ? "" : " (resource node)");
+      if (!n.skeleton.empty() && t.firings > 1) ++counts["skeleton: " + n.skeleton];
       if (n.when.is == strategy::inactive && t.firings == 0) ++counts["inactive, never fired"];
       counts["halves of resource nodes that fired"] += t.which != half::process && t.firings > 0;
       counts["components with several outputs that fired"] += t.outputs.size() > 1 && t.firings > 0;
@@ -103,7 +104,10 @@ private:
       "default (resource node)", "timed (resource node)", "full_speed (resource node)", "wires from sense to sense",
       "wires from act to act", "nodes in a nested graph", "nodes three graphs deep", "exposes", "graphs used twice",
       "observers", "rated ports", "rate from the spaces", "faults in sense", "faults in process", "faults in act",
-      "on_fault calls"};
+      "on_fault calls", "of skeletons: pipeline", "of skeletons: pipeline_over", "of skeletons: farm", "skeleton: by_priority",
+      "skeleton: by_freshness", "skeleton: switch", "skeleton: blend", "skeleton: blend_of", "skeleton: hold", "of skeletons: freeze",
+      "skeleton: decimate", "skeleton: interpolate", "skeleton: splitter", "skeleton: collector", "skeleton: share_out",
+      "skeleton: gather"};
 
   std::map<std::string, long> counts;
 };

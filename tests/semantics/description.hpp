@@ -5,6 +5,7 @@
 //   feature 2 exposes                                   what the code has and the flat graph doesn't show
 //   component arm.mix any_of 2 moderate timeout 15      path, strategy; `resource` for a resource node
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
+//   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
 //   process                                             or sense, act: whose ports these are
 //   in x 2                                              name, axes; `optional`; `heard`, by an observer, under its path
 //   out y 1                                             `maybe`; and last, if it may stop, `fault`
@@ -16,6 +17,7 @@
 #include <string>
 
 #include "interpreter.hpp"
+#include "skeletons.hpp"
 
 namespace semantics {
 
@@ -59,6 +61,7 @@ public:
     else if (word == "period") from >> g.period;
     else if (word == "component" || word == "resource") add_node(from, word == "resource");
     else if (word == "habit") set_habit(from);
+    else if (word == "skeleton") set_skeleton(from);
     else if (word == "sense") add_turn(half::sense);
     else if (word == "process") add_turn(half::process);
     else if (word == "act") add_turn(half::act);
@@ -85,6 +88,12 @@ private:
     from >> h.id >> h.publishes >> h.origin >> h.fault_at;
     g.nodes.back().id = h.id;
     g.nodes.back().does = [h, m = memory{}](firing& f) mutable { respond(h, m, f); };
+  }
+
+  void set_skeleton(std::istream& from) {
+    node& n = g.nodes.back();
+    from >> n.skeleton;
+    n.does = skeleton(n.skeleton, from);
   }
 
   void add_turn(half which) {

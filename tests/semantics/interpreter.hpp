@@ -76,8 +76,8 @@ public:
     }
     for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(out.width), out.is_maybe});
 
-    g.nodes[t.node].does(f);
-    firings.push_back(f);
+    does(g.nodes[t.node], f);
+    if (g.nodes[t.node].skeleton.empty()) firings.push_back(f);
 
     const std::int64_t from = origin(t, sights);
     t.last_fired = k;
@@ -87,6 +87,8 @@ public:
     for (std::size_t i = 0; i < t.outputs.size() && !faulted; ++i)
       if (f.outputs[i].published) publish(t, i, {k, f.outputs[i].value, stamp(f.outputs[i], from)});
   }
+
+  virtual void does(node& n, firing& f) { n.does(f); }
 
   // Seconds since it last fired; the first time N beats for timed<N>, else one.
   virtual double dt(const turn& t) const {

@@ -353,8 +353,43 @@ struct goes_on_after_a_fault : base {
   }
 };
 
+// ---- skeletons ----
+
+constexpr char priority[] = "by_priority", freshness[] = "by_freshness", switching[] = "switch", blend[] = "blend", blend_of[] = "blend_of",
+               hold[] = "hold", decimate[] = "decimate", interpolate[] = "interpolate", splitter[] = "splitter", collector[] = "collector",
+               share_out[] = "share_out", gather[] = "gather";
+
+// What one says is changed when it has done what it does.
+template <const char* Kind, void (*Change)(firing&)>
+struct wrong_skeleton : base {
+  using base::base;
+  void does(node& n, firing& f) override {
+    n.does(f);
+    if (n.skeleton == Kind) Change(f);
+  }
+};
+
+// It says what this input says.
+template <int Input>
+void says(firing& f) {
+  const auto& s = f.inputs[static_cast<std::size_t>(Input)];
+  f.outputs[0].value = s.value;
+}
+void drops_nothing(firing& f) {
+  f.outputs[0].published = true;
+  f.outputs[0].value = f.inputs[0].value;
+}
+void the_other_way_round(firing& f) {
+  if (f.outputs.size() == 1) std::reverse(f.outputs[0].value.begin(), f.outputs[0].value.end());
+  else std::swap(f.outputs.front().value, f.outputs.back().value);
+}
+void of_all_inputs(firing& f) {
+  for (told& t : f.outputs) t.sets_origin = false;
+}
+
 }  // namespace
 }  // namespace mutants
+
 
 const std::vector<mutant> all_mutants{
     {"the last declared of those that are ready comes first", mutants::made<mutants::last_declared_first>},
@@ -402,6 +437,20 @@ const std::vector<mutant> all_mutants{
     {"initial values count for the origin", mutants::made<mutants::initial_values_count>},
     {"on_fault is not called", mutants::made<mutants::on_fault_is_not_called>},
     {"goes on after a fault", mutants::made<mutants::goes_on_after_a_fault>},
+    {"by_priority: the second is always heard", mutants::made<mutants::wrong_skeleton<mutants::priority, mutants::says<1>>>},
+    {"by_freshness: the first is always heard", mutants::made<mutants::wrong_skeleton<mutants::freshness, mutants::says<0>>>},
+    {"by_freshness: its origin is the oldest of all", mutants::made<mutants::wrong_skeleton<mutants::freshness, mutants::of_all_inputs>>},
+    {"switch: it does not", mutants::made<mutants::wrong_skeleton<mutants::switching, mutants::says<0>>>},
+    {"switch: its origin is the oldest of all", mutants::made<mutants::wrong_skeleton<mutants::switching, mutants::of_all_inputs>>},
+    {"blend of two: the second alone", mutants::made<mutants::wrong_skeleton<mutants::blend, mutants::says<1>>>},
+    {"blend of several: the last alone", mutants::made<mutants::wrong_skeleton<mutants::blend_of, mutants::says<2>>>},
+    {"hold: never frozen", mutants::made<mutants::wrong_skeleton<mutants::hold, mutants::says<0>>>},
+    {"decimate: nothing is left out", mutants::made<mutants::wrong_skeleton<mutants::decimate, mutants::drops_nothing>>},
+    {"interpolate: steps", mutants::made<mutants::wrong_skeleton<mutants::interpolate, mutants::says<0>>>},
+    {"splitter: the wrong axes", mutants::made<mutants::wrong_skeleton<mutants::splitter, mutants::the_other_way_round>>},
+    {"collector: the wrong axes", mutants::made<mutants::wrong_skeleton<mutants::collector, mutants::the_other_way_round>>},
+    {"farm: the workers get each other's parts", mutants::made<mutants::wrong_skeleton<mutants::share_out, mutants::the_other_way_round>>},
+    {"farm: the results change places", mutants::made<mutants::wrong_skeleton<mutants::gather, mutants::the_other_way_round>>},
 };
 
 }  // namespace semantics

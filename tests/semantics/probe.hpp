@@ -31,6 +31,16 @@ struct also_num3 : cca::space<cca::number, cca::axes<a0, a1, a2>> {};
 struct also_ang1 : cca::space<cca::joint_angles, cca::axes<a1>> {};
 struct also_ang2 : cca::space<cca::joint_angles, cca::axes<a0, a2>> {};
 
+struct pick1 : cca::space<cca::status, cca::axes<cca::x>> {};
+// Of one axis of the others.
+struct num2_a0 : cca::space<cca::number, cca::axes<a0>> {};
+struct num2_a1 : cca::space<cca::number, cca::axes<a1>> {};
+struct num3_a0 : cca::space<cca::number, cca::axes<a0>> {};
+struct num3_a1 : cca::space<cca::number, cca::axes<a1>> {};
+struct num3_a2 : cca::space<cca::number, cca::axes<a2>> {};
+struct ang2_a0 : cca::space<cca::joint_angles, cca::axes<a0>> {};
+struct ang2_a2 : cca::space<cca::joint_angles, cca::axes<a2>> {};
+
 template <class Space, int Hz>
 struct at : cca::space<typename Space::domain, typename Space::axes, cca::rate<Hz>> {};
 
@@ -161,6 +171,21 @@ struct device<H, void, void, reads<AI...>, tells<AO...>> : detail::with_on_fault
   auto act(AI... inputs, cca::beat now) -> typename detail::result<AO...>::type {
     return detail::answer<AO...>(H, half::act, this->m, now, inputs...);
   }
+};
+
+// ---- skeletons with parameters ----
+
+template <class Arbiter, std::int64_t Nanoseconds>
+struct with_patience : Arbiter {
+  with_patience() { this->p.patience = static_cast<double>(Nanoseconds) * 1e-9; }
+};
+template <class Switch, std::int64_t Nanoseconds>
+struct lasting : Switch {
+  lasting() { this->p.duration = static_cast<double>(Nanoseconds) * 1e-9; }
+};
+template <class Blend, int None, int Full>
+struct between : Blend {
+  between() { this->p = {None, Full}; }
 };
 
 // ---- strategies of the user's own ----

@@ -71,6 +71,7 @@ struct node {
   bool resource = false;
   strategy when;
   int id = 0;
+  std::string skeleton{};           // its kind: a component of the library's, which writes nothing down
   std::function<void(firing&)> does;
 };
 

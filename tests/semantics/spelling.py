@@ -5,6 +5,7 @@ The text is made from the nested form: what `expose` does is worked out here by 
 import random
 
 from architecture import DIMENSIONS, Graph, Leaf
+from skeletons import group_cpp, skeleton_cpp
 
 
 # ---- as text ----
@@ -60,7 +61,8 @@ def text(made):
     leaves, wires = flat(made)
     for path, leaf, heard in leaves:
         lines.append(f"{'resource' if leaf.resource else 'component'} {path} {words(leaf.strategy)}")
-        lines.append(f"habit {leaf.number} {leaf.publishes} {leaf.origin} {leaf.fault_at}")
+        lines.append("skeleton " + " ".join(map(str, leaf.skeleton)) if leaf.skeleton else
+                     f"habit {leaf.number} {leaf.publishes} {leaf.origin} {leaf.fault_at}")
         for half in leaf.halves:
             lines.append(half)
             lines += [f"{'optional' if port.kind == 'optional_in' else 'in'} {port.name} {DIMENSIONS[port.space]}" for port in leaf.ports[half][0]]
@@ -109,6 +111,8 @@ def half_cpp(leaf, half):
 
 
 def leaf_cpp(leaf):
+    if leaf.skeleton:
+        return skeleton_cpp(leaf.skeleton, leaf)
     habit = f"habit{{{leaf.number}, {leaf.publishes}, {leaf.origin}, {leaf.fault_at}}}"
     if not leaf.resource:
         return f"probe<{habit}, {half_cpp(leaf, 'process')}>"
@@ -118,7 +122,7 @@ def leaf_cpp(leaf):
 def graph_cpp(graph, rng):
     nodes, others = [], []
     for name, child in graph.children:
-        kind = child.name if isinstance(child, Graph) else leaf_cpp(child)
+        kind = leaf_cpp(child) if isinstance(child, Leaf) else group_cpp(child.group, leaf_cpp) if child.group else child.name
         strategy = ""
         if isinstance(child, Leaf) and child.strategy != ("default",):
             strategy = ", " + strategy_cpp(child.strategy)

@@ -1,0 +1,79 @@
+// Each skeleton in a graph, and what one would write by hand instead: how much of it is left after compiling.
+//
+//   skeletons list                       the names
+//   skeletons check                      compares the two forms of each, bit for bit, beat by beat; exits with 1 where they differ
+//   skeletons <name> <form> <beats>      runs `graph` or `by_hand` so many beats (under callgrind)
+//   skeletons <name> allocations         of a thousand beats
+#include "skeletons.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+extern "C" long bench_allocations();
+
+namespace bench {
+
+template <class Form>
+[[gnu::noinline]] void one_beat(Form& form) {
+  form.step();
+}
+
+// Named, so that the disassembly has it under its name.
+template <class Graph>
+struct as_graph {
+  cca::controller<Graph> controller;
+  as_graph() { controller.load(), controller.start(); }
+  void step() { controller.step(); }
+  Eigen::Vector2d result() const { return controller.template get<"end">().sum; }
+};
+
+template <class Form>
+int run(int beats) {
+  const auto form = std::make_unique<Form>();
+  for (int k = 0; k < beats; ++k) one_beat(*form);
+  return std::isfinite(form->result()[0]) ? 0 : 1;
+}
+
+template <class Graph, class ByHand>
+int use(const char* name, int argc, char** argv) {
+  const std::string_view what = argv[1];
+  if (what == "list") std::puts(name);
+  if (what == "check") {
+    const auto g = std::make_unique<as_graph<Graph>>();
+    const auto h = std::make_unique<ByHand>();
+    for (int k = 0; k < 3000; ++k) {
+      one_beat(*g), one_beat(*h);
+      const Eigen::Vector2d a = g->result(), b = h->result();
+      if (std::memcmp(a.data(), b.data(), sizeof a) == 0) continue;
+      std::fprintf(stderr, "%s, beat %d: %.17g by the graph, %.17g by hand\n", name, k, a[0], b[0]);
+      return 1;
+    }
+  }
+  if (what != name || argc < 3) return 0;
+  if (std::string_view(argv[2]) == "allocations") {
+    const auto g = std::make_unique<as_graph<Graph>>();
+    one_beat(*g);
+    const long before = bench_allocations();
+    for (int k = 0; k < 1000; ++k) one_beat(*g);
+    std::printf("%ld\n", bench_allocations() - before);
+    return 0;
+  }
+  return std::string_view(argv[2]) == "graph" ? run<as_graph<Graph>>(std::atoi(argv[3])) : run<ByHand>(std::atoi(argv[3]));
+}
+
+}  // namespace bench
+
+int main(int argc, char** argv) {
+  using namespace bench;
+  if (argc < 2) return 2;
+  return use<splitter_collector, splitter_collector_by_hand>("splitter, collector", argc, argv) +
+         use<pipeline, pipeline_by_hand>("pipeline", argc, argv) + use<farm, farm_by_hand>("farm", argc, argv) +
+         use<by_priority, by_priority_by_hand>("arbiter by priority", argc, argv) +
+         use<by_freshness, by_freshness_by_hand>("arbiter by freshness", argc, argv) +
+         use<switched, switched_by_hand>("switch", argc, argv) + use<blended, blended_by_hand>("blend", argc, argv) +
+         use<held, held_by_hand>("hold", argc, argv) + use<decimated, decimated_by_hand>("decimate", argc, argv) +
+         use<averaged, averaged_by_hand>("decimate, averaged", argc, argv) + use<interpolated, interpolated_by_hand>("interpolate", argc, argv);
+}

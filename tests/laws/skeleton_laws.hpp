@@ -1,0 +1,108 @@
+// The laws of a skeleton, stated once and run over every one of them.
+//
+// A case is a graph of one skeleton between sources and an end:
+//   Case::graph              with a node "end" that notes `values`, `beats` (when it heard them) and `origins`
+//   Case::value              what each source says along each axis, always
+//   Case::feed(controller)   moves the sources before a beat; called before each
+//   Case::settle(controller) if it takes a while until what went in has come out: outside of a beat
+//   Case::oldest(beat)       the oldest origin, in beats, that a sample heard in that beat may have
+// `laws::allocations()` counts calls of malloc; the test program defines it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include <cca/cca.hpp>
+
+namespace laws {
+
+std::size_t allocations();
+
+template <class Case>
+auto begun() {
+  cca::controller<typename Case::graph> c;
+  c.load();
+  c.start();
+  return c;
+}
+
+template <class Case, class Controller>
+void beats(Controller& c, int count) {
+  for (int k = 0; k < count; ++k) {
+    Case::feed(c);
+    c.step();
+    if constexpr (requires { Case::settle(c); }) Case::settle(c);
+  }
+}
+
+// A beat allocates nothing.
+template <class Case>
+void allocates_nothing() {
+  auto c = begun<Case>();
+  c.template get<"end">().reserve(400);
+  beats<Case>(c, 50);
+  std::size_t allocated = 0;
+  for (int k = 0; k < 200; ++k) {
+    Case::feed(c);
+    const std::size_t before = allocations();
+    c.step();
+    allocated += allocations() - before;
+    if constexpr (requires { Case::settle(c); }) Case::settle(c);
+  }
+  CHECK_MESSAGE(allocated == 0, Case::name << ": a beat allocates nothing");
+}
+
+// Nothing is younger than the beat, older than what it was made of, or overtaken by what came before it.
+template <class Case>
+void keeps_origin_and_order() {
+  auto c = begun<Case>();
+  beats<Case>(c, 200);
+  const auto& end = c.template get<"end">();
+  REQUIRE_MESSAGE(end.origins.size() > 5, Case::name << ": something came out");
+  for (std::size_t i = 0; i < end.origins.size(); ++i) {
+    const auto origin = end.origins[i] / c.period();
+    CHECK_MESSAGE(origin * c.period() == end.origins[i], Case::name << ": an origin is that of a beat in which something was made");
+    CHECK_MESSAGE(origin <= end.beats[i], Case::name << ": nothing comes from the future");
+    CHECK_MESSAGE(origin >= Case::oldest(end.beats[i]), Case::name << ": no older than its sources, in beat " << end.beats[i] << " of " << origin);
+    if (i > 0) CHECK_MESSAGE(end.origins[i] >= end.origins[i - 1], Case::name << ": order is kept");
+  }
+}
+
+// What all sources agree on comes out unchanged.
+template <class Case>
+void adds_nothing() {
+  auto c = begun<Case>();
+  beats<Case>(c, 200);
+  const auto& end = c.template get<"end">();
+  for (std::size_t i = 0; i < end.values.size(); ++i)
+    CHECK_MESSAGE((end.values[i].array() - Case::value).abs().maxCoeff() < 1e-12, Case::name << ": what goes in is what comes out");
+}
+
+// Run twice, and a copy from the middle on: the same, bit for bit.
+template <class Case>
+void is_deterministic() {
+  auto a = begun<Case>(), b = begun<Case>();
+  beats<Case>(a, 70);
+  beats<Case>(b, 70);
+  auto copy = a;
+  beats<Case>(a, 70);
+  beats<Case>(b, 70);
+  beats<Case>(copy, 70);
+  const auto &x = a.template get<"end">(), &y = b.template get<"end">(), &z = copy.template get<"end">();
+  CHECK_MESSAGE((x.values == y.values && x.beats == y.beats && x.origins == y.origins), Case::name << ": the same again");
+  CHECK_MESSAGE((x.values == z.values && x.beats == z.beats && x.origins == z.origins), Case::name << ": a copy goes on alike");
+}
+
+// All of them.
+template <class Case>
+void skeleton() {
+  static_assert(cca::well_formed<typename Case::graph>);
+  allocates_nothing<Case>();
+  keeps_origin_and_order<Case>();
+  adds_nothing<Case>();
+  is_deterministic<Case>();
+}
+
+}  // namespace laws
