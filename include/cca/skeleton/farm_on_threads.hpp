@@ -90,7 +90,7 @@ public:
   void on_load() { each([](auto& w) { if constexpr (OnLoad<Worker>) w.on_load(); }); }
   void on_save() { each([](auto& w) { if constexpr (OnSave<Worker>) w.on_save(); }); }
   void on_start() {
-    each([this](auto& w) {
+    each([&](auto& w) {
       if constexpr (HasParameters<Worker>) w.p = this->p;
       if constexpr (OnStart<Worker>) w.on_start();
     });

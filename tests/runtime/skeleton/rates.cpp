@@ -32,9 +32,11 @@ struct up_and_down : cca::graph<
     cca::wire<"planner.goal", "ramps.input", cca::latest>,
     cca::wire<"ramps.output", "slow.input">,
     cca::wire<"ramps.output", "mean.input">,
-    // [rates end]
-    cca::node<"s", listener<goal_1000>>, cca::node<"r", listener<goal_1000>>, cca::node<"p", listener<goal_100>>, cca::node<"m", listener<goal_100>>,
-    cca::wire<"steps.output", "s.x">, cca::wire<"ramps.output", "r.x">, cca::wire<"slow.output", "p.x">, cca::wire<"mean.output", "m.x">> {};
+    cca::node<"s", listener<goal_1000>>, cca::wire<"steps.output", "s.x">,
+    cca::node<"r", listener<goal_1000>>, cca::wire<"ramps.output", "r.x">,
+    cca::node<"p", listener<goal_100>>,  cca::wire<"slow.output",  "p.x">,
+    cca::node<"m", listener<goal_100>>,  cca::wire<"mean.output",  "m.x">> {};
+// [rates end]
 
 // A strategy that does not make To's rate is refused.
 struct slow_hold : cca::graph<cca::rate<1000>, cca::node<"planner", planner, cca::timed<10>>, cca::node<"steps", cca::hold<goal_100, goal_1000>>,
