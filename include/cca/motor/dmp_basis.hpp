@@ -44,8 +44,9 @@ activations<N> discrete_activations(double x, double decay) {
   return detail::normalised<N>(psi);
 }
 
+// A function of its own: in the middle of a beat g++ would reload all that it needs after each of its calls, twice the instructions.
 template <int N>
-activations<N> rhythmic_activations(double phase) {
+[[gnu::noinline]] activations<N> rhythmic_activations(double phase) {
   activations<N> psi;
   for (int i = 0; i < N; ++i) psi[i] = std::exp(2.5 * N * (std::cos(phase - 2 * std::numbers::pi * i / N) - 1));
   return detail::normalised<N>(psi);
