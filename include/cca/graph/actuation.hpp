@@ -24,20 +24,19 @@ struct actuation {
     return true;
   }
 
-  // What an input holds before a first sample has come is a command as well: the axis along which it lies outside of the
-  // limits, or -1.
+  // An initial value that the wire states is a command as well: the axis along which it lies outside of the limits, or -1.
   constexpr int beyond_limits(const input& in) const {
-    if (in.in_beat) return -1;
-    const auto& space = *port_of(g, in).space;
     const auto& wire = *in.wire;
+    if (!wire.initial || in.in_beat) return -1;
+    const auto& space = *port_of(g, in).space;
     for (int c = 0; c < space.axis_count; ++c) {
-      const double value = wire.initial ? wire.initial[wire.initial_count == 1 ? 0 : c] : space.zero[c];
+      const double value = wire.initial[wire.initial_count == 1 ? 0 : c];
       if (!(space.lower[c] <= value && value <= space.upper[c])) return c;
     }
     return -1;
   }
 
-  // All that may lie on the wires between an actuator and the limiters that it is fed by, before these have fired.
+  // On all wires between an actuator and the limiters that it is fed by, for what it gets before these have fired.
   constexpr void check_initial(int input_index, int actuator, int depth = 0) {
     const auto& in = g.inputs[input_index];
     if (in.writer < 0 || depth > g.leaf_count) return;

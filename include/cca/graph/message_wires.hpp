@@ -17,7 +17,8 @@ constexpr bool shows_output(const graph_info& graph, std::string_view shown) {
         if (half->outputs[p].name == port) return true;
     }
     for (int e = 0; item.inner && e < item.inner->count; ++e)
-      if (const auto& inner = item.inner->items[e]; inner.kind == item_kind::expose && inner.to == port && shows_output(*item.inner, inner.from))
+      if (const auto& inner = item.inner->items[e];
+          inner.kind == item_kind::expose && inner.to == port && shows_output(*item.inner, inner.from))
         return true;
   }
   return false;
@@ -43,11 +44,13 @@ constexpr text nearest_port(const graph_info& graph, std::string_view wrong, boo
       for (int which = 0; which < 3; ++which) {
         const auto half = telling::half(*item.component, which);
         for (int p = 0; half && p < (outputs ? half->output_count : half->input_count); ++p)
-          if (const auto& port = (outputs ? half->outputs : half->inputs)[p]; outputs || port.space) consider(item.from, port.name);
+          if (const auto& port = (outputs ? half->outputs : half->inputs)[p]; outputs || port.space)
+            consider(item.from, port.name);
       }
     if (item.kind == item_kind::graph)
       for (int e = 0; e < item.inner->count; ++e)
-        if (const auto& inner = item.inner->items[e]; inner.kind == item_kind::expose && shows_output(*item.inner, inner.from) == outputs)
+        if (const auto& inner = item.inner->items[e];
+            inner.kind == item_kind::expose && shows_output(*item.inner, inner.from) == outputs)
           consider(item.from, inner.to);
   }
   return best;
@@ -55,7 +58,8 @@ constexpr text nearest_port(const graph_info& graph, std::string_view wrong, boo
 
 constexpr const item_info* node_named(const graph_info& graph, std::string_view name) {
   for (int i = 0; i < graph.count; ++i)
-    if ((graph.items[i].kind == item_kind::node || graph.items[i].kind == item_kind::graph) && graph.items[i].from == name) return &graph.items[i];
+    if ((graph.items[i].kind == item_kind::node || graph.items[i].kind == item_kind::graph) && graph.items[i].from == name)
+      return &graph.items[i];
   return nullptr;
 }
 
@@ -64,7 +68,8 @@ constexpr void tell_unknown_port(telling& t) {
   if (item.kind == item_kind::observe) {
     t.at_node();
     t.say() << "cca::observe<`" << item.from << "`> in " << t.graph().name
-            << " hears nothing, for no output has such a path: write it from the nodes of this graph on, as in `node.port` or `node.*`";
+            << " hears nothing, for no output has such a path: write it from the nodes of this graph on, as in `node.port` or "
+               "`node.*`";
     return;
   }
   t.at_wire();
@@ -90,14 +95,17 @@ constexpr void tell_unknown_port(telling& t) {
         t.say() << node->inner->name << " exposes this port as `" << node->from << "." << shown.to << "`, name that";
         return;
       }
-    t.say() << "let " << node->inner->name << " show the port, with cca::expose<`" << inside << "`, `" << port << "`>, and name `" << node->from << "."
-            << port << "` here";
+    t.say() << "let " << node->inner->name << " show the port, with cca::expose<`" << inside << "`, `" << port << "`>, and name `"
+            << node->from << "." << port << "` here";
     return;
   } else if (!node) {
     t.say() << "there is no node `" << wrong.substr(0, wrong.find('.')) << "`";
   } else {
     t.say() << "`" << node->from << "` (" << (node->inner ? node->inner->name : node->component->name) << ") "
-            << (node->inner ? "exposes" : "has") << " no such " << (exposes ? "port" : reader ? "input" : "output");
+            << (node->inner ? "exposes" : "has") << " no such "
+            << (exposes  ? "port"
+                : reader ? "input"
+                         : "output");
   }
   auto best = nearest_port(t.graph(), wrong, !reader);
   if (best.size == 0 && exposes) best = nearest_port(t.graph(), wrong, false);
@@ -109,10 +117,11 @@ constexpr void tell_direction(telling& t) {
   const bool from_input = t.found().a == 0;
   t.say() << "a wire leads from an output to an input, but in ";
   t.wire();
-  t.say() << " in " << t.graph().name << " `" << (from_input ? t.item().from : t.item().to) << "` is an " << (from_input ? "input" : "output");
+  t.say() << " in " << t.graph().name << " `" << (from_input ? t.item().from : t.item().to) << "` is an "
+          << (from_input ? "input" : "output");
   if (t.found().b == 1) {
-    t.say() << " and `" << (from_input ? t.item().to : t.item().from) << "` an " << (from_input ? "output" : "input") << ": turn it round, cca::wire<`"
-            << t.item().to << "`, `" << t.item().from << "`>";
+    t.say() << " and `" << (from_input ? t.item().to : t.item().from) << "` an " << (from_input ? "output" : "input")
+            << ": turn it round, cca::wire<`" << t.item().to << "`, `" << t.item().from << "`>";
   } else {
     const auto best = nearest_port(t.graph(), from_input ? t.item().from : t.item().to, from_input);
     t.say() << ": name an " << (from_input ? "output" : "input") << " there";
@@ -132,8 +141,8 @@ constexpr void tell_two_writers(telling& t) {
   }
   t.say() << " and by ";
   t.port(t.g.outputs[t.found().b]);
-  t.say() << ", but an input has one writer: put an arbiter in front, cca::arbiter<`" << port_of(t.g, in).name << "`, " << t.space(in).name
-          << ", cca::by_priority<`first`, `second`>>, and wire each to an input of it";
+  t.say() << ", but an input has one writer: put an arbiter in front, cca::arbiter<`" << port_of(t.g, in).name << "`, "
+          << t.space(in).name << ", cca::by_priority<`first`, `second`>>, and wire each to an input of it";
 }
 
 constexpr void tell_bad_option(telling& t) {
@@ -141,8 +150,10 @@ constexpr void tell_bad_option(telling& t) {
   t.say() << "the wire ";
   t.wire();
   if (t.item().full == full_kind::unknown)
-    t.say() << " has a queue that does `" << t.item().stranger << "` when it is full: say what is lost, cca::drop_oldest or cca::drop_newest, or cca::reject";
-  else if (t.item().stranger.empty()) t.say() << " has two policies, or two initial values, of which only one could hold: leave one of each";
+    t.say() << " has a queue that does `" << t.item().stranger
+            << "` when it is full: say what is lost, cca::drop_oldest or cca::drop_newest, or cca::reject";
+  else if (t.item().stranger.empty())
+    t.say() << " has two policies, or two initial values, of which only one could hold: leave one of each";
   else
     t.say() << " has the option `" << t.item().stranger
             << "`, which is none: it may have a policy (cca::latest, cca::delayed<N>, cca::queue<C, F>) "
@@ -187,9 +198,11 @@ constexpr void tell_mismatch(telling& t) {
   t.say() << " expects ";
   add_space(t.say(), b);
   const auto base = [](std::string_view name) { return name.substr(0, name.find('<')); };
-  if (a.domain != b.domain && base(a.domain) == base(b.domain)) t.say() << ": the frames differ; put a transformation between them";
+  if (a.domain != b.domain && base(a.domain) == base(b.domain))
+    t.say() << ": the frames differ; put a transformation between them";
   else if (a.domain != b.domain) t.say() << ": the domain types differ; put a mapping between them, or wire another port";
-  else if (same_axes_in_another_order(a, b) && !same_axes(a, b)) t.say() << ": the axes stand in another order; give both ends one space";
+  else if (same_axes_in_another_order(a, b) && !same_axes(a, b))
+    t.say() << ": the axes stand in another order; give both ends one space";
   else if (!same_axes(a, b)) t.say() << ": the axes differ; use a splitter or a collector, or give both ends one space";
   else if (a.hz != b.hz) t.say() << ": the rates differ; give both spaces one rate, or let one of them state none";
   else t.say() << ": their domain types, axes or frames have the same names but are different types; use those of one namespace";
@@ -224,8 +237,9 @@ constexpr void tell_missing_limits(telling& t) {
   const auto& space = t.space(in);
   t.at(in);
   t.port(in);
-  t.say() << " takes commands of " << space.name << ", but its axis `" << space.axes[space.missing_limits] << "` states no limits of "
-          << space.quantity << " to keep them within: add `static constexpr auto limits = cca::limits{cca::" << space.quantity
+  t.say() << " takes commands of " << space.name << ", but its axis `" << space.axes[space.missing_limits]
+          << "` states no limits of " << space.quantity
+          << " to keep them within: add `static constexpr auto limits = cca::limits{cca::" << space.quantity
           << "{lower, upper}};` to it";
 }
 
@@ -233,8 +247,9 @@ constexpr void tell_initial_beyond_limits(telling& t) {
   const auto& in = t.g.inputs[t.found().a];
   t.at_wire();
   t.port(in);
-  t.say() << " may be read before a first command has passed a limiter, and would then hold " << (t.item().initial ? "the cca::initial of its wire" : "zero")
-          << ", which lies outside of the limits of `" << t.space(in).axes[t.found().c] << "`, on its way to the actuator";
+  t.say() << " may be read before a first command has passed a limiter, and would then hold the cca::initial of its wire, which "
+             "lies outside of the limits of `"
+          << t.space(in).axes[t.found().c] << "`, on its way to the actuator";
   if (t.found().a != t.found().b) {
     t.say() << " ";
     t.port(t.g.inputs[t.found().b]);
