@@ -46,9 +46,9 @@ template <std::size_t Count>
 std::size_t one_of(const std::string& option, const std::string& text, const std::array<std::string_view, Count>& names) {
   const auto found = std::find(names.begin(), names.end(), text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  std::string all;
-  for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-  throw command_line_error(option + " " + text + ": expected one of " + all);
+  std::string all = option + " " + text + ": expected one of";
+  for (const auto name : names) all.append(" ").append(name);
+  throw command_line_error(all);
 }
 
 }  // namespace detail
