@@ -3,7 +3,7 @@
 
     calls.py <compiler> [flags...]
 
-Looks at small.cpp, and at a chain, a fan-out and a graph of mixed rates of 30 nodes.
+Looks at small.cpp, at the skeletons, and at a chain, a fan-out and a graph of mixed rates of 30 nodes.
 """
 import pathlib
 import re
@@ -53,7 +53,7 @@ def main():
     failed = False
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
-        sources = [HERE / "small.cpp"]
+        sources = [HERE / "small.cpp", HERE / "skeleton_beats.cpp"]
         for shape in generate.SHAPES:
             sources.append(work / f"{shape}.cpp")
             sources[-1].write_text(generate.source(shape, 30, only_graph=True))

@@ -3,7 +3,7 @@
 three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (half an hour on two cores at rest)
-    measure.py --only compile  one part: trot, synthetic, compile, listing; the others stay as they were in figures.json
+    measure.py --only compile  one part: trot, synthetic, skeletons, compile, listing; the others stay as they were in figures.json
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
 
@@ -46,11 +46,11 @@ def build(compiler, flags, source, program):
          "-lbenchmark", "-lpthread"])
 
 
-def instructions(program, form):
+def instructions(program, *form):
     """A beat: the difference between two lengths of run."""
     counts = []
     for beats in (1000, 3000):
-        out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(program), form, str(beats)]).stderr
+        out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(program), *form, str(beats)]).stderr
         counts.append(int(re.search(r"Collected : (\d+)", out)[1]))
     return (counts[1] - counts[0]) / 2000
 
@@ -139,6 +139,30 @@ def synthetic(work):
     return rows
 
 
+def skeletons(work):
+    """Each skeleton in a graph, and by hand: instructions a beat, allocations of a thousand, calls left."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "skeletons"
+        build(compiler, ["-O2", "-ffp-contract=off"], HERE / "skeletons.cpp", program)
+        run([str(program), "check"])
+        names = run([str(program), "list"]).stdout.splitlines()
+        beats = {name: lines for name, lines in functions(program).items() if re.search(r"::advance\(\)|one_beat<bench::as_graph", name)}
+        for name in names:
+            row = {"skeleton": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
+            for form in ("graph", "by_hand"):
+                row[form] = {"instructions": instructions(program, name, form)}
+            rows.append(row)
+        left = {}
+        for lines in beats.values():
+            for called, count in calls_of(lines).items():
+                if "advance()" not in called:
+                    left[called] = left.get(called, 0) + count
+        rows.append({"compiler": compiler, "calls": left})
+        print("skeletons", compiler, left, flush=True)
+    return rows
+
+
 def compile_cost(compiler, source, times):
     """User and system seconds (least of several), and megabytes."""
     seconds, megabytes = [], 0
@@ -210,7 +234,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

@@ -66,6 +66,32 @@ Low-pass filters on samples of two axes, `-O2`: one after another, all behind on
 {measured(part)}"""
 
 
+def skeletons(part):
+    rows, calls_left = [], []
+    compilers = list(dict.fromkeys(r["compiler"] for r in part["data"]))
+    for name in dict.fromkeys(r["skeleton"] for r in part["data"] if "skeleton" in r):
+        row = [name]
+        for compiler in compilers:
+            one = next(r for r in part["data"] if r.get("skeleton") == name and r["compiler"] == compiler)
+            graph, hand = one["graph"]["instructions"], one["by_hand"]["instructions"]
+            row += [f"{number(graph)} / {number(hand)}", f"{graph - hand:+.1f}", one["allocations"]]
+        rows.append(row)
+    for r in part["data"]:
+        if "calls" in r:
+            calls_left.append(f"{r['compiler']}: " + (", ".join(f"{n} {short(c)}" for c, n in sorted(r["calls"].items())) or "none"))
+    head = ["skeleton"] + [text for c in compilers for text in (f"{c}: graph / by hand", "more by", "allocations of 1000 beats")]
+    return f"""## Skeletons
+
+Instructions a beat of a graph of one skeleton, its sources and what it feeds, beside the same by hand (`bench/skeletons.cpp`), `-O2`.
+The two give the same results to the last bit, which each run checks. The graph has the question whether the controller runs, and the
+origins and freshness that the skeleton looks at, where the loop by hand has not.
+
+{table(head, rows)}
+Calls left in the beats of all of them: {"; ".join(calls_left)}.
+
+{measured(part)}"""
+
+
 def compiling(part, exponent):
     data = part["data"]
     base = {b["compiler"]: b["seconds"] for b in data["bases"] if b["includes"] == "Eigen/Core"}
@@ -120,6 +146,8 @@ watch that a beat allocates nothing and calls nothing but libm.
         parts.append(trot(figures["trot"]))
     if "synthetic" in figures:
         parts.append(synthetic(figures["synthetic"]))
+    if "skeletons" in figures:
+        parts.append(skeletons(figures["skeletons"]))
     if "compile" in figures:
         parts.append(compiling(figures["compile"], exponent))
     if "listing" in figures:
