@@ -1,6 +1,8 @@
 // The arbiter: which of several writers is heard.
 #include <doctest/doctest.h>
 
+#include <string_view>
+
 #include "by_hand.hpp"
 
 namespace {
@@ -27,9 +29,24 @@ struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};    // the r
 struct by_age  : two_writers<cca::by_freshness<"reflex", "gait">> {};   // whose data is younger
 // [arbiter end]
 
+constexpr std::string_view picture_of_arbiter = R"(// [arbiter picture]
+flowchart LR
+  n0["reflex<br/><i>1000 Hz</i>"]
+  n1["gait<br/><i>1000 Hz</i>"]
+  n2["legs<br/><i>restless</i>"]
+  n3["robot<br/><i>restless</i>"]
+  n0 -- "y → reflex<br/>leg_angles" --> n2
+  n1 -- "y → gait<br/>leg_angles" --> n2
+  n2 -- "angles → x<br/>leg_angles" --> n3
+)";  // [arbiter picture end]
+
 }  // namespace
 
 TEST_SUITE("arbiter") {
+
+TEST_CASE("the picture") {
+  CHECK_EQ(cca::describe<by_rank>::mermaid(), picture_of_arbiter.substr(picture_of_arbiter.find('\n') + 1));
+}
 
 TEST_CASE("by priority") {
   auto c = started<by_rank>();

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "by_hand.hpp"
 
@@ -57,9 +58,42 @@ struct attitude : cca::space<cca::orientation<room>, cca::axes<cca::x, cca::y, c
 struct turn : cca::space<cca::phase, cca::axes<cca::x>> {};
 struct mode_of_leg : cca::space<cca::status, cca::axes<cca::x>> {};
 
+constexpr std::string_view picture_of_blend = R"(// [blend picture]
+flowchart LR
+  n0["reach<br/><i>1000 Hz</i>"]
+  n1["trot<br/><i>1000 Hz</i>"]
+  n2["cpg<br/><i>1000 Hz</i>"]
+  n3["blend<br/><i>restless</i>"]
+  n4["paw<br/><i>restless</i>"]
+  n0 -- "y → reach<br/>leg_angles" --> n3
+  n1 -- "y → trot<br/>leg_angles" --> n3
+  n2 -- "y → weight<br/>cpg_amplitude" --> n3
+  n3 -- "angles → x<br/>leg_angles" --> n4
+)";  // [blend picture end]
+
+constexpr std::string_view picture_of_switch = R"(// [switch picture]
+flowchart LR
+  n0["stand<br/><i>1000 Hz</i>"]
+  n1["trot<br/><i>1000 Hz</i>"]
+  n2["reach<br/><i>1000 Hz</i>"]
+  n3["operator<br/><i>1000 Hz</i>"]
+  n4["mode<br/><i>restless</i>"]
+  n5["robot<br/><i>restless</i>"]
+  n0 -- "y → stand<br/>leg_angles" --> n4
+  n1 -- "y → trot<br/>leg_angles" --> n4
+  n2 -- "y → reach<br/>leg_angles" --> n4
+  n3 -- "y → choice<br/>choice" --> n4
+  n4 -- "angles → x<br/>leg_angles" --> n5
+)";  // [switch picture end]
+
 }  // namespace
 
 TEST_SUITE("blend") {
+
+TEST_CASE("the picture") {
+  CHECK_EQ(cca::describe<paw_command>::mermaid(), picture_of_blend.substr(picture_of_blend.find('\n') + 1));
+  CHECK_EQ(cca::describe<modes<leg_angles>>::mermaid(), picture_of_switch.substr(picture_of_switch.find('\n') + 1));
+}
 
 TEST_CASE("by an amplitude") {
   auto c = started<paw_command>();

@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "by_hand.hpp"
+#include "pictures.hpp"
 
 namespace {
 
@@ -86,9 +88,53 @@ struct of_three : cca::graph<cca::rate<1000>, cca::node<"a", by_hand<three_orien
                              cca::node<"farm", cca::farm<of_orientations, three_orientations, cca::array_of<reading, 3>>>,
                              cca::node<"b", listener<cca::array_of<reading, 3>>>, cca::wire<"a.y", "farm.input">, cca::wire<"farm.output", "b.x">> {};
 
+constexpr std::string_view picture_of_pipeline = R"(// [pipeline picture]
+flowchart LR
+  n0["sensor<br/><i>1000 Hz</i>"]
+  n4["log<br/><i>restless</i>"]
+  subgraph g1["signal"]
+    n1["stage0<br/><i>port_triggered</i>"]
+    n2["stage1<br/><i>port_triggered</i>"]
+    n3["stage2<br/><i>port_triggered</i>"]
+  end
+  n0 -- "y → raw<br/>reading" --> n1
+  n1 -- "value → x<br/>reading" --> n2
+  n2 -- "clean → x<br/>reading" --> n3
+  n3 -- "y → x<br/>reading" --> n4
+)";  // [pipeline picture end]
+
+constexpr std::string_view picture_of_farm = R"(// [farm picture]
+flowchart LR
+  n0["gait<br/><i>1000 Hz</i>"]
+  n7["robot<br/><i>restless</i>"]
+  subgraph g1["ik"]
+    n1["split<br/><i>restless</i>"]
+    n2["worker0<br/><i>port_triggered</i>"]
+    n3["worker1<br/><i>port_triggered</i>"]
+    n4["worker2<br/><i>port_triggered</i>"]
+    n5["worker3<br/><i>port_triggered</i>"]
+    n6["join<br/><i>moderate</i>"]
+  end
+  n0 -- "y → input<br/>array_of&lt;paw, 4&gt;" --> n1
+  n1 -- "part0 → paw<br/>paw" --> n2
+  n1 -- "part1 → paw<br/>paw" --> n3
+  n1 -- "part2 → paw<br/>paw" --> n4
+  n1 -- "part3 → paw<br/>paw" --> n5
+  n2 -- "angles → part0<br/>leg_angles" --> n6
+  n3 -- "angles → part1<br/>leg_angles" --> n6
+  n4 -- "angles → part2<br/>leg_angles" --> n6
+  n5 -- "angles → part3<br/>leg_angles" --> n6
+  n6 -- "output → x<br/>array_of&lt;leg_angles, 4&gt;" --> n7
+)";  // [farm picture end]
+
 }  // namespace
 
 TEST_SUITE("pipeline") {
+
+TEST_CASE("the picture") {
+  CHECK_EQ(cca::describe<conditioned>::mermaid(), picture_of_pipeline.substr(picture_of_pipeline.find('\n') + 1));
+  CHECK_EQ(plain(cca::describe<four_paws>::mermaid()), picture_of_farm.substr(picture_of_farm.find('\n') + 1));
+}
 
 TEST_CASE("passes all stages in a beat") {
   auto c = started<conditioned>();

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "by_hand.hpp"
 
@@ -54,9 +55,34 @@ struct freezing : cca::graph<cca::rate<1000>, cca::node<"a", by_hand<Space>>, cc
                              cca::node<"b", listener<Space>>, cca::wire<"a.y", "hold.input">, cca::wire<"stop.y", "hold.freeze">,
                              cca::wire<"hold.output", "b.x">> {};
 
+constexpr std::string_view picture_of_rates = R"(// [rates picture]
+flowchart LR
+  n0["planner<br/><i>100 Hz</i>"]
+  n1["steps<br/><i>1000 Hz</i>"]
+  n2["ramps<br/><i>1000 Hz</i>"]
+  n3["slow<br/><i>1000 Hz</i>"]
+  n4["mean<br/><i>1000 Hz</i>"]
+  n5["s<br/><i>1000 Hz</i>"]
+  n6["r<br/><i>1000 Hz</i>"]
+  n7["p<br/><i>restless</i>"]
+  n8["m<br/><i>restless</i>"]
+  n0 -- "goal → input<br/>goal_100, 100 Hz" --> n1
+  n0 -- "goal → input<br/>goal_100, 100 Hz" --> n2
+  n2 -- "output → input<br/>goal_1000, 1000 Hz" --> n3
+  n2 -- "output → input<br/>goal_1000, 1000 Hz" --> n4
+  n1 -- "output → x<br/>goal_1000, 1000 Hz" --> n5
+  n2 -- "output → x<br/>goal_1000, 1000 Hz" --> n6
+  n3 -- "output → x<br/>goal_100" --> n7
+  n4 -- "output → x<br/>goal_100" --> n8
+)";  // [rates picture end]
+
 }  // namespace
 
 TEST_SUITE("rates") {
+
+TEST_CASE("the picture") {
+  CHECK_EQ(cca::describe<up_and_down>::mermaid(), picture_of_rates.substr(picture_of_rates.find('\n') + 1));
+}
 
 TEST_CASE("up and down") {
   auto c = started<up_and_down>();

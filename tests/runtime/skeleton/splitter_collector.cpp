@@ -2,8 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include <cca/cca.hpp>
+
+#include "pictures.hpp"
 
 namespace {
 
@@ -73,9 +76,26 @@ cca::controller<Graph> started() {
   return c;
 }
 
+constexpr std::string_view picture_of_splitter = R"(// [splitter picture]
+flowchart LR
+  n0["gait<br/><i>1000 Hz</i>"]
+  n1["split<br/><i>1000 Hz</i>"]
+  n2["half<br/><i>1000 Hz</i>"]
+  n3["whole<br/><i>1000 Hz</i>"]
+  n0 -- "angles<br/>leg_angles, 1000 Hz" --> n1
+  n1 -- "hip → angle<br/>sub_space&lt;leg_angles, hip&gt;, 1000 Hz" --> n2
+  n2 -- "angle → hip<br/>hip_angle, 1000 Hz" --> n3
+  n1 -- "knee<br/>sub_space&lt;leg_angles, knee&gt;, 1000 Hz" --> n3
+  n1 -- "toe<br/>sub_space&lt;leg_angles, toe&gt;, 1000 Hz" --> n3
+)";  // [splitter picture end]
+
 }  // namespace
 
 TEST_SUITE("splitter and collector") {
+
+TEST_CASE("the picture") {
+  CHECK_EQ(plain(cca::describe<halved_hip>::mermaid()), picture_of_splitter.substr(picture_of_splitter.find('\n') + 1));
+}
 
 TEST_CASE("apart and together again") {
   auto c = started<round_trip>();

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 #include <cca/skeleton/farm_on_threads.hpp>
 
 #include "by_hand.hpp"
+#include "pictures.hpp"
 
 namespace {
 
@@ -83,9 +85,24 @@ void check_same(const Notes& a, const Notes& b, std::size_t count) {
   }
 }
 
+constexpr std::string_view picture_of_threads = R"(// [threads picture]
+flowchart LR
+  n0["eye<br/><i>1000 Hz</i>"]
+  n2["act<br/><i>restless</i>"]
+  subgraph g1["brain"]
+    n1["crew<br/><i>1000 Hz</i>"]
+  end
+  n0 -- "y → input<br/>array_of&lt;spot, 2&gt;" --> n1
+  n1 -- "output → x<br/>array_of&lt;spot, 2&gt;" --> n2
+)";  // [threads picture end]
+
 }  // namespace
 
 TEST_SUITE("farm on threads") {
+
+TEST_CASE("the picture") {
+  CHECK_EQ(plain(cca::describe<on_threads>::mermaid()), picture_of_threads.substr(picture_of_threads.find('\n') + 1));
+}
 
 TEST_CASE("the same results, in order, of the same origins") {
   allow(all, all);
