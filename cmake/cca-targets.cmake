@@ -53,5 +53,9 @@ if("hardware" IN_LIST CCA_COMPONENTS)
   set(include ${PROJECT_SOURCE_DIR}/hardware/include)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
   cca_add_headers(hardware ${include} ${headers})
+  # The Oncilla's axes and spaces, which need no physics engine, are the simulator's.
+  set(include ${PROJECT_SOURCE_DIR}/sim/include)
+  target_sources(cca_hardware INTERFACE FILE_SET HEADERS BASE_DIRS ${include}
+                 FILES ${include}/cca/sim/oncilla_model.hpp ${include}/cca/sim/oncilla_spaces.hpp)
   target_link_libraries(cca_hardware INTERFACE cca)
 endif()

@@ -30,6 +30,7 @@ namespace cca::hardware {
 
 struct memory_bus_options {
   bit_rates rates{};
+  bool one_shot = false;  // what nobody acknowledges is given up instead of tried again: `ip link ... one-shot on`
   std::uint64_t seed = 0;
   std::span<const bus_fault> script{};
 };
@@ -141,6 +142,10 @@ private:
     if (!acknowledged) {  // error counter by ISO 11898-1: 8 a try, and no further than passive
       ++s.counters.not_acknowledged;
       s.counters.transmit_errors = static_cast<std::uint8_t>(std::min(s.counters.transmit_errors + 8, 128));
+      if (options.one_shot) {
+        ++s.counters.dropped_away;
+        s.out.pop();
+      }
       update(s);
       return;
     }

@@ -141,7 +141,10 @@ struct mit_drive {
       if (!sent) {
         sent = true;
         before = r.frames;
-        return {{still(), mit_special_frame(request_id, mit_special::enter), still()}, enable_progress::going};
+        const can_frame enter = mit_special_frame(request_id, mit_special::enter);
+        if constexpr (Firmware == mit_firmware::damiao)  // it keeps a fault, that of its watchdog too, until it is cleared
+          return {{still(), clear_fault(), enter, still()}, enable_progress::going};
+        return {{still(), enter, still()}, enable_progress::going};
       }
       if (r.frames == before) return {{still()}, enable_progress::going};
       return {{still()}, r.fault == drive_fault::none ? enable_progress::done : enable_progress::failed};

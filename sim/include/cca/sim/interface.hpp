@@ -19,6 +19,26 @@ struct leg_command {
 
 using robot_command = std::array<leg_command, leg_count>;
 
+// What a drive with a loop of its own makes of a joint: torque = stiffness (position - q) + damping (velocity - v) + torque, for
+// the whole beat. Of the knee only what flexes it gets through the cable. Neither is cut to the joint's range: that is the
+// business of whoever commands such a drive. Laws that aren't finite are not taken: the drive keeps the last one.
+struct joint_law {
+  double position = 0;   // rad
+  double velocity = 0;   // rad/s
+  double torque = 0;     // N m
+  double stiffness = 0;  // N m/rad
+  double damping = 0;    // N m s/rad
+
+  double operator()(double angle, double speed) const {
+    return stiffness * (position - angle) + damping * (velocity - speed) + torque;
+  }
+};
+struct leg_laws {
+  joint_law hip, knee;
+  double abduction = 0;  // target, rad
+};
+using robot_laws = std::array<leg_laws, leg_count>;
+
 struct joint_reading {
   double angle = 0;     // rad
   double velocity = 0;  // rad/s

@@ -85,8 +85,9 @@ class leg {
   void drive(const oncilla_model& m, leg_motors& motors, leg_reading& r, double dt) const {
     const leg_command& target = motors.target;
     const servo_gains hip{target.hip_stiffness, target.hip_stiffness * m.hip_damping_time};
-    r.hip.torque = servo_torque(m.hip_motor, hip, target.hip - r.hip.angle, motors.hip_target_speed - r.hip.velocity,
-                                r.hip.velocity);
+    r.hip.torque = motors.by_law ? limit_torque(m.hip_motor, motors.hip_law(r.hip.angle, r.hip.velocity), r.hip.velocity)
+                                 : servo_torque(m.hip_motor, hip, target.hip - r.hip.angle,
+                                                motors.hip_target_speed - r.hip.velocity, r.hip.velocity);
     twist(upper_, trunk_, column(upper_, 1), -r.hip.torque);
 
     const servo_gains abduction{m.abduction_stiffness, m.abduction_damping};
@@ -94,8 +95,14 @@ class leg {
                                       -r.abduction.velocity, r.abduction.velocity);
     twist(upper_, trunk_, column(trunk_, 0), side_ * r.abduction.torque);
 
-    motors.cable.wind(m, target.knee, dt);
-    r.knee.torque = motors.cable.pull(m, r.knee.angle, r.knee.velocity);
+    if (motors.by_law) {
+      const double pull = std::max(0.0, motors.knee_law(r.knee.angle, r.knee.velocity));
+      r.knee.torque = limit_torque(m.knee_motor, pull, r.knee.velocity);
+      motors.cable = {r.knee.angle, r.knee.velocity, r.knee.torque};
+    } else {
+      motors.cable.wind(m, target.knee, dt);
+      r.knee.torque = motors.cable.pull(m, r.knee.angle, r.knee.velocity);
+    }
     const double flexing =
         r.knee.torque - diagonal_spring_torque(m, r.knee.angle) - m.joint_friction * r.knee.velocity;
     twist(middle_, upper_, column(upper_, 1), flexing);

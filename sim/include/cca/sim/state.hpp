@@ -26,12 +26,15 @@ struct body_state {
   std::array<double, 3> angular_velocity;
 };
 
-// Motors with what they remember: targets that were taken last, the feed-forward's former target, the cable.
+// Motors with what they remember: targets that were taken last, the feed-forward's former target, the cable; or the laws that
+// drives with loops of their own follow.
 struct leg_motors {
   leg_command target;
   double former_hip_target = 0;
   double hip_target_speed = 0;
   cable_winch cable;
+  joint_law hip_law, knee_law;
+  std::int64_t by_law = 0;  // 1: the motors follow the laws, not the targets
 };
 
 struct world_state {

@@ -51,11 +51,23 @@ class world {
   void advance(const robot_command& command) {
     prepare_engine();
     accept(command);
-    const vector3 velocity_before = velocity(trunk_);
-    for (leg_reading& r : state_.reading.legs) r.foot_force = {};
-    for (int i = 0; i < model_.steps_per_beat; ++i) step();
-    sense_trunk(velocity_before);
-    ++state_.beats;
+    finish_beat();
+  }
+
+  // One beat with drives that have loops of their own.
+  void follow(const robot_laws& laws) {
+    prepare_engine();
+    for (std::size_t i = 0; i < leg_count; ++i) {
+      leg_motors& motors = state_.motors[i];
+      motors.by_law = 1;
+      for (const auto& [kept, wanted] : {std::pair(&motors.hip_law, &laws[i].hip), std::pair(&motors.knee_law, &laws[i].knee)})
+        if (std::isfinite(wanted->position + wanted->velocity + wanted->torque + wanted->stiffness + wanted->damping))
+          *kept = *wanted;
+      motors.target.hip = motors.hip_law.position;
+      motors.target.knee = motors.knee_law.position;
+      if (std::isfinite(laws[i].abduction)) motors.target.abduction = model_.abduction_range.clamp(laws[i].abduction);
+    }
+    finish_beat();
   }
 
   // A force on the trunk's centre, in the world's axes, that acts until another is set.
@@ -184,9 +196,18 @@ class world {
       take(target.hip_stiffness, command[i].hip_stiffness < 0 ? target.hip_stiffness : command[i].hip_stiffness,
            {0, model_.stiffest_hip});
       const interval believable{-model_.hip_feed_forward_speed, model_.hip_feed_forward_speed};
+      motors.by_law = 0;
       motors.hip_target_speed =
           first ? 0.0 : believable.clamp((target.hip - motors.former_hip_target) / model_.beat());
     }
+  }
+
+  void finish_beat() {
+    const vector3 velocity_before = velocity(trunk_);
+    for (leg_reading& r : state_.reading.legs) r.foot_force = {};
+    for (int i = 0; i < model_.steps_per_beat; ++i) step();
+    sense_trunk(velocity_before);
+    ++state_.beats;
   }
 
   void step() {

@@ -1,0 +1,219 @@
+#pragma once
+// One run of the fault campaign: the trot on virtual drives, a fault after 1.5 s, what the robot does, and a deliberate restart.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "in_memory.hpp"
+
+namespace hil {
+
+// What goes wrong in the controller: numbers that are none, or commands made again and again from the same old data.
+struct saboteur {
+  auto process(cca::in<"angles", sim::leg_angles> wanted) -> cca::out<"angles", sim::leg_angles> {
+    if (!stuck) origin = wanted.origin(), angles = wanted.vector();
+    cca::out<"angles", sim::leg_angles> result = angles;
+    if (not_a_number) result[sim::left_hind_hip{}] = std::nan("");
+    return result.with_origin(origin);
+  }
+  bool not_a_number = false, stuck = false;
+
+private:
+  sim::leg_angles::vector_type angles{};
+  std::int64_t origin = cca::never;
+};
+
+template <class Limiter>
+struct sabotaged : cca::graph<
+    cca::rate<1000>,
+    cca::node<"throttle", trot::throttle, cca::timed<10>>,
+    cca::node<"posture", trot::posture, cca::timed<10>>,
+    cca::node<"cpg", trot::hopf, cca::timed<1>>,
+    cca::node<"gait", trot::gait, cca::port_triggered<"phase">>,
+    cca::node<"saboteur", saboteur>,
+    cca::node<"limits", Limiter>,
+    cca::node<"robot", oncilla<memory_end>>,
+
+    cca::wire<"robot.orientation", "posture.orientation", cca::latest>,
+    cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
+    cca::wire<"posture.turn", "gait.turn", cca::latest>,
+    cca::wire<"cpg.phase", "gait.phase">,
+    cca::wire<"cpg.amplitude", "gait.amplitude">,
+    cca::wire<"gait.angles", "saboteur.angles">,
+    cca::wire<"saboteur.angles", "limits.command">,
+    cca::wire<"limits.safe", "robot.command">> {};
+
+// One with the limiter that every architecture has, one where it is switched off.
+struct limited : sabotaged<cca::limiter<sim::leg_angles>> {};
+struct unlimited : sabotaged<cca::unlimited<sim::leg_angles>> {};
+
+template <class Architecture>
+struct scenario {
+  using run_type = in_memory<Architecture>;
+  std::string fault;
+  std::int64_t beats = 200;                                                 // how long it lasts
+  std::vector<hw::bus_fault> script{};                                      // from the fault's beginning
+  std::function<void(run_type&, std::int64_t)> each = {};                   // what happens in a beat of it, counted from 0
+  std::function<void(run_type&)> mend = {};                                 // what ends it
+  std::function<bool(std::int64_t)> controller_runs = {};                   // in a beat of it; empty: always
+  bool killed = false;                                                      // the program is started anew
+};
+
+struct result {
+  std::string fault, first_cause;
+  std::int64_t beats_to_detect = -1;  // -1: nothing had to be done about it
+  std::int64_t beats_to_safe = 0;     // from the detection
+  std::string detected_by = "-";
+  double max_excursion = 0, max_torque = 0;
+  std::int64_t sent = 0, sent_outside_limits = 0;
+  bool recovered = false, fell = false;
+  bool good() const { return recovered && sent_outside_limits == 0 && beats_to_safe <= 3; }
+};
+
+// Looks at every set-point on the wires, beside the drives.
+class spy {
+public:
+  template <class Run>
+  void look(Run& run) {
+    std::array<hw::received_frame, 256> frames;
+    for (std::size_t b = 0; b < buses; ++b) {
+      auto end = run.wires[b].end(2);
+      const std::size_t n = end.receive(frames);
+      for (std::size_t k = 0; k < n; ++k) check(frames[k].frame, run.controller.template get<"robot.synchronizer">());
+    }
+  }
+  std::int64_t sent = 0, outside = 0;
+
+private:
+  template <class Synchronizer>
+  void check(const hw::can_frame& f, const Synchronizer& known) {
+    std::size_t i = 0;
+    const auto one = [&]<class J>(std::type_identity<J>) {
+      using format = typename J::drive::wire;
+      if (f.id == J::drive::request_id && !(f.data[0] == 0xFF && f.data[1] == 0xFF && f.data[2] == 0xFF)) {
+        ++sent;
+        const auto c = J::from_drive(format::from_wire(format::read(std::span<const std::uint8_t, 8>(f.data.data(), 8))));
+        const double angle = J::angle_of(known.report(i).position), speed = J::speed_of(known.report(i).velocity);
+        const auto within = [](double x, hw::joint_bounds b, double step) { return b.lower - step <= x && x <= b.upper + step; };
+        constexpr double torque_steps = 0.1;  // what the steps of position, velocity and gains in a frame make of a torque
+        bool good = c.stiffness <= J::servo.most_stiff + 0.2 && c.damping <= 5.01;
+        if (c.stiffness > 0.2) good = good && within(c.position, J::angle, 0.001);
+        if (c.damping > 0.01) good = good && within(c.velocity, J::speed, 0.02);
+        if (std::isfinite(angle) && (c.stiffness > 0.2 || c.damping > 0.01))
+          good = good && within(c.stiffness * (c.position - angle) + c.damping * (c.velocity - speed) + c.torque,
+                                hw::limit_guard<joints>::window(i, {angle, speed}), torque_steps);
+        outside += !good;
+      }
+      ++i;
+    };
+    all(one, joints());
+  }
+  template <class F, class... J>
+  static void all(F& f, hw::joint_list<J...>) {
+    (f(std::type_identity<J>()), ...);
+  }
+};
+
+template <class Architecture>
+result run(const scenario<Architecture>& s) {
+  constexpr std::int64_t begin = 1500, after = 700, restarted = 2500;
+  std::vector<hw::bus_fault> script;
+  for (hw::bus_fault f : s.script) {
+    f.from = begin * 1'000'000, f.until = (begin + s.beats) * 1'000'000;
+    script.push_back(f);
+    if (f.end != hw::every_end) continue;
+    script.back().end = 0;  // to robot and drives, not to the one who watches
+    f.end = 1;
+    script.push_back(f);
+  }
+  in_memory<Architecture> r(script);
+  r.controller.load();
+  r.controller.start();
+  auto& stop = r.controller.template get<"robot.emergency_stop">();
+  spy watcher;
+
+  result found;
+  found.fault = s.fault;
+  std::int64_t last_moving = -1, detected = -1, drive_detected = -1;
+  std::array<double, 8> where{};
+  auto former = r.laws;
+  const auto note = [&](std::int64_t k) {
+    watcher.look(r);
+    const auto q = r.robot.joints();
+    if (detected < 0 && stop.mode() != hw::motion_mode::run && k > begin - 1) {
+      detected = k;
+      found.detected_by = "controller";
+      found.first_cause = std::string(hw::name_of(stop.first_cause().rule));
+      if (const int j = stop.first_cause().joint; j >= 0)
+        found.first_cause += ", " + std::string(joints::names[static_cast<std::size_t>(j)]);
+    }
+    bool moving = false, unfed = true;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto& c = r.laws[i];
+      moving = moving || std::abs(c.velocity) > 0.03 || (c.stiffness > 0.2 && std::abs(c.position - former[i].position) > 0.002);
+      unfed = unfed && c.stiffness == 0 && c.damping == 0;
+    }
+    former = r.laws;
+    if (moving && k >= begin) last_moving = k;
+    if (unfed && drive_detected < 0 && k >= begin) drive_detected = k;
+    if (k < begin) {
+      for (std::size_t i = 0; i < 8; ++i) where[i] = q[i].position;
+    } else {
+      for (std::size_t i = 0; i < 8; ++i) {
+        if (k <= std::max(detected, drive_detected)) where[i] = q[i].position;
+        found.max_excursion = std::max(found.max_excursion, std::abs(q[i].position - where[i]));
+        found.max_torque = std::max(found.max_torque, std::abs(q[i].torque));
+      }
+    }
+  };
+
+  std::int64_t k = 0;
+  for (; k < begin; ++k) r.step(), note(k);
+  for (; k < begin + s.beats + after; ++k) {
+    const std::int64_t since = k - begin;
+    const bool during = since < s.beats;
+    if (during && s.each) s.each(r, since);
+    if (since == s.beats && s.mend) s.mend(r);
+    r.step(!(s.killed || (during && s.controller_runs && !s.controller_runs(since))));
+    note(k);
+  }
+
+  // Where the drives can't be reached it's their own watchdog that finds out.
+  const bool tripped = detected >= 0 || s.killed;
+  if (tripped) {
+    if (drive_detected >= 0 && (s.killed || drive_detected > detected) && last_moving > detected) {
+      detected = drive_detected;
+      found.detected_by = "drives' watchdog";
+    }
+    found.beats_to_detect = detected - begin;
+    found.beats_to_safe = std::max<std::int64_t>(0, last_moving + 1 - detected);
+  } else {
+    found.max_excursion = 0;
+  }
+  found.fell = r.robot.world.fallen();
+
+  // The deliberate restart.
+  if (s.killed) {
+    r.restart_program();
+    r.controller.load();
+    r.controller.start();
+  } else if (tripped) {
+    r.controller.stop();
+    r.controller.start();
+  }
+  for (const std::int64_t end = k + restarted; k < end; ++k) r.step(), watcher.look(r);
+  auto& now = r.controller;
+  found.recovered = now.template get<"robot.emergency_stop">().mode() == hw::motion_mode::run &&
+                    !now.template get<"robot.rate">().approaching();
+  if (!found.recovered && found.first_cause.empty())
+    found.first_cause = std::string(hw::name_of(now.template get<"robot.emergency_stop">().first_cause().rule));
+  found.sent = watcher.sent;
+  found.sent_outside_limits = watcher.outside;
+  return found;
+}
+
+}  // namespace hil

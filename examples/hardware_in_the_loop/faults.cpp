@@ -1,0 +1,149 @@
+// The fault campaign: every fault of the list below, in a run of its own; a table, and with a file name the same as JSON.
+//
+// usage: hardware_in_the_loop_faults [faults.json]
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "campaign.hpp"
+
+namespace {
+
+using namespace hil;
+using limited_run = in_memory<limited>;
+using t = hw::bus_trouble;
+
+template <std::size_t Drive, class Run>
+auto& drive(Run& r) {
+  return std::get<Drive>(r.far.drives);
+}
+
+std::vector<result> campaign() {
+  std::vector<result> all;
+  const auto with = [&](const auto& s) {
+    all.push_back(run(s));
+    std::cerr << '.' << std::flush;
+  };
+  using s = scenario<limited>;
+  constexpr std::size_t robot = 0, drives = 1;
+
+  with(s{.fault = "frames lost, 5 %", .beats = 1000, .script = {{.what = t::lose, .chance = 0.05}}});
+  with(s{.fault = "frames lost, all for 20 beats", .beats = 20, .script = {{.what = t::lose}}});
+  with(s{.fault = "frames late, one in ten by 1 ms",
+         .beats = 1000,
+         .script = {{.what = t::delay, .chance = 0.1, .delay = 1'000'000}}});
+  with(s{.fault = "frames late, all by 3 ms", .beats = 300, .script = {{.what = t::delay, .delay = 3'000'000}}});
+  with(s{.fault = "frames duplicated", .beats = 1000, .script = {{.what = t::duplicate, .chance = 0.5}}});
+  with(s{.fault = "frames reordered", .beats = 1000, .script = {{.what = t::reorder, .chance = 0.2}}});
+  with(s{.fault = "answers corrupted, 2 %", .beats = 1000, .script = {{.what = t::corrupt, .end = robot, .chance = 0.02}}});
+  with(s{.fault = "set-points corrupted, 1 %", .beats = 1000, .script = {{.what = t::corrupt, .end = drives, .chance = 0.01}}});
+  with(s{.fault = "drive silent",
+         .each = [](limited_run& r, std::int64_t) { drive<2>(r).go_silent(true); },
+         .mend = [](limited_run& r) { drive<2>(r).clear(); }});
+  with(s{.fault = "drive faulted",
+         .each = [](limited_run& r, std::int64_t) { drive<4>(r).fail(0xA); },
+         .mend = [](limited_run& r) { drive<4>(r).clear(); }});
+  with(s{.fault = "drive rebooted", .each = [](limited_run& r, std::int64_t k) {
+           if (k == 0) drive<1>(r).reboot(r.now, 150'000'000);
+         }});
+  with(s{.fault = "sensor board silent",
+         .each = [](limited_run& r, std::int64_t) { r.far.board_silent = true; },
+         .mend = [](limited_run& r) { r.far.board_silent = false; }});
+  with(s{.fault = "bus warning", .script = {{.what = t::warning, .end = robot}}});
+  with(s{.fault = "bus passive", .script = {{.what = t::passive, .end = robot}}});
+  with(s{.fault = "bus off", .script = {{.what = t::bus_off, .end = robot}}});
+  with(s{.fault = "link down, up", .script = {{.what = t::link_down, .end = robot}}});
+  with(s{.fault = "link down for 1 beat", .beats = 1, .script = {{.what = t::link_down, .end = robot}}});
+  with(s{.fault = "queue full: another node fills bus 0", .each = [](limited_run& r, std::int64_t) {
+           std::array<hw::can_frame, 8> noise;
+           noise.fill({.id = hw::standard(0), .length = 8});
+           for (auto& f : noise) f.id = hw::standard(0x000), f.data.fill(0xAA);
+           r.wires[0].end(2).send(noise);
+         }});
+  with(s{.fault = "queue full: nobody else on the bus",
+         .script = {{.what = t::link_down, .end = drives}, {.what = t::link_down, .end = 2}}});
+  with(s{.fault = "NaN in the controller",
+         .each = [](limited_run& r, std::int64_t) { r.controller.get<"saboteur">().not_a_number = true; },
+         .mend = [](limited_run& r) { r.controller.get<"saboteur">().not_a_number = false; }});
+  with(scenario<unlimited>{
+      .fault = "NaN in the controller, limiter switched off",
+      .each = [](in_memory<unlimited>& r, std::int64_t) { r.controller.get<"saboteur">().not_a_number = true; },
+      .mend = [](in_memory<unlimited>& r) { r.controller.get<"saboteur">().not_a_number = false; }});
+  with(s{.fault = "controller stuck on old data",
+         .each = [](limited_run& r, std::int64_t) { r.controller.get<"saboteur">().stuck = true; },
+         .mend = [](limited_run& r) { r.controller.get<"saboteur">().stuck = false; }});
+  for (const std::int64_t beats : {1, 10, 100})
+    with(s{.fault = "controller stalled for " + std::to_string(beats) + (beats == 1 ? " beat" : " beats"),
+           .beats = beats,
+           .controller_runs = [](std::int64_t) { return false; }});
+  with(s{.fault = "process killed", .beats = 1, .killed = true});
+  with(s{.fault = "emergency stop pressed",
+         .each = [](limited_run& r, std::int64_t) { r.controller.get<"robot.emergency_stop">().press(); },
+         .mend = [](limited_run& r) { r.controller.get<"robot.emergency_stop">().release(); }});
+  with(s{.fault = "soft stop asked for", .beats = 1, .each = [](limited_run& r, std::int64_t) {
+           r.controller.get<"robot.emergency_stop">().stop_softly();
+         }});
+  std::cerr << '\n';
+  return all;
+}
+
+std::string beats(std::int64_t n) { return n < 0 ? "-" : std::to_string(n); }
+
+void write_table(const std::vector<result>& all) {
+  std::puts(
+      "| fault | first cause | found by, after beats | safe after | joint moves, rad | torque, N m | outside limits | restarts "
+      "|");
+  std::puts("|---|---|---|---|---|---|---|---|");
+  for (const result& r : all)
+    std::printf("| %s | %s | %s%s | %s | %.2f | %.1f | %lld of %lld | %s |\n", r.fault.c_str(),
+                r.beats_to_detect < 0   ? "goes on"
+                : r.first_cause.empty() ? "-"
+                                        : r.first_cause.c_str(),
+                r.detected_by.c_str(), r.beats_to_detect < 0 ? "" : (", " + beats(r.beats_to_detect)).c_str(),
+                r.beats_to_detect < 0 ? "-" : beats(r.beats_to_safe).c_str(), r.max_excursion, r.max_torque,
+                static_cast<long long>(r.sent_outside_limits), static_cast<long long>(r.sent), r.recovered ? "yes" : "no");
+}
+
+void write_json(std::ostream& out, const std::vector<result>& all) {
+  out << "[";
+  const char* between = "\n";
+  for (const result& r : all) {
+    out << between << "  {\"fault\": \"" << r.fault << "\", \"first_cause\": \"" << r.first_cause << "\", \"detected_by\": \""
+        << r.detected_by << "\", \"beats_to_detect\": ";
+    if (r.beats_to_detect < 0) out << "null";
+    else out << r.beats_to_detect;
+    out << ", \"beats_to_safe\": " << r.beats_to_safe << ", \"max_excursion_rad\": " << r.max_excursion
+        << ", \"max_torque_nm\": " << r.max_torque << ", \"set_points_sent\": " << r.sent
+        << ", \"sent_outside_limits\": " << r.sent_outside_limits << ", \"recovered\": " << (r.recovered ? "true" : "false")
+        << "}";
+    between = ",\n";
+  }
+  out << "\n]\n";
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const auto all = campaign();
+  write_table(all);
+  if (count > 1) {
+    std::ofstream file(arguments[1]);
+    write_json(file, all);
+    file.close();
+    if (!file) {
+      std::cerr << arguments[1] << ": could not be written to its end\n";
+      return 3;
+    }
+  }
+  int bad = 0;
+  for (const result& r : all)
+    if (!r.good()) {
+      std::cerr << r.fault << ": " << (r.recovered ? "" : "does not come back; ")
+                << (r.beats_to_safe > 3 ? "is not safe within 3 beats; " : "")
+                << (r.sent_outside_limits ? "something outside of the limits was sent" : "") << '\n';
+      ++bad;
+    }
+  return bad ? 1 : 0;
+}

@@ -1,0 +1,89 @@
+#pragma once
+// Robot and far side in one process, on five buses in memory: the trot's controller at one end, virtual drives around the
+// simulated Oncilla at the other, a node of somebody else at a third.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <cca/cca.hpp>
+#include <cca/hardware/memory_bus.hpp>
+
+#include "../trot/architecture.hpp"
+#include "mechanics.hpp"
+#include "robot.hpp"
+
+namespace hil {
+
+using wire = cca::hardware::memory_bus<3, 8>;
+using memory_end = wire::end_type;
+
+// The trot, with one type changed. [trot]
+struct trot_on_drives : trot::architecture<oncilla<memory_end>> {};
+// [trot end]
+
+// The posture that the gait swings around.
+inline cca::sim::world put_down() {
+  const trot::gait g;
+  cca::sim::initial_posture posture;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const trot::leg_shape& shape = i < 2 ? g.p.front : g.p.hind;
+    posture.legs[i] = {shape.hip, shape.knee, 0};
+  }
+  return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
+}
+
+// `Architecture` has the robot at "robot". Neither copied nor moved: its parts know where the others are.
+template <class Architecture = trot_on_drives>
+class in_memory {
+public:
+  static constexpr std::int64_t beat = 1'000'000;
+
+  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {}, std::uint64_t seed = 1)
+      : wires{made(script, seed), made(script, seed + 1), made(script, seed + 2), made(script, seed + 3),
+              made(script, seed + 4)} {
+    connect();
+    far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
+  }
+  in_memory(const in_memory&) = delete;
+  in_memory& operator=(const in_memory&) = delete;
+
+  // A millisecond: the controller's beat first, unless it stands still, and what the drives make of it.
+  bool step(bool controller_runs = true) {
+    const bool stepped = controller_runs && controller.step();
+    go_to(now + beat / 2);
+    far.listen(now + beat / 2);
+    laws = far.laws(now + beat / 2);
+    robot.advance(laws, far.abduction);
+    far.tell(robot.joints(), robot.board());
+    now += beat;
+    go_to(now - 1);
+    return stepped;
+  }
+
+  // A controller of its own, as if the program had been started anew.
+  void restart_program() {
+    controller = {};
+    connect();
+  }
+
+  std::array<wire, buses> wires;
+  cca::controller<Architecture> controller{};
+  far_side<memory_end> far{};
+  mechanics robot{put_down()};
+  std::array<cca::hardware::drive_command, 8> laws{};  // that the drives followed in the last beat
+  std::int64_t now = 0;
+
+private:
+  void connect() { controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]); }
+  static wire made(std::span<const cca::hardware::bus_fault> script, std::uint64_t seed) {
+    return wire({.rates = {1'000'000}, .one_shot = true, .seed = seed, .script = script});
+  }
+  void go_to(std::int64_t time) {
+    for (auto& w : wires) w.advance(time);
+  }
+  std::array<memory_end, buses> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0), wires[4].end(0)};
+  std::array<memory_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1), wires[4].end(1)};
+};
+
+}  // namespace hil

@@ -1,0 +1,53 @@
+#pragma once
+// The simulated Oncilla as what the virtual drives move: their laws in, its joints and sensors out.
+#include <array>
+
+#include <cca/hardware/sensor_board.hpp>
+#include <cca/hardware/virtual_drive.hpp>
+#include <cca/sim/world.hpp>
+
+namespace hil {
+
+class mechanics {
+public:
+  explicit mechanics(cca::sim::world&& w) : world(std::move(w)) {}
+
+  // One millisecond.
+  void advance(const std::array<cca::hardware::drive_command, 8>& drives, const std::array<double, 4>& abduction) {
+    const auto law = [](const cca::hardware::drive_command& c) {
+      return cca::sim::joint_law{c.position, c.velocity, c.torque, c.stiffness, c.damping};
+    };
+    cca::sim::robot_laws laws;
+    for (std::size_t leg = 0; leg < 4; ++leg) laws[leg] = {law(drives[leg]), law(drives[4 + leg]), abduction[leg]};
+    world.follow(laws);
+  }
+
+  std::array<cca::hardware::drive_motion, 8> joints() const {
+    std::array<cca::hardware::drive_motion, 8> all;
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const auto& r = world.reading().legs[leg];
+      all[leg] = {r.hip.angle, r.hip.velocity, r.hip.torque};
+      all[4 + leg] = {r.knee.angle, r.knee.velocity, r.knee.torque};
+    }
+    return all;
+  }
+
+  cca::hardware::board_reading board() const {
+    cca::hardware::board_reading b;
+    const auto& r = world.reading();
+    const auto& q = r.trunk.orientation;
+    b.orientation = {q.x, q.y, q.z, q.w};
+    b.angular_velocity = {r.trunk.angular_velocity[0], r.trunk.angular_velocity[1], r.trunk.angular_velocity[2]};
+    b.specific_force = {r.trunk.specific_force[0], r.trunk.specific_force[1], r.trunk.specific_force[2]};
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      b.foot_load[leg] = r.legs[leg].foot_force[2];
+      b.contact[leg] = r.legs[leg].contact();
+      b.abduction[leg] = r.legs[leg].abduction.angle;
+    }
+    return b;
+  }
+
+  cca::sim::world world;
+};
+
+}  // namespace hil

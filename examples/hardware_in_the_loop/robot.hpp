@@ -1,0 +1,65 @@
+#pragma once
+// The Oncilla on eight Damiao DM6006, which speak the MIT protocol: which drive moves which joint, on which bus, mounted how.
+// Their watchdog is a fault that they keep: a set-point that was stuck somewhere moves nothing when it comes at last.
+//
+// Four classic buses of 1 Mbit/s, one a leg, for 1 kHz: a bus has room for two such drives and no more. The sensor board has a
+// fifth. Another robot is another file like this one.
+#include <cca/hardware/mit.hpp>
+#include <cca/hardware/oncilla.hpp>
+#include <cca/hardware/virtual_mit.hpp>
+#include <cca/hardware/virtual_robot.hpp>
+
+namespace hil {
+
+namespace hw = cca::hardware;
+namespace sim = cca::sim;
+
+// The same servos as in the simulator. Left hips turn the other way round, and stand a little off.
+inline constexpr hw::joint_servo hip_servo{
+    .stiffness = sim::oncilla_defaults.hip_stiffness,
+    .damping = sim::oncilla_defaults.hip_stiffness * sim::oncilla_defaults.hip_damping_time,
+    .safe_damping = 1,
+    .most_stiff = sim::oncilla_defaults.stiffest_hip};
+inline constexpr hw::joint_servo knee_servo{.stiffness = sim::oncilla_defaults.cable_stiffness,
+                                            .damping = sim::oncilla_defaults.cable_damping,
+                                            .safe_damping = 0.4,
+                                            .most_stiff = 100};
+inline constexpr hw::mounting left_hip{.sign = -1, .offset = 0.1}, right_hip{.offset = -0.1}, knee{.offset = 1.0};
+
+// [joints]
+struct dm6006 {  // the ranges as they are set in the drives' own registers
+  static constexpr std::string_view name = "DM6006";
+  static constexpr auto limits = cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
+                                             cca::stiffness{0, 500}, cca::damping{0, 5}};
+};
+template <class Axis, std::uint32_t Number, hw::mounting Mounting, hw::joint_servo Servo, std::size_t Bus>
+using leg_joint = hw::joint<Axis, hw::mit_drive<dm6006, Number, 0, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
+
+struct left_front_hip : leg_joint<sim::left_front_hip, 1, left_hip, hip_servo, 0> {};
+struct right_front_hip : leg_joint<sim::right_front_hip, 2, right_hip, hip_servo, 1> {};
+struct left_hind_hip : leg_joint<sim::left_hind_hip, 3, left_hip, hip_servo, 2> {};
+struct right_hind_hip : leg_joint<sim::right_hind_hip, 4, right_hip, hip_servo, 3> {};
+struct left_front_knee : leg_joint<sim::left_front_knee, 5, knee, knee_servo, 0> {};
+struct right_front_knee : leg_joint<sim::right_front_knee, 6, knee, knee_servo, 1> {};
+struct left_hind_knee : leg_joint<sim::left_hind_knee, 7, knee, knee_servo, 2> {};
+struct right_hind_knee : leg_joint<sim::right_hind_knee, 8, knee, knee_servo, 3> {};
+struct board : hw::sensor_board<0x40, 4> {};  // ids 0x40 to 0x48, on bus 4
+// [joints end]
+
+using joints = hw::joint_list<left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee, right_front_knee,
+                              left_hind_knee, right_hind_knee>;
+inline constexpr std::size_t buses = 5;
+
+// The robot on a kind of bus. [robot]
+template <class Bus>
+struct oncilla : hw::oncilla<Bus, left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee,
+                             right_front_knee, left_hind_knee, right_hind_knee, board> {};
+// [robot end]
+
+// What stands in for it: drives whose firmware stops after 5 ms without a set-point.
+template <class Drive>
+struct virtual_damiao : hw::virtual_mit<Drive, 5'000'000> {};
+template <class Bus>
+using far_side = hw::virtual_robot<Bus, virtual_damiao, board, joints>;
+
+}  // namespace hil

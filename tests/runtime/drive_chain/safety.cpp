@@ -1,0 +1,209 @@
+// The safety chain around the trot on virtual drives: what trips, what is kept of it, and how motion comes back.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <doctest/doctest.h>
+
+#include <cca/config.hpp>
+
+#include "../../../examples/hardware_in_the_loop/campaign.hpp"
+
+namespace laws {
+std::size_t allocations();
+}
+
+namespace {
+
+namespace hw = cca::hardware;
+
+template <class Run>
+void go(Run& run, int beats) {
+  for (int k = 0; k < beats; ++k) run.step();
+}
+
+}  // namespace
+
+TEST_SUITE("safety chain") {
+  TEST_CASE("nothing is enabled, and nothing moves, before the controller is started") {
+    hil::in_memory<> run;
+    run.controller.load();
+    for (int k = 0; k < 50; ++k) run.step(false);
+    CHECK(!std::get<0>(run.far.drives).enabled());
+    for (const auto& w : run.wires) CHECK(const_cast<hil::wire&>(w).end(0).counters().sent == 0);
+  }
+
+  TEST_CASE("a start is bumpless: no joint is torn away from where it stands") {
+    hil::in_memory<> run;
+    run.controller.load();
+    run.controller.start();
+    auto before = run.robot.joints();
+    double fastest = 0;
+    for (int k = 0; k < 150; ++k) {  // the gait stands still for 0.2 s
+      run.step();
+      const auto now = run.robot.joints();
+      for (std::size_t i = 0; i < 8; ++i) fastest = std::max(fastest, std::abs(now[i].torque));
+      before = now;
+    }
+    CHECK(fastest < 5);
+    CHECK(run.controller.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
+  }
+
+  TEST_CASE("a silent drive: all damped, the first cause kept, and no way back but a start") {
+    hil::in_memory<> run;
+    run.controller.load();
+    run.controller.start();
+    go(run, 500);
+    auto& stop = run.controller.get<"robot.emergency_stop">();
+    REQUIRE(stop.mode() == hw::motion_mode::run);
+    std::get<2>(run.far.drives).go_silent(true);
+    go(run, 10);
+    CHECK(stop.mode() == hw::motion_mode::damped);
+    CHECK(stop.first_cause().rule == hw::safety_rule::silent);
+    CHECK(stop.first_cause().joint == 2);
+    CHECK(stop.first_cause().beat >= 500);
+    CHECK(stop.first_cause().beat <= 504);
+    for (const auto& law : run.laws) {
+      CHECK(law.stiffness == 0);
+      CHECK(std::abs(law.velocity) < 0.02);
+    }
+    std::get<2>(run.far.drives).clear();
+    go(run, 300);
+    CHECK(stop.mode() == hw::motion_mode::damped);  // the cause is gone, but nobody has said go
+    const auto first = stop.first_cause();
+    std::get<4>(run.far.drives).fail(0xB);
+    go(run, 10);
+    CHECK(stop.first_cause().rule == first.rule);  // the first one stays
+    std::get<4>(run.far.drives).clear();
+    run.controller.get<"robot.synchronizer">().start();
+    go(run, 50);
+    CHECK(stop.mode() == hw::motion_mode::run);
+    CHECK(stop.first_cause().rule == hw::safety_rule::none);
+  }
+
+  TEST_CASE("the pressed emergency stop outlasts a start") {
+    hil::in_memory<> run;
+    run.controller.load();
+    run.controller.start();
+    go(run, 300);
+    auto& stop = run.controller.get<"robot.emergency_stop">();
+    stop.press();
+    go(run, 2);
+    CHECK(stop.mode() == hw::motion_mode::damped);
+    run.controller.get<"robot.synchronizer">().start();
+    go(run, 100);
+    CHECK(stop.mode() == hw::motion_mode::damped);
+    CHECK(stop.first_cause().rule == hw::safety_rule::pressed);
+    stop.release();
+    go(run, 50);
+    CHECK(stop.mode() == hw::motion_mode::damped);
+    run.controller.get<"robot.synchronizer">().start();
+    go(run, 50);
+    CHECK(stop.mode() == hw::motion_mode::run);
+  }
+
+  TEST_CASE("a soft stop holds, softens, and ends damped") {
+    hil::in_memory<> run;
+    run.controller.load();
+    run.controller.start();
+    go(run, 1000);
+    run.controller.get<"robot.emergency_stop">().stop_softly();
+    go(run, 2);
+    const double begun = run.laws[0].stiffness;
+    CHECK(begun > 5);
+    go(run, 50);
+    CHECK(run.laws[0].stiffness < 0.7 * begun);
+    go(run, 60);
+    for (const auto& law : run.laws) CHECK(law.stiffness == 0);
+    CHECK(run.laws[0].damping == doctest::Approx(1).epsilon(0.01));
+  }
+
+  TEST_CASE(
+      "a link that was away for a beat: nothing of the controller's goes out until the start, which begins where the joints "
+      "are") {
+    std::array<hw::bus_fault, 1> script{
+        {{.what = hw::bus_trouble::link_down, .from = 600'000'000, .until = 600'400'000, .end = 0}}};
+    hil::in_memory<> run(script);
+    run.controller.load();
+    run.controller.start();
+    go(run, 1000);
+    CHECK(run.controller.get<"robot.emergency_stop">().first_cause().rule == hw::safety_rule::link);
+    for (const auto& law : run.laws) CHECK(law.stiffness == 0);
+  }
+
+  TEST_CASE("a fault of the controller damps in the same beat, and resuming alone moves nothing") {
+    hil::in_memory<> run;
+    run.controller.load();
+    run.controller.start();
+    go(run, 500);
+    run.controller.get<"robot.synchronizer">().on_fault();
+    run.step(false);
+    for (const auto& law : run.laws) CHECK(law.stiffness == 0);
+    go(run, 100);
+    for (const auto& law : run.laws) CHECK(law.stiffness == 0);
+  }
+
+  TEST_CASE("what the campaign counts can count: a set-point beyond its limits is seen") {
+    hil::in_memory<hil::limited> run;
+    run.controller.load();
+    run.controller.start();
+    hil::spy watcher;
+    for (int k = 0; k < 300; ++k) run.step(), watcher.look(run);
+    CHECK(watcher.sent > 2000);
+    CHECK(watcher.outside == 0);
+    using hip = hil::left_front_hip;
+    const auto wild = hip::drive::set_point(hip::to_drive({.position = 2, .stiffness = 30, .damping = 0.4}));
+    run.wires[0].end(0).send(wild.frames);
+    run.step(), watcher.look(run);
+    CHECK(watcher.outside == 1);
+  }
+
+  TEST_CASE("a calibration file: offsets of the joints, checked at load") {
+    const auto file = [](const char* first) {
+      std::ofstream("calibration.toml") << "[robot.synchronizer]\noffset = [\"" << first
+                                        << "\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\"]\n";
+      return "calibration.toml";
+    };
+    hil::in_memory<> run;
+    CHECK_THROWS_WITH_AS(run.controller.load(file("90 deg")), doctest::Contains("offset"), cca::refused);
+    run.controller.load(file("-4 deg"));
+    run.controller.start();
+    go(run, 50);
+    REQUIRE(run.controller.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
+    // Where it stands is told with the offset, and what it is told to do leads back to where it stands.
+    const double degree = cca::sim::degrees(1);
+    const auto& report = run.controller.get<"robot.synchronizer">().report(0);
+    CHECK(hil::left_front_hip::angle_of(report.position) == doctest::Approx(run.robot.joints()[0].position).epsilon(0.01));
+    CHECK(run.laws[0].position == doctest::Approx(trot::gait().p.front.hip + 4 * degree).epsilon(0.05));
+  }
+
+  TEST_CASE("a beat allocates nothing: moving, tripping, damped") {
+    hil::in_memory<> run;
+    run.controller.load();
+    run.controller.start();
+    std::size_t allocated = 0;
+    for (int k = 0; k < 400; ++k) {
+      if (k == 200) std::get<3>(run.far.drives).go_silent(true);
+      const std::size_t before = laws::allocations();
+      run.controller.step();
+      allocated += laws::allocations() - before;
+      run.step(false);
+    }
+    CHECK(allocated == 0);
+    CHECK(run.controller.get<"robot.emergency_stop">().first_cause().rule == hw::safety_rule::silent);
+  }
+
+  TEST_CASE("the rows of the campaign that matter most") {
+    using scenario = hil::scenario<hil::limited>;
+    const auto off = hil::run(scenario{.fault = "bus off", .script = {{.what = hw::bus_trouble::bus_off, .end = 0}}});
+    CHECK(off.good());
+    const auto stalled =
+        hil::run(scenario{.fault = "stalled", .beats = 10, .controller_runs = [](std::int64_t) { return false; }});
+    CHECK(stalled.good());
+    CHECK(stalled.first_cause == "stalled");
+    CHECK(stalled.beats_to_detect == 10);  // in its first beat
+    const auto killed = hil::run(scenario{.fault = "killed", .beats = 1, .killed = true});
+    CHECK(killed.good());
+    CHECK(killed.beats_to_detect <= 6);  // by the drives' own watchdog
+  }
+}
