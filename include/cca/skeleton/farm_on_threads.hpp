@@ -29,6 +29,7 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/component/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/refused.hpp>
 #include <cca/skeleton/crew.hpp>
@@ -133,7 +134,7 @@ private:
   }
 
   // True if there is a whole to publish: each part has come, and, in order, is new.
-  bool take() {
+  CCA_GLUE bool take() noexcept {
     if (!at_work) return false;
     if constexpr (ordered) {
       for (std::size_t i = 0; i < count; ++i)
