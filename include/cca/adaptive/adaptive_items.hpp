@@ -1,26 +1,12 @@
 // What an adaptive component is made of: its items, from the signatures of its parts.
 #pragma once
 
+#include <cca/adaptive/adaptive_options.hpp>
 #include <cca/adaptive/component_status.hpp>
 #include <cca/component/mapped_ports.hpp>
-#include <cca/component/strategy.hpp>
 #include <cca/graph/graph.hpp>
 
 namespace cca {
-
-template <fixed_string Reference, fixed_string Command, fixed_string OdeStatus>
-struct named {};
-template <criterion_target Target>
-struct against {};
-template <class Mapping>
-struct reference_through {};
-template <class Mapping>
-struct feedback_through {};
-template <class Mapping>
-struct command_through {};
-template <fixed_string Input, class Mapping>
-struct control_through {};
-
 namespace detail {
 
 template <class List>
@@ -47,63 +33,6 @@ consteval auto with_dot(const fixed_string<A>& node, const fixed_string<B>& port
 template <fixed_string Node, fixed_string Port>
 inline constexpr auto path_to = with_dot(Node, Port);
 
-// The options, one of each kind.
-template <template <class> class Kind, class... Options>
-struct mapping_among { using type = void; };
-template <template <class> class Kind, class Mapping, class... Rest>
-struct mapping_among<Kind, Kind<Mapping>, Rest...> { using type = Mapping; };
-template <template <class> class Kind, class Other, class... Rest>
-struct mapping_among<Kind, Other, Rest...> : mapping_among<Kind, Rest...> {};
-
-template <fixed_string Input, class... Options>
-struct control_among { using type = void; };
-template <fixed_string Input, class Mapping, class... Rest>
-struct control_among<Input, control_through<Input, Mapping>, Rest...> { using type = Mapping; };
-template <fixed_string Input, class Other, class... Rest>
-struct control_among<Input, Other, Rest...> : control_among<Input, Rest...> {};
-
-template <class Type>
-concept StatesStrategy = strategy_of<Type>.kind != strategy_kind::user || requires { &Type::template fires<any_inputs>; };
-
-template <class... Options>
-struct strategy_among { using type = timed<1>; };
-template <StatesStrategy First, class... Rest>
-struct strategy_among<First, Rest...> { using type = First; };
-template <class First, class... Rest>
-struct strategy_among<First, Rest...> : strategy_among<Rest...> {};
-
-template <class... Options>
-struct names_among { using type = named<"reference", "command", "ode">; };
-template <fixed_string Reference, fixed_string Command, fixed_string OdeStatus, class... Rest>
-struct names_among<named<Reference, Command, OdeStatus>, Rest...> { using type = named<Reference, Command, OdeStatus>; };
-template <class First, class... Rest>
-struct names_among<First, Rest...> : names_among<Rest...> {};
-
-template <criterion_target Default, class... Options>
-inline constexpr criterion_target target_among = Default;
-template <criterion_target Default, criterion_target Target, class... Rest>
-inline constexpr criterion_target target_among<Default, against<Target>, Rest...> = Target;
-template <criterion_target Default, class First, class... Rest>
-inline constexpr criterion_target target_among<Default, First, Rest...> = target_among<Default, Rest...>;
-
-template <class Type>
-constexpr bool is_component_option = StatesStrategy<Type>;
-template <fixed_string A, fixed_string B, fixed_string C>
-constexpr bool is_component_option<named<A, B, C>> = true;
-template <criterion_target Target>
-constexpr bool is_component_option<against<Target>> = true;
-template <class M>
-constexpr bool is_component_option<reference_through<M>> = true;
-template <class M>
-constexpr bool is_component_option<feedback_through<M>> = true;
-template <class M>
-constexpr bool is_component_option<command_through<M>> = true;
-template <fixed_string Input, class M>
-constexpr bool is_component_option<control_through<Input, M>> = true;
-
-template <class Type>
-concept ComponentOption = is_component_option<Type>;
-
 // A port's name as a template argument, and its space.
 template <class Port>
 struct port_facts;
@@ -127,10 +56,16 @@ struct exposed_by<expose<Inner, Outer>> { using type = list<exposed_port<Outer, 
 
 template <class Component>
 struct ports_in { using type = typename joined<typename process_facts<Component>::parameters, typename process_facts<Component>::results>::type; };
+// Each name once: an input may feed several ports, an input and an output may have one name.
+template <class Done, class Rest>
+struct once_each { using type = Done; };
+template <class... Done, class First, class... Rest>
+struct once_each<list<Done...>, list<First, Rest...>>
+    : once_each<std::conditional_t<((Done::name == First::name) || ...), list<Done...>, list<Done..., First>>, list<Rest...>> {};
 template <class Items>
 struct ports_shown;
 template <class... Items>
-struct ports_shown<list<Items...>> : joined<list<>, typename exposed_by<Items>::type...> {};
+struct ports_shown<list<Items...>> : once_each<list<>, typename joined<list<>, typename exposed_by<Items>::type...>::type> {};
 template <Graph Component>
 struct ports_in<Component> : ports_shown<typename Component::cca_items> {};
 

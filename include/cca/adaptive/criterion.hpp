@@ -7,6 +7,7 @@
 // and its other inputs become inputs of the component. Rule: criterion.spaces. Laws: tests/laws/criterion_laws.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -34,14 +35,29 @@ concept Criterion = detail::HasProcess<Type> && requires {
   { Type::at_rest } -> std::convertible_to<bool>;
 };
 
+namespace detail {
+
+// The largest number, without its sign; NaN if any is. (Eigen's maxCoeff may pass over a NaN.)
+template <class Vector>
+double furthest(const Vector& v) {
+  double most = 0;
+  for (int i = 0; i < v.size(); ++i) {
+    if (std::isnan(v[i])) return v[i];
+    most = std::max(most, std::abs(v[i]));
+  }
+  return most;
+}
+
+}  // namespace detail
+
 // How far two samples of a space are apart, in its domain type's unit: positions, by their distance; orientations, by the angle
 // between them; phases, the short way round; else the axis that is furthest off.
 template <Space S>
 double apart(const sample<S>& a, const sample<S>& b) {
   if constexpr (requires { a.distance(b); }) return a.distance(b);
   else if constexpr (requires { a.angle_to(b); }) return a.angle_to(b);
-  else if constexpr (std::same_as<typename S::domain, phase>) return a.difference(b).cwiseAbs().maxCoeff();
-  else return (a.vector() - b.vector()).cwiseAbs().maxCoeff();
+  else if constexpr (std::same_as<typename S::domain, phase>) return detail::furthest(a.difference(b));
+  else return detail::furthest(typename S::vector_type(a.vector() - b.vector()));
 }
 
 namespace detail {

@@ -8,7 +8,7 @@
 // Cost: of an answer Hidden (I + O) products and Hidden hyperbolic tangents; of a batch Hidden^2 an example and Hidden^3.
 // Source: Huang, Zhu, Siew, Extreme learning machine: theory and applications, Neurocomputing 70, 2006; with ridge: Deng, Zheng,
 // Chen, Regularized extreme learning machine, CIDM 2009; for inverse kinematics in AMARSi: Reinhart and Steil 2011.
-// Example: tests/runtime/mapping/adaptive.cpp.
+// Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <array>
@@ -43,6 +43,8 @@ constexpr std::array<double, static_cast<std::size_t>(Count)> random_numbers(std
 
 template <Space From, Space To, int Hidden, std::uint64_t Seed = 1>
 struct elm_function {
+  using from = From;
+  using to = To;
   static constexpr int I = From::size, O = To::size;
   using input = Eigen::Matrix<double, I, 1>;
   using output = Eigen::Matrix<double, O, 1>;

@@ -26,6 +26,8 @@ namespace cca {
 
 template <detail::LinearSpace Input, detail::LinearSpace S, int K>
 struct mixture_function {
+  using from = Input;
+  using to = S;
   using parameters = gaussian_mixture<Input::size, S::size, K>;
   using input = typename parameters::input;
   using output = typename parameters::output;

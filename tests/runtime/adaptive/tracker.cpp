@@ -1,15 +1,7 @@
 // The DMP Transformation System as a Tracker (seed, figure 6.3): it is shown a shape, learns it, and follows it.
-#include <cstdio>
-#include <filesystem>
+#include "rig.hpp"
 
-#include <cca/adaptive/adaptive_component.hpp>
-#include <cca/adaptive/tracking.hpp>
-#include <cca/motor/dmp_rhythmic_module.hpp>
-#include <cca/motor/hopf.hpp>
-
-#include "../motor/rig.hpp"
-
-using namespace motor_test;
+using namespace adaptive_test;
 
 namespace {
 
@@ -70,6 +62,23 @@ struct shown : cca::graph<
     cca::wire<"servo.angles",   "dmp.feedback", cca::delayed<1>>> {};
 // [tracker end]
 
+struct pictured : cca::graph<
+    cca::rate<1000>, cca::node<"dmp", dmp>, cca::expose<"dmp.phase", "phase">, cca::expose<"dmp.amplitude", "amplitude">,
+    cca::expose<"dmp.reference", "reference">, cca::expose<"dmp.feedback", "feedback">> {};
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  subgraph g1["dmp"]
+    n0["module<br/><i>1000 Hz</i>"]
+    n1["criterion<br/><i>1000 Hz</i>"]
+    n2["status<br/><i>1000 Hz</i>"]
+  end
+  n0 -- "command → target<br/>leg, 1000 Hz" --> n1
+  n0 -- "ode<br/>ode_status_port, 1000 Hz" --> n2
+  n0 -- "module<br/>module_status_port, 1000 Hz" --> n2
+  n1 -- "state → criterion<br/>criterion_port, 1000 Hz" --> n2
+)";  // [picture end]
+
 cca::controller<shown> started() {
   cca::controller<shown> c;
   c.get<"dmp.criterion">().p.limits = {0.05, 0.1, 1.0, 0.2};
@@ -110,4 +119,8 @@ TEST_CASE("a tracker is shown a shape, learns it in a batch, and follows it") {
     lowest = std::min(lowest, c.get<"servo">().angles[0]), highest = std::max(highest, c.get<"servo">().angles[0]);
   }
   CHECK(highest - lowest == doctest::Approx(0.6).epsilon(0.05));
+}
+
+TEST_CASE("the picture of a tracker is that of its page") {
+  CHECK(std::string(cca::describe<pictured>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
 }

@@ -1,0 +1,88 @@
+// An Adaptive Mapping: a mapping whose function is learned (seed, chapter 3). An Adaptive Transformation: the same within one space.
+//
+//   using ik = cca::extreme_learning_machine<cca::elm_function<paw, leg_angles, 100>>;
+//   cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, ik>>
+//   in  "input"      From
+//   in  "teacher"    To, optional: what the output should have been for this input; an example each time it's fresh
+//   in  "learn"      learning_request, optional
+//   out "output"     To
+//   out "module"     module_status_port
+//
+// adaptive_transformation<Space, Rule> learns what is to be added: untaught, its output is its input. `learning`, a
+// cca::training, is for programs between two beats; parameters: the learner's settings, and files (load, save). Both are a
+// cca::Mapping, in chains, too. Preconditions: spaces of one number an axis. Errors: learner.model; `cca::refused` of files.
+// Cost: one answer; with a teacher one step of the learner more. Example: tests/runtime/adaptive/mapping.cpp.
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include <cca/adaptive/training.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/component/port.hpp>
+#include <cca/mapping/mapping.hpp>
+
+namespace cca {
+namespace detail {
+
+template <class Model, class From, class To>
+constexpr bool leads_between = matching<typename Model::from, From> && matching<typename Model::to, To>;
+
+// A concept, so that the compilers name the model and the spaces.
+template <class Model, class From, class To>
+concept LeadsBetween = leads_between<Model, From, To>;
+
+template <class Rule, class From, class To>
+constexpr bool check_learner_of_mapping() {
+  static_assert(LeadsBetween<typename Rule::model, From, To>,
+                "learner.model: the learner of this adaptive mapping adapts a model between other spaces than those of the mapping (named "
+                "below: the model, then the space that the mapping takes and the one that it gives); bind the learner to a model between these");
+  return LeadsBetween<typename Rule::model, From, To>;
+}
+
+// `Correction`: what is learned is added to the input.
+template <class From, class To, class Rule, int Capacity, bool Correction>
+struct learned_mapping {
+  static constexpr bool bound = check_learner_of_mapping<Rule, From, To>();
+  using checked = std::bool_constant<bound>;  // where the class is named, not first where it runs
+  using learner_settings = typename Rule::settings;
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (learner_settings, settings), (learned_files, files));
+  };
+  parameters p{};
+  training<Rule, Capacity> learning;
+
+  auto process(in<"input", From> input, optional_in<"teacher", To> teacher, optional_in<"learn", learning_request> call)
+      -> std::tuple<out<"output", To>, out<"module", module_status_port>> {
+    if constexpr (!bound) {
+      return {};
+    } else {
+      if (call && call.fresh()) learning.obey(call.template as<learning_call>());
+      const typename From::vector_type& x = input.vector();
+      typename To::vector_type zero = To::vector_type::Zero();
+      if constexpr (Correction) zero = x;
+      if (teacher && teacher.fresh()) learning.teach(x, teacher.vector() - zero, p.settings);
+      return {typename To::vector_type(zero + learning.answer(x)), learning.status(x, p.settings)};
+    }
+  }
+
+  void on_load() {
+    if (!p.files.load.view().empty()) learning.load(std::string(p.files.load.view()));
+  }
+  void on_save() {
+    if (!p.files.save.view().empty()) learning.save(std::string(p.files.save.view()));
+  }
+};
+
+}  // namespace detail
+
+template <Space From, Space To, Learner Rule, int Capacity = 1000>
+  requires(From::size == From::axes::count && To::size == To::axes::count)
+struct adaptive_mapping : detail::learned_mapping<From, To, Rule, Capacity, false> {};
+
+template <Space Within, Learner Rule, int Capacity = 1000>
+  requires(Within::size == Within::axes::count)
+struct adaptive_transformation : detail::learned_mapping<Within, Within, Rule, Capacity, true> {};
+
+}  // namespace cca

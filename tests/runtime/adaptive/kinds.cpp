@@ -1,0 +1,352 @@
+// The kinds of adaptive components and their criteria, under their laws.
+#include <future>
+
+#include <cca/adaptive/grasping.hpp>
+#include <cca/adaptive/reaching_criterion.hpp>
+#include <cca/adaptive/recursive_least_squares.hpp>
+#include <cca/mapping/mapping.hpp>
+#include <cca/motor/generator.hpp>
+#include <cca/motor/vite.hpp>
+
+#include "../../laws/adaptive_component_laws.hpp"
+#include "../../laws/criterion_laws.hpp"
+#include "rig.hpp"
+
+using namespace adaptive_test;
+
+namespace {
+
+struct trunk : cca::frame<"trunk"> {};
+struct paw : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::z>> {};
+struct attitude : cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
+struct phases : cca::space<cca::phase, cca::axes<hip, knee>> {};
+
+template <class Criterion>
+struct of_angles {
+  using criterion = Criterion;
+  using space = leg;
+  static auto at(double error) { return std::pair(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.3 + error / 2, -0.2 - error)); }
+};
+struct of_positions {
+  using criterion = cca::reaching_goal<paw>;
+  using space = paw;
+  static auto at(double error) { return std::pair(Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.1 + 0.6 * error, 0.1 - 0.8 * error)); }
+};
+struct of_orientations {
+  using criterion = cca::tracking<attitude>;
+  using space = attitude;
+  static auto at(double error) { return std::pair(Eigen::Vector4d(0, 0, 0, -1), Eigen::Vector4d(0, std::sin(error / 2), 0, std::cos(error / 2))); }
+};
+struct of_phases {
+  using criterion = cca::tracking<phases>;
+  using space = phases;
+  static auto at(double error) { return std::pair(Eigen::Vector2d(0.1, 3), Eigen::Vector2d(0.1 - 2 * cca::pi, 3 + error + 2 * cca::pi)); }
+};
+
+// Asks for one place, then for another; phase and amplitude of an oscillator that runs.
+struct script {
+  auto process(cca::beat now) -> std::tuple<cca::out<"reference", leg>, cca::out<"phase", cca::over<cca::phase, stride>>,
+                                            cca::out<"amplitude", cca::over<cca::amplitude, stride>>> {
+    return {now.index() < 2600 ? Eigen::Vector2d(0.1, -0.8) : Eigen::Vector2d(0.6, -1.2), 2e-9 * cca::pi * static_cast<double>(now.time()), 1.0};
+  }
+};
+struct late_robot {  // follows; and sticks for a while
+  auto process(cca::in<"command", leg> wanted, cca::beat now) -> cca::out<"angles", leg> {
+    if (now.index() < 2500 || now.index() > 4000) angles += 0.2 * (wanted.vector() - angles);
+    return angles;
+  }
+  Eigen::Vector2d angles{0, 0};
+};
+
+template <class Skill>
+struct plain_bench : cca::graph<
+    cca::rate<1000>, cca::node<"script", script>, cca::node<"skill", Skill>, cca::node<"robot", late_robot>,
+    cca::wire<"script.reference", "skill.reference">, cca::wire<"skill.command", "robot.command">,
+    cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.*">> {};
+template <class Skill>
+struct phase_bench : cca::graph<
+    cca::rate<1000>, cca::node<"script", script>, cca::node<"skill", Skill>, cca::node<"robot", late_robot>,
+    cca::wire<"script.reference", "skill.reference">, cca::wire<"script.phase", "skill.phase">, cca::wire<"script.amplitude", "skill.amplitude">,
+    cca::wire<"skill.command", "robot.command">, cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.*">> {};
+
+using vite_names = cca::named<"target", "position", "status">;
+struct arm : cca::adaptive_component<cca::vite<leg>, cca::reaching_goal<leg>, vite_names> {};
+struct follower : cca::tracker<cca::vite<leg>, cca::tracking<leg>, vite_names> {};
+struct untaught : cca::tracker<cca::dmp_rhythmic_module<leg, stride, 8>, cca::tracking<leg>> {};
+
+using enum cca::component_status;
+struct arm_case {
+  using graph = plain_bench<arm>;
+  static constexpr int beats = 6000;
+  static constexpr bool at_rest = true;
+  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, cca::infinity, 0.05}; }
+  static std::set<cca::component_status> expected() { return {converging, reached}; }
+};
+struct follower_case {
+  using graph = plain_bench<follower>;
+  static constexpr int beats = 6000;
+  static constexpr bool at_rest = false;
+  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05}; }
+  static std::set<cca::component_status> expected() { return {converging, reached, diverged}; }
+};
+struct untaught_case {
+  using graph = phase_bench<untaught>;
+  static constexpr int beats = 6000;
+  static constexpr bool at_rest = false;
+  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05}; }
+  static std::set<cca::component_status> expected() { return {outside_trained_region, reached, diverged}; }
+};
+
+}  // namespace
+
+TEST_CASE("the laws of a criterion hold for tracking and reaching, over angles, positions, orientations and phases") {
+  laws::criterion<of_angles<cca::tracking<leg>>>();
+  laws::criterion<of_angles<cca::reaching_goal<leg>>>();
+  laws::criterion<of_positions>();
+  laws::criterion<of_orientations>();
+  laws::criterion<of_phases>();
+}
+
+TEST_CASE("the laws of an adaptive component hold for its kinds") {
+  laws::adaptive_component<arm_case>();
+  laws::adaptive_component<follower_case>();
+  laws::adaptive_component<untaught_case>();
+}
+
+TEST_CASE("a grasp is firm, still, and around something") {
+  struct jaw : cca::dimension<"jaw"> {};
+  struct aperture : cca::space<cca::joint_angles, cca::axes<jaw>> {};
+  struct grip : cca::space<cca::joint_torques, cca::axes<jaw>> {};
+  using one = Eigen::Matrix<double, 1, 1>;
+  cca::grasping<aperture, grip> c;
+  c.p = {0.5, 0.2, 0.02, 0.1, 0.01};
+  std::int64_t k = 0;
+  const auto feel = [&](double width, double effort, int beats) {
+    double state = 0;
+    for (int i = 0; i < beats; ++i, ++k) {
+      const auto [e, s] = c.process({one(0.0), k, true}, {one(width), k, true}, {one(effort), k, true}, cca::beat(k, 1'000'000, 1));
+      state = s.vector()[0];
+    }
+    return static_cast<cca::criterion_state>(state);
+  };
+  using enum cca::criterion_state;
+  CHECK(feel(0.5, 0.1, 20) == open);      // not firm
+  CHECK(feel(0.5, -0.6, 9) == open);      // not for long
+  CHECK(feel(0.5, -0.6, 1) == fulfilled);
+  CHECK(feel(0.5, -0.3, 20) == fulfilled);  // slacker, but not slack
+  CHECK(feel(0.5, -0.1, 1) == open);
+  double width = 0.5;
+  for (int i = 0; i < 30; ++i) CHECK(feel(width -= 0.001, 0.6, 1) == open);  // it moves by 1 rad/s
+  CHECK(feel(width, 0.6, 20) == fulfilled);
+  CHECK(feel(0.01, 0.6, 1) == open);   // it slips
+  CHECK(feel(0.01, 0.6, 20) == lost);  // closed on nothing
+  CHECK(feel(0.3, 0.0, 1) == open);
+  CHECK(feel(std::numeric_limits<double>::quiet_NaN(), 0.6, 20) == lost);
+}
+
+namespace {
+
+// The same follower, whose robot counts in hundredths of a degree, and whose reference is in degrees.
+struct degrees : cca::space<cca::number, cca::axes<hip, knee>> {};
+struct counts : cca::space<cca::number, cca::axes<hip, knee>> {};
+template <int PerTurn>
+struct to_angle {
+  Eigen::Vector2d operator()(const Eigen::Vector2d& v) const { return v * (2 * cca::pi / PerTurn); }
+};
+template <int PerTurn>
+struct from_angle {
+  Eigen::Vector2d operator()(const Eigen::Vector2d& v) const { return v * (PerTurn / (2 * cca::pi)); }
+};
+struct slower {
+  auto process(cca::in<"input", cca::over<cca::amplitude, cca::go_axis>> x) -> cca::out<"output", cca::over<cca::amplitude, cca::go_axis>> { return 0.5 * x.vector(); }
+};
+struct mapped : cca::tracker<cca::vite<leg>, cca::tracking<leg>, vite_names, cca::timed<1>,
+                             cca::reference_through<cca::mapping<degrees, leg, to_angle<360>>>,
+                             cca::feedback_through<cca::mapping<counts, leg, to_angle<36000>>>,
+                             cca::command_through<cca::mapping<leg, counts, from_angle<36000>>>, cca::control_through<"go", slower>> {};
+
+struct wishes {
+  auto process(cca::beat) -> std::tuple<cca::out<"angles", leg>, cca::out<"degrees", degrees>, cca::out<"go", cca::over<cca::amplitude, cca::go_axis>>,
+                                        cca::out<"half", cca::over<cca::amplitude, cca::go_axis>>> {
+    return {Eigen::Vector2d(0.5, -0.25) * cca::pi, Eigen::Vector2d(90, -45), 1.0, 0.5};
+  }
+};
+struct counting_robot {
+  auto process(cca::in<"command", counts> wanted) -> cca::out<"counts", counts> { return now += 0.2 * (wanted.vector() - now); }
+  Eigen::Vector2d now{0, 0};
+};
+struct side_by_side : cca::graph<
+    cca::rate<1000>, cca::node<"wish", wishes>, cca::node<"plain", follower>, cca::node<"robot", late_robot>, cca::node<"mapped", mapped>,
+    cca::node<"counting", counting_robot>, cca::wire<"wish.angles", "plain.reference">, cca::wire<"wish.half", "plain.go">,
+    cca::wire<"plain.command", "robot.command">, cca::wire<"robot.angles", "plain.feedback", cca::delayed<1>>,
+    cca::wire<"wish.degrees", "mapped.reference">, cca::wire<"wish.go", "mapped.go">, cca::wire<"mapped.command", "counting.command">,
+    cca::wire<"counting.counts", "mapped.feedback", cca::delayed<1>>, cca::observe<"*.criterion.*">> {};
+
+}  // namespace
+
+TEST_CASE("mappings on the ports let a component work in its own space") {
+  cca::controller<side_by_side> c;
+  c.load();
+  c.start();
+  for (int k = 0; k < 2000; ++k) {
+    c.step();
+    CHECK((c.get<"counting">().now * (2 * cca::pi / 36000) - c.get<"robot">().angles).norm() < 1e-12);
+    const auto all = laws::told(c);
+    CHECK(std::abs(all.at("plain.criterion.error")[0] - all.at("mapped.criterion.error")[0]) < 1e-12);
+  }
+  CHECK((c.get<"counting">().now - Eigen::Vector2d(9000, -4500)).norm() < 50);
+}
+
+namespace {
+
+// [generator]
+struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg, stride, 25>, cca::tracking<leg>> {};
+
+struct hand {  // turns all four knobs
+  auto process(cca::beat) -> std::tuple<cca::out<"centre", leg>, cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                        cca::out<"phase", cca::over<cca::phase, stride>>, cca::out<"frequency", cca::over<cca::frequency, stride>>> {
+    return {centre, amplitude, phase, frequency};
+  }
+  Eigen::Vector2d centre{0.1, -0.8};
+  double amplitude = 1, phase = 0, frequency = 1.5;
+};
+struct swinging : cca::graph<
+    cca::rate<1000>,
+    cca::node<"hand",  hand>,
+    cca::node<"swing", swing>,
+    cca::node<"robot", late_robot>,
+    cca::wire<"hand.centre",    "swing.centre">,
+    cca::wire<"hand.amplitude", "swing.amplitude">,
+    cca::wire<"hand.phase",     "swing.phase">,
+    cca::wire<"hand.frequency", "swing.frequency">,
+    cca::wire<"swing.command",  "robot.command">,
+    cca::wire<"robot.angles",   "swing.feedback", cca::delayed<1>>,
+    cca::observe<"swing.status.*">> {};
+// [generator end]
+
+template <class Learner, class Shape>
+typename Learner::learned taught(Shape shape) {
+  std::vector<cca::example<typename Learner::model>> all;
+  for (int i = 0; i < 1000; ++i) {
+    const double f = 2e-3 * cca::pi * i;
+    all.push_back({{f, 1.0}, shape(f)});
+  }
+  return Learner::batch(all, {});
+}
+
+struct range {
+  double low = 9, high = -9;
+};
+template <class Graph>
+range over(cca::controller<Graph>& c, int beats) {
+  range r;
+  for (int k = 0; k < beats; ++k) {
+    c.step();
+    const double hip_angle = laws::told(c).empty() ? 0 : c.template get<"robot">().angles[0];
+    r.low = std::min(r.low, hip_angle), r.high = std::max(r.high, hip_angle);
+  }
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("a generator swings around its centre, and rests there at a negative amplitude") {
+  cca::controller<swinging> c;
+  using learner = cca::dmp_rhythmic_module<leg, stride, 25>::learner;
+  c.get<"swing">().get<"module">().get<"pattern">().learning.hand_over(taught<learner>([](double f) -> Eigen::Vector2d { return 60 * Eigen::Vector2d(std::sin(f), std::cos(f)); }));
+  c.load();
+  c.start();
+  c.run(cca::for_beats<1000>{});
+  const auto first = over(c, 800);
+  CHECK((first.high + first.low) / 2 == doctest::Approx(0.1).epsilon(0.05));
+  const double width = first.high - first.low;
+  CHECK(width > 0.2);
+  CHECK(laws::told(c).at("swing.status.module") == std::vector<double>{cca::status_of(cca::learning::trained), cca::status_of(cca::trained_region::inside)});
+  auto ahead = c;  // half a turn further: where the one is high, the other is low
+  ahead.get<"hand">().phase = cca::pi;
+  c.run(cca::for_beats<600>{});
+  ahead.run(cca::for_beats<600>{});
+  CHECK(std::abs(c.get<"robot">().angles[0] - 0.1 + ahead.get<"robot">().angles[0] - 0.1) < 0.02 * width);
+  CHECK(std::abs(c.get<"robot">().angles[1] - ahead.get<"robot">().angles[1]) > 0.1 * width);
+  c.get<"hand">().amplitude = -1;
+  c.get<"hand">().centre = {0.3, -0.5};
+  for (int k = 0; k < 8000; ++k) c.step();
+  CHECK((c.get<"robot">().angles - Eigen::Vector2d(0.3, -0.5)).norm() < 2e-3);
+  CHECK(laws::told(c).at("swing.status.component")[0] == cca::status_of(reached));
+}
+
+namespace {
+
+struct caller {  // asks to be taught for a second
+  auto process(cca::beat now) -> cca::maybe<"learn", cca::learning_request> {
+    if (now.index() == 500) return cca::status_of(cca::learning_call::collect);
+    if (now.index() == 1500) return cca::status_of(cca::learning_call::rest);
+    return {};
+  }
+};
+struct demonstrator {
+  auto process(cca::beat now) -> std::tuple<cca::out<"angles", leg>, cca::out<"centre", leg>, cca::out<"phase", cca::over<cca::phase, stride>>,
+                                            cca::out<"amplitude", cca::over<cca::amplitude, stride>>> {
+    const double f = 2e-9 * cca::pi * static_cast<double>(now.time());
+    return {shape(f), Eigen::Vector2d(0.1, -0.8), f, 1.0};
+  }
+  static Eigen::Vector2d shape(double f) { return {0.1 + 0.3 * std::sin(f), -0.8 + 0.2 * std::cos(2 * f + 1)}; }
+};
+template <class Learner>
+struct taught_skill : cca::tracker<cca::dmp_rhythmic_module<leg, stride, 50, Learner>, cca::tracking<leg>> {};
+template <class Learner>
+struct school : cca::graph<
+    cca::rate<1000>, cca::node<"caller", caller>, cca::node<"demonstrator", demonstrator>, cca::node<"skill", taught_skill<Learner>>,
+    cca::node<"robot", late_robot>, cca::wire<"caller.learn", "skill.learn">, cca::wire<"demonstrator.angles", "skill.demonstration">,
+    cca::wire<"demonstrator.centre", "skill.reference">, cca::wire<"demonstrator.phase", "skill.phase">,
+    cca::wire<"demonstrator.amplitude", "skill.amplitude">, cca::wire<"skill.command", "robot.command">,
+    cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.module.*">> {};
+
+// How far the command is from the demonstration at most, over a turn, in parts of the swing.
+template <class Learner>
+double shape_error(bool online) {
+  cca::controller<school<Learner>> c;
+  auto& module = c.template get<"skill">().template get<"module">();
+  c.load();
+  c.start();
+  if (online) {
+    c.run(cca::for_beats<10>{});
+    module.learning.learn();
+    c.run(cca::for_beats<2000>{});
+    CHECK(module.learning.state() == cca::learning::trained);  // until it was asked to rest
+  } else {
+    c.run(cca::for_beats<2000>{});
+    CHECK(module.learning.state() == cca::learning::idle);  // as it was asked
+    CHECK(module.learning.example_count() == 1000);
+    // [learning]
+    // On another thread; meanwhile the loop goes on with what it knew.
+    auto result = std::async(std::launch::async, module.learning.begin_batch(module.p.settings));
+    c.run(cca::for_beats<200>{});
+    CHECK(module.learning.state() == cca::learning::batch);
+    module.learning.hand_over(result.get());  // whole, between two beats
+    // [learning end]
+  }
+  c.run(cca::for_beats<4000>{});
+  double worst = 0;
+  for (int k = 0; k < 1000; ++k) {
+    c.step();
+    const auto command = laws::told(c).at("skill.module.command");
+    const auto wanted = demonstrator::shape(2e-3 * cca::pi * static_cast<double>(c.beat_index() - 1));
+    worst = std::max(worst, std::abs(command[0] - wanted[0]) / 0.3);
+  }
+  return worst;
+}
+
+using fifty = cca::rhythmic_shape<leg, 50>;
+
+}  // namespace
+
+TEST_CASE("a shape is learned from a demonstration in a batch on another thread, or online, and reproduced") {
+  const double lwr = shape_error<cca::locally_weighted_regression<fifty>>(false), lwr_online = shape_error<cca::locally_weighted_regression<fifty>>(true),
+               rls = shape_error<cca::recursive_least_squares<fifty>>(false), rls_online = shape_error<cca::recursive_least_squares<fifty>>(true);
+  MESSAGE("of the swing: locally weighted " << lwr << ", online " << lwr_online << "; least squares " << rls << ", online " << rls_online);
+  CHECK(lwr < 0.05);
+  CHECK(lwr_online < 0.05);
+  CHECK(rls < 0.005);
+  CHECK(rls_online < 0.005);
+}

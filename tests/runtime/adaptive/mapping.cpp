@@ -1,0 +1,107 @@
+// An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say, against the
+// analytic one. An adaptive transformation: what a camera sees, corrected.
+#include <cca/adaptive/extreme_learning_machine.hpp>
+#include <cca/mapping/adaptive_mapping.hpp>
+#include <cca/mapping/forward_kinematics.hpp>
+#include <cca/mapping/mapping_chain.hpp>
+
+#include "../../laws/learner_laws.hpp"
+#include "../../laws/mapping_laws.hpp"
+#include "../mapping/chains.hpp"
+
+namespace {
+
+using namespace mapping_test;
+
+// [adaptive mapping]
+struct angles : cca::space<cca::joint_angles, cca::axes<hip_joint, knee>> {};
+struct paw : cca::space<cca::cartesian_position<mapping_test::hip>, cca::axes<cca::x, cca::z>> {};
+using machine = cca::extreme_learning_machine<cca::elm_function<paw, angles, 120>>;
+
+using learned_ik = cca::adaptive_mapping<paw, angles, machine, 2000>;       // in "input", "teacher"; out "output", "module"
+using analytic_ik = cca::inverse_kinematics<leg_in_plane, angles, paw>;     // in "position"; out "angles", "status"
+using forward = cca::forward_kinematics<leg_in_plane, angles, paw>;
+// [adaptive mapping end]
+
+// Angles of a leg that stands or swings: its knee is bent one way, and not to its end.
+Eigen::Vector2d posture(laws::ode_source& random) { return {random(-0.8, 0.8), random(oncilla.knee_range.low * 0.8, oncilla.knee_range.low * 0.2 + oncilla.knee_range.high * 0.1)}; }
+
+struct ik_case {
+  using learner = machine;
+  static constexpr double left = 0.01;
+  static Eigen::Vector2d input(laws::ode_source& random) {
+    forward there;
+    return laws::map(there, posture(random));
+  }
+  static Eigen::Vector2d truth(const Eigen::Vector2d& p) {
+    analytic_ik back;
+    return laws::map(back, p);
+  }
+  static Eigen::Vector2d far() { return {0.5, 0.5}; }
+};
+
+struct here : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
+
+}  // namespace
+
+TEST_CASE("the laws of a learner hold for learned inverse kinematics") { laws::learner<ik_case>(); }
+
+TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or two") {
+  static_assert(cca::Mapping<learned_ik> && cca::SameSpace<cca::output_space<learned_ik>, angles>);
+  const auto ik = std::make_unique<learned_ik>();
+  analytic_ik exact;
+  forward there;
+  laws::ode_source random{std::mt19937_64{21}};
+  using input = cca::in<"input", paw>;
+  using teacher = cca::optional_in<"teacher", angles>;
+  ik->learning.collect();
+  for (int k = 0; k < 2000; ++k) {
+    const Eigen::Vector2d q = posture(random);
+    teacher t(q, k, true);
+    t.set_wired();
+    (void)ik->process(input(laws::map(there, q), k, true), t, {});
+  }
+  CHECK(ik->learning.example_count() == 2000);
+  ik->learning.hand_over(ik->learning.begin_batch(ik->p.settings)());
+  double square = 0, worst = 0, furthest = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Eigen::Vector2d posed = posture(random), p = laws::map(there, posed);
+    cca::optional_in<"near", angles> near(posed, k, true);  // of its two answers, that with the knee bent this way
+    near.set_wired();
+    const auto [solved, reached] = exact.process(cca::in<"position", paw>(p, k, true), near);
+    const auto [q, status] = ik->process(input(p, k, true), {}, {});
+    const double off = (q.vector() - solved.vector()).cwiseAbs().maxCoeff();
+    square += off * off, worst = std::max(worst, off);
+    furthest = std::max(furthest, (laws::map(there, q.vector()) - p).norm());
+  }
+  MESSAGE("angles: rms " << std::sqrt(square / 2000) << " rad, at most " << worst << " rad; paw: at most " << 1000 * furthest << " mm");
+  CHECK(std::sqrt(square / 2000) < 2e-3);
+  CHECK(worst < 0.03);
+  CHECK(furthest < 0.003);
+  const auto [q, status] = ik->process(input(Eigen::Vector2d(0.0, 0.3), 0, true), {}, {});
+  CHECK(q.vector().allFinite());
+  CHECK(status.vector()[1] == cca::status_of(cca::trained_region::outside));
+}
+
+TEST_CASE("an adaptive transformation changes nothing until it has learned a correction") {
+  using correction = cca::adaptive_transformation<here, cca::extreme_learning_machine<cca::elm_function<here, here, 40>>>;
+  static_assert(cca::Transformation<correction>);
+  correction c;
+  const auto bent = [](const Eigen::Vector2d& v) { return Eigen::Vector2d(v[0] + 0.1 * v[1] * v[1], 0.9 * v[1] - 0.05); };
+  using input = cca::in<"input", here>;
+  using teacher = cca::optional_in<"teacher", here>;
+  CHECK(std::get<0>(c.process(input(Eigen::Vector2d(0.3, 0.4), 0, true), {}, {})).vector() == Eigen::Vector2d(0.3, 0.4));
+  laws::ode_source random{std::mt19937_64{22}};
+  c.learning.collect();
+  for (int k = 0; k < 500; ++k) {
+    const Eigen::Vector2d v(random(-1, 1), random(-1, 1));
+    teacher t(bent(v), k, true);
+    t.set_wired();
+    (void)c.process(input(v, k, true), t, {});
+  }
+  c.learning.hand_over(c.learning.begin_batch(c.p.settings)());
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::Vector2d v(random(-1, 1), random(-1, 1));
+    CHECK((std::get<0>(c.process(input(v, k, true), {}, {})).vector() - bent(v)).norm() < 2e-3);
+  }
+}
