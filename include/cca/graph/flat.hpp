@@ -77,6 +77,7 @@ struct flat_view {
   int scope_count = 0, leaf_count = 0, turn_count = 0, input_count = 0, output_count = 0, link_count = 0, queue_count = 0;
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
+  int turns_in_part = 0;    // graph/parts.hpp
   bool may_fault = false;
   verdict found{};
 };

@@ -63,10 +63,14 @@ struct laying_out {
   const flat_view& g;
   Layout& to;
 
-  constexpr seat place(storage_kind kind, int size, int depth = 0) {
+  constexpr int group_of_kind(storage_kind kind, int size, int depth = 0) {
     int group = 0;
     while (group < to.group_count && !(to.groups[group].kind == kind && to.groups[group].size == size && to.groups[group].depth == depth)) ++group;
     if (group == to.group_count) to.groups[to.group_count++] = {kind, size, depth, 0};
+    return group;
+  }
+  constexpr seat place(storage_kind kind, int size, int depth = 0) {
+    const int group = group_of_kind(kind, size, depth);
     return {group, to.groups[group].count++};
   }
 
@@ -80,14 +84,29 @@ struct laying_out {
     }
   }
 
+  // Each part of a beat has its own locals.
+  constexpr void place_locals() {
+    scratch used(2 * g.output_count);
+    for (int r = 0; r < g.turn_count; ++r) {
+      const auto& t = g.turns[g.order[r]];
+      if (r % g.turns_in_part == 0)
+        for (int group = 0; group < to.group_count; ++group) used[group] = 0;
+      for (int o = t.first_output; o < t.first_output + t.half->output_count; ++o) {
+        if (g.outputs[o].kept || !g.outputs[o].local) continue;
+        // What is written in each beat needs no first value; of the rest g++ would warn that it may be read before.
+        const bool sure = published(g, g.outputs[o]).every_beat();
+        const int group = group_of_kind(sure ? storage_kind::local : storage_kind::local_if_published, port_of(g, g.outputs[o]).space->size);
+        to.newest[o] = {group, used[group]++};
+        if (used[group] > to.groups[group].count) to.groups[group].count = used[group];
+      }
+    }
+  }
+
   constexpr void place_samples() {
     for (int o = 0; o < g.output_count; ++o) {
       const auto& out = g.outputs[o];
       const int size = port_of(g, out).space->size;
-      // What is written in each beat needs no first value; of the rest g++ would warn that it may be read before.
-      const bool sure = published(g, out).every_beat();
       if (out.kept) to.newest[o] = place(out.stamped ? storage_kind::kept_with_beat : storage_kind::kept, size);
-      else if (out.local) to.newest[o] = place(sure ? storage_kind::local : storage_kind::local_if_published, size);
       if (out.ring > 0) to.past[o] = place(storage_kind::past, size, out.ring);
     }
     for (int i = 0; i < g.input_count; ++i) {
@@ -154,6 +173,7 @@ struct laying_out {
 
   constexpr void run() {
     place_components();
+    place_locals();
     place_samples();
     find_alike();
   }
