@@ -120,6 +120,8 @@ constexpr strategy_info strategy_of_turn(const flat_view& g, const turn& t) {
 
 constexpr int delay_of(const input& i) { return i.wire && i.wire->policy == policy_kind::delayed ? i.wire->number : 0; }
 
+constexpr bool is_queued(const input& i) { return i.queue >= 0; }
+
 // When samples of an output are published, as far as it is known.
 constexpr clock published(const port_info& port, const turn& t) {
   return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;

@@ -6,6 +6,14 @@
 
 namespace cca::detail {
 
+template <class Graph, int Rank>
+using function_at = function_like<Graph, layout_of<Graph>.like[plan_of<Graph>.order[Rank]]>;
+
+template <class Graph, int Rank>
+CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
+  function_at<Graph, Rank>::take_turn(m, l, c, k, layout_of<Graph>.turns[plan_of<Graph>.order[Rank]]);
+}
+
 // The functions from rank `First` on.
 template <class Graph, int First, class Ranks>
 struct part_of_beat;
@@ -15,9 +23,9 @@ struct part_of_beat<Graph, First, std::integer_sequence<int, Rank...>> {
     [[maybe_unused]] locals<Graph> l;
     // Where a beat can end early it is one chain, so that g++ sees that no later turn reads what an earlier one did not write.
     if constexpr (counts_of<Graph>.may_fault) {
-      (void)((take_turn<Graph, plan_of<Graph>.order[First + Rank]>(m, l, c, k), !c.fault) && ...);
+      (void)((take_turn<Graph, First + Rank>(m, l, c, k), !c.fault) && ...);
     } else {
-      const int turns[] = {0, (take_turn<Graph, plan_of<Graph>.order[First + Rank]>(m, l, c, k), 0)...};
+      const int turns[] = {0, (take_turn<Graph, First + Rank>(m, l, c, k), 0)...};
       (void)turns;
     }
   }
