@@ -118,8 +118,6 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
 
   CCA_GLUE static void take_turn(memory<Graph>& m, [[maybe_unused]] locals<Graph>& l, course& on, std::int64_t k, const turn_place& of) {
     if constexpr (!t.fires.never()) {
-      if constexpr (counts_of<Graph>.may_fault)
-        if (on.fault) return;
       auto& self = cells_at<Graph, layout_of<Graph>.cells[t.leaf].group>(m).at(of.component);
       const function_in_beat one{m, on, k, of.leaf, {m, l, of}};
       if constexpr (t.fires.dynamic()) {
