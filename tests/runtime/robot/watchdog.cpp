@@ -23,7 +23,7 @@ struct guarded : cca::graph<
     cca::node<"leg",      perfect_leg>,
     cca::wire<"link.angles",    "watchdog.command">,
     cca::wire<"watchdog.fresh", "limits.command">,
-    cca::wire<"limits.safe",    "leg.command", cca::initial<0.1, -1>>> {};   // until the first command
+    cca::wire<"limits.safe",    "leg.command">> {};
 // [watchdog end]
 
 constexpr std::string_view picture = R"(// [picture]
@@ -56,8 +56,8 @@ struct noting {
 template <std::int64_t Beats>
 struct slow : cca::graph<cca::rate<1000>, cca::node<"far", claiming, cca::full_speed>, cca::node<"hold", cca::limiter<slow_angles>, cca::timed<10>>,
                          cca::node<"watchdog", cca::watchdog<slow_angles, Beats>>, cca::node<"leg", noting>,
-                         cca::wire<"far.angles", "hold.command", cca::latest>, cca::wire<"hold.safe", "watchdog.command", cca::latest, cca::initial<0.1, -1>>,
-                         cca::wire<"watchdog.fresh", "leg.command", cca::initial<0.1, -1>>> {};
+                         cca::wire<"far.angles", "hold.command", cca::latest>, cca::wire<"hold.safe", "watchdog.command", cca::latest>,
+                         cca::wire<"watchdog.fresh", "leg.command">> {};
 
 struct echo {
   auto process(cca::in<"x", slow_angles> x) -> cca::out<"y", slow_angles> { return x; }
@@ -69,7 +69,7 @@ struct echoing {
 };
 struct loop : cca::graph<cca::rate<1000>, cca::node<"gait", echo>, cca::node<"limits", cca::limiter<slow_angles>>, cca::node<"watchdog", cca::watchdog<slow_angles, 5>>,
                          cca::node<"leg", echoing>, cca::wire<"leg.angles", "gait.x">, cca::wire<"gait.y", "limits.command">,
-                         cca::wire<"limits.safe", "watchdog.command", cca::delayed<3>, cca::initial<0.1, -1>>, cca::wire<"watchdog.fresh", "leg.command", cca::initial<0.1, -1>>> {};
+                         cca::wire<"limits.safe", "watchdog.command", cca::delayed<3>>, cca::wire<"watchdog.fresh", "leg.command">> {};
 
 template <class Controller>
 std::int64_t steps_until_fault(Controller& c, int most) {
