@@ -2,8 +2,9 @@
 """All figures of docs/performance.md in one run: builds the programs of this folder with both compilers, checks that the
 three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
-    measure.py                 everything (half an hour on two cores at rest)
-    measure.py --only compile  one part: trot, synthetic, skeletons, compile, listing; the others stay as they were in figures.json
+    measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
+    measure.py --only compile  one part: trot, synthetic, skeletons, compile, listing; the others stay as they were in figures.json;
+                               more than one: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
 
@@ -30,6 +31,7 @@ COMPILERS = ("g++", "clang++-19")
 FORMS = ("graph", "by_hand", "classical")
 TROT_FLAGS = (["-O2"], ["-O3"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
 SIZES = (10, 30, 100, 300)
+SYNTHETIC_BEATS = (200, 600)  # whole rounds of the slowest clock, and 300 virtual components under callgrind
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
 INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(HERE)]
 
@@ -46,13 +48,13 @@ def build(compiler, flags, source, program):
          "-lbenchmark", "-lpthread"])
 
 
-def instructions(program, *form):
+def instructions(program, *form, lengths=(1000, 3000)):
     """A beat: the difference between two lengths of run."""
     counts = []
-    for beats in (1000, 3000):
+    for beats in lengths:
         out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(program), *form, str(beats)]).stderr
         counts.append(int(re.search(r"Collected : (\d+)", out)[1]))
-    return (counts[1] - counts[0]) / 2000
+    return (counts[1] - counts[0]) / (lengths[1] - lengths[0])
 
 
 def nanoseconds(program):
@@ -99,9 +101,9 @@ def calls_of(lines):
     return called
 
 
-def forms(program, with_times=True):
+def forms(program, lengths, with_times=True):
     run([str(program), "check"])
-    figures = {form: {"instructions": instructions(program, form)} for form in FORMS}
+    figures = {form: {"instructions": instructions(program, form, lengths=lengths)} for form in FORMS}
     for line in run([str(program), "figures"]).stdout.splitlines():
         form, allocations, size = line.split()
         figures[form].update(allocations=float(allocations), bytes=int(size))
@@ -121,7 +123,7 @@ def trot(work):
             program = work / "trot"
             # Contraction to fused multiply-adds may differ from one function to another: off, so that bits can be compared.
             build(compiler, [*flags, "-ffp-contract=off"], HERE / "trot.cpp", program)
-            rows.append({"compiler": compiler, "flags": " ".join(flags), **forms(program)})
+            rows.append({"compiler": compiler, "flags": " ".join(flags), **forms(program, (1000, 3000))})
             print("trot", compiler, *flags, {f: rows[-1][f]["instructions"] for f in FORMS}, flush=True)
     return rows
 
@@ -134,7 +136,7 @@ def synthetic(work):
                 source, program = work / "synthetic.cpp", work / "synthetic"
                 source.write_text(generate.source(shape, size))
                 build(compiler, ["-O2"], source, program)
-                rows.append({"compiler": compiler, "shape": shape, "nodes": size, **forms(program)})
+                rows.append({"compiler": compiler, "shape": shape, "nodes": size, **forms(program, SYNTHETIC_BEATS)})
                 print(shape, size, compiler, {f: rows[-1][f]["instructions"] for f in FORMS}, flush=True)
     return rows
 
@@ -193,7 +195,7 @@ def exponent(rows, base):
 def compile_times(work):
     result = {"bases": [], "rows": []}
     for compiler in COMPILERS:
-        for what, text in (("Eigen/Core", "#include <Eigen/Core>\n"), ("cca/cca.hpp", "#include <cca/cca.hpp>\n")):
+        for what, text in (("Eigen/Core", "#include <Eigen/Core>\n"), ("Eigen/Dense", "#include <Eigen/Dense>\n"), ("cca/cca.hpp", "#include <cca/cca.hpp>\n")):
             source = work / "base.cpp"
             source.write_text(text)
             result["bases"].append({"compiler": compiler, "includes": what, **compile_cost(compiler, source, 5)})

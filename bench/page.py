@@ -21,11 +21,16 @@ def three(row, what):
 def short(name):
     """`sin`; of a limiter, what it does in its first beat and when it steps in."""
     seldom = re.search(r"cca::(limiter)<.*::(begin|corrected)\b", name)
+    if "part_of_beat" in name:
+        return "part_of_beat"
     return f"{seldom[1]}::{seldom[2]} (seldom)" if seldom else name.split("(")[0]
 
 
 def calls(row):
-    return ", ".join(f"{n} {short(name)}" for name, n in sorted(row["graph"]["calls"].items())) or "none"
+    count = {}
+    for name, n in row["graph"]["calls"].items():
+        count[short(name)] = count.get(short(name), 0) + n
+    return ", ".join(f"{n} {name}" for name, n in sorted(count.items())) or "none"
 
 
 def ratio(row):
@@ -60,7 +65,8 @@ def synthetic(part):
     return f"""## Chain, fan-out, mixed rates
 
 Low-pass filters on samples of two axes, `-O2`: one after another, all behind one source, and one after another at 1000, 500,
-200 and 100 Hz in turn. By hand: a loop over an array of filters. Graph / by hand / classical.
+200 and 100 Hz in turn. By hand: a loop over an array of filters. Graph / by hand / classical. A beat of more than 128 nodes is
+compiled in parts: these calls are listed as `part_of_beat`.
 
 {table(["shape", "nodes", "compiler", "instructions a beat", "graph : by hand", "ns a beat", "calls left", "allocations a beat", "bytes of state"], rows)}
 {measured(part)}"""
@@ -117,7 +123,8 @@ Growth exponent of the seconds above Eigen (1: linear):
 
 {table(["graph", "compiler", "nodes", "exponent"], growth)}
 Components of one type that are wired alike are compiled once (`include/cca/graph/layout.hpp`); "a type each" is the other
-extreme, where no two components share anything.
+extreme, where no two components share anything. A beat of more than 128 functions is compiled in parts of 64
+(`include/cca/graph/parts.hpp`), each a call and a function of its own: in one, 1,000 nodes of mixed rates took g++ 106 s.
 {measured(part)}"""
 
 
@@ -125,9 +132,8 @@ def listing(part):
     blocks = "\n".join(f"{compiler}:\n\n```asm\n" + "\n".join(lines) + "\n```\n" for compiler, lines in part["data"].items())
     return f"""## The loop of a small graph
 
-A source and three low-pass filters in a row, `-O2`: all that a beat is, with the question whether the controller runs. In g++'s
-no sample, port or origin is left. In clang's each filter still stores its input's sample, origin and freshness and a pointer to
-it (`-0x38` to `-0x10(%rsp)`), of which only the gain is read again: five stores a filter.
+A source and three low-pass filters in a row, `-O2`: all that a beat is, with the question whether the controller runs. No
+sample, port or origin is left.
 
 {blocks}"""
 
@@ -137,8 +143,8 @@ def text(figures, exponent):
 
 <!-- Made by bench/measure.py from bench/figures.json: change those, not this page. -->
 
-All figures come from one command, `bench/measure.py` (also `cmake --preset bench && cmake --build --preset bench --target
-performance`). It needs g++, clang++-19, valgrind, objdump and Google Benchmark, all of which `bootstrap` installs. Counts are the
+All figures come from one command, `cmake --workflow --preset bench`, which builds the benchmarks and runs `bench/measure.py`: half
+an hour on a machine that does nothing else. It needs g++, clang++-19, valgrind, objdump and Google Benchmark, all of which `bootstrap` installs. Counts are the
 same on a busy machine; times are medians of five and are not. `tests/runtime/no_allocation` and the test `performance: calls` keep
 watch that a beat allocates nothing and calls nothing but libm.
 """]

@@ -154,5 +154,9 @@ def code(made):
     lines = [f"namespace architecture_{made.seed} {{", "using namespace semantics;\n"]
     lines += [graph_cpp(graph, rng) for graph in reversed(made.types)]  # inner ones first
     lines.append(f'constexpr char text[] = R"({text(made)})";')
-    lines.append(f"const registered here{{{made.seed}, text, &run<top>}};\n\n}}  // namespace architecture_{made.seed}\n")
+    closed = f"}}  // namespace architecture_{made.seed}\n"
+    if made.seed % 3 == 0:  # as graphs of very many functions are: cut into parts
+        lines.append(f"\n{closed}template <>\nconstexpr int cca::detail::turns_in_part<architecture_{made.seed}::top> = {1 + made.seed % 4};")
+        lines.append(f"namespace architecture_{made.seed} {{")
+    lines.append(f"const registered here{{{made.seed}, text, &run<top>}};\n\n{closed}")
     return "\n".join(lines)

@@ -34,7 +34,7 @@ template <class Type>
 inline constexpr std::uint64_t type_key = hash(spelled<Type>(), sizeof(Type));
 
 struct component_info {
-  std::string_view name{};
+  std::string_view spelled_type{};
   std::uint64_t key = 0;             // type_key of its type
   ref<half_info> sense = nullptr;
   ref<half_info> process = nullptr;
@@ -47,6 +47,7 @@ struct component_info {
   std::string_view wrong_arity{};    // of a skeleton: what does not come out even in it, as the end of a sentence
   bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
   bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
+  constexpr std::string_view name() const { return without_namespaces(spelled_type); }
   constexpr bool resource() const { return sense || act; }
 };
 
@@ -61,7 +62,7 @@ constexpr field_problem bad_field_of{};
 template <class Type>
 inline constexpr component_info component_of = [] {
   component_info info;
-  info.name = type_name<Type>();
+  info.spelled_type = spelled<Type>();
   info.key = type_key<Type>;
   if constexpr (HasProcess<Type>) {
     info.process = &half_of_component<Type, phase_of_beat::process>::value;

@@ -31,9 +31,17 @@ template <class Component> concept OnStart = requires(Component& c) { { c.on_sta
 template <class Component> concept OnStop = requires(Component& c) { { c.on_stop() } -> std::same_as<void>; };
 template <class Component> concept OnFault = requires(Component& c) { { c.on_fault() } -> std::same_as<void>; };
 
+// As most have it: one question instead of ten.
+template <class Component>
+concept NamesNone = CanBeProbed<Component> && requires {
+  &hook_probe<Component>::on_load, &hook_probe<Component>::on_save, &hook_probe<Component>::on_start, &hook_probe<Component>::on_stop,
+      &hook_probe<Component>::on_fault;
+};
+
 template <class Component>
 constexpr std::string_view bad_hook() {
-  if constexpr (NamesLoad<Component> && !OnLoad<Component>) return "on_load";
+  if constexpr (NamesNone<Component>) return {};
+  else if constexpr (NamesLoad<Component> && !OnLoad<Component>) return "on_load";
   else if constexpr (NamesSave<Component> && !OnSave<Component>) return "on_save";
   else if constexpr (NamesStart<Component> && !OnStart<Component>) return "on_start";
   else if constexpr (NamesStop<Component> && !OnStop<Component>) return "on_stop";

@@ -77,6 +77,7 @@ struct flat_view {
   int scope_count = 0, leaf_count = 0, turn_count = 0, input_count = 0, output_count = 0, link_count = 0, queue_count = 0;
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
+  int turns_in_part = 0;    // graph/parts.hpp
   bool may_fault = false;
   verdict found{};
 };
@@ -118,6 +119,8 @@ constexpr strategy_info strategy_of_turn(const flat_view& g, const turn& t) {
 }
 
 constexpr int delay_of(const input& i) { return i.wire && i.wire->policy == policy_kind::delayed ? i.wire->number : 0; }
+
+constexpr bool is_queued(const input& i) { return i.queue >= 0; }
 
 // When samples of an output are published, as far as it is known.
 constexpr clock published(const port_info& port, const turn& t) {

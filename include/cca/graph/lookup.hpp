@@ -25,14 +25,24 @@ inline constexpr int size_of_input = input_port_of<Graph, Input>.space->size;
 template <class Graph, int Output>
 inline constexpr clock published_of = published(output_port_of<Graph, Output>, turn_of<Graph, output_of<Graph, Output>.turn>);
 
-// The numbers of a function's inputs.
-template <int First, int... I>
-auto counted_from(std::integer_sequence<int, I...>) -> std::integer_sequence<int, First + I...>;
+// The inputs and outputs of a function by their position in it, and for each the first one that is alike.
 template <class Graph, int Turn>
-using inputs_of = decltype(counted_from<turn_of<Graph, Turn>.first_input>(std::make_integer_sequence<int, turn_of<Graph, Turn>.half->input_count>{}));
+using input_positions = std::make_integer_sequence<int, turn_of<Graph, Turn>.half->input_count>;
+template <class Graph, int Turn>
+using output_positions = std::make_integer_sequence<int, turn_of<Graph, Turn>.half->output_count>;
 
+template <class Graph, int First, int... I>
+auto alike_inputs(std::integer_sequence<int, I...>) -> std::integer_sequence<int, layout_of<Graph>.like_input[First + I]...>;
 template <class Graph, int Turn>
-using outputs_of = decltype(counted_from<turn_of<Graph, Turn>.first_output>(std::make_integer_sequence<int, turn_of<Graph, Turn>.half->output_count>{}));
+using inputs_like = decltype(alike_inputs<Graph, turn_of<Graph, Turn>.first_input>(input_positions<Graph, Turn>{}));
+
+template <class Graph, int First, int... O>
+auto alike_outputs(std::integer_sequence<int, O...>) -> std::integer_sequence<int, layout_of<Graph>.like_output[First + O]...>;
+template <class Graph, int Turn>
+using outputs_like = decltype(alike_outputs<Graph, turn_of<Graph, Turn>.first_output>(output_positions<Graph, Turn>{}));
+
+template <class Graph, int Turn, int Position>
+inline constexpr int input_like = layout_of<Graph>.like_input[turn_of<Graph, Turn>.first_input + Position];
 
 // Where things lie.
 template <class Graph, int Group>

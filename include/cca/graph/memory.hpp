@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cca/graph/clocks.hpp>
+#include <cca/graph/parts.hpp>
 
 namespace cca::detail {
 
@@ -114,7 +115,7 @@ struct remembering {
         deepest = need > deepest ? need : deepest;
       } else if (in.queue < 0) {
         in.in_beat = contains(c, g.turns[in.turn].fires) || fires_with(in);
-        if (!in.in_beat) out.kept = true;
+        if (!in.in_beat || !in_one_part(g, in.turn, out.turn)) out.kept = true;
       }
     }
     for (int l = 0; l < g.link_count; ++l)

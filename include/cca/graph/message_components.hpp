@@ -54,7 +54,7 @@ constexpr void tell_duplicate_name(telling& t) {
   for (int i = 0; i < t.graph().count; ++i) {
     const auto& other = t.graph().items[i];
     if (other.from != t.item().from || (!other.component && !other.inner)) continue;
-    t.say() << separator << (other.component ? other.component->name : other.inner->name);
+    t.say() << separator << (other.component ? other.component->name() : other.inner->name);
     separator = ", ";
   }
   t.say() << "), so a path to them has two meanings: give one of them another name";

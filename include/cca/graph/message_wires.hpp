@@ -101,7 +101,7 @@ constexpr void tell_unknown_port(telling& t) {
   } else if (!node) {
     t.say() << "there is no node `" << wrong.substr(0, wrong.find('.')) << "`";
   } else {
-    t.say() << "`" << node->from << "` (" << (node->inner ? node->inner->name : node->component->name) << ") "
+    t.say() << "`" << node->from << "` (" << (node->inner ? node->inner->name : node->component->name()) << ") "
             << (node->inner ? "exposes" : "has") << " no such "
             << (exposes  ? "port"
                 : reader ? "input"

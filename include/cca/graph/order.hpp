@@ -7,20 +7,22 @@
 namespace cca::detail {
 
 // Numbers for the time of a constant evaluation.
-class scratch {
+template <class Number>
+class scratch_of {
 public:
-  explicit constexpr scratch(int size, int fill = 0) : numbers(new int[static_cast<std::size_t>(size) + 1]) {
+  explicit constexpr scratch_of(int size, Number fill = 0) : numbers(new Number[static_cast<std::size_t>(size) + 1]) {
     for (int i = 0; i <= size; ++i) numbers[i] = fill;
   }
-  scratch(const scratch&) = delete;
-  scratch& operator=(const scratch&) = delete;
-  constexpr ~scratch() { delete[] numbers; }
-  constexpr int& operator[](int i) { return numbers[i]; }
-  constexpr int operator[](int i) const { return numbers[i]; }
+  scratch_of(const scratch_of&) = delete;
+  scratch_of& operator=(const scratch_of&) = delete;
+  constexpr ~scratch_of() { delete[] numbers; }
+  constexpr Number& operator[](int i) { return numbers[i]; }
+  constexpr Number operator[](int i) const { return numbers[i]; }
 
 private:
-  int* numbers;
+  Number* numbers;
 };
+using scratch = scratch_of<int>;
 
 // Calls f(reader's turn) for each wire and observer without delay that leaves a turn.
 template <class F>

@@ -84,6 +84,7 @@ template <class Graph>
 consteval flat_of<Graph> remember() {
   auto result = clocked_of<Graph>;
   if (result.counts.found.broken != rule::none) return result;
+  result.counts.turns_in_part = turns_in_part<Graph>;
   remembering step{result.view()};
   step.run();
   coordinating origins{step.g};

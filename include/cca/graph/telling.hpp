@@ -36,7 +36,7 @@ struct telling {
     say() << "`";
     add_scope_path(say(), g, g.found.scope);
     say() << item().from << "`";
-    if (item().component) say() << " (" << item().component->name << ")";
+    if (item().component) say() << " (" << item().component->name() << ")";
     if (item().inner) say() << " (" << item().inner->name << ")";
   }
   template <class Port>

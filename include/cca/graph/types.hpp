@@ -13,12 +13,15 @@ struct box { using type = Type; };
 
 // Item I of a graph. Keyed on the graph, not on the list of its items, which is long.
 #if defined(__has_builtin) && __has_builtin(__type_pack_element)
-template <int I, class List>
-struct nth_of;
-template <int I, class... Types>
-struct nth_of<I, list<Types...>> { using type = __type_pack_element<I, Types...>; };
+template <class List>
+struct types_in;
+template <class... Types>
+struct types_in<list<Types...>> {
+  template <int I>
+  using at = __type_pack_element<I, Types...>;
+};
 template <class Graph, int I>
-struct nth_item : nth_of<I, typename Graph::cca_items> {};
+struct nth_item { using type = typename types_in<typename Graph::cca_items>::template at<I>; };
 #else
 // Without the builtin: a tree of blocks of sixteen, built once a graph, searched by overload resolution within a block.
 // `pick` is called by its full name on a pointer: to look it up by argument would complete every item's type.

@@ -230,7 +230,7 @@ private:
   // quadratic time to put it together again.
   [[gnu::flatten]] void advance() {
     detail::course course;
-    detail::loop<Graph, std::make_integer_sequence<int, detail::counts_of<Graph>.turn_count>>::beat(state_of_all, course, k);
+    detail::take_beat(state_of_all, course, k);
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
       if (course.fault) fail(course);

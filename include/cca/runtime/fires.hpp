@@ -24,32 +24,34 @@ struct question {
   std::int64_t k;
   const last_firing& self;
 
-  template <int Input>
+  template <int Position>
   CCA_GLUE bool fresh() const {
-    if constexpr (is_wired<Graph, Input>) return is_fresh<Graph, Input>(places, k, self.last);
+    constexpr int input = input_like<Graph, Turn, Position>;
+    if constexpr (is_wired<Graph, input>) return is_fresh<Graph, input>(input_in<Position>(places), k, self.last);
     else return false;
   }
-  template <int... Input>
-  CCA_GLUE bool any_fresh(std::integer_sequence<int, Input...>) const {
-    return (fresh<Input>() || ... || any_observed());
+  template <int... Position>
+  CCA_GLUE bool any_fresh(std::integer_sequence<int, Position...>) const {
+    return (fresh<Position>() || ... || any_observed());
   }
-  template <int... Input>
-  CCA_GLUE bool all_fresh(std::integer_sequence<int, Input...>) const {
-    return ((!is_wired<Graph, Input> || fresh<Input>()) && ... && (!has_observers<Graph, Turn>() || any_observed()));
+  template <int... Position>
+  CCA_GLUE bool all_fresh(std::integer_sequence<int, Position...>) const {
+    return ((!is_wired<Graph, input_like<Graph, Turn, Position>> || fresh<Position>()) && ... && (!has_observers(turn_of<Graph, Turn>) || any_observed()));
   }
 
   // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
-  template <int... Input>
-  CCA_GLUE bool together(std::integer_sequence<int, Input...>) const {
+  template <int... Position>
+  CCA_GLUE bool together(std::integer_sequence<int, Position...>) const {
     std::int64_t common = never;
     bool all = true;
-    (join<Input>(common, all), ...);
+    (join<Position>(common, all), ...);
     return all && common > self.oldest;
   }
-  template <int Input>
+  template <int Position>
   CCA_GLUE void join(std::int64_t& common, bool& all) const {
-    if constexpr (is_wired<Graph, Input>) {
-      const auto origin = origin_of<Graph, Input>(places, k);
+    constexpr int input = input_like<Graph, Turn, Position>;
+    if constexpr (is_wired<Graph, input>) {
+      const auto origin = origin_of<Graph, input>(input_in<Position>(places), k);
       if (common == never) common = origin;
       all = all && origin != never && origin == common;
     }
@@ -58,7 +60,7 @@ struct question {
   // Does an observer of this function listen to something fresh?
   CCA_GLUE bool any_observed() const {
     bool any = false;
-    if constexpr (has_observers<Graph, Turn>()) for_each_observed<Graph, Turn>([&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
+    if constexpr (has_observers(turn_of<Graph, Turn>)) for_each_observed<Graph, Turn>([&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
     return any;
   }
 };
@@ -95,9 +97,9 @@ private:
         if (positions[i] == position) return static_cast<int>(i);
       return 0;
     }();
-    constexpr int input = turn_of<Graph, Turn>.first_input + (position < 0 ? 0 : position);
+    constexpr int input = position < 0 ? 0 : position;  // the message says the rest
     std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>> port{to_be_filled{}};
-    fill_port<Graph, input>(port, asked.places, asked.k, asked.self.last);
+    fill_port<Graph, input_like<Graph, Turn, input>>(port, input_in<input>(asked.places), asked.k, asked.self.last);
     return port;
   }
 };
@@ -134,7 +136,7 @@ template <>
 struct asking<restless> {
   template <class Graph, int Turn>
   CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return q.any_fresh(inputs_of<Graph, Turn>{});
+    return q.any_fresh(input_positions<Graph, Turn>{});
   }
 };
 
@@ -142,7 +144,7 @@ template <>
 struct asking<moderate> {
   template <class Graph, int Turn>
   CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return q.all_fresh(inputs_of<Graph, Turn>{});
+    return q.all_fresh(input_positions<Graph, Turn>{});
   }
 };
 
@@ -150,11 +152,11 @@ template <fixed_string... Names>
 struct asking<port_triggered<Names...>> {
   template <class Graph, int Turn>
   CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return any_named(q, inputs_of<Graph, Turn>{});
+    return any_named(q, input_positions<Graph, Turn>{});
   }
-  template <class Graph, int Turn, int... Input>
-  CCA_GLUE static bool any_named(const question<Graph, Turn>& q, std::integer_sequence<int, Input...>) {
-    return ((is_named(input_port_of<Graph, Input>.name) && q.template fresh<Input>()) || ...);
+  template <class Graph, int Turn, int... Position>
+  CCA_GLUE static bool any_named(const question<Graph, Turn>& q, std::integer_sequence<int, Position...>) {
+    return ((is_named(turn_of<Graph, Turn>.half->inputs[Position].name) && q.template fresh<Position>()) || ...);
   }
   static constexpr bool is_named(std::string_view name) { return ((name == Names.view()) || ...); }
 };
@@ -171,7 +173,7 @@ template <>
 struct asking<coordinated> {
   template <class Graph, int Turn>
   CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return q.together(inputs_of<Graph, Turn>{});
+    return q.together(input_positions<Graph, Turn>{});
   }
 };
 

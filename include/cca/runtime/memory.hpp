@@ -86,11 +86,6 @@ struct stored<storage_kind::queue, Size, Depth> { using type = waiting_samples<S
 template <class Graph, int Group>
 using stored_of = typename stored<group_of<Graph, Group>.kind, group_of<Graph, Group>.size, group_of<Graph, Group>.depth>::type;
 
-// Coordinate c of the initial value that a wire gives; without one, of the space's zero.
-constexpr double initial_coordinate(ref<item_info> wire, const space_info& space, int c) {
-  return wire && wire->initial ? wire->initial[wire->initial_count == 1 ? 0 : c] : space.zero[c];
-}
-
 template <class Graph, int Group, class Stored>
 struct initial_samples {
   Stored all[static_cast<std::size_t>(group_of<Graph, Group>.count)];
@@ -209,7 +204,7 @@ CCA_GLUE auto refer(memory<Graph>& m, locals<Graph>& l, int slot) {
 template <class Graph, int Group>
 using reference_to = decltype(refer<Graph, Group>(std::declval<memory<Graph>&>(), std::declval<locals<Graph>&>(), 0));
 
-// Where one input reads, and where one output goes.
+// Where one input reads, and where one output goes: for all that are alike.
 template <class Graph, int Input>
 struct input_seat : reference_to<Graph, layout_of<Graph>.sources[Input].group> {};
 template <class Graph, int Output>
@@ -218,13 +213,29 @@ struct output_seat {
   [[no_unique_address]] reference_to<Graph, layout_of<Graph>.past[Output].group> past;
 };
 
-template <class Graph, class Inputs, class Outputs>
-struct seats_of;
-template <class Graph, int... I, int... O>
-struct seats_of<Graph, std::integer_sequence<int, I...>, std::integer_sequence<int, O...>> : input_seat<Graph, I>..., output_seat<Graph, O>... {};
+template <int Position, class Seat>
+struct input_at { Seat seat; };
+template <int Position, class Seat>
+struct output_at { Seat seat; };
+template <int Position, class Seat>
+CCA_GLUE const Seat& input_in(const input_at<Position, Seat>& place) { return place.seat; }
+template <int Position, class Seat>
+CCA_GLUE const Seat& output_in(const output_at<Position, Seat>& place) { return place.seat; }
 
-// All places that a function of the beat touches. Functions that are alike have seats of one type.
+// All places that a function of the beat touches. They are of one type for all functions that read and publish alike; the
+// numbers of the ports are constants once this is inlined.
+template <class Graph, class Inputs, class LikeInputs, class Outputs, class LikeOutputs>
+struct seats_of;
+template <class Graph, int... P, int... Input, int... Q, int... Output>
+struct seats_of<Graph, std::integer_sequence<int, P...>, std::integer_sequence<int, Input...>, std::integer_sequence<int, Q...>, std::integer_sequence<int, Output...>>
+    : input_at<P, input_seat<Graph, Input>>..., output_at<Q, output_seat<Graph, Output>>... {
+  CCA_GLUE seats_of([[maybe_unused]] memory<Graph>& m, [[maybe_unused]] locals<Graph>& l, [[maybe_unused]] const turn_place& of)
+      : input_at<P, input_seat<Graph, Input>>{{{refer<Graph, layout_of<Graph>.sources[Input].group>(m, l, layout_of<Graph>.sources[of.first_input + P].slot)}}}...,
+        output_at<Q, output_seat<Graph, Output>>{{refer<Graph, layout_of<Graph>.newest[Output].group>(m, l, layout_of<Graph>.newest[of.first_output + Q].slot),
+                                                  refer<Graph, layout_of<Graph>.past[Output].group>(m, l, layout_of<Graph>.past[of.first_output + Q].slot)}}... {}
+};
+
 template <class Graph, int Turn>
-using seats = seats_of<Graph, inputs_of<Graph, Turn>, outputs_of<Graph, Turn>>;
+using seats = seats_of<Graph, input_positions<Graph, Turn>, inputs_like<Graph, Turn>, output_positions<Graph, Turn>, outputs_like<Graph, Turn>>;
 
 }  // namespace cca::detail

@@ -5,17 +5,16 @@
 
 namespace cca::detail {
 
-template <class Graph, int Turn>
-constexpr bool has_observers() {
-  for (int p = 0; p < turn_of<Graph, Turn>.half->input_count; ++p)
-    if (!turn_of<Graph, Turn>.half->inputs[p].space) return true;
+constexpr bool has_observers(const turn& t) {
+  for (int p = 0; p < t.half->input_count; ++p)
+    if (!t.half->inputs[p].space) return true;
   return false;
 }
 
 // Calls f.template operator()<Link>() for each link of the observers of a function, or of one of them.
 template <class Graph, int Turn, int OnlyInput = -1, class F>
 CCA_GLUE void for_each_observed(F f) {
-  if constexpr (has_observers<Graph, Turn>()) {
+  if constexpr (has_observers(turn_of<Graph, Turn>)) {
     [&]<int... L>(std::integer_sequence<int, L...>) {
       [[maybe_unused]] const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
         constexpr int input = plan_of<Graph>.links[Link].input;

@@ -6,23 +6,22 @@
 namespace cca::detail {
 
 template <class Type>
+constexpr std::string_view signature_with() {
+  return __PRETTY_FUNCTION__;
+}
+
+// What stands before and after the type is the same for each.
+inline constexpr auto before_type = signature_with<double>().find("double");
+inline constexpr auto around_type = signature_with<double>().size() - std::string_view("double").size();
+
+template <class Type>
 constexpr std::string_view spelled() {
-#if defined(__clang__)
-  constexpr std::string_view whole = __PRETTY_FUNCTION__, before = "[Type = ";
-  constexpr auto from = whole.find(before) + before.size();
-  return whole.substr(from, whole.size() - from - 1);
-#else
-  constexpr std::string_view whole = __PRETTY_FUNCTION__, before = "[with Type = ";
-  constexpr auto from = whole.find(before) + before.size();
-  constexpr auto semicolon = whole.find("; std::string_view", from);
-  return whole.substr(from, (semicolon == whole.npos ? whole.size() - 1 : semicolon) - from);
-#endif
+  constexpr std::string_view whole = signature_with<Type>();
+  return {whole.data() + before_type, whole.size() - around_type};
 }
 
 // Without its namespaces: what stands after the last `::` outside of angle brackets.
-template <class Type>
-constexpr std::string_view type_name() {
-  constexpr std::string_view whole = spelled<Type>();
+constexpr std::string_view without_namespaces(std::string_view whole) {
   std::size_t start = 0;
   int depth = 0;
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -32,5 +31,8 @@ constexpr std::string_view type_name() {
   }
   return whole.substr(start);
 }
+
+template <class Type>
+constexpr std::string_view type_name() { return without_namespaces(spelled<Type>()); }
 
 }  // namespace cca::detail

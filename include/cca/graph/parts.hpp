@@ -1,0 +1,22 @@
+// A beat of very many functions is compiled in parts: the optimisers of both compilers take time that grows with the square
+// of a function's length. What goes from one part to a later one lies in memory, all else stays in registers.
+//
+// Cost, at run time: a call a part, and a store and a load for each sample that crosses. A graph of up to `most_in_one`
+// functions is one loop and pays nothing.
+#pragma once
+
+#include <cca/graph/flat.hpp>
+
+namespace cca::detail {
+
+inline constexpr int most_in_one = 128;
+
+// A test of the parts themselves cuts smaller graphs by a specialisation.
+template <class Graph>
+inline constexpr int turns_in_part = graph_facts<Graph>::value.sizes.turns <= most_in_one ? most_in_one : 64;
+
+constexpr bool in_one_part(const flat_view& g, int turn, int other) {
+  return g.turns[turn].rank / g.turns_in_part == g.turns[other].rank / g.turns_in_part;
+}
+
+}  // namespace cca::detail
