@@ -112,6 +112,13 @@ TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
   CHECK(longest >= 131);  // ids, code and checksum leave no frame with all of it
 }
 
+// [plan]
+struct left : can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>,  //
+                           mit_drive<ak80_9, 1>, mit_drive<ak80_9, 2>, mit_drive<ak80_9, 3>, mit_drive<ak60_6, 4>> {};
+
+static_assert(left::load > 0.43 && left::load < 0.44);  // of the bus's time
+// [plan end]
+
 TEST_CASE("bus load: of a plan") {
   using plan = can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>, joint<1>, joint<2>, joint<3>, joint<4>, joint<5>,
                             joint<6>, joint<7>, joint<8>>;
