@@ -11,7 +11,7 @@ import re
 import sys
 
 FAMILIES = ("space wire node graph rate queue strategy component parameters robot frame transform mapping body skeleton learner "
-            "criterion latency remote deployment").split()
+            "criterion latency remote deployment bus drive").split()
 LITERAL = re.compile(r'"((?:%s)\.[a-z_]+)[":]' % "|".join(FAMILIES))
 
 

@@ -87,10 +87,12 @@ struct drive_report {
   double temperature = untold;  // degrees Celsius, of the power stage where there are two
   drive_activity activity = drive_activity::unknown;
   drive_fault fault = drive_fault::none;
-  std::uint32_t code = 0;    // the drive's own number of state or fault
+  std::uint32_t state = 0;   // the drive's own number of its state
+  std::uint32_t code = 0;    // and of its fault
   std::uint8_t told = 0;     // drive_quantity: what the last frame told
   std::uint8_t at_end = 0;   // drive_quantity: the number is the last that the frame can say, the truth may lie beyond
   std::uint64_t frames = 0;  // how many told something
+  std::uint64_t states = 0;    // how many of them told the activity
 };
 
 // A few frames, in order.

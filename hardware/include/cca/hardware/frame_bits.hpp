@@ -1,6 +1,6 @@
 // How long a frame holds the bus at most: with as many stuff bits as its contents can force.
 //
-//   worst_case(frame_shape{.length = 8}) is 135 bits; 35 of them at most are stuffing and the pause between frames.
+//   worst_case(frame_shape{.length = 8}) is 135 bits, 24 of them stuffing and 3 the pause before the next frame.
 //
 // Classic: a start bit, id and flags (34 bits in all with an 11-bit id, 54 with a 29-bit one, the checksum included), 8 bits a
 // byte; over these after each run of 5 equal bits one of stuffing, of which each can begin the next run: one in 4 after the

@@ -106,6 +106,7 @@ struct mit_drive {
       r.activity = activity_of(r.code, r.fault);
       r.told = static_cast<std::uint8_t>(r.told | of_temperature | of_activity);
     }
+    r.states += Firmware != mit_firmware::original;
     ++r.frames;
     return true;
   }

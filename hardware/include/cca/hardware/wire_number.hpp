@@ -77,6 +77,9 @@ constexpr float got_float(std::span<const std::uint8_t> bytes, std::size_t at) {
   return std::bit_cast<float>(got<std::uint32_t>(bytes, at));
 }
 
+// As a drive says it; what is no number, infinity as well, is NaN.
+constexpr double number_or_nan(double x) { return is_finite(x) ? x : std::numeric_limits<double>::quiet_NaN(); }
+
 inline constexpr double radians_in_turn = 6.283185307179586476925286766559;
 
 }  // namespace cca::hardware::detail

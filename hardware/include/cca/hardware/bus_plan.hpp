@@ -1,0 +1,186 @@
+// Which drives are on a bus, at which rates: checked while compiling.
+//
+//   struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, left_hip, left_knee,
+//   ...> {}; cca::hardware::socket_can bus("can0", {.replies = left::replies, .ours = left::requests});
+//
+// left::load is the part of the time that the bus is in use, each frame of each drive counted in its longest form
+// (frame_bits.hpp). Errors: bus.overloaded, above nine tenths (the rest is for frames that are repeated, and for other talk),
+// with the figures and the
+//   rate that would do; drive.duplicate_id, where two drives listen to or send one id. Drives that say in their replies who they
+//   are
+//   (`shares_replies`) may reply under one.
+// Cost: constants. Example: tests/runtime/hardware/bus_load.cpp; docs/can_bus.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include <cca/graph/diagnosis.hpp>
+#include <cca/hardware/drive.hpp>
+#include <cca/space/fixed_string.hpp>
+
+namespace cca::hardware {
+namespace detail {
+
+inline constexpr std::int64_t most_percent = 90;
+
+struct drive_facts {
+  std::string_view name;
+  std::span<const can_filter> requests, replies;
+  std::span<const frame_traffic> traffic;
+  bool shares_replies = false;
+};
+template <Drive D>
+constexpr drive_facts facts_of() {
+  drive_facts f{D::name, D::requests, D::replies, D::traffic};
+  if constexpr (requires { D::shares_replies; }) f.shares_replies = D::shares_replies;
+  return f;
+}
+
+struct bus_use {
+  std::int64_t frames_a_cycle = 0, cycle = 0;  // ns
+  double periodic = 0;                         // ns in a second
+  constexpr double nanoseconds(double hz) const { return static_cast<double>(cycle) * hz + periodic; }
+};
+constexpr bus_use use_of(std::span<const drive_facts> drives, bit_rates rates) {
+  bus_use use;
+  for (const drive_facts& d : drives)
+    for (const frame_traffic& t : d.traffic) {
+      const std::int64_t one = rates.nanoseconds(worst_case(t.shape));
+      if (t.period > 0) {
+        use.periodic += static_cast<double>(one) * 1e9 / static_cast<double>(t.period);
+      } else {
+        use.frames_a_cycle += t.a_cycle;
+        use.cycle += t.a_cycle * one;
+      }
+    }
+  return use;
+}
+
+struct same_id {
+  int a = -1, b = -1;
+  can_id id{};
+};
+constexpr bool share_one(std::span<const can_filter> a, std::span<const can_filter> b, can_id& id) {
+  for (const can_filter& f : a)
+    for (const can_filter& g : b)
+      if (overlap(f, g)) {
+        id = {(f.id.number & f.mask) | (g.id.number & g.mask), f.id.extended};
+        return true;
+      }
+  return false;
+}
+constexpr same_id find_same_id(std::span<const drive_facts> drives) {
+  same_id found;
+  for (std::size_t i = 0; i < drives.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const drive_facts &a = drives[j], &b = drives[i];
+      if (share_one(a.requests, b.requests, found.id) || share_one(a.requests, b.replies, found.id) ||
+          share_one(a.replies, b.requests, found.id) ||
+          (!(a.shares_replies && b.shares_replies) && share_one(a.replies, b.replies, found.id))) {
+        found.a = static_cast<int>(j);
+        found.b = static_cast<int>(i);
+        return found;
+      }
+    }
+  return found;
+}
+
+constexpr void add_id(cca::detail::text& t, can_id id) {
+  t << "0x";
+  for (int shift = id.extended ? 28 : 8; shift >= 0; shift -= 4)
+    t << std::string_view("0123456789ABCDEF").substr(id.number >> shift & 0xF, 1);
+}
+
+template <fixed_string Name, bit_rates Rates, class Rate, Drive... Drives>
+struct plan_check {
+  static constexpr std::array<drive_facts, sizeof...(Drives)> drives{facts_of<Drives>()...};
+  static constexpr bus_use use = use_of(drives, Rates);
+  static constexpr same_id twice = find_same_id(drives);
+  static constexpr double load = use.nanoseconds(Rate::hz) / 1e9;
+  static constexpr bool overloaded = load * 100 > most_percent, sound = twice.a < 0 && !overloaded;
+
+  static constexpr cca::detail::report tell() {
+    cca::detail::report r;
+    r.where << Name.view();
+    auto& t = r.message;
+    if (twice.a >= 0) {
+      t << "drive.duplicate_id: on the bus `" << Name.view() << "` the drives " << twice.a + 1 << " ("
+        << drives[static_cast<std::size_t>(twice.a)].name << ") and " << twice.b + 1 << " ("
+        << drives[static_cast<std::size_t>(twice.b)].name << ") both use the id ";
+      add_id(t, twice.id);
+      t << ": what is meant for one would move the other as well; give each of them an id of its own, in its firmware and in its "
+           "type";
+      return r;
+    }
+    const double left = static_cast<double>(most_percent) * 1e7 - use.periodic;
+    t << "bus.overloaded: the bus `" << Name.view() << "` at " << Rates.nominal << " bit/s would be in use for "
+      << static_cast<std::int64_t>(load * 100 + 0.5) << " % of the time: " << static_cast<std::int64_t>(drives.size())
+      << " drives send " << use.frames_a_cycle << " frames a cycle, which take up to " << use.cycle / 1000 << " us, at "
+      << Rate::hz << " Hz";
+    if (use.periodic > 0) t << ", and " << use.periodic / 1e7 << " % are frames that come by themselves";
+    t << "; at most " << most_percent << " % may be planned. ";
+    if (left > static_cast<double>(use.cycle))
+      t << "Lower the rate to " << static_cast<std::int64_t>(left / static_cast<double>(use.cycle)) << " Hz, put ";
+    else t << "Put ";
+    t << "drives on a second bus, or use faster bit rates or CAN FD";
+    return r;
+  }
+};
+
+template <class Check>
+constexpr auto check_plan() {
+  if constexpr (!Check::sound) static_assert(sizeof(cca::detail::refusal<Check>) != 0);
+  return std::bool_constant<Check::sound>();
+}
+
+// Each once, in order.
+template <std::size_t Most>
+struct filter_list {
+  std::array<can_filter, Most> filters{};
+  std::size_t count = 0;
+
+  constexpr void add(const can_filter& f) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (filters[i] == f) return;
+    filters[count++] = f;
+  }
+  constexpr operator std::span<const can_filter>() const { return {filters.data(), count}; }
+};
+
+}  // namespace detail
+
+template <fixed_string Name, bit_rates Rates, class Rate, Drive... Drives>
+struct can_bus_plan {
+  using check = detail::plan_check<Name, Rates, Rate, Drives...>;
+  using sound = decltype(detail::check_plan<check>());
+
+  static constexpr std::string_view name = Name.view();
+  static constexpr bit_rates rates = Rates;
+  static constexpr double load = check::load;
+  static constexpr std::int64_t cycle = check::use.cycle;  // ns that the frames of one cycle take at most
+  static constexpr auto requests = [] {
+    detail::filter_list<(0 + ... + std::size(Drives::requests))> all;
+    for (const auto& d : check::drives)
+      for (const can_filter& f : d.requests) all.add(f);
+    return all;
+  }();
+  static constexpr auto replies = [] {
+    detail::filter_list<(0 + ... + std::size(Drives::replies))> all;
+    for (const auto& d : check::drives)
+      for (const can_filter& f : d.replies) all.add(f);
+    return all;
+  }();
+};
+
+}  // namespace cca::hardware
+
+namespace cca::detail {
+
+template <fixed_string Name, hardware::bit_rates Rates, class Rate, class... Drives>
+inline constexpr report report_of<hardware::detail::plan_check<Name, Rates, Rate, Drives...>> =
+    hardware::detail::plan_check<Name, Rates, Rate, Drives...>::tell();
+
+}  // namespace cca::detail
