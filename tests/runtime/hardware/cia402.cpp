@@ -73,7 +73,7 @@ TEST_CASE("cia402: the laws of a drive") {
 }
 
 TEST_CASE("cia402: status words") {
-  for (const std::uint16_t rest : {0x0000, 0x0200, 0x1700, 0x0080}) {
+  for (const unsigned rest : {0x0000u, 0x0200u, 0x1700u, 0x0080u}) {
     const auto of = [rest](unsigned low) { return cia402_state_of(static_cast<std::uint16_t>(rest | low)); };
     CHECK(of(0x00) == cia402_state::not_ready);
     CHECK(of(0x40) == cia402_state::switch_on_disabled);
