@@ -73,7 +73,7 @@ TEST_CASE("cia402: the laws of a drive") {
 }
 
 TEST_CASE("cia402: status words") {
-  for (const std::uint16_t rest : {0x0000, 0x0200, 0x1700, 0x0080}) {
+  for (const unsigned rest : {0x0000u, 0x0200u, 0x1700u, 0x0080u}) {
     const auto of = [rest](unsigned low) { return cia402_state_of(static_cast<std::uint16_t>(rest | low)); };
     CHECK(of(0x00) == cia402_state::not_ready);
     CHECK(of(0x40) == cia402_state::switch_on_disabled);
@@ -129,12 +129,12 @@ TEST_CASE("cia402: from off, and from a fault, to operation enabled, where it st
       const auto s = enabling.next(r);
       if (s.progress == enable_progress::done) break;
       REQUIRE(s.progress == enable_progress::going);
-      for (const can_frame& f : std::span<const can_frame>(s.frames)) REQUIRE(position::decode(d.hear(f), r));
+      for (const can_frame& f : s.frames) REQUIRE(position::decode(d.hear(f), r));
     }
     CHECK(cycles < 12);
     CHECK(d.state == cia402_state::enabled);
     CHECK(std::fabs(d.target - 0.5) < 0.001);  // never 0
-    for (const can_frame& f : std::span<const can_frame>(position::disable())) d.hear(f);
+    for (const can_frame& f : position::disable()) d.hear(f);
     CHECK(d.state == cia402_state::switch_on_disabled);
   }
 }
