@@ -55,8 +55,8 @@ void hears(const std::uint8_t* data, std::size_t size) {
     must(name_of(r.fault).size() > 0);
     const auto s = D::set_point({.position = r.position, .velocity = r.velocity, .torque = r.torque});
     must(s.finite || s.frames.empty());
-    for (const can_frame& out : std::span<const can_frame>(s.frames)) must(out.valid());
-    for (const can_frame& out : std::span<const can_frame>(enabling.next(r).frames)) must(out.valid());
+    for (const can_frame& out : s.frames) must(out.valid());
+    for (const can_frame& out : enabling.next(r).frames) must(out.valid());
   }
 }
 

@@ -31,7 +31,7 @@ inline bool same(const drive_report& a, const drive_report& b) { return std::mem
 
 template <Drive D>
 void check_frames(const drive_frames& frames) {
-  for (const can_frame& f : std::span<const can_frame>(frames)) {
+  for (const can_frame& f : frames) {
     CHECK_MESSAGE(f.valid(), "can be on a bus");
     CHECK_MESSAGE(among(D::requests, f.id), "is one of those that it listens to");
   }

@@ -129,12 +129,12 @@ TEST_CASE("cia402: from off, and from a fault, to operation enabled, where it st
       const auto s = enabling.next(r);
       if (s.progress == enable_progress::done) break;
       REQUIRE(s.progress == enable_progress::going);
-      for (const can_frame& f : std::span<const can_frame>(s.frames)) REQUIRE(position::decode(d.hear(f), r));
+      for (const can_frame& f : s.frames) REQUIRE(position::decode(d.hear(f), r));
     }
     CHECK(cycles < 12);
     CHECK(d.state == cia402_state::enabled);
     CHECK(std::fabs(d.target - 0.5) < 0.001);  // never 0
-    for (const can_frame& f : std::span<const can_frame>(position::disable())) d.hear(f);
+    for (const can_frame& f : position::disable()) d.hear(f);
     CHECK(d.state == cia402_state::switch_on_disabled);
   }
 }

@@ -92,7 +92,7 @@ struct drive_report {
   std::uint8_t told = 0;     // drive_quantity: what the last frame told
   std::uint8_t at_end = 0;   // drive_quantity: the number is the last that the frame can say, the truth may lie beyond
   std::uint64_t frames = 0;  // how many told something
-  std::uint64_t states = 0;    // how many of them told the activity
+  std::uint64_t states = 0;  // how many of them told the activity
 };
 
 // A few frames, in order.
@@ -110,6 +110,9 @@ struct frame_list {
   constexpr bool empty() const { return count == 0; }
   constexpr std::size_t size() const { return count; }
   constexpr const can_frame& operator[](std::size_t i) const { return frames[i]; }
+  // Loops go over the list itself, not over a span of it: a span of what a function has just returned would outlive it.
+  constexpr const can_frame* begin() const { return frames.data(); }
+  constexpr const can_frame* end() const { return frames.data() + count; }
   constexpr operator std::span<const can_frame>() const { return {frames.data(), count}; }
 };
 using drive_frames = frame_list<8>;
