@@ -23,7 +23,7 @@ struct saboteur {
   bool not_a_number = false, stuck = false;
 
 private:
-  sim::leg_angles::vector_type angles{};
+  sim::leg_angles::vector_type angles = sim::leg_angles::vector_type::Zero();
   std::int64_t origin = cca::never;
 };
 
