@@ -23,8 +23,12 @@ using analytic_ik = cca::inverse_kinematics<leg_in_plane, angles, paw>;     // i
 using forward = cca::forward_kinematics<leg_in_plane, angles, paw>;
 // [adaptive mapping end]
 
-// Angles of a leg that stands or swings: its knee is bent one way, and not to its end.
-Eigen::Vector2d posture(laws::ode_source& random) { return {random(-0.8, 0.8), random(oncilla.knee_range.low * 0.8, oncilla.knee_range.low * 0.2 + oncilla.knee_range.high * 0.1)}; }
+// Angles within the limits, the knee bent one way.
+Eigen::Vector2d posture(laws::ode_source& random) {
+  constexpr auto hip_range = oncilla.hip_range, knee_range = oncilla.knee_range;
+  const double low = knee_range.low + 0.1 * (knee_range.high - knee_range.low), high = knee_range.low + 0.8 * (knee_range.high - knee_range.low);
+  return {random(0.9 * hip_range.low, 0.9 * hip_range.high), random(low, high)};
+}
 
 struct ik_case {
   using learner = machine;
