@@ -110,10 +110,10 @@ struct frame_list {
   constexpr bool empty() const { return count == 0; }
   constexpr std::size_t size() const { return count; }
   constexpr const can_frame& operator[](std::size_t i) const { return frames[i]; }
-  // Loops go over the list itself, not over a span of it: a span of what a function has just returned would outlive it.
+  // So that a loop goes over the list itself: a span of what a function has just returned would outlive it. Where a span is
+  // asked for, a list becomes one.
   constexpr const can_frame* begin() const { return frames.data(); }
   constexpr const can_frame* end() const { return frames.data() + count; }
-  constexpr operator std::span<const can_frame>() const { return {frames.data(), count}; }
 };
 using drive_frames = frame_list<8>;
 
