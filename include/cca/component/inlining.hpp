@@ -1,12 +1,27 @@
 // How the loop is made one function. On g++ the glue is ordinary and `flatten` on the beat inlines it, since g++'s early
 // pass does not look through always_inline functions; clang's `flatten` reaches only direct calls, so there the glue and
 // the calls of components are always_inline.
+//
+// A piece is a function of its own that clang simplifies before it inlines it, which it does in any case since nobody else
+// calls it. All in one go would take it time that grows with the square of the beat's length, and leave more behind.
 #pragma once
 
 #if defined(__clang__)
 #define CCA_GLUE [[gnu::always_inline]] inline
 #define CCA_INLINE_CALL [[clang::always_inline]]
+#define CCA_PIECE [[clang::internal_linkage]]
 #else
 #define CCA_GLUE inline
 #define CCA_INLINE_CALL
+#define CCA_PIECE inline
 #endif
+
+namespace cca::detail {
+
+#if defined(__clang__)
+inline constexpr bool in_pieces = true;
+#else
+inline constexpr bool in_pieces = false;
+#endif
+
+}  // namespace cca::detail

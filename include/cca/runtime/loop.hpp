@@ -1,6 +1,10 @@
 // One beat of a graph: every function's turn, in order, with the samples of the beat as locals.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 #include <cca/graph/parts.hpp>
 #include <cca/runtime/turn.hpp>
 
@@ -14,27 +18,42 @@ CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int6
   function_at<Graph, Rank>::take_turn(m, l, c, k, layout_of<Graph>.turns[plan_of<Graph>.order[Rank]]);
 }
 
-// The functions from rank `First` on.
-template <class Graph, int First, class Ranks>
-struct part_of_beat;
+// The functions from rank `First` on, until one faults. Where a beat can end early it is one chain, so that g++ sees that no
+// later turn reads what an earlier one did not write.
 template <class Graph, int First, int... Rank>
-struct part_of_beat<Graph, First, std::integer_sequence<int, Rank...>> {
-  CCA_GLUE static void take([[maybe_unused]] memory<Graph>& m, [[maybe_unused]] course& c, [[maybe_unused]] std::int64_t k) {
+CCA_GLUE void take_turns(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Rank...>) {
+  if constexpr (counts_of<Graph>.may_fault) (void)((take_turn<Graph, First + Rank>(m, l, c, k), !c.fault) && ...);
+  else (take_turn<Graph, First + Rank>(m, l, c, k), ...);
+}
+
+template <class Graph, int First, int Count>
+CCA_PIECE void take_piece(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
+  take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
+}
+
+template <class Graph, int First, int Count, int Size, int... Piece>
+CCA_GLUE void take_pieces(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Piece...>) {
+  (void)((take_piece<Graph, First + Piece * Size, std::min(Size, Count - Piece * Size)>(m, l, c, k), !c.fault) && ...);
+}
+
+template <class Graph, int First, int Count>
+struct part_of_beat {
+  // Each turn is a piece; in a long beat eight are, since each piece costs the compiler's front end something.
+  static constexpr int piece = turns_in_part<Graph> == most_in_one ? 1 : 8;
+
+  CCA_GLUE static void take(memory<Graph>& m, course& c, std::int64_t k) {
     [[maybe_unused]] locals<Graph> l;
-    // Where a beat can end early it is one chain, so that g++ sees that no later turn reads what an earlier one did not write.
-    if constexpr (counts_of<Graph>.may_fault) {
-      (void)((take_turn<Graph, First + Rank>(m, l, c, k), !c.fault) && ...);
-    } else {
-      const int turns[] = {0, (take_turn<Graph, First + Rank>(m, l, c, k), 0)...};
-      (void)turns;
-    }
+    if constexpr (in_pieces)
+      take_pieces<Graph, First, Count, piece>(m, l, c, k, std::make_integer_sequence<int, (Count + piece - 1) / piece>{});
+    else
+      take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
   }
   // A function of its own, where there are too many for one.
   [[gnu::noinline, gnu::flatten]] static void take_apart(memory<Graph>& m, course& c, std::int64_t k) { take(m, c, k); }
 };
 
-template <class Graph, int First, int Left = counts_of<Graph>.turn_count - First>
-using part_from = part_of_beat<Graph, First, std::make_integer_sequence<int, (Left < turns_in_part<Graph> ? Left : turns_in_part<Graph>)>>;
+template <class Graph, int First>
+using part_from = part_of_beat<Graph, First, std::min(turns_in_part<Graph>, counts_of<Graph>.turn_count - First)>;
 
 template <class Graph, int... Part>
 CCA_GLUE void take_parts(memory<Graph>& m, course& c, std::int64_t k, std::integer_sequence<int, Part...>) {
