@@ -145,8 +145,6 @@ struct clocking {
   }
 
   constexpr void run() {
-    find_rate();
-    if (g.found.broken != rule::none) return;
     for (int t = 0; t < g.turn_count; ++t) g.turns[t].fires = pure_clock(strategy_of_turn(g, g.turns[t]));
     for (int r = 0; r < g.turn_count; ++r) {
       auto& t = g.turns[g.order[r]];

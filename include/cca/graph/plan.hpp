@@ -41,63 +41,51 @@ consteval flattened<Graph> flatten() {
 template <class Graph>
 inline constexpr flattened<Graph> flattened_of = flatten<Graph>();
 
-template <class Graph>
-consteval flat_of<Graph> wire_up() {
-  auto result = flattened_of<Graph>.graph;
-  if (result.counts.found.broken != rule::none) return result;
-  wiring step{result.view(), flattened_of<Graph>.names.data(), names_size<Graph> - 1};
-  step.run(graph_size<Graph>.observers * graph_size<Graph>.outputs);
-  result.keep(step.g);
+// What a step makes of what the one before has left; nothing, once a rule is broken.
+template <class Graph, class Step>
+consteval flat_of<Graph> then(const flat_of<Graph>& before, Step step) {
+  auto result = before;
+  if (result.counts.found.broken == rule::none) result.keep(step(result.view()));
   return result;
 }
-template <class Graph>
-inline constexpr flat_of<Graph> wired_of = wire_up<Graph>();
 
 template <class Graph>
-consteval flat_of<Graph> put_in_order() {
-  auto result = wired_of<Graph>;
-  if (result.counts.found.broken != rule::none) return result;
-  clocking rates{result.view()};
+inline constexpr flat_of<Graph> wired_of = then<Graph>(flattened_of<Graph>.graph, [](flat_view g) {
+  wiring wires{g, flattened_of<Graph>.names.data(), names_size<Graph> - 1};
+  wires.run(graph_size<Graph>.observers * graph_size<Graph>.outputs);
+  return wires.g;
+});
+
+template <class Graph>
+inline constexpr flat_of<Graph> ordered_of = then<Graph>(wired_of<Graph>, [](flat_view g) {
+  clocking rates{g};
   rates.find_rate();
   for (int t = 0; t < rates.g.turn_count; ++t) rates.check_strategy(t);
-  ordering step{rates.g};
-  step.run();
-  result.keep(step.g);
-  return result;
-}
-template <class Graph>
-inline constexpr flat_of<Graph> ordered_of = put_in_order<Graph>();
+  ordering order{rates.g};
+  order.run();
+  return order.g;
+});
 
 template <class Graph>
-consteval flat_of<Graph> find_clocks() {
-  auto result = ordered_of<Graph>;
-  if (result.counts.found.broken != rule::none) return result;
-  clocking step{result.view()};
-  step.run();
-  result.keep(step.g);
-  return result;
-}
-template <class Graph>
-inline constexpr flat_of<Graph> clocked_of = find_clocks<Graph>();
+inline constexpr flat_of<Graph> clocked_of = then<Graph>(ordered_of<Graph>, [](flat_view g) {
+  clocking clocks{g};
+  clocks.run();
+  return clocks.g;
+});
 
 template <class Graph>
-consteval flat_of<Graph> remember() {
-  auto result = clocked_of<Graph>;
-  if (result.counts.found.broken != rule::none) return result;
-  result.counts.turns_in_part = turns_in_part<Graph>;
-  remembering step{result.view()};
-  step.run();
-  coordinating origins{step.g};
+inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
+  g.turns_in_part = turns_in_part<Graph>;
+  remembering memory{g};
+  memory.run();
+  coordinating origins{memory.g};
   origins.run();
   actuation commands{origins.g};
   commands.run();
   requiring ages{commands.g, flattened_of<Graph>.names.data(), names_size<Graph> - 1};
   ages.run();
-  result.keep(ages.g);
-  return result;
-}
-template <class Graph>
-inline constexpr flat_of<Graph> plan_of = remember<Graph>();
+  return ages.g;
+});
 
 template <class Graph>
 inline constexpr flat_view counts_of = plan_of<Graph>.counts;
