@@ -54,9 +54,11 @@ struct moteus {
   static constexpr drive_watchdog watchdog{static_cast<std::int64_t>(Motor::timeout * 1e9),
                                            "timeout mode: stops, brakes or damps by servo.timeout_mode, until stopped"};
 
-  static constexpr set_point_frames set_point(const drive_command& c) noexcept {
+  // `most_torque`: what the drive may use while it follows this command, in N m.
+  static constexpr set_point_frames set_point(const drive_command& c, double most_torque = Motor::torque) noexcept {
     set_point_frames s;
-    for (const double number : {c.position, c.velocity, c.torque, c.stiffness, c.damping}) s.finite &= detail::is_finite(number);
+    for (const double number : {c.position, c.velocity, c.torque, c.stiffness, c.damping, most_torque})
+      s.finite &= detail::is_finite(number);
     if (!s.finite) return s;
     const auto within = [&s](double number, double lower, double upper, drive_quantity of) {
       if (number < lower || number > upper) s.cut = static_cast<std::uint8_t>(s.cut | of);
@@ -66,8 +68,8 @@ struct moteus {
     const double stiff = within(c.stiffness / Motor::stiffness, 0, 1, of_stiffness);
     s.frames.add(position_mode(within(c.position / detail::radians_in_turn, -most, most, of_position),
                                within(c.velocity / detail::radians_in_turn, -most, most, of_velocity),
-                               within(c.torque, -Motor::torque, Motor::torque, of_torque), stiff,
-                               within(c.damping / Motor::damping, 0, stiff, of_damping)));
+                               within(c.torque, -most_torque, most_torque, of_torque), stiff,
+                               within(c.damping / Motor::damping, 0, stiff, of_damping), most_torque));
     return s;
   }
 
@@ -121,7 +123,7 @@ struct moteus {
   }
 
   static constexpr can_frame stay() noexcept {
-    return position_mode(std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 1);
+    return position_mode(std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 1, Motor::torque);
   }                                                                       // where it is, with all of kp and kd
   static constexpr can_frame brake() noexcept { return mode_alone(15); }  // windings shorted: damps without control
   static constexpr drive_frames disable() noexcept { return {mode_alone(0)}; }
@@ -227,13 +229,13 @@ private:
     return padded(f, w.size());
   }
   static constexpr can_frame position_mode(double turns, double turns_a_second, double torque, double stiffness_part,
-                                           double damping_part) {
+                                           double damping_part, double most_torque) {
     can_frame f = fd(request_id, {});
     register_writer w(f.data);
     w.head(moteus_kind::write, moteus_value::int8, moteus_register::mode, 1);  // the mode stands first
     w.byte(10);
     w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_position, 6);
-    for (const double number : {turns, turns_a_second, torque, stiffness_part, damping_part, Motor::torque + 0.0})
+    for (const double number : {turns, turns_a_second, torque, stiffness_part, damping_part, most_torque})
       w.number(static_cast<float>(number));
     w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_timeout, 1);
     w.number(static_cast<float>(Motor::timeout));

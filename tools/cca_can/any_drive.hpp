@@ -1,0 +1,160 @@
+// A drive whose family, number and ranges are known only when the program runs; and the same, played.
+//
+// The codecs of cca::hardware are types. Each family is made into a type once, as number 1 and with ranges of 1; here its frames
+// get their real number, and its numbers their real size.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <cca/hardware/drive.hpp>
+#include <cca/hardware/virtual_drive.hpp>
+
+namespace cca_can {
+
+namespace hw = cca::hardware;
+
+// What 1 of a unit drive is, in SI units.
+struct drive_scale {
+  double position = 1, velocity = 1, torque = 1, stiffness = 1, damping = 1;
+
+  hw::drive_command to_drive(const hw::drive_command& c) const {
+    return {c.position / position, c.velocity / velocity, c.torque / torque, c.stiffness / stiffness, c.damping / damping};
+  }
+  hw::drive_command from_drive(const hw::drive_command& c) const {
+    return {c.position * position, c.velocity * velocity, c.torque * torque, c.stiffness * stiffness, c.damping * damping};
+  }
+};
+
+class any_drive {
+public:
+  std::string text;    // as it was named: "mit:ak80-9:3"
+  std::string family;  // "MIT, AK firmware"
+  bool takes_gains = false, needs_fd = false, clocked = false;
+  bool scaled = true;  // its ranges are known: not only its position
+
+  virtual ~any_drive() = default;
+  // What it answers to, and what can't move it. None: it tells by itself.
+  virtual hw::drive_frames ask() const = 0;
+  // The same for its position and state.
+  virtual hw::drive_frames ask_state() const = 0;
+  virtual bool decode(const hw::can_frame& f, hw::drive_report& r) const = 0;
+  // Whether the frame comes from it, be it one that tells nothing of its state.
+  virtual bool is_from(const hw::can_frame& f) const = 0;
+  virtual hw::set_point_frames set_point(const hw::drive_command& c, double most_torque) const = 0;
+  virtual hw::drive_frames disable() const = 0;
+  virtual void begin() = 0;
+  virtual hw::enable_step enable(const hw::drive_report& r) = 0;
+};
+
+// Drive: number 1, ranges of 1. Address: `to_real(frame)`, from number 1 to the real one, and `to_unit(frame)`, false if it's not
+// of this drive. `ask(to_real)`: see above.
+template <hw::Drive Drive, class Address>
+class drive_at : public any_drive {
+public:
+  drive_at(Address a, drive_scale s) : address(a), scale(s) {
+    takes_gains = (Drive::uses & hw::of_stiffness) != 0;
+    family = Address::family;
+    needs_fd = Address::needs_fd;
+    clocked = Address::clocked;
+  }
+
+  hw::drive_frames ask() const override { return address.ask(); }
+  hw::drive_frames ask_state() const override { return address.ask_state(); }
+  bool decode(const hw::can_frame& f, hw::drive_report& r) const override {
+    hw::can_frame unit = f;
+    if (!address.to_unit(unit)) return false;
+    // In the drive's own units for the codec, in SI units for the rest.
+    hw::drive_report heard = r;
+    if (!Drive::decode(unit, heard)) return false;
+    if (heard.told & hw::of_position) heard.position *= scale.position;
+    if (heard.told & hw::of_velocity) heard.velocity *= scale.velocity;
+    if (heard.told & hw::of_torque) heard.torque *= scale.torque;
+    r = heard;
+    return true;
+  }
+  bool is_from(const hw::can_frame& f) const override {
+    hw::can_frame unit = f;
+    hw::drive_report r;
+    return address.is_answer(f) || (address.to_unit(unit) && Drive::decode(unit, r));
+  }
+  hw::set_point_frames set_point(const hw::drive_command& c, double most_torque) const override {
+    hw::set_point_frames s = address.template set_point<Drive>(scale.to_drive(c), most_torque);
+    s.frames = real(s.frames);
+    return s;
+  }
+  hw::drive_frames disable() const override { return real(Drive::disable()); }
+  void begin() override { way = {}; }
+  hw::enable_step enable(const hw::drive_report& r) override {
+    hw::drive_report unit = r;
+    unit.position /= scale.position;
+    unit.velocity /= scale.velocity;
+    unit.torque /= scale.torque;
+    hw::enable_step s = way.next(unit);
+    s.frames = real(s.frames);
+    return s;
+  }
+
+private:
+  hw::drive_frames real(const hw::drive_frames& unit) const {
+    hw::drive_frames all;
+    for (hw::can_frame f : unit) {
+      address.to_real(f);
+      all.add(f);
+    }
+    if (clocked && all.size() < 8) all.add({.id = hw::standard(0x080)});  // CANopen's SYNC: now
+    return all;
+  }
+
+  Address address;
+  drive_scale scale;
+  typename Drive::enabling way{};
+};
+
+// A drive that is played: firmware, motor and load.
+class any_virtual {
+public:
+  virtual ~any_virtual() = default;
+  virtual bool hear(const hw::can_frame& f, std::int64_t now) = 0;
+  // Moves until `now`, and answers what was heard.
+  virtual hw::drive_frames advance(std::int64_t now) = 0;
+  virtual hw::drive_command law(std::int64_t now) = 0;
+  virtual void go_silent(bool yes) = 0;
+  virtual void fail(std::uint32_t code) = 0;
+  hw::virtual_motor motor{};
+  double load = 0;  // N m
+};
+
+template <hw::VirtualDrive Virtual, class Address>
+class virtual_at : public any_virtual {
+public:
+  virtual_at(Address a, drive_scale s) : address(a), scale(s) { motor.most_torque = scale.torque; }
+
+  bool hear(const hw::can_frame& f, std::int64_t now) override {
+    hw::can_frame unit = f;
+    return address.to_unit(unit) && drive.hear(unit, now);
+  }
+  hw::drive_frames advance(std::int64_t now) override {
+    if (now > then && then >= 0) motor.advance(law(now), load, static_cast<double>(now - then) * 1e-9);
+    then = now;
+    hw::drive_frames all;
+    for (hw::can_frame f : drive.answer(
+             {motor.now.position / scale.position, motor.now.velocity / scale.velocity, motor.now.torque / scale.torque})) {
+      address.to_real(f);
+      all.add(f);
+    }
+    return all;
+  }
+  hw::drive_command law(std::int64_t now) override { return scale.from_drive(drive.law(now)); }
+  void go_silent(bool yes) override { drive.go_silent(yes); }
+  void fail(std::uint32_t code) override { drive.fail(code); }
+
+private:
+  Address address;
+  drive_scale scale;
+  Virtual drive{};
+  std::int64_t then = -1;
+};
+
+}  // namespace cca_can

@@ -1,0 +1,168 @@
+// A drive by its name on the command line: FAMILY[:RANGES]:NUMBER.
+//
+//   mit:ak80-9:3            T-Motor / CubeMars AK in MIT mode: ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64
+//   mit:12.5/45/20:3        the same with ranges of position (rad), velocity (rad/s), torque (N m); behind them, if they are
+//   others
+//                           than 500 and 5, stiffness and damping
+//   damiao:12.5/45/20:3     Damiao;     mit-original:12.5/45/18:3     the original firmware
+//   mit:ak80-9:3@16         ... that answers under the id 16 instead of 0
+//   odrive:3  odrive-0.5:3  ODrive, firmware 0.6 or 0.5
+//   moteus:80/2:3           moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad
+//   cia402:4096/0.8:5       CANopen, with counts a turn and rated torque in N m
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cca/hardware/virtual_mit.hpp>
+
+#include "addresses.hpp"
+#include "any_drive.hpp"
+#include "words.hpp"
+
+namespace cca_can {
+
+namespace detail {
+
+inline constexpr const char* families =
+    "mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
+    "cia402:COUNTS/TORQUE:NUMBER";
+
+template <class Ranges>
+drive_scale scale_of() {
+  const auto top = []<class Quantity>(Quantity) { return Ranges::limits.template of<Quantity>().upper; };
+  return {top(cca::angle()), top(cca::velocity()), top(cca::torque()), top(cca::stiffness()), top(cca::damping())};
+}
+
+struct drive_parts {
+  std::string family, ranges;
+  std::uint32_t number = 0, master = 0;
+};
+
+[[noreturn]] inline void no_drive(const std::string& text, const std::string& why) {
+  throw usage_error("`" + text + "` names no drive: " + why);
+}
+
+inline std::uint32_t drive_number(const std::string& all, const std::string& text, std::uint32_t most) {
+  if (text.empty() || text.size() > 8 || !std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); }))
+    no_drive(all, "`" + text + "` is no number; written as one of " + families);
+  const auto n = static_cast<std::uint32_t>(std::stoul(text));
+  if (n > most) no_drive(all, "its number is at most " + std::to_string(most));
+  return n;
+}
+
+inline drive_parts parts_of(const std::string& text) {
+  const auto words = split(text, ':');
+  if (words.size() < 2 || words.size() > 3) no_drive(text, std::string("written as one of ") + families);
+  drive_parts p{.family = words[0], .ranges = words.size() == 3 ? words[1] : ""};
+  const auto number = split(words.back(), '@');
+  const bool mit = p.family == "mit" || p.family == "mit-original" || p.family == "damiao";
+  if (number.size() > 2 || (number.size() == 2 && !mit)) no_drive(text, "only MIT drives answer under another id, `@ID`");
+  const std::uint32_t most = p.family == "damiao" ? 15 : mit ? 255 : p.family.starts_with("odrive") ? 0xFFFFFF : 127;
+  p.number = drive_number(text, number[0], most);
+  if (number.size() == 2) p.master = drive_number(text, number[1], 0x7FF);
+  if (p.number == 0 && !p.family.starts_with("odrive")) no_drive(text, "its number is at least 1");
+  if (mit && p.master == p.number) no_drive(text, "it can't answer under the id that it listens to");
+  return p;
+}
+
+// So many numbers as they are, all positive.
+inline std::vector<double> numbers_of(const std::string& text, const std::string& ranges, std::size_t least, std::size_t most,
+                                      const char* what) {
+  std::vector<double> all;
+  for (const std::string& each : split(ranges, '/')) {
+    const auto n = number_in(each);
+    if (!n || !(*n > 0)) no_drive(text, "expected " + std::string(what) + ", got `" + ranges + "`");
+    all.push_back(*n);
+  }
+  if (all.size() < least || all.size() > most) no_drive(text, "expected " + std::string(what) + ", got `" + ranges + "`");
+  return all;
+}
+
+inline drive_scale mit_scale(const std::string& text, const std::string& ranges, bool ak) {
+  struct known {
+    const char* name;
+    drive_scale scale;
+  };
+  const known models[] = {{"ak10-9", scale_of<hw::ak10_9>()},   {"ak60-6", scale_of<hw::ak60_6>()},
+                          {"ak70-10", scale_of<hw::ak70_10>()}, {"ak80-6", scale_of<hw::ak80_6>()},
+                          {"ak80-9", scale_of<hw::ak80_9>()},   {"ak80-64", scale_of<hw::ak80_64>()}};
+  if (ak)
+    for (const known& k : models)
+      if (ranges == k.name) return k.scale;
+  const auto n = numbers_of(text, ranges, 3, 5,
+                            ak ? "a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or ranges as `12.5/50/18`"
+                               : "ranges of position, velocity and torque as `12.5/45/20`");
+  return {n[0], n[1], n[2], n.size() > 3 ? n[3] : 500, n.size() > 4 ? n[4] : 5};
+}
+
+// Calls f(type of drive, address, scale), with f.template operator()<Drive>(address, scale).
+template <class F>
+auto with_drive(const std::string& text, bool ranges_needed, F&& f) {
+  const drive_parts p = parts_of(text);
+  const auto ranges = [&](const char* what) {
+    if (p.ranges.empty() && ranges_needed)
+      no_drive(text,
+               std::string("it needs ") + what + ", which no frame tells: " + p.family + ":RANGES:" + std::to_string(p.number));
+    return !p.ranges.empty();
+  };
+  const auto mit = [&]<hw::mit_firmware Firmware>() {
+    const drive_scale s =
+        ranges("the ranges of its firmware") ? mit_scale(text, p.ranges, Firmware == hw::mit_firmware::ak) : drive_scale{12.5};
+    return f.template operator()<unit_mit<Firmware>>(mit_address<Firmware>{p.number, p.master}, s);
+  };
+  if (p.family == "mit") return mit.template operator()<hw::mit_firmware::ak>();
+  if (p.family == "mit-original") return mit.template operator()<hw::mit_firmware::original>();
+  if (p.family == "damiao") return mit.template operator()<hw::mit_firmware::damiao>();
+  if (p.family == "moteus") {
+    drive_scale s;
+    if (ranges("its kp and kd")) {
+      const auto n = numbers_of(text, p.ranges, 2, 2, "kp and kd as `80/2`");
+      s.stiffness = n[0], s.damping = n[1];
+    }
+    return f.template operator()<unit_moteus>(moteus_address{p.number}, s);
+  }
+  if (p.family == "cia402") {
+    drive_scale s;
+    if (ranges("its counts a turn and its rated torque")) {
+      const auto n = numbers_of(text, p.ranges, 2, 2, "counts a turn and rated torque as `4096/0.8`");
+      s.position = s.velocity = hw::detail::radians_in_turn / n[0], s.torque = n[1];
+    }
+    return f.template operator()<unit_cia402>(cia402_address{p.number}, s);
+  }
+  if (!p.ranges.empty() && p.family.starts_with("odrive"))
+    no_drive(text, "an ODrive has no ranges; write " + p.family + ":NUMBER");
+  if (p.family == "odrive")
+    return f.template operator()<hw::odrive<1, hw::odrive_mode::position>>(odrive_address{p.number}, drive_scale{});
+  if (p.family == "odrive-0.5")
+    return f.template operator()<hw::odrive<1, hw::odrive_mode::position, hw::odrive_firmware::v0_5>>(odrive_address{p.number},
+                                                                                                      drive_scale{});
+  no_drive(text, "there is no family `" + p.family + "`; written as one of " + families);
+}
+
+}  // namespace detail
+
+// Without ranges only what does not need them can be asked: whether it is there.
+inline std::unique_ptr<any_drive> drive_named(const std::string& text, bool ranges_needed = true) {
+  auto drive = detail::with_drive(text, ranges_needed, [&]<class Drive>(const auto& address, const drive_scale& s) {
+    return std::unique_ptr<any_drive>(std::make_unique<drive_at<Drive, std::decay_t<decltype(address)>>>(address, s));
+  });
+  drive->text = text;
+  drive->scaled = ranges_needed;
+  return drive;
+}
+
+// One that is played, with the watchdog of 100 ms that one should set; MIT drives only.
+inline std::unique_ptr<any_virtual> virtual_named(const std::string& text) {
+  return detail::with_drive(
+      text, true, [&]<class Drive>(const auto& address, const drive_scale& s) -> std::unique_ptr<any_virtual> {
+        if constexpr (requires { Drive::shares_replies; })
+          return std::make_unique<virtual_at<hw::virtual_mit<Drive, 100'000'000>, std::decay_t<decltype(address)>>>(address, s);
+        else throw usage_error("`" + text + "`: only MIT drives can be played");
+      });
+}
+
+}  // namespace cca_can

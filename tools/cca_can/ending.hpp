@@ -1,0 +1,24 @@
+// How a command ends, and what is told where it can't go on.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include <cca/component/refused.hpp>
+
+namespace cca_can {
+
+enum ending : int {
+  done = 0,
+  failed = 1,         // a drive or a bus: no answer, a fault, silence. What was enabled has been disabled.
+  misunderstood = 2,  // the command line
+  refused = 3,        // a file or an interface
+  not_confirmed = 4,  // asked first, and nobody said yes
+  interrupted = 130,  // ctrl-c: stopped, and disabled
+};
+
+struct usage_error : std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+}  // namespace cca_can

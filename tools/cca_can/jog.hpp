@@ -1,0 +1,123 @@
+// cca-can jog: one joint, slowly, within a range, a speed and a torque, and disabled at the end, whatever the end.
+//
+// next_jog_command is all that decides what goes to the drive. Its target goes to the goal at most at the speed, never leaves the
+// range, and never is further from where the drive stands than what half of the torque pulls; gains shrink where their sum would
+// make more torque than allowed. So a joint that is held fast is pulled with half of the torque, and does not jump when it is let
+// go.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "console.hpp"
+#include "talk.hpp"
+
+namespace cca_can {
+
+struct jog_limits {
+  double low = 0, high = 0;  // rad, of the drive's output
+  double speed = 0;          // rad/s
+  double torque = 0;         // N m
+  double stiffness = 0;      // N m/rad
+  double damping = 0;        // N m s/rad
+};
+
+// `target` goes on with it. The torque is that of the law at what was measured.
+inline hw::drive_command next_jog_command(const jog_limits& l, double goal, const hw::drive_report& at, double dt,
+                                          double& target) {
+  const double step = l.speed * dt;
+  const double reach = 0.5 * l.torque / l.stiffness;
+  const double wanted = std::clamp(goal, target - step, target + step);
+  double next = std::clamp(wanted, at.position - reach, at.position + reach);
+  next = std::clamp(next, l.low, l.high);
+  hw::drive_command c{.position = next,
+                      .velocity = std::clamp((next - target) / dt, -l.speed, l.speed),
+                      .stiffness = l.stiffness,
+                      .damping = l.damping};
+  const double v = at.velocity - at.velocity == 0 ? at.velocity : 0;
+  const double law = c.stiffness * (c.position - at.position) + c.damping * (c.velocity - v);
+  if (std::abs(law) > l.torque) {
+    const double part = l.torque / std::abs(law);
+    c.stiffness *= part;
+    c.damping *= part;
+  }
+  target = next;
+  return c;
+}
+
+// What may not be: then it is disabled.
+inline trouble beyond_limits(const jog_limits& l, const hw::drive_report& at) {
+  constexpr double slack = 0.05;  // rad, of what overshoots
+  if (!(at.position >= l.low - slack && at.position <= l.high + slack))
+    return "it left its range: " + std::to_string(at.position) + " rad";
+  if (std::abs(at.velocity) > 2 * l.speed + 0.5)
+    return "it is faster than twice the speed: " + std::to_string(at.velocity) + " rad/s";
+  return {};
+}
+
+struct jog_order {
+  jog_limits limits{};
+  double goal = 0;
+  bool relative = false;  // from where it stands
+  double hold = 0.5;      // s, at the goal
+};
+
+template <hw::CanBus Bus>
+ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pace& time, console& say) {
+  const jog_limits& l = o.limits;
+  char what[400];
+  std::snprintf(what, sizeof what,
+                "jog %s (%s) on %s %s %.4f rad, within %.4f to %.4f rad, at most at %.3f rad/s and with %.3f N m\n"
+                "Nobody within reach, the joint free to move, the switch of its supply in your hand.",
+                drive.text.c_str(), drive.family.c_str(), name.c_str(), o.relative ? "by" : "to", o.goal, l.low, l.high, l.speed,
+                l.torque);
+  if (!say.confirmed(what)) return not_confirmed;
+
+  talk t(bus, drive, time, 5 * ms);
+  trouble wrong = t.ask_position();
+  const double start = t.report().position;
+  if (o.relative) o.goal += start;
+  if (wrong.empty() && !(start >= l.low && start <= l.high))
+    wrong = "it stands at " + std::to_string(start) + " rad, outside of the range; turn it by hand, or state another range";
+  if (wrong.empty() && !(o.goal >= l.low && o.goal <= l.high))
+    wrong = "the goal, " + std::to_string(o.goal) + " rad, is outside of the range";
+  if (!wrong.empty()) {
+    say.error << "cca-can: " << drive.text << " on " << name << ": " << wrong << '\n';
+    return time.end_wanted() ? interrupted : failed;
+  }
+
+  wrong = t.enable();
+  double target = t.report().position;
+  const double way = std::abs(o.goal - target);
+  const std::int64_t from = time.now();
+  const std::int64_t longest = from + static_cast<std::int64_t>((2 * way / l.speed + 2) * 1e9);
+  std::int64_t shown = from, arrived = 0;
+  bool there = false;
+  while (wrong.empty() && !(there && time.now() - arrived > static_cast<std::int64_t>(o.hold * 1e9))) {
+    if (time.now() >= shown) {
+      say.out << drive.text << "  " << text_of(t.report()) << '\n' << std::flush;
+      shown += 100 * ms;
+    }
+    const hw::set_point_frames s = drive.set_point(next_jog_command(l, o.goal, t.report(), t.seconds(), target), l.torque);
+    if (!s.finite) wrong = "it tells numbers that are none";
+    else wrong = t.cycle(s.frames);
+    if (wrong.empty()) wrong = beyond_limits(l, t.report());
+    if (!there && target == o.goal) there = true, arrived = time.now();
+    if (!there && time.now() > longest) wrong = "it does not get there: something holds it, or the torque is too small";
+  }
+  // Softly, where it still listens: 0.2 s of damping alone.
+  for (int i = 0; i < 40 && (wrong.empty() || time.end_wanted()); ++i) {
+    const double damping = std::min(l.damping, 0.5 * l.torque / std::max(0.1, std::abs(t.report().velocity)));
+    const trouble now = t.cycle(drive.set_point({.position = t.report().position, .damping = damping}, l.torque).frames);
+    if (!now.empty() && !time.end_wanted()) wrong = now;
+  }
+  const std::string last = text_of(t.report());
+  const bool answered = t.disable();
+  say.out << drive.text << "  " << last << '\n'
+          << drive.text << (answered ? "  disabled\n" : "  told to disable, and does not answer\n");
+  if (wrong.empty()) return done;
+  say.error << "cca-can: " << drive.text << " on " << name << ": " << wrong << '\n';
+  return time.end_wanted() ? interrupted : failed;
+}
+
+}  // namespace cca_can
