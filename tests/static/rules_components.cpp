@@ -117,7 +117,7 @@ struct with_reference {
 struct takes_reference : khz<cca::node<"a", with_reference>, cca::node<"s", source<>>, cca::wire<"s.y", "a.x">> {};
 struct takes_reference_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<takes_reference, takes_reference_mended>({"component.bad_parameter", "a",
-    "`a` (with_reference): `process` takes `in<x, parts::signal>&`, but it may take only ports (cca::in, "
+    "`a` (with_reference): `process` takes `in<x, signal>&`, but it may take only ports (cca::in, "
     "cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to const; give constants as "
     "`parameters`, and data of other components by a wire"}));
 
@@ -128,7 +128,7 @@ struct with_output {
 struct takes_output : khz<cca::node<"a", with_output>> {};
 struct takes_output_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<takes_output, takes_output_mended>({"component.bad_parameter", "a",
-    "`a` (with_output): `act` takes `out<x, parts::signal>`, but it may take only ports (cca::in, "
+    "`a` (with_output): `act` takes `out<x, signal>`, but it may take only ports (cca::in, "
     "cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to const; give constants as "
     "`parameters`, and data of other components by a wire"}));
 
@@ -180,7 +180,7 @@ struct gives_pair {
 struct returns_pair : khz<cca::node<"a", gives_pair>> {};
 struct returns_pair_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_pair, returns_pair_mended>({"component.bad_result", "a",
-    "`a` (gives_pair): `process` returns `pair<cca::out<y, parts::signal>, int>`, but it may return only ports "
+    "`a` (gives_pair): `process` returns `pair<out<y, signal>, int>`, but it may return only ports "
     "(cca::out, cca::maybe) and a cca::fault, one or several in a std::tuple, or void"}));
 
 struct gives_tuple {
@@ -361,7 +361,7 @@ struct no_bound : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wir
 struct no_bound_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">,
     cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
 static_assert(tells<no_bound, no_bound_mended>({"graph.unknown_item", "no_bound",
-    "`require<cca::latency<a.y, b.x>, cca::rate<2>>` in no_bound is no item of a graph, so it would be passed "
+    "`require<latency<a.y, b.x>, rate<2>>` in no_bound is no item of a graph, so it would be passed "
     "over: write cca::node<`name`, type> for a component or graph; the others are cca::wire, cca::expose, "
     "cca::observe, cca::rate and cca::require<cca::latency<...>, cca::beats<N>>"}));
 

@@ -1,6 +1,7 @@
 // The name of a type as the user wrote it, for messages and pictures: `leg_angles`, `cartesian_position<hip_frame>`.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace cca::detail {
@@ -32,7 +33,45 @@ constexpr std::string_view without_namespaces(std::string_view whole) {
   return whole.substr(start);
 }
 
+// The same inside of its angle brackets: `leg<a::hip, (anonymous namespace)::knee>` becomes `leg<hip, knee>`.
+template <std::size_t Size>
+struct tidy_name {
+  std::array<char, Size> letters{};
+  std::size_t size = 0;
+
+  constexpr explicit tidy_name(std::string_view name) {
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (name.substr(i).starts_with("::")) {
+        size = start_of_last_word();
+        ++i;
+      } else {
+        letters[size++] = name[i];
+      }
+    }
+  }
+  constexpr std::string_view view() const { return {letters.data(), size}; }
+
+ private:
+  // Brackets belong to it, with all that is in them.
+  constexpr std::size_t start_of_last_word() const {
+    std::size_t at = size;
+    for (int depth = 0; at > 0; --at) {
+      const char c = letters[at - 1];
+      if (c == '>' || c == ')' || c == '}') ++depth;
+      else if (depth == 0 && (c == '<' || c == '(' || c == '{' || c == ',' || c == ' ' || c == '&' || c == '*')) break;
+      else if (c == '<' || c == '(' || c == '{') --depth;
+    }
+    return at;
+  }
+};
 template <class Type>
-constexpr std::string_view type_name() { return without_namespaces(spelled<Type>()); }
+inline constexpr tidy_name<spelled<Type>().size()> tidied{without_namespaces(spelled<Type>())};
+
+template <class Type>
+constexpr std::string_view type_name() {
+  constexpr std::string_view name = without_namespaces(spelled<Type>());
+  if constexpr (name.find("::") == name.npos) return name;
+  else return tidied<Type>.view();
+}
 
 }  // namespace cca::detail
