@@ -84,8 +84,7 @@ TEST_SUITE("sim world") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     sim::world sound(m, sim::terrain::flat(), crouched()), fed(sound);
     run(sound, 0, 500);
-    run(fed, 0, 500);
-    const sim::robot_command last = swinging(499);
+    const sim::robot_command last = run(fed, 0, 500);
     for (int k = 0; k < 200; ++k) {
       sim::robot_command bad;
       for (std::size_t i = 0; i < 4; ++i) bad[i] = {nan, inf, -inf, nan};
