@@ -9,11 +9,10 @@
 //   RPDO1 (200h + node): 6040h:16 control word, 607Ah:32 target position, 6071h:16 target torque
 //   TPDO1 (180h + node): 6041h:16 status word, 6064h:32 position, 6077h:16 torque       TPDO2 (280h + node): 606Ch:32 velocity,
 //   counts/s
-// The bus sends canopen_sync() once a cycle, after the set-points, and canopen_start(node) once, since a drive begins
-// pre-operational. set_point: NaN and infinity in what the mode uses refuse the command; beyond 32 or 16 bits, the end, and
-// `cut`. decode: process data, emergencies (080h + node), heartbeats (700h + node): one that says that it boots, means that it is
-// off. enabling: by what the status word says, to operation enabled, from the measured position, without torque; a fault is reset
-// by a
+// The bus sends canopen_sync() once a cycle, after the set-points (`cycle_frames`). A drive begins pre-operational: enabling
+// starts it. set_point: NaN and infinity in what the mode uses refuse the command; beyond 32 or 16 bits, the end, and `cut`.
+// decode: process data, emergencies (080h + node), heartbeats (700h + node): one that says that it boots, means that it is off.
+// enabling: by what the status word says, to operation enabled, from the measured position, without torque; a fault is reset by a
 //   rising edge, eight times at most.
 // Watchdog: the drive's own, of heartbeat (1016h) or SYNC; set it: without it goes on with its last target.
 // Source: CiA 402-2 as in IEC 61800-7-201; state masks as in drive manuals (see docs/drives.md).
@@ -102,6 +101,7 @@ template <class Type> concept Cia402Motor = requires {
 template <Cia402Motor Motor, std::uint8_t Node, cia402_mode Mode>
 struct cia402 {
   static_assert(Node >= 1 && Node <= 127, "cca::hardware::cia402: a node is 1 to 127");
+  static constexpr std::uint8_t node = Node;
   static constexpr bool by_position = Mode == cia402_mode::position;
   static constexpr double counts_a_radian = Motor::counts / detail::radians_in_turn, least_torque = Motor::torque / 1000;
 
@@ -113,6 +113,8 @@ struct cia402 {
                           sends_velocity = standard(0x280 + Node), emergency = standard(0x080 + Node),
                           heartbeat = standard(0x700 + Node);
   static constexpr std::array<can_filter, 1> requests{{{receives}}};
+  static constexpr std::array<can_filter, 2> broadcasts{{{standard(0)}, {standard(0x080)}}};  // NMT, SYNC
+  static constexpr std::array<can_frame, 1> cycle_frames{canopen_sync()};
   static constexpr std::array<can_filter, 4> replies{{{sends}, {sends_velocity}, {emergency}, {heartbeat}}};
   static constexpr std::array<frame_traffic, 4> traffic{{{.shape = {.length = 8}},
                                                          {.shape = {.length = 8}},
@@ -185,12 +187,16 @@ struct cia402 {
       std::uint8_t cut = 0;
       const bool may = measured || s == cia402_state::fault;
       const std::uint16_t word = may ? cia402_towards_enabled(s, resets % 2 == 0) : 0x0006;
-      return {{process_data(word, measured ? r.position : 0, 0, cut)},
-              s == cia402_state::enabled && r.activity == drive_activity::enabled && measured ? enable_progress::done
-                                                                                              : enable_progress::going};
+      drive_frames frames;
+      if (!started) frames.add(canopen_start(Node));
+      started = true;
+      frames.add(process_data(word, measured ? r.position : 0, 0, cut));
+      return {frames, s == cia402_state::enabled && r.activity == drive_activity::enabled && measured ? enable_progress::done
+                                                                                                      : enable_progress::going};
     }
 
   private:
+    bool started = false;
     int resets = 0;
   };
 
@@ -209,6 +215,21 @@ struct cia402 {
     f.id = sends;
     return f;
   }
+  static constexpr can_frame velocity_frame(double velocity) noexcept {
+    bool cut = false;
+    can_frame f{.id = sends_velocity, .length = 4};
+    detail::put(f.data, 0, static_cast<std::uint32_t>(detail::nearest_integer(velocity * counts_a_radian, 32, cut)));
+    return f;
+  }
+  static constexpr can_frame emergency_frame(std::uint16_t code) noexcept {
+    can_frame f{.id = emergency, .length = 8};
+    detail::put(f.data, 0, code);
+    f.data[2] = code != 0;
+    return f;
+  }
+  static constexpr can_frame heartbeat_frame(std::uint8_t state) noexcept {
+    return {.id = heartbeat, .length = 1, .data = {state}};
+  }
 
 private:
   // Both process data are laid out alike: a word, a position, a torque.
@@ -226,6 +247,7 @@ private:
   static constexpr drive_fault fault_of(std::uint32_t code) {
     if ((code & 0xFF00) == 0) return drive_fault::none;  // reset, or none
     if (code == 0x8611) return drive_fault::limit;       // following error
+    if (code == 0x8250) return drive_fault::watchdog;    // no process data in time
     switch (code & 0xFF00) {
       case 0x7300:
         return drive_fault::position_sensor;

@@ -12,6 +12,12 @@
 //   nothing is changed D::enabling             the way to where it moves: `next(report)` once a cycle gives the frames to send,
 //   until `done` or `failed` D::disable()            frames after which it holds nothing any more
 //
+// What some have besides:
+//   D::broadcasts           ids that all drives of its kind listen to, whoever is meant
+//   D::cycle_frames         frames that end a cycle on its bus, once for all drives there that state the same
+//   D::report_period        ns; it tells where it is by itself, so often, instead of when it is asked
+//   D::damp()               frames after which it only damps, where a set-point without stiffness can't say so
+//
 // Models: mit.hpp, odrive.hpp, moteus.hpp, cia402.hpp. docs/drives.md.
 #pragma once
 
@@ -141,6 +147,22 @@ struct frame_traffic {
   int a_cycle = 1;
   std::int64_t period = 0;  // ns; 0: by cycle
 };
+
+template <class D>
+constexpr auto broadcasts_of() {
+  if constexpr (requires { D::broadcasts; }) return D::broadcasts;
+  else return std::array<can_filter, 0>{};
+}
+template <class D>
+constexpr auto cycle_frames_of() {
+  if constexpr (requires { D::cycle_frames; }) return D::cycle_frames;
+  else return std::array<can_frame, 0>{};
+}
+template <class D>
+constexpr std::int64_t report_period_of() {
+  if constexpr (requires { D::report_period; }) return D::report_period;
+  else return 0;
+}
 
 template <class Type>
 concept Drive = requires(const drive_command& command, const can_frame& frame, drive_report& report,

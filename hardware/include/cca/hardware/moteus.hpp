@@ -38,6 +38,7 @@ template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0>
 struct moteus {
   static_assert(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source,
                 "cca::hardware::moteus: a servo's number is 1 to 127, and not ours");
+  using motor = Motor;
 
   static constexpr std::string_view name = Motor::name;
   static constexpr auto limits = cca::limits{cca::torque{-Motor::torque, Motor::torque}, cca::stiffness{0, Motor::stiffness},

@@ -72,6 +72,9 @@ template <std::uint32_t Node, odrive_mode Mode, odrive_firmware Firmware = odriv
           std::int64_t EstimatesPeriod = 10'000'000>
 struct odrive {
   static_assert(Node <= 0xFFFFFF, "cca::hardware::odrive: a node is at most 0xFFFFFF");
+  static constexpr std::uint32_t node = Node;
+  static constexpr odrive_firmware firmware = Firmware;
+  static constexpr std::int64_t report_period = EstimatesPeriod;  // ns; it tells where it is by itself, asked or not
   static constexpr bool is_0_6 = Firmware == odrive_firmware::v0_6, by_position = Mode == odrive_mode::position,
                         by_velocity = Mode == odrive_mode::velocity;
   static constexpr double thousandths = 32.767;  // what 16 bits of them reach

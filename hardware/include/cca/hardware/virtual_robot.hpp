@@ -47,7 +47,7 @@ public:
           tap(b, inbox[k].frame);
           if (b == Board::bus && Board::abducted(inbox[k].frame, abduction)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
-            ((J::bus == b && std::get<I>(drives).hear(inbox[k].frame, now)) || ...);
+            ((J::bus == b ? void(std::get<I>(drives).hear(inbox[k].frame, now)) : void()), ...);  // some frames are for all
           });
         }
       }
