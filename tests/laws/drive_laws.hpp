@@ -33,7 +33,7 @@ template <Drive D>
 void check_frames(const drive_frames& frames) {
   for (const can_frame& f : frames) {
     CHECK_MESSAGE(f.valid(), "can be on a bus");
-    CHECK_MESSAGE((among(D::requests, f.id) || among(broadcasts_of<D>(), f.id)), "is one of those that it listens to");
+    CHECK_MESSAGE((among(D::requests, f.id) || among(broadcasts_of<D>, f.id)), "is one of those that it listens to");
   }
 }
 

@@ -40,7 +40,7 @@ struct bench {
   void beat(const drive_frames& frames = {}) {
     drive_frames out = frames;
     if (!frames.empty())
-      for (const can_frame& f : cycle_frames_of<D>()) out.add(f);
+      for (const can_frame& f : cycle_frames_of<D>) out.add(f);
     if (!out.empty()) wire.end(0).send(out);
     wire.advance(now + 500'000);
     const std::size_t n = wire.end(1).receive(inbox);
@@ -243,7 +243,7 @@ void hears_anything() {
     f = good, f.id.number ^= 0x20;
     b.v.hear(f, now);
   }
-  for (const can_frame& f : cycle_frames_of<D>()) b.v.hear(f, now);
+  for (const can_frame& f : cycle_frames_of<D>) b.v.hear(f, now);
   CHECK_MESSAGE(same(before, b.v.law(now)), "nor by half a set-point, a remote one, or that of another");
 }
 
@@ -253,8 +253,8 @@ void hears_no_number() {
   CHECK(D::set_point({.position = NAN, .velocity = NAN, .torque = NAN}).frames.empty());
   for (const can_frame& f : Rig::no_number()) {
     bench_of<Rig> b;
+    b.motor.now.position = 0.2;
     REQUIRE(b.enable());
-    b.motor.now.velocity = 0;
     const double stood = b.motor.now.position;
     for (int i = 0; i < 200; ++i) {
       b.beat({f});

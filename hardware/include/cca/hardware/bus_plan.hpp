@@ -7,8 +7,8 @@
 // (frame_bits.hpp). Errors: bus.overloaded, above nine tenths (the rest is for frames that are repeated, and for other talk),
 // with the figures and the
 //   rate that would do; drive.duplicate_id, where two drives listen to or send one id. Drives that say in their replies who they
-//   are
-//   (`shares_replies`) may reply under one.
+//   are (`shares_replies`) may reply under one. Frames that end a cycle (SYNC) are counted once.
+// The buses of a whole robot are planned from its joints: robot_buses.hpp.
 // Cost: constants. Example: tests/runtime/hardware/bus_load.cpp; docs/can_bus.md.
 #pragma once
 
@@ -28,13 +28,14 @@ inline constexpr std::int64_t most_percent = 90;
 
 struct drive_facts {
   std::string_view name;
-  std::span<const can_filter> requests, replies;
+  std::span<const can_filter> requests, replies, broadcasts;
   std::span<const frame_traffic> traffic;
+  std::span<const can_frame> cycle_frames;
   bool shares_replies = false;
 };
-template <Drive D>
-constexpr drive_facts facts_of() {
-  drive_facts f{D::name, D::requests, D::replies, D::traffic};
+template <class D>
+constexpr drive_facts facts_of(std::string_view name = D::name) {
+  drive_facts f{name, D::requests, D::replies, broadcasts_of<D>, D::traffic, cycle_frames_of<D>};
   if constexpr (requires { D::shares_replies; }) f.shares_replies = D::shares_replies;
   return f;
 }
@@ -46,6 +47,15 @@ struct bus_use {
 };
 constexpr bus_use use_of(std::span<const drive_facts> drives, bit_rates rates) {
   bus_use use;
+  for (std::size_t i = 0; i < drives.size(); ++i)
+    for (const can_frame& f : drives[i].cycle_frames) {
+      bool before = false;
+      for (const drive_facts& d : drives.first(i))
+        for (const can_frame& g : d.cycle_frames) before = before || f == g;
+      if (before) continue;
+      use.frames_a_cycle += 1;
+      use.cycle += rates.nanoseconds(worst_case(shape_of(f)));
+    }
   for (const drive_facts& d : drives)
     for (const frame_traffic& t : d.traffic) {
       const std::int64_t one = rates.nanoseconds(worst_case(t.shape));
@@ -78,7 +88,9 @@ constexpr same_id find_same_id(std::span<const drive_facts> drives) {
     for (std::size_t j = 0; j < i; ++j) {
       const drive_facts &a = drives[j], &b = drives[i];
       if (share_one(a.requests, b.requests, found.id) || share_one(a.requests, b.replies, found.id) ||
-          share_one(a.replies, b.requests, found.id) ||
+          share_one(a.replies, b.requests, found.id) || share_one(a.broadcasts, b.requests, found.id) ||
+          share_one(a.broadcasts, b.replies, found.id) || share_one(b.broadcasts, a.requests, found.id) ||
+          share_one(b.broadcasts, a.replies, found.id) ||
           (!(a.shares_replies && b.shares_replies) && share_one(a.replies, b.replies, found.id))) {
         found.a = static_cast<int>(j);
         found.b = static_cast<int>(i);
@@ -94,40 +106,56 @@ constexpr void add_id(cca::detail::text& t, can_id id) {
     t << std::string_view("0123456789ABCDEF").substr(id.number >> shift & 0xF, 1);
 }
 
+// What is known of a bus, and what is wrong with it.
+struct bus_figures {
+  bit_rates rates{};
+  double hz = 0;
+  bus_use use{};
+  same_id twice{};
+
+  constexpr bus_figures(std::span<const drive_facts> drives, bit_rates r, double rate)
+      : rates(r), hz(rate), use(use_of(drives, r)), twice(find_same_id(drives)) {}
+  constexpr double load() const { return use.nanoseconds(hz) / 1e9; }
+  constexpr bool overloaded() const { return load() * 100 > most_percent; }
+  constexpr bool sound() const { return twice.a < 0 && !overloaded(); }
+};
+
+constexpr cca::detail::report tell_of_bus(std::string_view name, std::span<const drive_facts> drives, const bus_figures& bus) {
+  cca::detail::report r;
+  r.where << name;
+  auto& t = r.message;
+  if (bus.twice.a >= 0) {
+    const auto drive = [&](int i) { t << i + 1 << " (" << drives[static_cast<std::size_t>(i)].name << ")"; };
+    t << "drive.duplicate_id: on the bus `" << name << "` the drives ";
+    drive(bus.twice.a);
+    t << " and ";
+    drive(bus.twice.b);
+    t << " both use the id ";
+    add_id(t, bus.twice.id);
+    t << ": what is meant for one would move the other as well; give each of them an id of its own, in its firmware and in its "
+         "type";
+    return r;
+  }
+  const double left = static_cast<double>(most_percent) * 1e7 - bus.use.periodic;
+  t << "bus.overloaded: the bus `" << name << "` at " << bus.rates.nominal << " bit/s would be in use for "
+    << static_cast<std::int64_t>(bus.load() * 100 + 0.5) << " % of the time: " << static_cast<std::int64_t>(drives.size())
+    << " drives send " << bus.use.frames_a_cycle << " frames a cycle, which take up to " << bus.use.cycle / 1000 << " us, at "
+    << bus.hz << " Hz";
+  if (bus.use.periodic > 0) t << ", and " << bus.use.periodic / 1e7 << " % are frames that come by themselves";
+  t << "; at most " << most_percent << " % may be planned. ";
+  if (left > static_cast<double>(bus.use.cycle))
+    t << "Lower the rate to " << static_cast<std::int64_t>(left / static_cast<double>(bus.use.cycle)) << " Hz, put ";
+  else t << "Put ";
+  t << "drives on a second bus, or use faster bit rates or CAN FD";
+  return r;
+}
+
 template <fixed_string Name, bit_rates Rates, class Rate, Drive... Drives>
 struct plan_check {
   static constexpr std::array<drive_facts, sizeof...(Drives)> drives{facts_of<Drives>()...};
-  static constexpr bus_use use = use_of(drives, Rates);
-  static constexpr same_id twice = find_same_id(drives);
-  static constexpr double load = use.nanoseconds(Rate::hz) / 1e9;
-  static constexpr bool overloaded = load * 100 > most_percent, sound = twice.a < 0 && !overloaded;
-
-  static constexpr cca::detail::report tell() {
-    cca::detail::report r;
-    r.where << Name.view();
-    auto& t = r.message;
-    if (twice.a >= 0) {
-      t << "drive.duplicate_id: on the bus `" << Name.view() << "` the drives " << twice.a + 1 << " ("
-        << drives[static_cast<std::size_t>(twice.a)].name << ") and " << twice.b + 1 << " ("
-        << drives[static_cast<std::size_t>(twice.b)].name << ") both use the id ";
-      add_id(t, twice.id);
-      t << ": what is meant for one would move the other as well; give each of them an id of its own, in its firmware and in its "
-           "type";
-      return r;
-    }
-    const double left = static_cast<double>(most_percent) * 1e7 - use.periodic;
-    t << "bus.overloaded: the bus `" << Name.view() << "` at " << Rates.nominal << " bit/s would be in use for "
-      << static_cast<std::int64_t>(load * 100 + 0.5) << " % of the time: " << static_cast<std::int64_t>(drives.size())
-      << " drives send " << use.frames_a_cycle << " frames a cycle, which take up to " << use.cycle / 1000 << " us, at "
-      << Rate::hz << " Hz";
-    if (use.periodic > 0) t << ", and " << use.periodic / 1e7 << " % are frames that come by themselves";
-    t << "; at most " << most_percent << " % may be planned. ";
-    if (left > static_cast<double>(use.cycle))
-      t << "Lower the rate to " << static_cast<std::int64_t>(left / static_cast<double>(use.cycle)) << " Hz, put ";
-    else t << "Put ";
-    t << "drives on a second bus, or use faster bit rates or CAN FD";
-    return r;
-  }
+  static constexpr bus_figures figures{drives, Rates, Rate::hz};
+  static constexpr bool sound = figures.sound();
+  static constexpr cca::detail::report tell() { return tell_of_bus(Name.view(), drives, figures); }
 };
 
 template <class Check>
@@ -159,12 +187,13 @@ struct can_bus_plan {
 
   static constexpr std::string_view name = Name.view();
   static constexpr bit_rates rates = Rates;
-  static constexpr double load = check::load;
-  static constexpr std::int64_t cycle = check::use.cycle;  // ns that the frames of one cycle take at most
+  static constexpr double load = check::figures.load();
+  static constexpr std::int64_t cycle = check::figures.use.cycle;  // ns that the frames of one cycle take at most
   static constexpr auto requests = [] {
-    detail::filter_list<(0 + ... + std::size(Drives::requests))> all;
+    detail::filter_list<(0 + ... + (std::size(Drives::requests) + broadcasts_of<Drives>.size()))> all;
     for (const auto& d : check::drives)
-      for (const can_filter& f : d.requests) all.add(f);
+      for (const auto& those : {d.requests, d.broadcasts})
+        for (const can_filter& f : those) all.add(f);
     return all;
   }();
   static constexpr auto replies = [] {

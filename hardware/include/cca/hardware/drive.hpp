@@ -148,21 +148,22 @@ struct frame_traffic {
   std::int64_t period = 0;  // ns; 0: by cycle
 };
 
+// What of these a drive does not state.
 template <class D>
-constexpr auto broadcasts_of() {
-  if constexpr (requires { D::broadcasts; }) return D::broadcasts;
-  else return std::array<can_filter, 0>{};
-}
+inline constexpr std::array<can_filter, 0> broadcasts_of{};
 template <class D>
-constexpr auto cycle_frames_of() {
-  if constexpr (requires { D::cycle_frames; }) return D::cycle_frames;
-  else return std::array<can_frame, 0>{};
-}
+requires requires { D::broadcasts; }
+inline constexpr auto broadcasts_of<D> = D::broadcasts;
 template <class D>
-constexpr std::int64_t report_period_of() {
-  if constexpr (requires { D::report_period; }) return D::report_period;
-  else return 0;
-}
+inline constexpr std::array<can_frame, 0> cycle_frames_of{};
+template <class D>
+requires requires { D::cycle_frames; }
+inline constexpr auto cycle_frames_of<D> = D::cycle_frames;
+template <class D>
+inline constexpr std::int64_t report_period_of = 0;
+template <class D>
+requires requires { D::report_period; }
+inline constexpr std::int64_t report_period_of<D> = D::report_period;
 
 template <class Type>
 concept Drive = requires(const drive_command& command, const can_frame& frame, drive_report& report,

@@ -5,8 +5,9 @@
 //                                            cca::hardware::joint_servo{.stiffness = 30, .damping = 0.375}, 0> {};
 //
 // A joint's angle = sign (drive's angle / gear) + offset: gear counts turns of the drive's output for one of the joint. A joint's
-// torque = sign gear (drive's torque). Limits are those of the axis, and what of them the drive's frames can say.
-// Errors: space.missing_limits. Cost: constants, and some multiplications. docs/hardware.md.
+// torque = sign gear (drive's torque). All on one bus state its bit rates alike; unless stated 1 Mbit/s, and 5 for fast FD
+// frames, which are checked (robot_buses.hpp). Limits are those of the axis, and what of them the drive's frames can say. Errors:
+// space.missing_limits. Cost: constants, and some multiplications. docs/hardware.md.
 #pragma once
 
 #include <array>
@@ -39,13 +40,14 @@ struct joint_bounds {
   constexpr bool holds(double x) const { return lower <= x && x <= upper; }
 };
 
-template <class Axis, Drive Device, mounting Mounting, joint_servo Servo, std::size_t Bus = 0>
+template <class Axis, Drive Device, mounting Mounting, joint_servo Servo, std::size_t Bus = 0, bit_rates Rates = bit_rates{}>
 struct joint {
   using axis = Axis;
   using drive = Device;
   static constexpr mounting mounted = Mounting;
   static constexpr joint_servo servo = Servo;
   static constexpr std::size_t bus = Bus;
+  static constexpr bit_rates rates = Rates;
 
   static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1),
                 "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1");

@@ -9,7 +9,7 @@
 //
 // It has to be given its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller is the
 // deliberate call that enables the drives; until they are, and after a trip, the controller runs and nothing moves.
-// Errors: robot.unlimited_command, space.missing_limits. Example: examples/hardware_in_the_loop; docs/hardware.md.
+// Errors: robot.unlimited_command, space.missing_limits, bus.overloaded, drive.duplicate_id. Example: examples/hardware_in_the_loop; docs/hardware.md.
 #pragma once
 
 #include <tuple>
@@ -21,6 +21,7 @@
 #include <cca/hardware/emergency_stop.hpp>
 #include <cca/hardware/guards.hpp>
 #include <cca/hardware/oncilla_nodes.hpp>
+#include <cca/hardware/robot_buses.hpp>
 #include <cca/hardware/stopping.hpp>
 #include <cca/skeleton/collector.hpp>
 #include <cca/skeleton/splitter.hpp>
@@ -43,6 +44,7 @@ struct oncilla_parts {
   using board = std::tuple_element_t<8, std::tuple<Drives...>>;
   static_assert(std::is_same_v<typename joints::axes, sim::leg_axes>,
                 "cca::hardware::oncilla<Bus, Drives...>: its joints come in the order of cca::sim::leg_axes");
+  using sound = typename robot_buses<cca::rate<1000>, board, joints>::sound;
 };
 
 }  // namespace detail

@@ -16,8 +16,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <cca/hardware/can_filter.hpp>
-#include <cca/hardware/can_frame.hpp>
+#include <cca/hardware/drive.hpp>
 #include <cca/hardware/wire_number.hpp>
 
 namespace cca::hardware {
@@ -33,8 +32,12 @@ struct board_reading {
   std::uint64_t frames = 0;
 };
 
-template <std::uint32_t Base, std::size_t Bus = 0>
+template <std::uint32_t Base, std::size_t Bus = 0, bit_rates Rates = bit_rates{}>
 struct sensor_board {
+  static constexpr std::string_view name = "sensor board";
+  static constexpr bit_rates rates = Rates;
+  static constexpr std::array<frame_traffic, 1> traffic{{{.shape = {.length = 8}, .a_cycle = 6}}};
+
   static_assert(Base + 8 <= 0x7FF, "cca::hardware::sensor_board: its ids are base to base + 8, of 11 bits");
   static constexpr std::size_t bus = Bus;
   static constexpr std::array<can_filter, 5> replies{
