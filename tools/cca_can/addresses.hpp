@@ -133,7 +133,10 @@ struct cia402_address {
   static constexpr const char* family = "CiA 402";
   static constexpr bool needs_fd = false, clocked = true;
 
-  void to_real(hw::can_frame& f) const { f.id.number = (f.id.number & ~0x7Fu) | number; }
+  void to_real(hw::can_frame& f) const {
+    if (f.id == hw::standard(0)) f.data[1] = static_cast<std::uint8_t>(number);  // NMT, for all: who is meant stands in it
+    else f.id.number = (f.id.number & ~0x7Fu) | number;
+  }
   bool to_unit(hw::can_frame& f) const {
     if (f.id.extended || (f.id.number & 0x7F) != number) return false;
     f.id.number = (f.id.number & ~0x7Fu) | 1;

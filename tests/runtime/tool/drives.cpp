@@ -89,6 +89,14 @@ TEST_SUITE("drives by name") {
     alike<far>(
         "moteus:80/2:127", [](auto& some, auto& r) { return far::reply(10, some(r), some(r), some(r)); }, 12);
   }
+  TEST_CASE("a CANopen drive is started by its own number, as the first step of enabling it") {
+    const hw::drive_frames first = drive_named("cia402:4096/0.8:9")->enable({}).frames;
+    hw::cia402<epos, 9, hw::cia402_mode::position>::enabling way;
+    const hw::drive_frames expected = way.next({}).frames;
+    REQUIRE(first.size() == expected.size() + 1);
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(first[i] == expected[i]);
+    CHECK(first[0] == hw::canopen_start(9));
+  }
   TEST_CASE("a moteus may use no more torque than is stated with each command, and none to be enabled") {
     const auto drive = drive_named("moteus:80/2:4");
     hw::moteus<n1, 4>::request q;
