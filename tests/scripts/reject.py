@@ -52,7 +52,8 @@ def prepared(folder, command):
         return command
     if is_clang(command):
         return [*command, "-include-pch", str(folder / "all.pch")]
-    return [command[0], f"-I{folder}", *command[1:]]
+    # Only what the command line includes, or the file itself first of all, may come precompiled.
+    return [command[0], f"-I{folder}", *command[1:], "-include", HEADER]
 
 
 def compile_file(command, file, *defines):

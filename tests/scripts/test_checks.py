@@ -132,10 +132,13 @@ class Rejects(Tree):
         self.assertEqual(reject.sentence("f.hpp:1:2: error: no such thing"), "no such thing")
 
     def test_prepared(self):
-        self.write("include/cca/cca.hpp", "#pragma once\nstruct known {};\n")
+        self.write("include/cca/cca.hpp", '#pragma once\n#include "known.hpp"\n')
+        self.write("include/cca/known.hpp", "struct known {};\n")
         command = ["g++", "-std=c++20", f"-I{self.root}/include"]
         self.assertEqual(reject.prepare(self.root / "headers", command)[0], 0)
-        file = self.write("space.mismatch.cpp", self.SOUND.replace("#if", "#include <cca/cca.hpp>\nknown k;\n#if", 1))
+        self.write("include/cca/known.hpp", "#error is read again\n")
+        self.write("parts.hpp", "#include <cca/cca.hpp>\n")
+        file = self.write("space.mismatch.cpp", self.SOUND.replace("#if", '#include "parts.hpp"\nknown k;\n#if', 1))
         self.assertEqual(reject.verdict(file, reject.prepared(self.root / "headers", command))[0], "")
 
 
