@@ -97,9 +97,8 @@ private:
     command = c;
     mode = positioning;
     fed = clock;
-    holds = q.timeout != q.timeout             ? for_ever
-            : q.timeout > 0 && q.timeout < 1e6 ? static_cast<std::int64_t>(q.timeout * 1e9)
-                                               : timeout;
+    const double seconds = q.timeout;
+    holds = seconds != seconds ? for_ever : seconds > 0 && seconds < 1e6 ? static_cast<std::int64_t>(seconds * 1e9) : timeout;
   }
 
   drive_command command{};
