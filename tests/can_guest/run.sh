@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
 # Runs a program in a machine of its own: boots Debian's kernel in QEMU with CAN, runs the program there as root, and ends as it ended.
-#   run.sh [-m MODULES] [-s SETUP] [-d DEVICES] [-t SECONDS] [-k KERNEL] -- PROGRAM [ARGUMENTS...]
+#   run.sh [-m MODULES] [-s SETUP] [-d DEVICES] [-f FILES] [-t SECONDS] [-k KERNEL] -- PROGRAM [ARGUMENTS...]
 #     -m  modules, in the order of loading, of those that the kernel's package has
 #     -s  commands of the guest's shell before the program
 #     -d  further arguments for QEMU
-# The program is linked statically. Exit code: the program's; 124 it took too long; 125 the guest didn't boot, lacked something, or
-# panicked: the program never ended by itself. How it ended is told twice, on the serial line and by a device that ends QEMU,
-# and both must agree: a guest that dies is never a test that passed.
+#     -f  files that are to lie beside the program, in the folder in which it runs; programs, with the libraries that they need
+# Exit code: the program's; 124 it took too long; 125 the guest didn't boot, lacked something, or panicked: the program never
+# ended by itself. How it ended is told twice, on the serial line and by a device that ends QEMU, and both must agree: a guest
+# that dies is never a test that passed.
 # Emulated, never virtualised: /dev/kvm may be there and not work.
 set -u
 folder=${CCA_CAN_GUEST:-${XDG_CACHE_HOME:-${HOME:-/root}/.cache}/cca/can_guest}
-modules='' setup='' devices='' seconds=120 kernel=$folder/vmlinux
+modules='' setup='' devices='' files='' seconds=120 kernel=$folder/vmlinux
 lacking() { echo "can guest: $*" >&2; exit 125; }
-while getopts m:s:d:t:k: option; do
+while getopts m:s:d:f:t:k: option; do
   case $option in
-    m) modules=$OPTARG ;; s) setup=$OPTARG ;; d) devices=$OPTARG ;; t) seconds=$OPTARG ;; k) kernel=$OPTARG ;;
-    *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 125 ;;
+    m) modules=$OPTARG ;; s) setup=$OPTARG ;; d) devices=$OPTARG ;; f) files=$OPTARG ;; t) seconds=$OPTARG ;; k) kernel=$OPTARG ;;
+    *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 125 ;;
   esac
 done
 shift $((OPTIND - 1))
@@ -43,6 +44,10 @@ copy_with_libraries() {  # program, as
 }
 copy_with_libraries "$ip" /bin/ip
 copy_with_libraries "$program" /test/program
+for file in $files; do
+  [ -f "$file" ] || lacking "there is no file $file; ./bootstrap installs what the tests need"
+  copy_with_libraries "$file" "/test/$(basename "$file")"
+done
 number=10
 for module in $modules; do
   file=$(find "$folder/modules" -name "$module.ko" | head -n 1)

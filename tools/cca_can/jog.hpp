@@ -1,9 +1,9 @@
 // cca-can jog: one joint, slowly, within a range, a speed and a torque, and disabled at the end, whatever the end.
 //
-// next_jog_command is all that decides what goes to the drive. Its target goes to the goal at most at the speed, never leaves the
-// range, and never is further from where the drive stands than what half of the torque pulls; gains shrink where their sum would
-// make more torque than allowed. So a joint that is held fast is pulled with half of the torque, and does not jump when it is let
-// go.
+// next_jog_command is all that decides what goes to the drive. Its target speeds up and slows down within a quarter of a second,
+// never goes faster than the speed, never leaves the range, and is never further from where the drive stands than what half of
+// the torque pulls; gains shrink where their sum would make more torque than allowed. So a joint that is held fast is pulled with
+// half of the torque, and does not jump when it is let go.
 #pragma once
 
 #include <algorithm>
@@ -22,18 +22,28 @@ struct jog_limits {
   double damping = 0;        // N m s/rad
 };
 
+struct jog_target {
+  double position = 0, velocity = 0;
+};
+
 // `target` goes on with it. The torque is that of the law at what was measured.
 inline hw::drive_command next_jog_command(const jog_limits& l, double goal, const hw::drive_report& at, double dt,
-                                          double& target) {
-  const double step = l.speed * dt;
+                                          jog_target& target) {
+  const double rise = l.speed / 0.25;  // rad/s^2
+  const double way = std::clamp(goal, l.low, l.high) - target.position;
+  // As fast as it can still stop at the goal.
+  const double fastest = std::min({l.speed, std::sqrt(2 * rise * std::abs(way)), std::abs(way) / dt});
+  const double wanted = std::copysign(fastest, way);
+  const double speed =
+      std::clamp(std::clamp(wanted, target.velocity - rise * dt, target.velocity + rise * dt), -l.speed, l.speed);
+  const double next =
+      std::abs(way) <= std::abs(speed) * dt && speed * way >= 0 ? target.position + way : target.position + speed * dt;
   const double reach = 0.5 * l.torque / l.stiffness;
-  const double wanted = std::clamp(goal, target - step, target + step);
-  double next = std::clamp(wanted, at.position - reach, at.position + reach);
-  next = std::clamp(next, l.low, l.high);
-  hw::drive_command c{.position = next,
-                      .velocity = std::clamp((next - target) / dt, -l.speed, l.speed),
-                      .stiffness = l.stiffness,
-                      .damping = l.damping};
+  const double kept = std::clamp(std::clamp(next, at.position - reach, at.position + reach), l.low, l.high);
+  target.velocity = std::clamp((kept - target.position) / dt, -l.speed, l.speed);
+  target.position = kept;
+
+  hw::drive_command c{.position = kept, .velocity = target.velocity, .stiffness = l.stiffness, .damping = l.damping};
   const double v = at.velocity - at.velocity == 0 ? at.velocity : 0;
   const double law = c.stiffness * (c.position - at.position) + c.damping * (c.velocity - v);
   if (std::abs(law) > l.torque) {
@@ -41,7 +51,6 @@ inline hw::drive_command next_jog_command(const jog_limits& l, double goal, cons
     c.stiffness *= part;
     c.damping *= part;
   }
-  target = next;
   return c;
 }
 
@@ -87,10 +96,10 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
   }
 
   wrong = t.enable();
-  double target = t.report().position;
-  const double way = std::abs(o.goal - target);
+  jog_target target{.position = t.report().position};
+  const double way = std::abs(o.goal - target.position);
   const std::int64_t from = time.now();
-  const std::int64_t longest = from + static_cast<std::int64_t>((2 * way / l.speed + 2) * 1e9);
+  const std::int64_t longest = from + static_cast<std::int64_t>((2 * way / l.speed + 3) * 1e9);
   std::int64_t shown = from, arrived = 0;
   bool there = false;
   while (wrong.empty() && !(there && time.now() - arrived > static_cast<std::int64_t>(o.hold * 1e9))) {
@@ -102,7 +111,7 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
     if (!s.finite) wrong = "it tells numbers that are none";
     else wrong = t.cycle(s.frames);
     if (wrong.empty()) wrong = beyond_limits(l, t.report());
-    if (!there && target == o.goal) there = true, arrived = time.now();
+    if (!there && target.position == o.goal) there = true, arrived = time.now();
     if (!there && time.now() > longest) wrong = "it does not get there: something holds it, or the torque is too small";
   }
   // Softly, where it still listens: 0.2 s of damping alone.

@@ -1,0 +1,75 @@
+#!/bin/sh
+# cca-can on vcan0, beside can-utils: run in the guest (CMakeLists.txt), where both lie in this folder.
+failures=0
+is() {  # what, expected, got
+  if [ "$2" = "$3" ]; then echo "ok: $1"; else failures=$((failures + 1)); printf 'FAILED: %s\nexpected: %s\ngot: %s\n' "$1" "$2" "$3"; fi
+}
+has() {  # what, expected part, text
+  case $3 in *"$2"*) echo "ok: $1" ;; *) is "$1" "... $2 ..." "$3" ;; esac
+}
+ends() {  # what, code, command...
+  local what=$1 code=$2
+  shift 2
+  said=$("$@" 2>&1 </dev/null)
+  is "$what ends with $code" "$code" $?
+  printf '$ %s\n%s\n' "$*" "$said"
+}
+# Of an FD frame's flags the tool keeps that of the bit rate.
+frames() { cut -d ' ' -f 3 "$1" | sed 's/##[02468ACE]/##0/; s/##[13579BDF]/##1/'; }
+PATH=/test:$PATH
+
+ends "list of interfaces" 0 cca-can list
+has "the interface with its kind" "vcan0  up  vcan  FD  received" "$said"
+ends "an interface that is not there" 3 cca-can list can9
+has "and those that are" "there is no interface \`can9\`; those with CAN: vcan0" "$said"
+ends "nobody answers" 1 cca-can list vcan0 --ask mit --ids 1-4
+
+cca-can pretend vcan0 damiao:12.5/45/20:3 & player=$!
+sleep 0.3
+ends "a drive answers" 0 cca-can list vcan0 --ask mit --ids 1-4
+has "and is named" "mit:3  answers 000#03" "$said"
+ends "what it tells" 0 cca-can watch vcan0 damiao:12.5/45/20:3 --ask --seconds 0.5
+has "its angle" "rad" "$said"
+ends "nobody said yes" 4 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1
+ends "jog" 0 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1 --yes
+has "and is off afterwards" "disabled" "$said"
+ends "calibrate" 0 cca-can calibrate vcan0 damiao:12.5/45/20:3 --joint left_hind_hip --at 0.3 --file /tmp/offsets.toml --yes
+cat /tmp/offsets.toml
+cca-can enable vcan0 damiao:12.5/45/20:3 --yes >/tmp/enabled 2>&1 & enabled=$!
+sleep 0.5
+kill -INT $enabled
+wait $enabled
+is "ctrl-c ends enable" 0 $?
+has "and disables" "disabled" "$(cat /tmp/enabled)"
+kill $player
+wait $player
+
+# The same traffic by candump and by cca-can.
+candump -L vcan0 >/tmp/candump.log & dumper=$!
+cca-can record vcan0,fd --file /tmp/ours.log --frames 104 2>/dev/null & recorder=$!
+sleep 0.3
+for frame in 044#2A366C2BBA 00000F6E# 7FF#R 123##1112233445566778899AABBCC 1FFFFFFF##0DE; do cansend vcan0 $frame; done
+cangen vcan0 -n 99 -g 1 -m
+wait $recorder
+sleep 0.2
+kill $dumper
+wait $dumper
+is "candump has all" 104 "$(grep -c . /tmp/candump.log)"
+is "record writes what candump writes" "$(frames /tmp/candump.log)" "$(frames /tmp/ours.log)"
+grep -q '^([0-9]\{10\}\.[0-9]\{6\}) vcan0 044#2A366C2BBA$' /tmp/ours.log
+is "a line as candump has it" 0 $?
+
+# Out again: candump's log by cca-can, ours by canplayer.
+cca-can record vcan0,fd --file /tmp/replayed.log --frames 104 2>/dev/null & recorder=$!
+sleep 0.3
+ends "replay of candump's log" 0 cca-can replay vcan0 /tmp/candump.log --fast --yes
+wait $recorder
+is "gives the same frames" "$(frames /tmp/candump.log)" "$(frames /tmp/replayed.log)"
+cca-can record vcan0,fd --file /tmp/played.log --frames 104 2>/dev/null & recorder=$!
+sleep 0.3
+canplayer -I /tmp/ours.log -g 0
+wait $recorder
+is "canplayer plays ours" "$(frames /tmp/candump.log)" "$(frames /tmp/played.log)"
+
+echo "$failures failures"
+[ $failures = 0 ]
