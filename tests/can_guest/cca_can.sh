@@ -8,7 +8,7 @@ has() {  # what, expected part, text
   case $3 in *"$2"*) echo "ok: $1" ;; *) is "$1" "... $2 ..." "$3" ;; esac
 }
 ends() {  # what, code, command...
-  local what=$1 code=$2
+  what=$1 code=$2
   shift 2
   said=$("$@" 2>&1 </dev/null)
   is "$what ends with $code" "$code" $?
