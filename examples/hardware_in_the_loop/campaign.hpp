@@ -55,12 +55,12 @@ template <class Architecture>
 struct scenario {
   using run_type = in_memory<Architecture>;
   std::string fault;
-  std::int64_t beats = 200;                                                 // how long it lasts
-  std::vector<hw::bus_fault> script{};                                      // from the fault's beginning
-  std::function<void(run_type&, std::int64_t)> each = {};                   // what happens in a beat of it, counted from 0
-  std::function<void(run_type&)> mend = {};                                 // what ends it
-  std::function<bool(std::int64_t)> controller_runs = {};                   // in a beat of it; empty: always
-  bool killed = false;                                                      // the program is started anew
+  std::int64_t beats = 200;                                // how long it lasts
+  std::vector<hw::bus_fault> script{};                     // from the fault's beginning
+  std::function<void(run_type&, std::int64_t)> each = {};  // what happens in a beat of it, counted from 0
+  std::function<void(run_type&)> mend = {};                // what ends it
+  std::function<bool(std::int64_t)> controller_runs = {};  // in a beat of it; empty: always
+  bool killed = false;                                     // the program is started anew
 };
 
 struct result {
@@ -138,15 +138,19 @@ result run(const scenario<Architecture>& s) {
 
   result found;
   found.fault = s.fault;
-  std::int64_t last_moving = -1, detected = -1, drive_detected = -1;
+  std::int64_t last_moving = -1, detected = -1;
   std::array<double, 8> where{};
   auto former = r.laws;
   const auto note = [&](std::int64_t k) {
     watcher.look(r);
     const auto q = r.robot.joints();
-    if (detected < 0 && stop.mode() != hw::motion_mode::run && k > begin - 1) {
+    const auto finds = [&](const char* who) {
+      if (detected >= 0) return;
       detected = k;
-      found.detected_by = "controller";
+      found.detected_by = who;
+    };
+    if (found.first_cause.empty() && stop.mode() != hw::motion_mode::run && k >= begin) {
+      finds("controller");
       found.first_cause = std::string(hw::name_of(stop.first_cause().rule));
       if (const int j = stop.first_cause().joint; j >= 0)
         found.first_cause += ", " + std::string(joints::names[static_cast<std::size_t>(j)]);
@@ -159,12 +163,12 @@ result run(const scenario<Architecture>& s) {
     }
     former = r.laws;
     if (moving && k >= begin) last_moving = k;
-    if (unfed && drive_detected < 0 && k >= begin) drive_detected = k;
+    if (unfed && k >= begin) finds("drives' watchdog");
     if (k < begin) {
       for (std::size_t i = 0; i < 8; ++i) where[i] = q[i].position;
     } else {
       for (std::size_t i = 0; i < 8; ++i) {
-        if (k <= std::max(detected, drive_detected)) where[i] = q[i].position;
+        if (detected < 0 || k <= detected) where[i] = q[i].position;
         found.max_excursion = std::max(found.max_excursion, std::abs(q[i].position - where[i]));
         found.max_torque = std::max(found.max_torque, std::abs(q[i].torque));
       }
@@ -182,13 +186,8 @@ result run(const scenario<Architecture>& s) {
     note(k);
   }
 
-  // Where the drives can't be reached it's their own watchdog that finds out.
-  const bool tripped = detected >= 0 || s.killed;
+  const bool tripped = detected >= 0;
   if (tripped) {
-    if (drive_detected >= 0 && (s.killed || drive_detected > detected) && last_moving > detected) {
-      detected = drive_detected;
-      found.detected_by = "drives' watchdog";
-    }
     found.beats_to_detect = detected - begin;
     found.beats_to_safe = std::max<std::int64_t>(0, last_moving + 1 - detected);
   } else {

@@ -1,10 +1,15 @@
-// The fault campaign: every fault of the list below, in a run of its own; a table, and with a file name the same as JSON.
+// The fault campaign: every fault of the list below, in a run of its own; a table, with a file name the same as JSON, and with
+// the name of a page the same in place of its table.
 //
-// usage: hardware_in_the_loop_faults [faults.json]
-#include <cstdio>
+// usage: hardware_in_the_loop_faults [faults.json [docs/hardware.md]]
+#include <exception>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign.hpp"
@@ -89,24 +94,28 @@ std::vector<result> campaign() {
   return all;
 }
 
-std::string beats(std::int64_t n) { return n < 0 ? "-" : std::to_string(n); }
+constexpr std::string_view head =
+    "| fault | first cause | found by, after beats | safe after | joint moves, rad | torque, N m | outside limits | restarts |\n";
 
-void write_table(const std::vector<result>& all) {
-  std::puts(
-      "| fault | first cause | found by, after beats | safe after | joint moves, rad | torque, N m | outside limits | restarts "
-      "|");
-  std::puts("|---|---|---|---|---|---|---|---|");
-  for (const result& r : all)
-    std::printf("| %s | %s | %s%s | %s | %.2f | %.1f | %lld of %lld | %s |\n", r.fault.c_str(),
-                r.beats_to_detect < 0   ? "goes on"
-                : r.first_cause.empty() ? "-"
-                                        : r.first_cause.c_str(),
-                r.detected_by.c_str(), r.beats_to_detect < 0 ? "" : (", " + beats(r.beats_to_detect)).c_str(),
-                r.beats_to_detect < 0 ? "-" : beats(r.beats_to_safe).c_str(), r.max_excursion, r.max_torque,
-                static_cast<long long>(r.sent_outside_limits), static_cast<long long>(r.sent), r.recovered ? "yes" : "no");
+std::string table_of(const std::vector<result>& all) {
+  std::ostringstream out;
+  out << head << "|---|---|---|---|---|---|---|---|\n" << std::fixed;
+  for (const result& r : all) {
+    const bool found = r.beats_to_detect >= 0;
+    out << "| " << r.fault << " | "
+        << (!found                  ? "goes on"
+            : r.first_cause.empty() ? "-"
+                                    : r.first_cause)
+        << " | " << r.detected_by << (found ? ", " + std::to_string(r.beats_to_detect) : "") << " | "
+        << (found ? std::to_string(r.beats_to_safe) : "-") << " | " << std::setprecision(2) << r.max_excursion << " | "
+        << std::setprecision(1) << r.max_torque << " | " << r.sent_outside_limits << " of " << r.sent << " | "
+        << (r.recovered ? "yes" : "no") << " |\n";
+  }
+  return out.str();
 }
 
-void write_json(std::ostream& out, const std::vector<result>& all) {
+std::string json_of(const std::vector<result>& all) {
+  std::ostringstream out;
   out << "[";
   const char* between = "\n";
   for (const result& r : all) {
@@ -121,21 +130,38 @@ void write_json(std::ostream& out, const std::vector<result>& all) {
     between = ",\n";
   }
   out << "\n]\n";
+  return out.str();
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(path + ": could not be written to its end");
+}
+
+// The page with the table in it exchanged.
+std::string renewed(const std::string& path, const std::string& table) {
+  std::ostringstream page;
+  page << std::ifstream(path).rdbuf();
+  std::string text = page.str();
+  const std::size_t from = text.find(head), to = text.find("\n\n", from);
+  if (to == std::string::npos) throw std::runtime_error(path + ": has no table of the campaign");
+  return text.replace(from, to + 1 - from, table);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   const auto all = campaign();
-  write_table(all);
-  if (count > 1) {
-    std::ofstream file(arguments[1]);
-    write_json(file, all);
-    file.close();
-    if (!file) {
-      std::cerr << arguments[1] << ": could not be written to its end\n";
-      return 3;
-    }
+  const std::string table = table_of(all);
+  std::cout << table;
+  try {
+    if (count > 1) write(arguments[1], json_of(all));
+    if (count > 2) write(arguments[2], renewed(arguments[2], table));
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 3;
   }
   int bad = 0;
   for (const result& r : all)

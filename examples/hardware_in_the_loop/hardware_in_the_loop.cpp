@@ -3,30 +3,36 @@
 //   hardware_in_the_loop [--seconds N]                                 both ends in this process, on buses in memory
 //   hardware_in_the_loop --role drives --buses vcan0,...,vcan4         the far end: drives, sensor board, mechanics
 //   hardware_in_the_loop --role robot  --buses vcan0,...,vcan4         the controller, in a second process
+//   ... --pace lock-step                                               of both: for a machine too slow for real time
 //
-// The role `robot` is the program that drives the real robot: it can't tell the difference. Ends with 0 if nothing tripped (and,
-// where it sees it, the robot has not fallen).
-#include <chrono>
+// The role `robot` is the program that drives the real robot: it can't tell the difference. Ends with 0 if nothing tripped and,
+// where it sees it, the robot came forward and has not fallen; the role `drives` with 2 if all drives stopped by their watchdogs.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/socket_can.hpp>
 
 #include "in_memory.hpp"
+#include "lock_step.hpp"
 
 namespace {
 
 using namespace hil;
 
 struct options {
-  std::int64_t seconds = 5;
+  std::int64_t beats = 5000;
   std::string role;
+  bool lock_step = false;
   std::vector<std::string> names;
 };
 
@@ -37,9 +43,12 @@ options parse(int count, char** words) {
     if (i + 1 == count) throw std::runtime_error(std::string(key) + ": needs a value");
     const std::string value = words[i + 1];
     if (key == "--seconds") {
-      o.seconds = std::atoll(value.c_str());
+      o.beats = std::llround(1000 * std::atof(value.c_str()));
     } else if (key == "--role") {
       o.role = value;
+    } else if (key == "--pace") {
+      if (value != "wall-clock" && value != "lock-step") throw std::runtime_error("--pace is wall-clock or lock-step");
+      o.lock_step = value == "lock-step";
     } else if (key == "--buses") {
       for (std::size_t from = 0; from <= value.size();) {
         const std::size_t to = std::min(value.find(',', from), value.size());
@@ -47,7 +56,7 @@ options parse(int count, char** words) {
         from = to + 1;
       }
     } else {
-      throw std::runtime_error(std::string(key) + ": is none of --seconds, --role, --buses");
+      throw std::runtime_error(std::string(key) + ": is none of --seconds, --role, --buses, --pace");
     }
   }
   if (!o.role.empty() && (o.names.size() != buses || (o.role != "robot" && o.role != "drives")))
@@ -69,12 +78,12 @@ int told(Controller& c) {
   return runs ? 0 : 1;
 }
 
-int in_one_process(std::int64_t seconds) {
+int in_one_process(std::int64_t beats) {
   std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
   in_memory<> run;
   run.controller.load();
   run.controller.start();
-  for (std::int64_t k = 1; k <= seconds * 1000; ++k) {
+  for (std::int64_t k = 1; k <= beats; ++k) {
     run.step();
     if (k % 1000 == 0) std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
   }
@@ -82,44 +91,75 @@ int in_one_process(std::int64_t seconds) {
   return told(run.controller) + (run.robot.world.fallen() ? 1 : 0);
 }
 
-struct trot_over_socket_can : trot::architecture<oncilla<hw::socket_can>> {};
+struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
 
-std::vector<hw::socket_can> open(const options& o) {
-  std::vector<hw::socket_can> all;
-  for (const std::string& name : o.names) all.emplace_back(name);
-  return all;
+using bus_array = std::array<paced_can, buses>;
+bus_array open(const options& o) {
+  const auto bus = [&](std::size_t i) { return paced_can(o.names[i], o.lock_step); };
+  return {bus(0), bus(1), bus(2), bus(3), bus(4)};
 }
+
+struct robots_pace {
+  bus_array& bus;
+  bool lock_step;
+  cca::at_speed clock = cca::at_wall_clock();
+  void begin() { clock.begin(); }
+  void wait(std::int64_t now) {
+    if (lock_step) wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now);
+    else clock.wait(now);
+  }
+};
 
 int as_robot(const options& o) {
   auto bus = open(o);
   cca::controller<trot_over_socket_can> c;
-  c.get<"robot.synchronizer">().connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
+  auto& drives = c.get<"robot.synchronizer">();
+  drives.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   c.load();
   c.start();
-  c.run(cca::for_some_beats{o.seconds * 1000}, cca::at_wall_clock());
+  bool runs = false;
+  c.run(cca::for_some_beats{o.beats}, robots_pace{bus, o.lock_step}, [&](auto&) {
+    if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return;
+    std::puts("robot: all drives are enabled");
+    std::fflush(stdout);
+  });
   const int result = told(c);
   c.stop();
   return result;
 }
 
+// What became of the drives, once they have been driven: still driven, switched off, or left alone.
 int as_drives(const options& o) {
   auto bus = open(o);
-  far_side<hw::socket_can> far;
+  far_side<paced_can> far;
   far.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   mechanics robot(put_down());
-  using clock = std::chrono::steady_clock;
-  auto next = clock::now();
-  for (std::int64_t k = 1; k <= o.seconds * 1000; ++k) {
-    const std::int64_t now = std::chrono::duration_cast<std::chrono::nanoseconds>(next.time_since_epoch()).count();
+  cca::at_speed clock = cca::at_wall_clock();
+  clock.begin();
+  bool driven = false, free = false, unfed = false;
+  for (std::int64_t k = 1; k <= o.beats && !(driven && free); ++k) {
+    const std::int64_t now = k * in_memory<>::beat;
+    if (o.lock_step) wait_for(std::span(bus), {2, 2, 2, 2, 0}, now);
+    else clock.wait(now);
     far.listen(now);
-    robot.advance(far.laws(now), far.abduction);
+    const auto laws = far.laws(now);
+    free = std::none_of(laws.begin(), laws.end(), [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
+    unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
+    driven = driven || !free;
+    robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
     if (k % 1000 == 0)
       std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000), robot.world.trunk_position()[0]);
-    next += std::chrono::milliseconds(1);
-    std::this_thread::sleep_until(next);
   }
-  return 0;
+  const double way = robot.world.trunk_position()[0];
+  std::printf("drives: %s, after %.2f m\n",
+              !driven         ? "never enabled"
+              : free && unfed ? "no set-points: all torque-free by their watchdogs"
+              : free          ? "switched off"
+                              : "still driven",
+              way);
+  if (driven && free && unfed) return 2;
+  return driven && way > 0.02 && !robot.world.fallen() ? 0 : 1;
 }
 
 }  // namespace
@@ -127,7 +167,7 @@ int as_drives(const options& o) {
 int main(int count, char** words) {
   try {
     const options o = parse(count, words);
-    if (o.role.empty()) return in_one_process(o.seconds);
+    if (o.role.empty()) return in_one_process(o.beats);
     return o.role == "robot" ? as_robot(o) : as_drives(o);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "hardware_in_the_loop: %s\n", error.what());

@@ -39,9 +39,10 @@ class in_memory {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
-  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {}, std::uint64_t seed = 1)
-      : wires{made(script, seed), made(script, seed + 1), made(script, seed + 2), made(script, seed + 3),
-              made(script, seed + 4)} {
+  // `one_shot`: a frame is tried once, as docs/hardware.md asks for.
+  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {}, bool one_shot = true)
+      : wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3), made(script, one_shot, 4),
+              made(script, one_shot, 5)} {
     connect();
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
   }
@@ -76,8 +77,8 @@ public:
 
 private:
   void connect() { controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]); }
-  static wire made(std::span<const cca::hardware::bus_fault> script, std::uint64_t seed) {
-    return wire({.rates = {1'000'000}, .one_shot = true, .seed = seed, .script = script});
+  static wire made(std::span<const cca::hardware::bus_fault> script, bool one_shot, std::uint64_t seed) {
+    return wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = seed, .script = script});
   }
   void go_to(std::int64_t time) {
     for (auto& w : wires) w.advance(time);

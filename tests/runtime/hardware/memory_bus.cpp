@@ -178,6 +178,32 @@ TEST_CASE("memory bus: alone on the wire it gets passive, not off, and its queue
   CHECK(robot.state() == bus_state::warning);
 }
 
+TEST_CASE(
+    "memory bus: one-shot: what loses the arbitration, or is acknowledged by nobody, is given up; what waits for a free bus is "
+    "not") {
+  memory_bus<3> wire({.one_shot = true});
+  wire.end(0).send(std::array{numbered(0x300, 0)});
+  wire.advance(1);
+  wire.end(0).send(std::array{numbered(0x200, 1), numbered(0x200, 2)});  // the first one loses, the second is alone
+  wire.end(1).send(std::array{numbered(0x100, 3)});
+  wire.advance(10 * ms);
+  const auto got = all_from(wire.end(2));
+  REQUIRE(got.size() == 3);
+  CHECK(got[0].frame.id == standard(0x300));
+  CHECK(got[1].frame.id == standard(0x100));
+  CHECK(got[2].frame == numbered(0x200, 2));
+  CHECK(wire.end(0).counters().arbitration_lost == 1);
+  CHECK(wire.end(0).counters().dropped_away == 1);
+  CHECK(wire.end(0).in_flight() == 0);
+
+  const std::vector<bus_fault> faults{{.what = bus_trouble::link_down, .until = 50 * ms, .end = 1}};
+  memory_bus<2> alone({.one_shot = true, .script = faults});
+  alone.end(0).send(std::array{numbered(1, 0), numbered(1, 1)});
+  alone.advance(49 * ms);
+  CHECK(alone.end(0).counters().dropped_away == 2);
+  CHECK(alone.end(0).in_flight() == 0);
+}
+
 TEST_CASE("memory bus: a bus that is off or down loses what it was to send") {
   for (const auto away : {bus_trouble::bus_off, bus_trouble::link_down}) {
     const std::vector<bus_fault> faults{{.what = away, .from = ms / 4, .until = 20 * ms, .end = 0}};

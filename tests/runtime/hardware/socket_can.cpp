@@ -223,6 +223,22 @@ TEST_CASE("socket can on vcan: lost confirmations don't stop the sender") {
   CHECK(a.in_flight() <= 4);
 }
 
+TEST_CASE("socket can on vcan: what a controller in one-shot never confirms is given up, and counted") {
+  if (!can_rigs::present("vcan0")) return;
+  const std::array<can_filter, 1> others{{{standard(0x700)}}};  // own frames don't come back: never confirmed
+  socket_can patient("vcan0", {.replies = others}), one_shot("vcan0", {.replies = others, .gives_up_after = 200'000'000});
+  for (socket_can* bus : {&patient, &one_shot}) {
+    bus->send(std::array{numbered(1, 1), numbered(1, 2)});
+    all_from(*bus);
+    CHECK(bus->in_flight() == 2);
+  }
+  can_rigs::wait_ms(250);
+  all_from(patient), all_from(one_shot);
+  CHECK(patient.in_flight() == 2);
+  CHECK(one_shot.in_flight() == 0);
+  CHECK(one_shot.counters().dropped_away == 2);
+}
+
 TEST_CASE("socket can on vcan: states by error frames; off means nothing goes out") {
   if (!can_rigs::present("vcan0")) return;
   socket_can robot("vcan0"), drive("vcan0");

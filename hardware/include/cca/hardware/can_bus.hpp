@@ -43,7 +43,7 @@ struct bus_counters {
   std::uint64_t confirmed = 0;     // of those, went over the bus
   std::uint64_t received = 0;      // from others
   std::uint64_t dropped_full = 0;  // not taken: transmit queue full
-  std::uint64_t dropped_away = 0;  // not taken, or lost in the queue: bus off or down
+  std::uint64_t dropped_away = 0;  // not taken, or lost in the queue: bus off or down, given up
   std::uint64_t invalid = 0;       // not taken: no frame of this bus
   std::uint64_t lost = 0;          // arrived, and lost since the receive queue was full
   std::uint64_t intruders = 0;     // frames of others under ids that are ours alone to send

@@ -8,9 +8,10 @@
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and `start()` are the
 // deliberate way to motion: drives are enabled; once all of them are, the phase `begins` and the guards start where the joints
 // are. A bus that went away, a drive that does not answer for `silent_beats`, tells of a fault or jumps, a loop that stood still,
-// all trip the emergency stop, in the same beat. Then set-points go out only if they damp, until `start()`. `on_fault` damps at
-// once and stops; `on_stop` disables. Parameters: `offset`, the calibration of each joint, in addition to its type's. Cost: two
-// calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
+// all trip the emergency stop, in the same beat. Then set-points go out only if they damp, until `start()`. No set-point is sent
+// behind frames that still wait: it would be an old one. `on_fault` damps at once and stops; `on_stop` disables. Parameters:
+// `offset`, the calibration of each joint, in addition to its type's. Cost: two calls of each bus a beat, some dozen instructions a
+// frame; no allocation. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -96,9 +97,7 @@ public:
   void stop() {
     outbox.fill({}), moves = {};
     each([&]<std::size_t... I>(std::index_sequence<I...>) { (add<J>(J::drive::disable()), ...); });
-    post();
-    at = motion_phase::stopped;
-    for (auto& l : links) l.stop();
+    post_and_stop();
   }
 
   void on_start() { start(); }
@@ -106,11 +105,9 @@ public:
   void on_fault() {
     outbox.fill({}), moves = {};
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      (add<J>(damped<J>(std::isfinite(angle[I]) ? angle[I] : 0.0, I)), ...);
+      (add<J>(damped<J>(std::isfinite(angle[I]) ? angle[I] : 0.0)), ...);
     });
-    post();
-    at = motion_phase::stopped;
-    for (auto& l : links) l.stop();
+    post_and_stop();
   }
 
   motion_phase phase() const { return at; }
@@ -198,6 +195,7 @@ private:
     bool all = true;
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       const auto next = [&]<class One, std::size_t K>() {
+        if (!is_free(One::bus)) return void(all = false);  // a step at a time, and none behind those of `stop`
         const bool off = refused[K] || reports[K].activity == drive_activity::disabled;
         if (off && budget % 50 == 0) std::get<K>(way) = {}, refused[K] = false;  // once more, now and then: a frame may be lost
         if (!refused[K]) {
@@ -216,8 +214,8 @@ private:
     }
     if (!all || reading.frames == 0) return;
     for (std::size_t b = 0; b < buses; ++b)
-      if (!wires[b] || is_away(wires[b]->state()) || wires[b]->in_flight() != 0) return;
-    for (std::size_t b = 0; b < buses; ++b) links[b].start(0);
+      if (!is_free(b)) return;
+    for (auto& l : links) l.start(0);
     trips.fill(safety_rule::none);
     quiet.fill(0), quiet_board = 0;
     at = motion_phase::begins;
@@ -235,7 +233,7 @@ private:
     add<One>(One::drive::set_point(One::to_drive(s)).frames);
   }
   template <class One>
-  static drive_frames damped(double where, std::size_t) {
+  static drive_frames damped(double where) {
     if constexpr ((One::drive::uses & of_stiffness) == 0) return One::drive::disable();
     else return One::drive::set_point(One::to_drive({where, 0, 0, 0, One::servo.safe_damping})).frames;
   }
@@ -243,40 +241,40 @@ private:
   void add(const drive_frames& frames) {
     for (std::size_t k = 0; k < frames.size(); ++k) outbox[One::bus].add(frames[k]);
   }
+  // Behind frames that still wait a set-point would only become a stale one: it is dropped, and counted. Only what damps goes
+  // behind what moves, once: so it comes last.
   void post() {
     for (std::size_t b = 0; b < buses; ++b) {
       if (!wires[b] || outbox[b].empty() || !links[b].may_speak()) continue;
-      // Behind set-points that are still waiting a newer one would only become another stale one.
-      const bool waiting = moves[b] && wires[b]->in_flight() != 0;
-      const send_result sent = waiting ? send_result{0, send_outcome::full} : wires[b]->send(outbox[b]);
+      const bool too_late = wires[b]->in_flight() != 0 && (moves[b] || !moved[b]);
+      const send_result sent = too_late ? send_result{0, send_outcome::full} : wires[b]->send(outbox[b]);
+      if (sent.sent != 0) moved[b] = moves[b];
       if (links[b].may_move()) links[b].sent(sent);
     }
   }
+  void post_and_stop() {
+    moved.fill(true);  // whatever waits, this goes behind it
+    post();
+    at = motion_phase::stopped;
+    for (auto& l : links) l.stop();
+  }
+  bool is_free(std::size_t b) const { return wires[b] && !is_away(wires[b]->state()) && wires[b]->in_flight() == 0; }
 
   std::array<std::uint64_t, count> frames_of_drives() const {
-    std::array<std::uint64_t, count> n;
-    for (std::size_t i = 0; i < count; ++i) n[i] = reports[i].frames;
-    return n;
+    return each([&]<std::size_t... I>(std::index_sequence<I...>) { return std::array{reports[I].frames...}; });
   }
   safety_rule trip_of(std::size_t i) const { return at >= motion_phase::begins ? trips[i] : safety_rule::none; }
 
   sim::measured_trunk::vector_type trunk() const {
     sim::measured_trunk::vector_type v;
     Eigen::Index n = 0;
-    for (const double x : reading.orientation) v[n++] = x;
-    for (const double x : reading.angular_velocity) v[n++] = x;
-    for (const double x : reading.specific_force) v[n++] = x;
-    for (const double x : reading.foot_load) v[n++] = x;
-    for (const bool x : reading.contact) v[n++] = x ? 1 : 0;
-    for (const double x : reading.abduction) v[n++] = x;
+    const auto put = [&](const auto&... parts) { (std::ranges::for_each(parts, [&](double x) { v[n++] = x; }), ...); };
+    put(reading.orientation, reading.angular_velocity, reading.specific_force, reading.foot_load, reading.contact,
+        reading.abduction);
     return v;
   }
 
-  static constexpr std::array<double, count> unknown = [] {
-    std::array<double, count> a;
-    a.fill(drive_report::untold);
-    return a;
-  }();
+  static constexpr std::array<double, count> unknown{(sizeof(J) ? drive_report::untold : 0)...};
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
 
   std::array<Bus*, buses> wires{};
@@ -291,8 +289,9 @@ private:
   safety_rule failed = safety_rule::none;
   std::tuple<typename J::drive::enabling...> way{};
   std::array<bool, count> ready{}, refused{};
-  std::array<bool, buses> moves{};  // what is to be sent follows the controller
-  std::int64_t newest = 0; motion_phase at = motion_phase::stopped;
+  std::array<bool, buses> moves{}, moved{};  // what is to be sent, and what was, follows the controller
+  std::int64_t newest = 0;
+  motion_phase at = motion_phase::stopped;
   std::array<batch, buses> enabling_frames{}, outbox{};
   std::array<received_frame, 64> inbox{};
 };

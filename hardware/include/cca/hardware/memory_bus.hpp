@@ -30,7 +30,8 @@ namespace cca::hardware {
 
 struct memory_bus_options {
   bit_rates rates{};
-  bool one_shot = false;  // what nobody acknowledges is given up instead of tried again: `ip link ... one-shot on`
+  bool one_shot =
+      false;  // tried once: what nobody acknowledges, or loses the arbitration, is given up; `ip link ... one-shot on`
   std::uint64_t seed = 0;
   std::span<const bus_fault> script{};
 };
@@ -130,7 +131,18 @@ private:
       if (!hears(i) || stations[i].out.empty()) continue;
       if (sender == nobody || goes_before(stations[i].out.front().id, stations[sender].out.front().id)) sender = i;
     }
-    if (sender != nobody) sent_at = clock + options.rates.nanoseconds(worst_case(shape_of(stations[sender].out.front())));
+    if (sender == nobody) return;
+    sent_at = clock + options.rates.nanoseconds(worst_case(shape_of(stations[sender].out.front())));
+    for (std::size_t i = 0; options.one_shot && i < Ends; ++i) {
+      station& s = stations[i];
+      if (i == sender || !hears(i) || s.out.empty()) continue;
+      ++s.counters.arbitration_lost;
+      give_up(s);
+    }
+  }
+  void give_up(station& s) {
+    ++s.counters.dropped_away;
+    s.out.pop();
   }
 
   void finish_sending() {
@@ -142,10 +154,7 @@ private:
     if (!acknowledged) {  // error counter by ISO 11898-1: 8 a try, and no further than passive
       ++s.counters.not_acknowledged;
       s.counters.transmit_errors = static_cast<std::uint8_t>(std::min(s.counters.transmit_errors + 8, 128));
-      if (options.one_shot) {
-        ++s.counters.dropped_away;
-        s.out.pop();
-      }
+      if (options.one_shot) give_up(s);
       update(s);
       return;
     }

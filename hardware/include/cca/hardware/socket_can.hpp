@@ -9,6 +9,8 @@
 // What the kernel calls errors are states here. ENETDOWN, ENODEV: down; it comes back by itself, also when the adapter was pulled
 // and put in again. Error frames: warning, passive, bus-off, restarted. ENOBUFS, EAGAIN, or as many frames in flight as
 // `most_in_flight`: full. Make that one batch: then no set-point waits behind an older one.
+// A controller in one-shot does not tell which frames it gave up. Say `gives_up_after`, most of a beat: what is not confirmed by
+// then counts as dropped and no longer as in flight.
 // Bus-off: the kernel may hold frames of the last batch, and send them when the controller is restarted. Leave `restart-ms` 0,
 // and restart by `ip link set can0 down` and `up`: then it forgets them. `stale()` counts those that went out all the same.
 //
@@ -44,13 +46,14 @@ struct socket_can_options {
   std::span<const can_filter> ours{};
   bool fd = false;
   std::uint64_t most_in_flight = 16;
+  std::int64_t gives_up_after = 0;  // ns; 0: the controller tries until it succeeds
 };
 
 class socket_can {
 public:
   explicit socket_can(std::string_view name, const socket_can_options& o = {})
       : interface(name), socket(detail::open_can(interface, let_through(o), o.fd)), ours(o.ours.begin(), o.ours.end()),
-        most_in_flight(o.most_in_flight), with_fd(o.fd), work(std::make_unique<buffers>()) {
+        most_in_flight(o.most_in_flight), gives_up_after(o.gives_up_after), with_fd(o.fd), work(std::make_unique<buffers>()) {
     const detail::link now = interface.state(socket.get());
     carrier_was_lost = now == detail::link::no_carrier;
     seen = now == detail::link::up ? bus_state::active : now == detail::link::no_carrier ? bus_state::bus_off : bus_state::down;
@@ -62,6 +65,7 @@ public:
       counter += n;
       if (n > 0 && result.outcome == send_outcome::sent) result.outcome = why;
     };
+    if (gives_up_after > 0) sent_at = nanoseconds_of(CLOCK_MONOTONIC);
     while (!frames.empty()) {
       if (is_away(seen)) {
         refuse(send_outcome::away, count.dropped_away, frames.size());
@@ -120,6 +124,7 @@ public:
       const std::int64_t to_monotonic = nanoseconds_of(CLOCK_MONOTONIC) - nanoseconds_of(CLOCK_REALTIME);
       for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) n += take(i, to_monotonic, into[n]);
     }
+    if (gives_up_after > 0 && unconfirmed > 0 && nanoseconds_of(CLOCK_MONOTONIC) - sent_at > gives_up_after) forget_in_flight();
     return n;
   }
 
@@ -254,6 +259,7 @@ private:
   detail::file_descriptor socket;
   std::vector<can_filter> ours;
   std::uint64_t most_in_flight;
+  std::int64_t gives_up_after, sent_at = 0;
   bool with_fd;
   std::unique_ptr<buffers> work;
   bus_state seen = bus_state::down;

@@ -1,0 +1,72 @@
+// The picture of docs/hardware.md: what stands between the servos and the drives, out of the picture of the whole robot.
+#include <algorithm>
+#include <initializer_list>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include <cca/graph/describe.hpp>
+
+#include "../../../examples/hardware_in_the_loop/in_memory.hpp"
+
+namespace {
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0[("synchronizer<br/><i>1000 Hz</i>")]
+  n14[("servos<br/><i>1000 Hz</i>")]
+  n15[("finite<br/><i>1000 Hz</i>")]
+  n16[("stale<br/><i>1000 Hz</i>")]
+  n17[("emergency_stop<br/><i>1000 Hz</i>")]
+  n18[("soft_stop<br/><i>1000 Hz</i>")]
+  n19[("damping<br/><i>1000 Hz</i>")]
+  n20[("rate<br/><i>1000 Hz</i>")]
+  n21[("limits<br/><i>1000 Hz</i>")]
+  n21 -- "safe → set_points<br/>set_points, 1000 Hz" --> n0
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n14
+  n14 -- "wanted<br/>set_points, 1000 Hz" --> n15
+  n15 -- "safe → wanted<br/>set_points, 1000 Hz" --> n16
+  n16 -- "safe → wanted<br/>set_points, 1000 Hz" --> n17
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n17
+  n17 -- "safe → wanted<br/>set_points, 1000 Hz" --> n18
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n18
+  n18 -- "safe → wanted<br/>set_points, 1000 Hz" --> n19
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n19
+  n19 -- "safe → wanted<br/>set_points, 1000 Hz" --> n20
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n20
+  n20 -- "safe → wanted<br/>set_points, 1000 Hz" --> n21
+  n0 -- "joints<br/>joint_states, 1000 Hz" --> n21
+)";  // [picture end]
+
+// Of a picture the lines of these nodes, and of the wires between them; spaces without the list of joints they are of.
+std::string part(const std::string& mermaid, std::initializer_list<std::string_view> names) {
+  std::istringstream lines(mermaid);
+  std::vector<std::string> kept;
+  std::string text;
+  const auto keeps = [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); };
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, last;
+    words >> first;
+    last = line.substr(line.rfind(' ') + 1);
+    const std::string id = first.substr(0, first.find_first_of("[("));
+    const bool node = id != first && std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+                        return line.find("\"" + std::string(name) + "<br/>") != std::string::npos;
+                      });
+    if (node) kept.push_back(id);
+    if (const auto list = line.find("&lt;"); list != std::string::npos) line.erase(list, line.rfind("&gt;") + 4 - list);
+    if (node || first == "flowchart" || (keeps(first) && keeps(last))) text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("the picture of the safety chain") {
+  CHECK_EQ(part(cca::describe<hil::oncilla<hil::memory_end>>::mermaid(),
+                {"synchronizer", "servos", "finite", "stale", "emergency_stop", "soft_stop", "damping", "rate", "limits"}),
+           picture.substr(picture.find('\n') + 1));
+}
