@@ -97,7 +97,7 @@ struct step_option<or_after<Beats, Name>> {
   static constexpr void set(step_info& one) { one.limit = Beats, one.otherwise = Name.view(); }
 };
 template <fixed_string Name>
-struct step_option<then<Name>> {
+struct step_option<cca::then<Name>> {
   using condition = all<>;
   static constexpr void set(step_info& one) { one.next = Name.view(); }
 };
