@@ -118,7 +118,6 @@ TEST_CASE("moteus: stiffness and damping are parts of its own, damping no larger
 }
 
 TEST_CASE("moteus: bytes that make no sense are not taken, whole or in part") {
-  const drive_report before;
   for (const std::string_view hex :
        {"24", "2404", "24040a", "24ff0f00", "2c0100", "280400", "40", "60", "ff", "20ffffffffff0100", "2100", "3001", "1004"}) {
     drive_report r;
