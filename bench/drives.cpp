@@ -1,0 +1,120 @@
+// A whole beat on eight drives: the trot's controller with hardware::oncilla, on buses that cost nothing.
+//
+//   drives BEATS          so many beats (under callgrind); ends with 1 if anything tripped
+//   drives allocations    what 1000 beats allocate
+//
+// Each bus is a mirror: behind it stand drives that are at once where they are told to be, and the sensor board. What it does is
+// taken off, by a second count of its two functions alone (--toggle-collect), so the figure is that of reading and writing all
+// frames, of the safety chain and of the controller. On a real bus the kernel's work comes on top. docs/hardware.md.
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <cca/cca.hpp>
+
+#include "../examples/hardware_in_the_loop/robot.hpp"
+#include "../examples/trot/architecture.hpp"
+
+extern "C" long bench_allocations();
+
+namespace bench {
+
+namespace hw = cca::hardware;
+
+class mirror {
+public:
+  bool has_board = false;
+
+  [[gnu::noinline]] hw::send_result send(std::span<const hw::can_frame> frames) noexcept {
+    for (const hw::can_frame& f : frames) {
+      if (f.id.number > 8 || count == answers.size()) continue;
+      auto& where = at[f.id.number];
+      const bool special = f.data[0] == 0xFF && f.data[1] == 0xFF && f.data[2] == 0xFF;
+      const bool stiff = ((f.data[3] & 0xFu) << 8 | f.data[4]) != 0;
+      if (!special && stiff) where = {f.data[0], f.data[1], f.data[2], static_cast<std::uint8_t>((f.data[3] & 0xF0) | 7)};
+      answers[count++] = {
+          .id = hw::standard(0),
+          .length = 8,
+          .data = {static_cast<std::uint8_t>(f.id.number | 0x10), where[0], where[1], where[2], where[3], 0xFF, 25, 25}};
+    }
+    return {frames.size(), hw::send_outcome::sent};
+  }
+  [[gnu::noinline]] std::size_t receive(std::span<hw::received_frame> into) noexcept {
+    now += 1'000'000;
+    if (has_board)
+      for (const hw::can_frame& f : hil::board::frames({.orientation = {0, 0, 0, 1}}, beat++)) answers[count++] = f;
+    const std::size_t n = std::exchange(count, 0);
+    for (std::size_t i = 0; i < n; ++i) into[i] = {answers[i], now};
+    return n;
+  }
+  hw::bus_state state() const noexcept { return hw::bus_state::active; }
+  const hw::bus_counters& counters() const noexcept { return none; }
+  std::uint64_t in_flight() const noexcept { return 0; }
+
+  // Where a drive stands at the beginning: in the middle of its joint's range.
+  template <class... J>
+  void stand(hw::joint_list<J...>) {
+    const auto one = [this]<class One>(One) {
+      const auto& d = One::drive::reply(One::drive_angle_of(0.5 * (One::angle.lower + One::angle.upper)), 0, 0).data;
+      at[One::drive::request_id.number] = {d[1], d[2], d[3], d[4]};
+    };
+    (one(J()), ...);
+  }
+
+private:
+  std::array<std::array<std::uint8_t, 4>, 9> at{};  // position and velocity as on the wire
+  std::array<hw::can_frame, 32> answers{};
+  std::size_t count = 0;
+  std::int64_t now = 0;
+  std::uint8_t beat = 0;
+  hw::bus_counters none{};
+};
+
+struct trot_on_mirrors : trot::architecture<hil::oncilla<mirror>> {};
+
+struct robot {
+  std::array<mirror, hil::buses> buses{};
+  cca::controller<trot_on_mirrors> controller{};
+  robot() {
+    buses[hil::board::bus].has_board = true;
+    for (mirror& each : buses) each.stand(hil::joints());
+    controller.get<"robot.synchronizer">().connect(buses[0], buses[1], buses[2], buses[3], buses[4]);
+    controller.load();
+    controller.start();
+  }
+  bool trots() {
+    return controller.get<"robot.emergency_stop">().mode() == hw::motion_mode::run &&
+           !controller.get<"robot.rate">().approaching();
+  }
+};
+
+template <class Robot>
+[[gnu::noinline]] void one_beat(Robot& r) {
+  r.controller.step();
+}
+
+}  // namespace bench
+
+int main(int count, char** arguments) {
+  const auto r = std::make_unique<bench::robot>();
+  constexpr int begin = 2000;  // enabled, and caught up with the gait
+  for (int k = 0; k < begin; ++k) bench::one_beat(*r);
+  const std::string_view what = count > 1 ? arguments[1] : "";
+  if (what == "allocations") {
+    const long before = bench_allocations();
+    for (int k = 0; k < 1000; ++k) bench::one_beat(*r);
+    std::printf("%ld\n", bench_allocations() - before);
+  } else {
+    for (int k = std::atoi(what.data()); k > 0; --k) bench::one_beat(*r);
+  }
+  if (r->trots()) return 0;
+  const auto cause = r->controller.get<"robot.emergency_stop">().first_cause();
+  std::fprintf(stderr, "drives: it does not trot: %s, joint %d, beat %lld\n",
+               std::string(cca::hardware::name_of(cause.rule)).c_str(), cause.joint, static_cast<long long>(cause.beat));
+  return 1;
+}
