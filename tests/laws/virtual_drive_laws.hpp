@@ -25,6 +25,8 @@ namespace virtual_drives {
 
 using namespace cca::hardware;
 
+inline constexpr double stands = 0.2;  // where a motor is before anything happens
+
 inline bool finite(const drive_command& c) { return (c.position + c.velocity + c.torque + c.stiffness + c.damping) * 0 == 0; }
 // At most it damps.
 inline bool gives_way(const drive_command& c) {
@@ -97,11 +99,11 @@ template <class Rig>
 void follows_once_enabled() {
   bench_of<Rig> b;
   using D = typename Rig::drive::drive;
-  b.motor.now.position = 0.2;
+  b.motor.now.position = stands;
   b.beats(200, Rig::drive::waits ? b.go() : drive_frames());
-  CHECK_MESSAGE(b.motor.now.position == 0.2, "nothing moves before it was enabled");
+  CHECK_MESSAGE(b.motor.now.position == stands, "nothing moves before it was enabled");
   REQUIRE_MESSAGE(b.enable(), "its codec enables it");
-  CHECK_MESSAGE(std::fabs(b.motor.now.position - 0.2) < 0.002, "without a kick");
+  CHECK_MESSAGE(std::fabs(b.motor.now.position - stands) < 0.002, "without a kick");
   b.beats(1500, b.go());
   if constexpr ((D::uses & of_position) != 0) CHECK(b.motor.now.position == doctest::Approx(0.5).epsilon(0.02));
   else if constexpr ((D::uses & of_velocity) != 0) CHECK(b.motor.now.velocity == doctest::Approx(0.5).epsilon(0.05));
@@ -253,7 +255,7 @@ void hears_no_number() {
   CHECK(D::set_point({.position = NAN, .velocity = NAN, .torque = NAN}).frames.empty());
   for (const can_frame& f : Rig::no_number()) {
     bench_of<Rig> b;
-    b.motor.now.position = 0.2;
+    b.motor.now.position = stands;
     REQUIRE(b.enable());
     const double stood = b.motor.now.position;
     for (int i = 0; i < 200; ++i) {
