@@ -3,7 +3,7 @@
 three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, compile, listing; the others stay as they were in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, skills, compile, listing; the others stay as they were in figures.json;
                                more than one: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -31,6 +31,8 @@ COMPILERS = ("g++", "clang++-19")
 FORMS = ("graph", "by_hand", "classical")
 TROT_FLAGS = (["-O2"], ["-O3"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
 SIZES = (10, 30, 100, 300)
+SKILLS_FLAGS = (["-O2"], ["-O3"])
+SKILLS_BEATS = (2000, 14000)  # from the sight of the ball on: each skill has its turn
 SYNTHETIC_BEATS = (200, 600)  # whole rounds of the slowest clock, and 300 virtual components under callgrind
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
 INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(HERE)]
@@ -141,6 +143,26 @@ def synthetic(work):
     return rows
 
 
+def skills(work):
+    """The Combination of Skills: the graph and the loop by hand, from beat to beat through all skills."""
+    rows = []
+    for compiler in COMPILERS:
+        for flags in SKILLS_FLAGS:
+            program = work / "skills"
+            build(compiler, [*flags, "-ffp-contract=off"], HERE / "skills.cpp", program)
+            run([str(program), "check", str(SKILLS_BEATS[1])])
+            row = {"compiler": compiler, "flags": " ".join(flags)}
+            for form in ("graph", "by_hand"):
+                row[form] = {"instructions": instructions(program, form, lengths=SKILLS_BEATS)}
+            for line in run([str(program), "figures"]).stdout.splitlines():
+                form, allocations, size = line.split()
+                row[form].update(allocations=float(allocations), bytes=int(size))
+            row["graph"]["calls"] = calls_of(loop_of(program))
+            rows.append(row)
+            print("skills", compiler, *flags, {f: row[f]["instructions"] for f in ("graph", "by_hand")}, flush=True)
+    return rows
+
+
 def skeletons(work):
     """Each skeleton in a graph, and by hand: instructions a beat, allocations of a thousand, calls left."""
     rows = []
@@ -241,7 +263,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "skills": skills, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

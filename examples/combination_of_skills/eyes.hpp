@@ -54,15 +54,12 @@ struct nearer_paw {
     }
     const int leg = right ? 1 : 0;
     const Eigen::Vector3d joints(abducted.vector()[leg], angles.vector()[leg], angles.vector()[4 + leg]);
-    const Eigen::Vector3d paw = right ? tip<right_front>(joints) : tip<left_front>(joints);
+    const Eigen::Vector3d paw = right ? cca::chain_pose<right_front>(joints).tip().at : cca::chain_pose<left_front>(joints).tip().at;
     return {paw, cca::status_of(right ? paw_side::right : paw_side::left),
             cca::status_of(contacts.vector()[leg] != 0 ? paw_state::grounded : paw_state::raised)};
   }
 
 private:
-  template <class Leg>
-  static Eigen::Vector3d tip(const Eigen::Vector3d& joints) { return cca::chain_pose<Leg>(joints).tip().at; }
-
   bool settled = false, right = false;
 };
 

@@ -15,6 +15,7 @@
 
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
+#include <cca/component/inlining.hpp>
 
 namespace cca {
 
@@ -38,7 +39,7 @@ struct locally_weighted_regression {
     learned() : function(), evidence(local::Zero()), seen(local::Zero()) {}
   };
 
-  static bool inside(const learned& known, const input& x, const settings& s) { return model::activations(x).dot(known.seen) >= s.least_seen; }
+  CCA_GLUE static bool inside(const learned& known, const input& x, const settings& s) { return model::activations(x).dot(known.seen) >= s.least_seen; }
 
   static void step(learned& known, const input& x, const output& y, const settings& s) {
     const local near = model::activations(x);

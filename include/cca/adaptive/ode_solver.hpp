@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cca/adaptive/ode_integrators.hpp>
+#include <cca/component/inlining.hpp>
 
 namespace cca {
 
@@ -25,13 +26,13 @@ public:
   const state& get() const { return x; }
   void set(const state& to) { x = to; }
 
-  void advance(const input& u, const parameters& p, double dt) {
+  CCA_GLUE void advance(const input& u, const parameters& p, double dt) {
     Integrator{}.template step<Model>(x, u, p, dt);
     if constexpr (requires { Model::project(x); }) x = Model::project(x);
   }
 
   // How fast the state changes here, under this input.
-  state rate(const input& u, const parameters& p) const { return Model::derivative(x, u, p); }
+  CCA_GLUE state rate(const input& u, const parameters& p) const { return Model::derivative(x, u, p); }
 
 private:
   state x;

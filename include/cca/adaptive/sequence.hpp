@@ -24,6 +24,7 @@
 #include <string_view>
 
 #include <cca/component/beat.hpp>
+#include <cca/component/inlining.hpp>
 #include <cca/component/port.hpp>
 
 namespace cca {
@@ -31,37 +32,37 @@ namespace cca {
 template <fixed_string Path, auto State, int Axis = 0>
 struct is {
   template <class Heard>
-  static bool holds(const Heard& heard) { return heard.template value<Path, Axis>() == static_cast<double>(State); }
+  CCA_GLUE static bool holds(const Heard& heard) { return heard.template value<Path, Axis>() == static_cast<double>(State); }
 };
 template <fixed_string Path, double Bound>
 struct below {
   template <class Heard>
-  static bool holds(const Heard& heard) { return heard.template value<Path>() < Bound; }
+  CCA_GLUE static bool holds(const Heard& heard) { return heard.template value<Path>() < Bound; }
 };
 template <fixed_string Path, double Bound>
 struct above {
   template <class Heard>
-  static bool holds(const Heard& heard) { return heard.template value<Path>() > Bound; }
+  CCA_GLUE static bool holds(const Heard& heard) { return heard.template value<Path>() > Bound; }
 };
 template <std::int64_t Beats>
 struct after {
   template <class Heard>
-  static bool holds(const Heard& heard) { return heard.beats() >= Beats; }
+  CCA_GLUE static bool holds(const Heard& heard) { return heard.beats() >= Beats; }
 };
 template <class... Conditions>
 struct all {
   template <class Heard>
-  static bool holds(const Heard& heard) { return (Conditions::holds(heard) && ...); }
+  CCA_GLUE static bool holds(const Heard& heard) { return (Conditions::holds(heard) && ...); }
 };
 template <class... Conditions>
 struct any {
   template <class Heard>
-  static bool holds(const Heard& heard) { return (Conditions::holds(heard) || ...); }
+  CCA_GLUE static bool holds(const Heard& heard) { return (Conditions::holds(heard) || ...); }
 };
 template <class Condition>
 struct no {
   template <class Heard>
-  static bool holds(const Heard& heard) { return !Condition::holds(heard); }
+  CCA_GLUE static bool holds(const Heard& heard) { return !Condition::holds(heard); }
 };
 
 template <std::int64_t Beats>
@@ -133,8 +134,21 @@ struct steps {
     return find(Name.view());
   }();
 
+  // Where a step leads, by number: to the next one (-1: nowhere), and where that takes too long (-1: it waits).
+  struct way {
+    int next, otherwise;
+  };
+  static constexpr std::array<way, sizeof...(Steps)> ways = [] {
+    std::array<way, sizeof...(Steps)> all{};
+    for (int i = 0; i < count; ++i) {
+      const auto& one = table[static_cast<std::size_t>(i)];
+      all[static_cast<std::size_t>(i)] = {!one.next.empty() ? find(one.next) : i + 1 < count ? i + 1 : -1, find(one.otherwise)};
+    }
+    return all;
+  }();
+
   template <class Heard>
-  static bool holds(int step, const Heard& heard) {
+  CCA_GLUE static bool holds(int step, const Heard& heard) {
     int i = 0;
     bool found = false;
     (void)((i++ == step ? (found = detail::step_facts<Steps>::condition::holds(heard), true) : false) || ...);
@@ -156,7 +170,7 @@ class sequence {
 public:
   // One look at what is told; in a beat. Each of `told` is an `observe<...>`.
   template <class... Told>
-  void update(beat now, const Told&... told) {
+  CCA_GLUE void update(beat now, const Told&... told) {
     static_assert(Plan::well_named(), "cca::steps: two steps have one name, or then<...> or or_after<...> names a step that there isn't");
     if (began < 0) began = now.index();
     const std::array<std::span<const observation>, sizeof...(Told)> scopes{std::span<const observation>(told.begin(), told.end())...};
@@ -167,7 +181,7 @@ public:
     if (!Plan::holds(next, all)) held_since = -1;
     else if (held_since < 0) held_since = now.index();
     if (held_since >= 0 && now.index() - held_since >= wanted.held) enter(next, now, false);
-    else if (wanted.limit >= 0 && all.beats() >= wanted.limit) enter(Plan::find(wanted.otherwise), now, true);
+    else if (wanted.limit >= 0 && all.beats() >= wanted.limit) enter(Plan::ways[static_cast<std::size_t>(next)].otherwise, now, true);
   }
 
   int step() const { return current; }
@@ -189,7 +203,7 @@ private:
 
     std::int64_t beats() const { return running; }
     template <fixed_string Path, int Axis = 0>
-    double value() const {
+    CCA_GLUE double value() const {
       const place at = of.find(Path.view(), told);
       return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN() : told[static_cast<std::size_t>(at.scope)][static_cast<std::size_t>(at.position)].values[Axis];
     }
@@ -201,9 +215,12 @@ private:
   };
 
   // Where a path is among the observations: looked for once, kept by its text's address, which is the program's.
-  place find(std::string_view path, scopes_told told) {
+  CCA_GLUE place find(std::string_view path, scopes_told told) {
     for (const auto& one : known)
-      if (one.path == path.data()) return one;
+      if (one.path == path.data()) [[likely]] return one;
+    return look_for(path, told);
+  }
+  [[gnu::noinline]] place look_for(std::string_view path, scopes_told told) {
     place found{path.data()};
     for (std::size_t scope = 0; scope < told.size(); ++scope)
       for (std::size_t i = 0; i < told[scope].size(); ++i)
@@ -213,11 +230,7 @@ private:
     return found;
   }
 
-  int following() const {
-    const auto& one = Plan::table[static_cast<std::size_t>(current)];
-    if (!one.next.empty()) return Plan::find(one.next);
-    return current + 1 < Plan::count ? current + 1 : -1;
-  }
+  int following() const { return Plan::ways[static_cast<std::size_t>(current)].next; }
   void enter(int step, beat now, bool timeout) {
     current = step;
     began = now.index();

@@ -25,6 +25,7 @@
 #include <cca/adaptive/module_status.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/component/file.hpp>
+#include <cca/component/inlining.hpp>
 
 namespace cca {
 
@@ -90,10 +91,10 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  trained_region region(const input& x, const settings& s) const {
+  CCA_GLUE trained_region region(const input& x, const settings& s) const {
     return has_learned && Rule::inside(known, x, s) ? trained_region::inside : trained_region::outside;
   }
-  auto status(const input& x, const settings& s) const { return status_of(now, region(x, s)); }
+  CCA_GLUE auto status(const input& x, const settings& s) const { return status_of(now, region(x, s)); }
 
   // An example that is not finite is passed over.
   void teach(const input& x, const output& y, const settings& s) {

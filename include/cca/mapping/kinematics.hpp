@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <cca/component/inlining.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
 namespace cca {
@@ -24,7 +25,7 @@ struct rigid {
   matrix3 turn = matrix3::Identity();
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
-  rigid operator*(const placement& p) const {
+  CCA_GLUE rigid operator*(const placement& p) const {
     return {turn * rotation::matrix(detail::as_vector(p.rotation)), turn * detail::as_vector(p.translation) + at};
   }
 };
@@ -32,7 +33,7 @@ struct rigid {
 namespace detail {
 
 // A rotation by columns, turned further about an axis of its own. About x, y or z two columns change; else it's Rodrigues' formula.
-inline void turn_about(matrix3& m, const body_link& l, double angle) {
+CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
   const double s = std::sin(angle), c = std::cos(angle);
   if (l.principal >= 0) {
     const int i = (l.principal + 1) % 3, j = (l.principal + 2) % 3;
@@ -56,7 +57,7 @@ struct placed_link {
 };
 
 template <std::size_t Count, class Coordinates>
-void place_links(const std::array<body_link, Count>& links, const Coordinates& q, std::array<placed_link, Count>& placed) {
+CCA_GLUE void place_links(const std::array<body_link, Count>& links, const Coordinates& q, std::array<placed_link, Count>& placed) {
   const rigid base;
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
@@ -148,11 +149,11 @@ public:
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 
-  explicit chain_pose(const vector_type& q) { detail::place_links(detail::chain_links<Chain>, q, links); }
+  CCA_GLUE explicit chain_pose(const vector_type& q) { detail::place_links(detail::chain_links<Chain>, q, links); }
 
   // In the base: a link, and the tip.
   const rigid& link(std::size_t i) const { return links[i].frame; }
-  rigid tip() const {
+  CCA_GLUE rigid tip() const {
     if constexpr (count == 0) return rigid{} * Chain::tip;
     else return links[count - 1].frame * Chain::tip;
   }

@@ -20,6 +20,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include <cca/component/inlining.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 
 namespace cca {
@@ -68,7 +69,7 @@ struct plane_leg {
     double hip = 0, knee = 0, square = std::numeric_limits<double>::infinity(), change = 0;
   };
 
-  answer solve(double x, double z, double hip_before, double knee_before) const {
+  CCA_GLUE answer solve(double x, double z, double hip_before, double knee_before) const {
     answer best;
     const auto offer = [&](double hip, double knee) {
       const double dx = a * std::sin(hip) + b * std::sin(hip - knee) - x, dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
@@ -80,21 +81,21 @@ struct plane_leg {
     // With a knee, the hip that turns the foot to the target.
     const auto with_knee = [&](double knee) {
       if (knee < knee_low || knee > knee_high) return;
-      offer(nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high), knee);
+      CCA_INLINE_CALL offer(nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high), knee);
     };
     // With a hip, the knee that turns the middle segment to the target.
     const auto with_hip = [&](double hip) {
       if (!std::isfinite(hip)) return;
-      offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))), knee_low, knee_high));
+      CCA_INLINE_CALL offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))), knee_low, knee_high));
     };
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
     if (std::abs(cosine) <= 1)
-      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) with_knee(knee);
+      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) CCA_INLINE_CALL with_knee(knee);
     if (best.square > 1e-24)
       for (const double knee : {knee_low, knee_high, 0.0, std::numbers::pi, -std::numbers::pi})
-        if (std::isfinite(knee)) with_knee(knee);
+        if (std::isfinite(knee)) CCA_INLINE_CALL with_knee(knee);
     if (best.square > 1e-24)
-      for (const double hip : {hip_low, hip_high}) with_hip(hip);
+      for (const double hip : {hip_low, hip_high}) CCA_INLINE_CALL with_hip(hip);
     return best;
   }
 };
@@ -117,7 +118,7 @@ public:
     reaching status;
   };
 
-  static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
+  CCA_GLUE static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
     answer best{near, std::numeric_limits<double>::infinity(), reaching::nearest};
     if constexpr (abducted) {
       const vector3 p = in_hip(wanted);
@@ -143,7 +144,7 @@ public:
   }
 
 private:
-  static vector3 in_hip(const typename Tip::vector_type& wanted) {
+  CCA_GLUE static vector3 in_hip(const typename Tip::vector_type& wanted) {
     constexpr placement back = inverse(geometry.hip);
     vector3 p = as_vector(geometry.hip.translation);
     using part = cartesian_part<typename Tip::axes>;

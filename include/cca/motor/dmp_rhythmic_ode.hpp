@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cca/adaptive/ode.hpp>
+#include <cca/component/inlining.hpp>
 #include <cca/motor/dmp_basis.hpp>
 
 namespace cca {
@@ -21,14 +22,17 @@ struct dmp_rhythmic_ode {
   using state = Eigen::Matrix<double, 2 * D + 1, 1>;
   using input = Eigen::Matrix<double, D + 2, 1>;
   struct parameters {
-    Eigen::Matrix<double, D, N> weights;
+    const Eigen::Matrix<double, D, N>& weights;  // those of whom it belongs to: they are not copied in each beat
     double stiffness;  // az
   };
   static constexpr int positions = D;
 
-  static state derivative(const state& s, const input& u, const parameters& p) {
+  CCA_GLUE static state derivative(const state& s, const input& u, const parameters& p) {
     const vector y = s.template head<D>(), z = s.template segment<D>(D);
-    const vector forcing = u[D] * (p.weights * rhythmic_activations<N>(s[2 * D]));
+    const activations<N> near = rhythmic_activations<N>(s[2 * D]);
+    vector forcing = vector::Zero();
+    for (int i = 0; i < N; ++i) forcing += near[i] * p.weights.col(i);
+    forcing *= u[D];
     state rate;
     rate.template head<D>() = z;
     rate.template segment<D>(D) = p.stiffness * (p.stiffness / 4 * (u.template head<D>() - y) - z) + forcing;

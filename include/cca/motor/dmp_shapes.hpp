@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include <cca/component/inlining.hpp>
 #include <cca/component/reflect.hpp>
 #include <cca/motor/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
@@ -42,7 +43,7 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 2, 1>;
 
-  static cca::activations<N> activations(const input& x) { return rhythmic_activations<N>(x[0]); }
+  CCA_GLUE static cca::activations<N> activations(const input& x) { return rhythmic_activations<N>(x[0]); }
   static double scale(const input& x) { return x[1]; }
   static cca::activations<N> regressors(const input& x) { return scale(x) * activations(x); }
   static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }
@@ -56,7 +57,7 @@ struct discrete_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 1, 1>;
 
-  static cca::activations<N> activations(const input& x) { return discrete_activations<N>(x[0], 1e-3 * Decay); }
+  CCA_GLUE static cca::activations<N> activations(const input& x) { return discrete_activations<N>(x[0], 1e-3 * Decay); }
   static double scale(const input& x) { return x[0]; }
   static cca::activations<N> regressors(const input& x) { return scale(x) * activations(x); }
   static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }

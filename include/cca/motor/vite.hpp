@@ -20,6 +20,7 @@
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/beat.hpp>
+#include <cca/component/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/spaces.hpp>
@@ -69,7 +70,7 @@ struct vite {
 
 private:
   // Of positions and difference vectors: the clock never rests.
-  static double rate(const typename ode::state& x, const typename ode::input& u, const typename ode::parameters& at) {
+  CCA_GLUE static double rate(const typename ode::state& x, const typename ode::input& u, const typename ode::parameters& at) {
     return ode::derivative(x, u, at).template head<2 * S::size>().norm();
   }
 

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
+#include <cca/component/inlining.hpp>
 
 namespace cca {
 
@@ -30,7 +31,7 @@ struct vite_ode {
   };
   static constexpr int positions = D;
 
-  static double go(double t, const parameters& p) {
+  CCA_GLUE static double go(double t, const parameters& p) {
     if (!(p.rise > 0)) return 1;
     if (!(t > 0)) return 0;
     double ratio = 1;
@@ -38,7 +39,7 @@ struct vite_ode {
     return 1 / (1 + ratio);
   }
 
-  static state derivative(const state& x, const input& u, const parameters& p) {
+  CCA_GLUE static state derivative(const state& x, const input& u, const parameters& p) {
     state rate;
     rate.template head<D>() = u[D] * go(x[2 * D], p) * x.template segment<D>(D);
     rate.template segment<D>(D) = p.convergence * (u.template head<D>() - x.template head<D>() - x.template segment<D>(D));

@@ -105,7 +105,7 @@ struct limits_of {
   static constexpr double in_range(std::size_t i, double value) { return at_most(range[i].upper, at_least(range[i].lower, value)); }
 
   // The range, and of it what can be reached from the last number within dt.
-  static constexpr bounds window(std::size_t i, double last, double dt) {
+  CCA_GLUE static constexpr bounds window(std::size_t i, double last, double dt) {
     if (!has_rate(i)) return range[i];
     return {at_least(range[i].lower, last + rate[i].lower * dt), at_most(range[i].upper, last + rate[i].upper * dt)};
   }
@@ -184,7 +184,7 @@ private:
 
   // By itself clang would leave a call to each of these, since they do many axes at once.
   template <class F, int... Axis>
-  CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) { (f(std::integral_constant<int, Axis>{}), ...); }
+  CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) { CCA_INLINE_CALL (f(std::integral_constant<int, Axis>{}), ...); }
   template <class F>
   CCA_GLUE static void each_axis(F f) { at_each(f, std::make_integer_sequence<int, Space::size>{}); }
 

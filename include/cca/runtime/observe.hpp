@@ -1,6 +1,7 @@
 // Listening to a scope: the samples of all outputs under it, as an array of observations.
 #pragma once
 
+#include <cca/component/inlining.hpp>
 #include <cca/runtime/read.hpp>
 
 namespace cca::detail {
@@ -15,12 +16,12 @@ constexpr bool has_observers(const turn& t) {
 template <class Graph, int Turn, int OnlyInput = -1, class F>
 CCA_GLUE void for_each_observed(F f) {
   if constexpr (has_observers(turn_of<Graph, Turn>)) {
-    [&]<int... L>(std::integer_sequence<int, L...>) {
+    CCA_INLINE_CALL [&]<int... L>(std::integer_sequence<int, L...>) {
       [[maybe_unused]] const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
         constexpr int input = plan_of<Graph>.links[Link].input;
         if constexpr (input_of<Graph, input>.turn == Turn && (OnlyInput < 0 || OnlyInput == input)) f.template operator()<Link>();
       };
-      (one(std::integral_constant<int, L>{}), ...);
+      CCA_INLINE_CALL (one(std::integral_constant<int, L>{}), ...);
     }(std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
   }
 }

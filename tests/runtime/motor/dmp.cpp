@@ -50,9 +50,12 @@ struct rhythmic_case {
   using ode = cca::dmp_rhythmic_ode<2, 8>;
   static constexpr double rate = 60;
   static ode::parameters parameters() {
-    ode::parameters p{{}, 25};
-    for (int i = 0; i < 8; ++i) p.weights.col(i) << 40 * std::sin(i), -30 * std::cos(2 * i);
-    return p;
+    static const Eigen::Matrix<double, 2, 8> weights = [] {
+      Eigen::Matrix<double, 2, 8> w;
+      for (int i = 0; i < 8; ++i) w.col(i) << 40 * std::sin(i), -30 * std::cos(2 * i);
+      return w;
+    }();
+    return {weights, 25};
   }
   static ode::state state(laws::ode_source& random) { return random.vector<ode::state>(-1, 1); }
   static ode::input input(laws::ode_source& random) { return {random(-1, 1), random(-1, 1), random(0, 1), random(0.5, 1)}; }
@@ -122,6 +125,24 @@ TEST_CASE("activations sum to one, and each is largest at its centre") {
     CHECK(top == i);
   }
   CHECK(cca::discrete_activations<200>(0, 5).allFinite());
+}
+
+template <int Count>
+void check_rhythmic_activations() {
+  CAPTURE(Count);
+  for (double phase = -30; phase < 30; phase += 0.0371) {
+    Eigen::Matrix<double, Count, 1> expected;
+    for (int i = 0; i < Count; ++i) expected[i] = std::exp(2.5 * Count * (std::cos(phase - 2 * cca::pi * i / Count) - 1));
+    expected /= expected.sum();
+    REQUIRE((cca::rhythmic_activations<Count>(phase) - expected).cwiseAbs().maxCoeff() < 1e-12);
+  }
+}
+
+TEST_CASE("rhythmic activations are equation 2.7, for many functions and few") {
+  check_rhythmic_activations<1>();
+  check_rhythmic_activations<7>();
+  check_rhythmic_activations<40>();
+  check_rhythmic_activations<200>();  // the least of them are too small for a double
 }
 
 TEST_CASE("without weights it is a critically damped spring") {
