@@ -35,7 +35,7 @@ struct dmp_discrete {
   using weight_matrix = Eigen::Matrix<double, S::size, N>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (weight_matrix, weights), (bounded<double, 0.001, 1000>, duration),  // s
+    BOOST_HANA_DEFINE_STRUCT(parameters, (weight_matrix, weights), (cca::quantity<cca::duration, 0.001, 1000>, duration),
                              (bounded<double, 0.1, 1000>, stiffness), (bounded<double, 0.1, 50>, decay),
                              (bounded<double, 0, 1000>, goal_rate), (bool, scaled), (ode_settling, settling));
   };

@@ -39,7 +39,7 @@ struct pid {
 
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (vector, proportional), (vector, integral), (vector, derivative),
-                             (bounded<double, 0, 100>, filter), (bounded<double, 0.001, 1000>, tracking), (vector, largest));
+                             (cca::quantity<cca::duration, 0, 100>, filter), (cca::quantity<cca::duration, 0.001, 1000>, tracking), (vector, largest));
     std::string_view check() const {
       if (proportional.minCoeff() < 0 || integral.minCoeff() < 0 || derivative.minCoeff() < 0) return "a gain is negative";
       return largest.minCoeff() < 0 ? "`largest` is negative" : "";

@@ -36,7 +36,7 @@ struct vite {
 
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (bounded<double, 0, 1000>, convergence), (bounded<double, 0, 1000>, speed),
-                             (bounded<double, 0, 100>, rise), (bounded<int, 1, 8>, exponent), (ode_settling, settling));
+                             (cca::quantity<cca::duration, 0, 100>, rise), (bounded<int, 1, 8>, exponent), (ode_settling, settling));
   };
   parameters p{30.0, 7.5, 0.4, 2, {1e-3, 1e-2}};
 
