@@ -46,7 +46,7 @@ def run(command, **options):
 
 
 def build(compiler, flags, source, program):
-    run(["nice", compiler, "-std=c++20", "-DNDEBUG", *flags, *INCLUDES, str(source), str(HERE / "counting.cpp"), "-o", str(program),
+    run([compiler, "-std=c++20", "-DNDEBUG", *flags, *INCLUDES, str(source), str(HERE / "counting.cpp"), "-o", str(program),
          "-lbenchmark", "-lpthread"])
 
 

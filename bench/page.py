@@ -92,6 +92,11 @@ Instructions a beat of a graph of one skeleton, its sources and what it feeds, b
 The two give the same results to the last bit, which each run checks. The graph has the question whether the controller runs, and the
 origins and freshness that the skeleton looks at, where the loop by hand has not.
 
+What a skeleton takes more is what it does more. In each beat of a graph: is the controller running, and which beat is it (5 instructions).
+An arbiter by priority asks each writer whether it has said something new, and hands on the origin of the one it hears (22 more in all); a switch
+asks whether its choice has spoken yet, and while it hands over which source is the older (23); the mean of a decimation has the oldest origin of its samples (18);
+an interpolation reads a slower wire at its own rate, so it finds the sample's age by a division of the beat's number, and its result has the older origin of two (30).
+
 {table(head, rows)}
 Calls left in the beats of all of them: {"; ".join(calls_left)}.
 

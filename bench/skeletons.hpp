@@ -244,16 +244,17 @@ struct averaged_by_hand : ramp_by_hand {
 struct interpolated : through<cca::interpolate<slow, fast>, cca::node<"source", ramp<slow>, cca::timed<10>>, fast, cca::timed<1>, cca::latest> {};
 struct interpolated_by_hand : slowly {
   Eigen::Vector2d from{0, 0}, last{0, 0};
-  int step_ = 0;
+  int step_ = 10;
   bool begun = false;
   void step() {
     if (due()) {
-      from = begun ? last : at;
-      step_ = 0;
+      from = last;
+      step_ = begun ? 0 : 10;
       begun = true;
     }
     if (step_ < 10) ++step_;
-    last = two::between(from, at, static_cast<double>(step_) / 10);
+    const double t = step_ * (1.0 / 10);
+    last = step_ < 10 ? Eigen::Vector2d((1 - t) * from + t * at) : at;
     sum += last;
   }
 };

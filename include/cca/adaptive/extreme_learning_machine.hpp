@@ -7,7 +7,8 @@
 // Inside the trained region: near some example (covered_region.hpp). It learns in batches only.
 // Cost: of an answer Hidden (I + O) products and Hidden hyperbolic tangents; of a batch Hidden^2 an example and Hidden^3.
 // Source: Huang, Zhu, Siew, Extreme learning machine: theory and applications, Neurocomputing 70, 2006; with ridge: Deng, Zheng,
-// Chen, Regularized extreme learning machine, CIDM 2009; for inverse kinematics in AMARSi: Reinhart and Steil 2011.
+// Chen, Regularized extreme learning machine, CIDM 2009; for inverse kinematics in AMARSi:
+// Reinhart, Steil, Neural learning and dynamical selection of redundant solutions for inverse kinematic control, Humanoids 2011.
 // Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 

@@ -49,7 +49,7 @@ struct arbiter_of<Output, Space, by_priority<Writers...>> {
     const auto waits = static_cast<std::int64_t>(p.patience * 1e9 + 0.5);
     int i = 0, first = -1;
     ((heard[i] = writers.fresh() ? now.time() : heard[i],
-      first = first < 0 && heard[i] != never && now.time() - heard[i] <= waits ? i : first, ++i), ...);
+      first = first < 0 && now.time() - heard[i] <= waits ? i : first, ++i), ...);
     if (first >= 0) chosen = first;
     const auto said = one_of<Space>(chosen, writers...);
     return {out<Output, Space>(said).with_origin(said.origin()), out<"writer", choice>(chosen)};
@@ -57,7 +57,8 @@ struct arbiter_of<Output, Space, by_priority<Writers...>> {
 
   void on_start() { *this = arbiter_of{.p = p}; }
 
-  std::int64_t heard[sizeof...(Writers)] = {(void(Writers), never)...};
+  static constexpr std::int64_t long_ago = -(std::int64_t{1} << 62);  // farther back than any patience
+  std::int64_t heard[sizeof...(Writers)] = {(void(Writers), long_ago)...};
   int chosen = 0;
 };
 

@@ -27,9 +27,11 @@ namespace detail {
 template <class From, class To, class How>
 struct decimate_of {
   auto process(in<"input", From> input) -> maybe<"output", To> {
-    const bool begins = count == 0;
-    count = count + 1 == rate_ratio<From, To> ? 0 : count + 1;
-    if (!begins) return {};
+    if (count != 0) {
+      count = count + 1 == rate_ratio<From, To> ? 0 : count + 1;
+      return {};
+    }
+    count = 1;
     return maybe<"output", To>(input.vector()).with_origin(input.origin());
   }
   void on_start() { count = 0; }
@@ -41,7 +43,7 @@ private:
 template <class From, class To>
 struct decimate_of<From, To, averaged> {
   auto process(in<"input", From> input) -> maybe<"output", To> {
-    mean = count == 0 ? sample<From>(input) : mixed<From>(mean, input, 1.0 / (count + 1));
+    mean = count == 0 ? sample<From>(input) : between<From>(mean, input, 1.0 / (count + 1));
     if (++count < rate_ratio<From, To>) return {};
     count = 0;
     return maybe<"output", To>(mean.vector()).with_origin(mean.origin());

@@ -24,20 +24,24 @@ template <class From, class To>
 struct interpolate_of {
   auto process(in<"input", From> input) -> out<"output", To> {
     if (input.fresh()) {
-      from = begun ? last : sample<From>(input);
-      step = 0;
+      from = last;
+      step = begun ? 0 : count;
       begun = true;
     }
-    if (step < rate_ratio<To, From>) ++step;
-    last = begun ? mixed<From>(from, input, static_cast<double>(step) / rate_ratio<To, From>) : sample<From>(input);
+    if (step < count) ++step;
+    last = step < count ? between<From>(from, input, step * (1.0 / count)) : sample<From>(input);
     return out<"output", To>(last.vector()).with_origin(last.origin());
   }
 
-  void on_start() { begun = false; }
+  void on_start() {
+    begun = false;
+    step = count;
+  }
 
 private:
+  static constexpr int count = rate_ratio<To, From>;
   sample<From> from, last;
-  int step = 0;
+  int step = count;  // so many of its steps to the newest sample are done
   bool begun = false;
 };
 

@@ -12,12 +12,16 @@
 
 namespace cca::detail {
 
+// 0 < t < 1
 template <class Space>
-constexpr sample<Space> mixed(const sample<Space>& a, const sample<Space>& b, double t) {
-  if (!(t > 0)) return a;
-  if (t >= 1) return b;
+constexpr sample<Space> between(const sample<Space>& a, const sample<Space>& b, double t) {
   if constexpr (requires { a.interpolated(b, t); }) return a.interpolated(b, t);
   else return t < 0.5 ? a : b;
+}
+
+template <class Space>
+constexpr sample<Space> mixed(const sample<Space>& a, const sample<Space>& b, double t) {
+  return !(t > 0) ? a : t >= 1 ? b : between<Space>(a, b, t);
 }
 
 template <class Space, std::size_t Count, class... Rest>
