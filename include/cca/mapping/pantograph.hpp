@@ -149,7 +149,7 @@ private:
     vector3 p = as_vector(geometry.hip.translation);
     using part = cartesian_part<typename Tip::axes>;
     for (int i = 0; i < Tip::size; ++i) p[part::of[static_cast<std::size_t>(i)]] = wanted[i];
-    return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
+    CCA_INLINE_CALL return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
   }
 };
 

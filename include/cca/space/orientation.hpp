@@ -10,7 +10,6 @@
 // Preconditions: unit length, to rounding; `normalised()` sees to that. Errors: `frame.mismatch`. Sources: rotation.hpp.
 #pragma once
 
-#include <cca/component/inlining.hpp>
 #include <cca/space/cartesian.hpp>
 #include <cca/space/rotation.hpp>
 #include <cca/space/sample.hpp>
@@ -136,7 +135,7 @@ struct orientation {
     // It turns by roll about x, then by pitch about y, then by yaw about z, all axes of Frame.
     double roll() const { return rotation::roll(this->self().vector()); }    // (-pi, pi]
     double pitch() const { return rotation::pitch(this->self().vector()); }  // [-pi/2, pi/2]
-    CCA_GLUE double yaw() const { return rotation::yaw(this->self().vector()); }      // (-pi, pi]
+    double yaw() const { return rotation::yaw(this->self().vector()); }      // (-pi, pi]
 
     Eigen::Matrix<double, 3, 3> matrix() const { return rotation::matrix(this->self().vector()); }
 

@@ -9,7 +9,6 @@
 
 #include <cmath>
 
-#include <cca/component/inlining.hpp>
 #include <cca/space/eigen.hpp>
 
 namespace cca::rotation {
@@ -39,7 +38,7 @@ inline vector4<Scalar> product(const vector4<Scalar>& a, const vector4<Scalar>& 
 }
 
 template <class Scalar = double>
-CCA_GLUE vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v) {
+inline vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v) {
   const vector3<Scalar> u = q.template head<3>();
   const vector3<Scalar> t = 2 * cross(u, v);
   return v + q[3] * t + cross(u, t);
@@ -109,7 +108,7 @@ inline Scalar pitch(const vector4<Scalar>& q) {
   return std::asin(s > 1 ? 1 : s < -1 ? -1 : s);
 }
 template <class Scalar = double>
-CCA_GLUE Scalar yaw(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2])); }
+inline Scalar yaw(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2])); }
 
 // The shorter way at constant speed: a at t = 0, b at t = 1 (or -b, which is the same rotation).
 template <class Scalar = double>
