@@ -7,11 +7,11 @@
 //
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and `start()` are the
 // deliberate way to motion: drives are enabled; once all of them are, the phase `begins` and the guards start where the joints
-// are. A bus that went away, a drive that does not answer for `silent_beats`, tells of a fault or jumps, a loop that stood still,
-// all trip the emergency stop, in the same beat. Then set-points go out only if they damp, until `start()`. No set-point is sent
-// behind frames that still wait: it would be an old one. `on_fault` damps at once and stops; `on_stop` disables. Parameters:
-// `offset`, the calibration of each joint, in addition to its type's. Cost: two calls of each bus a beat, some dozen instructions a
-// frame; no allocation. docs/hardware.md.
+// are. A bus that went away, a drive that says nothing for `silent_beats` or three times its own period, tells of a fault or
+// jumps, a loop that stood still, all trip the emergency stop, in the same beat. Then set-points go out only if they damp, until
+// `start()`. No set-point is sent behind frames that still wait: it would be an old one. `on_fault` damps at once and stops;
+// `on_stop` disables. Parameters: `offset`, the calibration of each joint, in addition to its type's. Cost: two calls of each bus
+// a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/component/reflect.hpp>
-#include <cca/hardware/joint.hpp>
+#include <cca/hardware/joint_frames.hpp>
 #include <cca/hardware/link_supervisor.hpp>
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/hardware/set_points.hpp>
@@ -117,7 +117,7 @@ public:
   safety_rule refusal() const { return failed; }  // why the last start came to nothing
 
 private:
-  static constexpr std::size_t most_frames = 8 * count + 1;
+  static constexpr std::size_t most_frames = 8 * count + 1 + 4;
   using batch = frame_list<most_frames>;
 
   template <class F>
@@ -150,7 +150,7 @@ private:
     const auto now = frames_of_drives();
     for (std::size_t i = 0; i < count; ++i) {
       quiet[i] = now[i] == before[i] ? quiet[i] + 1 : 0;
-      if (quiet[i] >= silent_beats) note(i, safety_rule::silent);
+      if (quiet[i] >= patient[i]) note(i, safety_rule::silent);
       if (jumps[i] >= silent_beats) note(i, safety_rule::implausible);
       if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
         note(i, safety_rule::drive_fault);
@@ -227,15 +227,11 @@ private:
     if (runs && !links[One::bus].may_move()) return;
     moves[One::bus] = runs;
     s.position -= p.offset[I];
-    if constexpr ((One::drive::uses & of_stiffness) == 0) {
-      if (!runs) return add<One>(One::drive::disable());  // it can't be damped by set-points
-    }
-    add<One>(One::drive::set_point(One::to_drive(s)).frames);
+    add<One>(frames_for<One>(s, angle[I] - p.offset[I], speed[I]));
   }
   template <class One>
   static drive_frames damped(double where) {
-    if constexpr ((One::drive::uses & of_stiffness) == 0) return One::drive::disable();
-    else return One::drive::set_point(One::to_drive({where, 0, 0, 0, One::servo.safe_damping})).frames;
+    return frames_for<One>({{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)}, where, 0);
   }
   template <class One>
   void add(const drive_frames& frames) {
@@ -246,6 +242,7 @@ private:
   void post() {
     for (std::size_t b = 0; b < buses; ++b) {
       if (!wires[b] || outbox[b].empty() || !links[b].may_speak()) continue;
+      for (const can_frame& f : ends[b]) outbox[b].add(f);
       const bool too_late = wires[b]->in_flight() != 0 && (moves[b] || !moved[b]);
       const send_result sent = too_late ? send_result{0, send_outcome::full} : wires[b]->send(outbox[b]);
       if (sent.sent != 0) moved[b] = moves[b];
@@ -276,6 +273,8 @@ private:
 
   static constexpr std::array<double, count> unknown{(sizeof(J) ? drive_report::untold : 0)...};
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
+  static constexpr std::array<int, count> patient{patience<J>(silent_beats, 1'000'000)...};
+  static constexpr auto ends = cycle_ends<buses, J...>();
 
   std::array<Bus*, buses> wires{};
   std::array<link_supervisor<3>, buses> links{};

@@ -127,6 +127,7 @@ struct moteus {
     return position_mode(std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 1, Motor::torque);
   }                                                                       // where it is, with all of kp and kd
   static constexpr can_frame brake() noexcept { return mode_alone(15); }  // windings shorted: damps without control
+  static constexpr drive_frames damp() noexcept { return {brake()}; }
   static constexpr drive_frames disable() noexcept { return {mode_alone(0)}; }
 
   class enabling {
