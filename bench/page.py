@@ -23,6 +23,8 @@ def short(name):
     seldom = re.search(r"cca::(limiter|sequence|controller)<.*::(begin|corrected|look_for|fail)\b", name)
     if "part_of_beat" in name:
         return "part_of_beat"
+    if name == "__clang_call_terminate":
+        return "__clang_call_terminate (where a noexcept function lets an exception out)"
     if "take_piece" in name:
         return "take_piece"
     return f"{seldom[1]}::{seldom[2]} (seldom)" if seldom else name.split("(")[0]

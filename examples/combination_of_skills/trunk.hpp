@@ -44,15 +44,17 @@ struct heading {
     BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 10>, gain),   // turn per rad
                              (cca::bounded<double, 0, 10>, drift),              // turn per rad s
                              (cca::bounded<double, 0, 1>, most),                // turn
-                             (cca::quantity<cca::length, 0, 10>, near));        // a ball nearer than this is not headed for
+                             (cca::quantity<cca::length, 0, 10>, near),         // a ball nearer than this is not headed for
+                             (cca::quantity<cca::length, 0, 0.1>, inside));     // of the hip: there the paw reaches as far to both sides
   };
-  parameters p{1.2, 0.4, 0.5, 0.3};
+  parameters p{1.2, 0.4, 0.5, 0.3, 0.014};
 
   auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk, cca::in<"ball", point_in_trunk> ball,
                cca::in<"side", side_port> side, cca::in<"amplitude", cca::over<cca::amplitude, stride>> amplitude, cca::beat now)
       -> cca::out<"turn", turning> {
-    const Eigen::Vector3d hip = hip_in_trunk(side.is(paw_side::right) ? 1 : 0);
-    const double ahead = ball[cca::x{}] - hip[0], beside = ball[cca::y{}] - hip[1];
+    const std::size_t leg = side.is(paw_side::right) ? 1 : 0;
+    const Eigen::Vector3d hip = hip_in_trunk(leg);
+    const double ahead = ball[cca::x{}] - hip[0], beside = ball[cca::y{}] - hip[1] + cca::sim::side_of(leg) * p.inside;
     const double off = ball.origin() != cca::never && ahead > p.near ? -std::atan2(beside, ahead) : trunk.yaw();
     constexpr double swinging = 0.1;
     if (amplitude[stride{}] > swinging) {
