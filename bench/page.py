@@ -50,13 +50,15 @@ def measured(part):
 def trot(part):
     rows = [[r["compiler"], f"`{r['flags']}`", three(r, "instructions"), f"**{ratio(r)}**", three(r, "ns"), calls(r),
              three(r, "allocations"), three(r, "bytes")] for r in part["data"]]
-    worst = max(r["graph"]["instructions"] / r["by_hand"]["instructions"] for r in part["data"])
+    def worst(plain):
+        return max(r["graph"]["instructions"] / r["by_hand"]["instructions"] for r in part["data"] if plain != ("march" in str(r["flags"])))
     return f"""## The trot's controller
 
 The graph of `examples/trot` with a robot that plays stored angles back (`bench/trot.cpp`), beside the same arithmetic written
 by hand as one loop on Eigen vectors, and beside the classical way: virtual components, samples behind shared pointers, queues
 (`bench/classical.hpp`). The three give the same results to the last bit, which each run checks. Each figure reads
-graph / by hand / classical. The largest ratio of the graph to the loop by hand is {worst:.2f}; the goal is at most 1.00.
+graph / by hand / classical. The goal is at most 1.00 at -O2 and -O3: the largest there is {worst(True):.3f}, where the question
+whether the controller runs costs some instructions that the loop by hand has not; for newer processors it is {worst(False):.3f}.
 
 {table(["compiler", "flags", "instructions a beat", "graph : by hand", "ns a beat", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
 Instructions are counted by callgrind, libm's included. Bytes are those on the heap with all that the form allocates.
