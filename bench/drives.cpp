@@ -38,7 +38,7 @@ public:
       const bool stiff = ((f.data[3] & 0xFu) << 8 | f.data[4]) != 0;
       if (!special && stiff) where = {f.data[0], f.data[1], f.data[2], static_cast<std::uint8_t>((f.data[3] & 0xF0) | 7)};
       answers[count++] = {
-          .id = hw::standard(0),
+          .id = answers_under,
           .length = 8,
           .data = {static_cast<std::uint8_t>(f.id.number | 0x10), where[0], where[1], where[2], where[3], 0xFF, 25, 25}};
     }
@@ -62,6 +62,7 @@ public:
     const auto one = [this]<class One>(One) {
       const auto& d = One::drive::reply(One::drive_angle_of(0.5 * (One::angle.lower + One::angle.upper)), 0, 0).data;
       at[One::drive::request_id.number] = {d[1], d[2], d[3], d[4]};
+      answers_under = One::drive::reply_id;
     };
     (one(J()), ...);
   }
@@ -69,6 +70,7 @@ public:
 private:
   std::array<std::array<std::uint8_t, 4>, 9> at{};  // position and velocity as on the wire
   std::array<hw::can_frame, 32> answers{};
+  hw::can_id answers_under{};
   std::size_t count = 0;
   std::int64_t now = 0;
   std::uint8_t beat = 0;
