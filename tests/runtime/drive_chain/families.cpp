@@ -187,8 +187,9 @@ TEST_SUITE("families of drives") {
       l.beats(110);  // an ODrive tells of it in its next heartbeat
       recovers(hw::safety_rule::drive_fault, static_cast<int>(Drive));
       drive.go_silent(true);
-      l.beats(40);
-      l.beats(30);  // one that hears no set-point but the one that damps has its own watchdog
+      l.beats(6);
+      CHECK_MESSAGE(l.stop().mode() == hw::motion_mode::damped, "three beats of silence are enough");
+      l.beats(64);  // one that hears no set-point but the one that damps has its own watchdog
       recovers(hw::safety_rule::silent, static_cast<int>(Drive));
       drive.reboot(l.now, 100'000'000);
       l.beats(200);
