@@ -31,11 +31,12 @@ CCA_PIECE void take_piece(memory<Graph>& m, locals<Graph>& l, course& c, std::in
   take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
 }
 
-// Nothing is asked in between where nothing can fault: clang would see too late that the answer is known.
+// Nothing is asked in between where nothing can fault: clang would see too late that the answer is known. Where it is asked, clang
+// is told that the beat goes on: what it takes for seldom it does not inline.
 template <class Graph, int First, int Count, int Size, int... Piece>
 CCA_GLUE void take_pieces(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Piece...>) {
   if constexpr (counts_of<Graph>.may_fault)
-    (void)((take_piece<Graph, First + Piece * Size, std::min(Size, Count - Piece * Size)>(m, l, c, k), !c.fault) && ...);
+    (void)((take_piece<Graph, First + Piece * Size, std::min(Size, Count - Piece * Size)>(m, l, c, k), __builtin_expect(!c.fault, true)) && ...);
   else
     (take_piece<Graph, First + Piece * Size, std::min(Size, Count - Piece * Size)>(m, l, c, k), ...);
 }
