@@ -65,9 +65,9 @@ flowchart LR
   n19 -- "hips → start<br/>hip_angles, 1000 Hz" --> n9
   n8 -- "knees → target<br/>knee_angles, 100 Hz" --> n10
   n19 -- "knees → start<br/>knee_angles, 1000 Hz" --> n10
-  n3 -- "amplitude<br/>over&lt;cca::amplitude, skills::stride&gt;, 100 Hz" --> n11
-  n11 -- "phase<br/>over&lt;cca::phase, skills::stride&gt;, 1000 Hz" --> n12
-  n11 -- "amplitude<br/>over&lt;cca::amplitude, skills::stride&gt;, 1000 Hz" --> n12
+  n3 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 100 Hz" --> n11
+  n11 -- "phase<br/>over&lt;phase, stride&gt;, 1000 Hz" --> n12
+  n11 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n12
   n15 -- "legs → reference<br/>leg_angles, 1000 Hz" --> n12
   n12 -- "command → target<br/>leg_angles, 1000 Hz" --> n13
   n0 -- "angles → feedback<br/>leg_angles, 1000 Hz" --> n13
@@ -86,7 +86,7 @@ flowchart LR
   n0 -- "orientation<br/>trunk_orientation, 1000 Hz" --> n20
   n1 -- "ball<br/>point_in_trunk" --> n20
   n23 -- "side<br/>side_port, 1000 Hz" --> n20
-  n11 -- "amplitude<br/>over&lt;cca::amplitude, skills::stride&gt;, 1000 Hz" --> n20
+  n11 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n20
   n15 -- "legs → goal<br/>leg_angles, 1000 Hz" --> n21
   n20 -- "turn<br/>turning, 100 Hz" --> n21
   n12 -- "command<br/>leg_angles, 1000 Hz" --> n21
