@@ -253,7 +253,7 @@ struct interpolated_by_hand : slowly {
       begun = true;
     }
     if (step_ < 10) ++step_;
-    const double t = step_ * (1.0 / 10);
+    const double t = static_cast<double>(step_) / 10;
     last = step_ < 10 ? Eigen::Vector2d((1 - t) * from + t * at) : at;
     sum += last;
   }

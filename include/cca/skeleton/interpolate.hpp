@@ -29,7 +29,7 @@ struct interpolate_of {
       begun = true;
     }
     if (step < count) ++step;
-    last = step < count ? between<From>(from, input, step * (1.0 / count)) : sample<From>(input);
+    last = step < count ? between<From>(from, input, static_cast<double>(step) / count) : sample<From>(input);
     return out<"output", To>(last.vector()).with_origin(last.origin());
   }
 
