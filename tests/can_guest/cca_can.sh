@@ -33,6 +33,9 @@ has "its angle" "rad" "$said"
 ends "nobody said yes" 4 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1
 ends "jog" 0 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1 --yes
 has "and is off afterwards" "disabled" "$said"
+kill $player  # what has no torque coasts: the next one stands
+cca-can pretend vcan0 damiao:12.5/45/20:3 & player=$!
+sleep 0.3
 ends "calibrate" 0 cca-can calibrate vcan0 damiao:12.5/45/20:3 --joint left_hind_hip --at 0.3 --file /tmp/offsets.toml --yes
 cat /tmp/offsets.toml
 cca-can enable vcan0 damiao:12.5/45/20:3 --yes >/tmp/enabled 2>&1 & enabled=$!

@@ -157,7 +157,7 @@ struct interpolate {
   value from{}, at{};
   void operator()(firing& f) {
     const value to = of(f.inputs[0]);
-    if (f.inputs[0].fresh) from = begun ? at : to, begun = true, steps = 0;
+    if (f.inputs[0].fresh) from = at, steps = begun ? 0 : n, begun = true;  // the first is taken at once
     steps = std::min(steps + 1, n);
     at = begun ? between(from, to, static_cast<double>(steps) / n) : to;
     tell(f.outputs[0], at);

@@ -81,7 +81,7 @@ struct controllers {
   socket_can a{"can0"}, b{"can1"};
 
   socket_can& end(std::size_t i) { return i == 0 ? a : b; }
-  void settle() { wait_ms(10); }
+  void settle() { wait_ms(40); }  // an emulated card on a busy machine takes its time
   void away(std::size_t) { REQUIRE(set_link("can0", false)); }
   void back(std::size_t) { REQUIRE(set_link("can0", true)); }
   ~controllers() { set_link("can0", true); }
