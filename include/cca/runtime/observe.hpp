@@ -21,7 +21,7 @@ CCA_GLUE void for_each_observed(F f) {
         constexpr int input = plan_of<Graph>.links[Link].input;
         if constexpr (input_of<Graph, input>.turn == Turn && (OnlyInput < 0 || OnlyInput == input)) f.template operator()<Link>();
       };
-      CCA_INLINE_CALL (one(std::integral_constant<int, L>{}), ...);
+      if constexpr (sizeof...(L) > 0) CCA_INLINE_CALL (one(std::integral_constant<int, L>{}), ...);
     }(std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
   }
 }
