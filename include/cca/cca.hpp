@@ -2,6 +2,8 @@
 // Parameters from a file need <cca/config.hpp> as well.
 #pragma once
 
+#include <cca/runtime/fires.hpp>  // first: where it refuses something, clang tells of each file around it
+
 #include <cca/component/component.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/graph/describe.hpp>

@@ -90,7 +90,8 @@ private:
         if (half.inputs[p].name == Name.view()) return p;
       return -1;
     }();
-    static_assert(position >= 0, "strategy.unknown_port: the strategy of this node looks at an input by a name that its component has no input of");
+    constexpr bool is_there = position >= 0;
+    static_assert(is_there, "strategy.unknown_port: the strategy of this node looks at an input by a name that its component has no input of");
     constexpr int parameter = [] {
       const auto& positions = half_facts<list<Parameters...>, list<>>::input_of_parameter;
       for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
