@@ -124,8 +124,7 @@ of the library in both, samples, ports, origins, strategies and the sequencer's 
 the last bit, which each run checks. Graph / by hand; the goal is a ratio of at most 1.05.
 
 {table(["compiler", "flags", "instructions a beat", "graph : by hand", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
-Seldom: a limiter's first beat and where it steps in; a sequence looks for the path of a condition once; a fault ends the run. `take_piece`: clang leaves these
-pieces of the beat functions of their own here; what they call is not listed.
+Seldom: a limiter's first beat and where it steps in; a sequence looks for the path of a condition once; a fault ends the run.
 {measured(part)}"""
 
 
