@@ -13,6 +13,7 @@
 
 #include <cca/hardware/drive.hpp>
 #include <cca/space/domain.hpp>
+#include <cca/space/record.hpp>
 
 namespace cca::hardware {
 
@@ -54,14 +55,7 @@ enum class motion_phase : std::uint8_t { stopped, enabling, begins, running };
 enum class motion_mode : std::uint8_t { run, soft, damped };
 
 template <int Numbers>
-struct drive_record {
-  using quantity = void;
-  static constexpr bool actuated = false;
-  static constexpr int width(int axes) { return Numbers * axes; }
-  static constexpr double zero(int, int) { return 0; }
-  template <class Self>
-  struct methods {};
-};
+struct drive_record : record<Numbers> {};
 
 template <class Joints>
 struct joint_states : cca::space<drive_record<5>, typename Joints::axes, cca::rate<1000>> {};

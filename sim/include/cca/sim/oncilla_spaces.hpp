@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <cca/space/domain.hpp>
+#include <cca/space/record.hpp>
 
 #include <cca/sim/oncilla_model.hpp>
 
@@ -121,14 +122,7 @@ struct joint_torque : cca::space<cca::joint_torques, cca::axes<Axis>, robot_rate
 
 // What the synchronizer reads for a node, in the simulator's own form.
 template <int Numbers>
-struct simulator_record {
-  using quantity = void;
-  static constexpr bool actuated = false;
-  static constexpr int width(int axes) { return Numbers * axes; }
-  static constexpr double zero(int, int) { return 0; }
-  template <class Self>
-  struct methods {};
-};
+struct simulator_record : record<Numbers> {};
 
 template <class Axis>
 struct measured_joint : cca::space<simulator_record<3>, cca::axes<Axis>, robot_rate> {};  // angle, velocity, torque
