@@ -68,8 +68,7 @@ public:
   }
 
   void act(in<"set_points", set_points<joints>> wanted, optional_in<"abduction", sim::abduction_angles> abduction) {
-    outbox.fill({});
-    moves = {};
+    clear(outbox), moves = {};
     if (at == motion_phase::enabling) {
       outbox = enabling_frames;
     } else if (at == motion_phase::begins || at == motion_phase::running) {
@@ -95,7 +94,7 @@ public:
     newest = 0;
   }
   void stop() {
-    outbox.fill({}), moves = {};
+    clear(outbox), moves = {};
     each([&]<std::size_t... I>(std::index_sequence<I...>) { (add<J>(J::drive::disable()), ...); });
     post_and_stop();
   }
@@ -103,7 +102,7 @@ public:
   void on_start() { start(); }
   void on_stop() { stop(); }
   void on_fault() {
-    outbox.fill({}), moves = {};
+    clear(outbox), moves = {};
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       (add<J>(damped<J>(std::isfinite(angle[I]) ? angle[I] : 0.0)), ...);
     });
@@ -119,6 +118,7 @@ public:
 private:
   static constexpr std::size_t most_frames = 8 * count + 1 + 4;
   using batch = frame_list<most_frames>;
+  static void clear(std::array<batch, buses>& all) { std::ranges::for_each(all, &batch::clear); }
 
   template <class F>
   static decltype(auto) each(F f) {
@@ -191,7 +191,7 @@ private:
   // Steps of enabling; once all drives are ready and their positions known, and the buses are free, motion begins.
   void bring_up() {
     if (at != motion_phase::enabling) return;
-    enabling_frames.fill({});
+    clear(enabling_frames);
     bool all = true;
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       const auto next = [&]<class One, std::size_t K>() {

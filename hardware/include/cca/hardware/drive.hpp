@@ -113,6 +113,7 @@ struct frame_list {
       : frames{f...}, count(sizeof...(Frames)) {}
 
   constexpr void add(const can_frame& f) { frames[count++] = f; }
+  constexpr void clear() { count = 0; }  // what lay there stays, unseen: a frame is 80 bytes
   constexpr bool empty() const { return count == 0; }
   constexpr std::size_t size() const { return count; }
   constexpr const can_frame& operator[](std::size_t i) const { return frames[i]; }
