@@ -10,18 +10,10 @@
 #define CCA_GLUE [[gnu::always_inline]] inline
 #define CCA_INLINE_CALL [[clang::always_inline]]
 #define CCA_PIECE [[clang::internal_linkage]]
+namespace cca::detail { inline constexpr bool in_pieces = true; }
 #else
 #define CCA_GLUE inline
 #define CCA_INLINE_CALL
 #define CCA_PIECE inline
+namespace cca::detail { inline constexpr bool in_pieces = false; }
 #endif
-
-namespace cca::detail {
-
-#if defined(__clang__)
-inline constexpr bool in_pieces = true;
-#else
-inline constexpr bool in_pieces = false;
-#endif
-
-}  // namespace cca::detail
