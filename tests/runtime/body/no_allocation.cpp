@@ -10,7 +10,7 @@
 #include "../../laws/mapping_laws.hpp"
 
 namespace laws {
-std::size_t allocations();  // in tests/runtime/motor/allocations.cpp
+std::size_t allocations();  // in tests/laws/allocations.cpp
 }
 
 namespace {
