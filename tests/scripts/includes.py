@@ -4,7 +4,8 @@
 usage: includes.py [ROOT of the repository]
 
 A folder of the core includes only from those to its left in FOLDERS. `runtime` and `config` stand apart, and nothing in
-the core includes them; sim and hardware are outside the core. Other libraries are reached from one place each.
+the core includes them; sim and hardware are outside the core. Other libraries are reached from one place each. The tests,
+examples and pages that a header's comments name exist.
 """
 import pathlib
 import re
@@ -74,6 +75,9 @@ def problems(root):
             if not re.match(r"(#pragma once\s+)?//", text):
                 yield f"{name}: does not begin with a comment that says what it is for"
             for number, line in enumerate(lines, 1):
+                for named in re.findall(r"(?:tests|examples)/[\w/]+\.[ch]pp|\bdocs/\w+\.md", line) if line.lstrip().startswith("//") else []:
+                    if not (root / named).exists():
+                        yield f"{name}:{number}: there is no {named}"
                 include = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
                 if not include:
                     continue

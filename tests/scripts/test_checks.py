@@ -53,6 +53,11 @@ class Includes(Tree):
         self.write("include/cca/space/long.hpp", "int x;\n")
         self.assertEqual(len(list(includes.problems(self.root))), 2)
 
+    def test_what_is_named_exists(self):
+        self.write("tests/runtime/space/a.cpp", "")
+        self.assertEqual(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/a.cpp.\n"), [])
+        self.assertEqual(len(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/b.cpp; docs/c.md.\n")), 2)
+
     def test_one_door_to_hana(self):
         self.found("include/cca/component/a.hpp", "boost/hana/tuple.hpp")
         self.assertEqual(len(self.found("include/cca/graph/a.hpp", "boost/hana/tuple.hpp")), 1)

@@ -9,8 +9,8 @@
 // is not visited is not forgotten. Inside the trained region: the functions that speak at x have seen examples.
 // Cost: of a step N (2 D + 6) products and the activations; of a batch that for each example.
 // Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Neural Computation 25, 2013, equation 2.14 (batch); Schaal and Atkeson,
-// Constructive incremental learning from only local information, Neural Computation 10, 1998, section 3 (online).
-// Example: tests/runtime/adaptive/locally_weighted_regression.cpp.
+// Constructive incremental learning from only local information, Neural Computation 10, 1998 (online). Checked against the first
+// formula written out. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <cca/adaptive/learner.hpp>

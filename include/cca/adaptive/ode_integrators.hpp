@@ -8,8 +8,9 @@
 //   rk4                   order 4; four derivatives
 //   odeint<...>           any one-step stepper of Boost.Numeric.Odeint (ode_odeint.hpp)
 //
-// Sources: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, table II.1.2 (rk4); Hairer, Lubich,
-// Wanner, Geometric Numerical Integration, 2006, section I.1.2 (symplectic Euler).
+// Sources: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, section II.1 (rk4); Hairer, Lubich, Wanner,
+// Geometric Numerical Integration, 2006, section I.1 (symplectic Euler). Checked: their orders against closed forms, the energy that
+// the symplectic one keeps, and Odeint's classical method to rounding (tests/runtime/ode).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>

@@ -6,8 +6,9 @@
 // It forgets only while the examples excite it: not where P would become larger than it was at first (else P winds up).
 // Inside the trained region: f^T P f, the variance of the answer in units of an example's own, is at most `leverage`.
 // Cost: of a step R (2 R + D) products; of a batch R^2 an example and R^3. Precondition: R <= 128 (P is of fixed size).
-// Source: Ljung, System Identification, second edition 1999, equations 11.12 (recursion), 7.32 (batch); the bound of P: Astrom
-// and Wittenmark, Adaptive Control, second edition 1995, section 11.5. Example: tests/runtime/adaptive/learners.cpp.
+// Source: Ljung, System Identification, second edition 1999, chapters 11 (recursion) and 7 (batch); that P winds up: Astrom and
+// Wittenmark, Adaptive Control, second edition 1995. Checked against the normal equations and their inverse. Example:
+// tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <Eigen/Cholesky>

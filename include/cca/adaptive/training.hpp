@@ -11,7 +11,7 @@
 //
 // It keeps the newest Capacity examples. States and legal changes are a table (learning_transitions); a change that is not in
 // it is refused. Within a beat nothing is allocated. A value: a copy goes on by itself. Memory: Capacity examples.
-// Errors: `cca::refused` for illegal changes and for files (learned_file.hpp). Example: tests/runtime/adaptive/training.cpp.
+// Errors: `cca::refused` for illegal changes and for files (learned_file.hpp). Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <array>

@@ -8,7 +8,8 @@
 // all. Never more than `starts` times `iterations` steps.
 //
 // Sources: Wampler, Manipulator inverse kinematic solutions based on vector formulations and damped least-squares methods, IEEE
-// Trans. SMC 16(1), 1986; Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, equation 2.4.
+// Trans. SMC 16(1), 1986; Nielsen, Damping parameter in Marquardt's method, report IMM-REP-1999-05, Technical University of Denmark.
+// Checked: what can be reached is, and the nearest point where it is known (tests/runtime/mapping/kinematics.cpp).
 #pragma once
 
 #include <algorithm>

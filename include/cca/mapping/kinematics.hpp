@@ -5,7 +5,8 @@
 //   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the tip's origin, along the base's axes
 //
 // All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most a product of two 3 x 3 matrices a joint.
-// Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, sections 2.7 and 3.1 (geometric Jacobian).
+// Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and Control, 2009, chapters 2 and 3 (geometric Jacobian).
+// Checked against Orocos KDL on random trees, and against differences of positions.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 //
 // It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of all there are: the
 // reachable points of the plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and
-// the nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, section 2.12.1).
+// the nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, chapter 2).
 // Preconditions: lengths are positive, a range of abduction is less than a turn. Cost: about 10 sines and arc tangents.
 #pragma once
 

@@ -10,7 +10,8 @@
 // Positions over a part of the axes can be translated, not turned. A frame that moves is a pose on a wire: `express` of it.
 //
 // Errors: frame.mismatch. Cost: a rotation by a constant. Source of the motion of twists and wrenches: Featherstone, Rigid Body
-// Dynamics Algorithms, 2008, equations 2.24 and 2.25. Example: tests/runtime/mapping/example.cpp.
+// Dynamics Algorithms, 2008, chapter 2 (coordinate transforms of spatial vectors). Checked against them, written as matrices of six rows.
+// Example: tests/runtime/mapping/example.cpp.
 #pragma once
 
 #include <cca/component/port.hpp>

@@ -11,7 +11,8 @@
 // Closed form without forcing term, from rest: the angle left, about a fixed axis, falls as (1 + l t) e^(-l t), l = az / (2 tau),
 // as the distance does.
 // Source: Ude, Nemec, Petric, Morimoto, Orientation in Cartesian space dynamic movement primitives, ICRA 2014 (its quaternion
-// form); position and phase: Ijspeert et al., Neural Computation 25, 2013.
+// form); position and phase: Ijspeert et al., Neural Computation 25, 2013. Checked against the closed form
+// (tests/runtime/motor/dmp_pose.cpp).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>

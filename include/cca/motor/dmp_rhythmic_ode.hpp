@@ -7,7 +7,8 @@
 // state: y, z (D each), phi in rad; input: g (what it swings around), r (amplitude), tau = 1 / (2 pi f) in s.
 // The forcing term doesn't depend on y: two runs approach each other as (1 + l t) e^(-l t), l = az / (2 tau), so the limit
 // cycle is the response of a linear filter to f, and at r = 0 it's the point g.
-// Source: Ijspeert et al., Neural Computation 25, 2013; numbers of its equations above.
+// Source: Ijspeert et al., Neural Computation 25, 2013; numbers of its equations above. Checked against the closed form
+// (tests/runtime/motor/dmp.cpp).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>

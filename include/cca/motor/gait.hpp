@@ -6,8 +6,8 @@
 //   pace    0, 1/2, 0, 1/2                 legs of a side together
 //   bound   0, 0, 1/2, 1/2                 both front legs together, both hind legs together
 //
-// Source: Righetti and Ijspeert, ICRA 2008, section III (walk, trot, pace, bound); the walk is the lateral sequence of
-// Hildebrand, Symmetrical gaits of horses, Science 150, 1965.
+// Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped locomotion, ICRA 2008 (the four);
+// the walk is the lateral sequence of Hildebrand, Symmetrical gaits of horses, Science 150, 1965.
 #pragma once
 
 #include <array>

@@ -9,7 +9,8 @@
 // The model's parameters are those of cca::gmr: `c.get<"motion">().p.mixture = learned.function`. It learns in batches only.
 // Cost: of a batch K (I + O)^3 an example and an iteration, at most `iterations`. Errors: none.
 // Source: Dempster, Laird, Rubin, Maximum likelihood from incomplete data via the EM algorithm, Journal of the Royal Statistical
-// Society B 39, 1977; regression: gaussian_mixture.hpp. Example: tests/runtime/adaptive/learners.cpp.
+// Society B 39, 1977; regression: gaussian_mixture.hpp. Checked: the likelihood grows, and is a direct sum of densities.
+// Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <limits>

@@ -13,7 +13,8 @@
 // itself can't. A position that is not finite leaves the states as they are and gives velocity 0.
 // Errors: none. Cost: K factorisations of D x D, K^2 products. Source: Calinon, D'halluin, Sauser, Caldwell, Billard, Learning and
 // reproduction of gestures by imitation, IEEE Robotics and Automation Magazine 17, 2010 (HMM and GMR); the forward variable:
-// Rabiner, A tutorial on hidden Markov models, Proceedings of the IEEE 77, 1989, equations 19 and 20.
+// Rabiner, A tutorial on hidden Markov models and selected applications in speech recognition, Proceedings of the IEEE 77, 1989 (the
+// forward procedure). Checked against the recursion written out.
 // Example: tests/runtime/motor/gmr.cpp.
 #pragma once
 

@@ -6,7 +6,8 @@
 // origin does (a supercritical Hopf bifurcation at A = 0). Closed form, by r' = c (m - r^2) r (Bernoulli):
 // r(t)^2 = m / (1 + (m / r0^2 - 1) e^(-2 c m t)), and the angle runs at w.
 // Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped locomotion, ICRA
-// 2008, whose oscillator this is with alpha = beta = c; the negative amplitude: seed, section 6.3.
+// 2008, whose oscillator this is with alpha = beta = c; the negative amplitude: seed, section 6.3. Checked against the closed form,
+// inwards, outwards and at negative amplitude (tests/runtime/motor/hopf.cpp).
 #pragma once
 
 #include <cmath>

@@ -8,7 +8,7 @@
 // frequency at r = 1, w both ways: D = theta_2 - theta_1 - phi_12 obeys D' = -2 w sin D, so tan(D/2) = tan(D0/2) e^(-2 w t).
 // N of them, all coupled by w: a small disturbance of the phase differences decays as e^(-N w t).
 // Source: Ijspeert, Crespi, Ryczko, Cabelguen, From swimming to walking with a salamander robot driven by a spinal cord
-// model, Science 315, 2007, equations 1 and 2 (supporting text); phi_ij is the lead of j over i.
+// model, Science 315, 2007; phi_ij is the lead of j over i. Checked against the three closed forms (tests/runtime/motor/gait_network.cpp).
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,8 @@
 // Preconditions: `make` before `step`. Cost: make: 500 N Connections products, not for a beat; step: N (Connections + D) products
 // and N hyperbolic tangents. A power iteration measures the spectral radius to about 1 %.
 // Source: Jaeger, The "echo state" approach to analysing and training recurrent neural networks, GMD report 148, 2001; leaky
-// units: Jaeger, Lukosevicius, Popovici, Siewert, Optimization and applications of echo state networks, Neural Networks 20, 2007.
+// units: Jaeger, Lukosevicius, Popovici, Siewert, Optimization and applications of echo state networks with leaky-integrator neurons,
+// Neural Networks 20, 2007. Checked: the spectral radius against eigenvalues, echo states (tests/runtime/motor/rcpg.cpp).
 #pragma once
 
 #include <array>

@@ -10,7 +10,8 @@
 // T - P = D (1 + l t) e^(-l t) with l = a / 2; the speed D l^2 t e^(-l t) has its peak at 1 / l. A smaller `a` overshoots.
 // Source: Bullock and Grossberg, Neural dynamics of planned arm movements: emergent invariants and speed-accuracy properties
 // during trajectory formation, Psychological Review 95, 1988 (the difference vector, present position and GO equations of
-// the VITE circuit, with the sigmoid GO signal).
+// the VITE circuit, with the sigmoid GO signal). Checked against the closed form, and a reference integration with the rising GO signal
+// (tests/runtime/motor/vite.cpp).
 #pragma once
 
 #include <cmath>

@@ -10,7 +10,7 @@
 // Parts that say nothing of what their links weigh weigh nothing.
 //
 // Source: the recursive Newton-Euler algorithm (Luh, Walker, Paul 1980; Featherstone, Rigid Body Dynamics Algorithms, 2008,
-// section 5.3), all vectors along the base's axes. Cost: linear in the joints, nothing allocates.
+// section 5.3), all vectors along the base's axes. Checked against Orocos KDL on random trees, and by power and energy. Cost: linear in the joints, nothing allocates.
 #pragma once
 
 #include <array>

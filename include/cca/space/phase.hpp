@@ -2,7 +2,7 @@
 //
 // A sample holds the number that it was given; `wrapped()` is its one name in [0, 2 pi). Everything else gives the same
 // for each of a phase's numbers.
-// Source of mean and coherence: Mardia and Jupp, Directional Statistics, 2000, section 2.2 (mean direction and mean
+// Source of mean and coherence: Mardia and Jupp, Directional Statistics, 2000, chapter 2 (mean direction and mean
 // resultant length; the order parameter of coupled oscillators, Kuramoto 1984, is the latter).
 #pragma once
 

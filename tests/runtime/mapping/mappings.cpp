@@ -180,7 +180,7 @@ TEST_CASE("frame changes are those of matrices") {
 
     Eigen::Matrix<double, 6, 1> v;
     v << random.vector(2), random.vector(2);
-    // Featherstone 2008, equations 2.24 and 2.25, from the hip's coordinates to the trunk's.
+    // Spatial transforms (Featherstone 2008, chapter 2), from the hip's coordinates to the trunk's.
     Eigen::Matrix<double, 6, 6> motion, force;
     motion << R, Eigen::Matrix3d::Zero(), skew(t) * R, R;
     force << R, skew(t) * R, Eigen::Matrix3d::Zero(), R;

@@ -3,7 +3,7 @@
 // A frame is any value of its members; `valid()` says whether it can be on a bus: an id of 11 or 29 bits, at most 8 bytes in a
 // classic frame, in an FD frame one of the lengths that a length code can say (0 to 8, 12, 16, 20, 24, 32, 48, 64). A remote
 // frame asks for one: it has no payload, its length is what is asked for, and FD has none.
-// Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/frames.cpp; docs/can_bus.md.
+// Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp; docs/can_bus.md.
 #pragma once
 
 #include <algorithm>

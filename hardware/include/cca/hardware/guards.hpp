@@ -5,7 +5,7 @@
 //   finite_guard        NaN or infinity: the last finite set-point goes on instead, marked not_finite
 //   stale_guard         made from data older than the parameter `greatest_age`: marked stale
 //
-// Cost: some comparisons a joint. Example: tests/runtime/drive_chain/guards.cpp; docs/hardware.md.
+// Cost: some comparisons a joint. Example: tests/runtime/drive_chain/safety.cpp; docs/hardware.md.
 #pragma once
 
 #include <array>
