@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <cca/graph/parts.hpp>
@@ -10,12 +11,23 @@
 
 namespace cca::detail {
 
-template <class Graph, int Rank>
-using function_at = function_like<Graph, layout_of<Graph>.like[plan_of<Graph>.order[Rank]]>;
+// In a long beat g++ simplifies a function once for all that are alike and inlines it then, in a sixth less time. In a short one it inlines
+// first, which leaves fewer instructions: the trot at -O3 takes 0.996 of the loop by hand, and would take 1.015.
+template <class Graph>
+inline constexpr bool simplified_once = counts_of<Graph>.turn_count > 64 && !in_pieces;
+
+template <class Graph, int Turn>
+struct simplified {
+  [[gnu::flatten]] static void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, const turn_place& of) {
+    function_like<Graph, Turn>::take_turn(m, l, c, k, of);
+  }
+};
 
 template <class Graph, int Rank>
 CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
-  function_at<Graph, Rank>::take_turn(m, l, c, k, layout_of<Graph>.turns[plan_of<Graph>.order[Rank]]);
+  constexpr int turn = plan_of<Graph>.order[Rank], like = layout_of<Graph>.like[turn];
+  using function = std::conditional_t<simplified_once<Graph>, simplified<Graph, like>, function_like<Graph, like>>;
+  function::take_turn(m, l, c, k, layout_of<Graph>.turns[turn]);
 }
 
 // The functions from rank `First` on, until one faults. Where a beat can end early it is one chain, so that g++ sees that no
