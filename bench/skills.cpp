@@ -110,6 +110,7 @@ struct by_hand {
   skills::heading::parameters heading = skills::heading{}.p;
   skills::balance::parameters balance = skills::balance{}.p;
   skills::aim::parameters aiming = skills::aim{}.p;
+  skills::steadying::parameters steady = skills::steadying{}.p;
   module::learner::learned known = some_shape();
   module::learner_settings settings{};
 
@@ -118,7 +119,7 @@ struct by_hand {
   std::int64_t k = 0, step_began = -1, held_since = -1;
   int now_on = 0;
   bool right = false, settled = false, timed_out = false;
-  double hip_stiffness = 30, smooth = 0, aside = 0, turn = 0, wanted = 0;
+  double hip_stiffness = 30, smooth = 0, aside = 0, turn = 0, wanted = 0, share = 0;
   Vector3d correction{0, 0, 0};
   vector4 carrying = vector4::Zero();
   std::array<Vector3d, 4> solution;
@@ -191,6 +192,15 @@ struct by_hand {
   template <class Leg>
   void solve(std::size_t leg, const Vector3d& foot) {
     if (foot.allFinite()) solution[leg] = inverse<Leg>::solve(foot, solution[leg]).q;
+  }
+
+  template <class Leg>
+  Vector3d rest_of_way(const Vector3d& joints, const Vector3d& point) const {
+    const cca::chain_pose<Leg> leg(joints);
+    const Eigen::Matrix3d jacobian = leg.jacobian().template bottomRows<3>();
+    const Vector3d rest = (point - leg.tip().at).cwiseMax(-steady.most).cwiseMin(+steady.most);
+    const Eigen::Matrix3d square = jacobian.transpose() * jacobian + steady.damping * steady.damping * Eigen::Matrix3d::Identity();
+    return square.inverse() * (jacobian.transpose() * rest);
   }
 
   template <class Ode>
@@ -273,6 +283,18 @@ struct by_hand {
     reach(knees, knees_rest, vite_knees{}, vite_k, knee_goal);
     vector8 goal;
     goal << hips.segment<4>(4), knees.head<4>();
+    vector4 sideways = hips.head<4>();
+
+    // The paw keeps to the ball.
+    const bool at_ball_now = (now_on == 4 || now_on == 5) && missing.norm() < steady.near;
+    share = std::clamp(share + (at_ball_now ? +1 : -1) * dt / steady.onset, 0.0, 1.0);
+    if (share > 0) {
+      const Vector3d asked(sideways[side], goal[side], goal[4 + side]), aimed = ball + correction;
+      const Vector3d more = share * (right ? rest_of_way<skills::right_front>(asked, aimed) : rest_of_way<skills::left_front>(asked, aimed));
+      sideways[side] += more[0];
+      goal[side] += more[1];
+      goal[4 + side] += more[2];
+    }
 
     // Hopf Oscillator.
     const cca::hopf_ode::input drive(wanted, frequency);
@@ -333,7 +355,6 @@ struct by_hand {
 
     // Limits.
     constexpr const auto& m = cca::sim::oncilla_defaults;
-    const vector4 sideways = hips.head<4>();
     if (!begun) {
       for (int i = 0; i < 8; ++i) last_legs[i] = at_most(i < 4 ? m.hip_range.high : m.knee_range.high, at_least(i < 4 ? m.hip_range.low : m.knee_range.low, angles[i]));
       for (int i = 0; i < 4; ++i) last_sideways[i] = at_most(m.abduction_range.high, at_least(m.abduction_range.low, abducted[i]));

@@ -15,6 +15,7 @@
 #include "joints.hpp"
 #include "orders.hpp"
 #include "plan.hpp"
+#include "steady.hpp"
 #include "trunk.hpp"
 
 namespace skills {
@@ -82,13 +83,13 @@ struct architecture : cca::graph<
     cca::wire<"orders.amplitude", "cpg.amplitude", cca::latest>,
     cca::wire<"cpg.phase", "dmp.phase">,
     cca::wire<"cpg.amplitude", "dmp.amplitude">,
-    cca::wire<"goal.legs", "dmp.reference">,
+    cca::wire<"steady.angles", "dmp.reference">,
     cca::wire<"robot.angles", "dmp.feedback">,
     cca::wire<"dmp.command", "steering.command">,
     cca::wire<"steering.angles", "balance.command">,
     cca::wire<"balance.angles", "limits.command">,
     cca::wire<"limits.safe", "robot.command">,
-    cca::wire<"goal.abduction", "abduction_limits.command">,
+    cca::wire<"steady.abducted", "abduction_limits.command">,
     cca::wire<"abduction_limits.safe", "robot.abduction">,
     cca::wire<"orders.stiffness", "stiffness_limits.command", cca::latest>,
     cca::wire<"stiffness_limits.safe", "robot.stiffness">,
@@ -113,7 +114,7 @@ struct architecture : cca::graph<
     cca::wire<"camera.ball", "heading.ball", cca::latest>,
     cca::wire<"paw.side", "heading.side", cca::latest>,
     cca::wire<"cpg.amplitude", "heading.amplitude", cca::latest>,
-    cca::wire<"goal.legs", "steering.goal">,
+    cca::wire<"steady.angles", "steering.goal">,
     cca::wire<"heading.turn", "steering.turn", cca::latest>,
     cca::wire<"robot.angular_velocity", "balance.angular_velocity">,
     cca::wire<"orders.supports", "balance.supports", cca::latest>,
@@ -131,6 +132,14 @@ struct architecture : cca::graph<
     cca::wire<"paw.paw", "aim.paw">,
     cca::wire<"camera.ball", "reaching.ball", cca::latest>,
     cca::wire<"paw.paw", "reaching.paw">,
+    cca::node<"steady", steadying, cca::port_triggered<"legs">>,
+    cca::wire<"goal.legs", "steady.legs">,
+    cca::wire<"goal.abduction", "steady.abduction">,
+    cca::wire<"camera.ball", "steady.ball", cca::latest>,
+    cca::wire<"paw.paw", "steady.paw">,
+    cca::wire<"aim.aim", "steady.aim">,
+    cca::wire<"paw.side", "steady.side">,
+    cca::wire<"sequencer.step", "steady.step", cca::latest>,
 
     cca::wire<"robot.contacts", "paw.contacts">,
     cca::wire<"camera.ball", "orders.ball", cca::latest>,

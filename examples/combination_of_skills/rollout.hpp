@@ -45,6 +45,7 @@ struct result {
   double reach_error = std::nan("");        // m, mean while the paw is at the ball, before the push
   double worst_error = std::nan("");        // m, greatest in that time
   double error_after_push = std::nan("");   // m, mean of the end of that skill
+  double worst_after_push = std::nan("");   // m, greatest then
   double reach_time = std::nan("");         // s
   double speed_after = 0;                   // m/s
   std::array<episode, plan::count> skills{};
@@ -125,6 +126,7 @@ result roll_out(combined& controller, const circumstances& c, Between between) {
         }
       } else {
         late_sum += error, ++late_count;
+        r.worst_after_push = std::fmax(r.worst_after_push, error);
       }
     }
     if (now_on == plan::at<"trot on"> && before != now_on) from = world.trunk_position();

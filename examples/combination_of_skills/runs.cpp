@@ -9,9 +9,11 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -50,23 +52,54 @@ options parse(const std::vector<std::string>& arguments) {
   return o;
 }
 
+std::string quoted(std::string_view name) { return std::string("`").append(name).append("`"); }
+
+// Lowest, highest and mean of what was seen.
+struct seen {
+  double low = std::numeric_limits<double>::infinity(), high = 0, sum = 0;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+    sum += x;
+  }
+};
+
+// A row of a table in Markdown: of the runs with this ball and this paw; of its figures, those of runs that did what they should.
 void print(const std::vector<skills::told_run>& runs, skills::target where, skills::paw_side paw) {
   int count = 0, fell = 0, good = 0;
-  double sum = 0, worst = 0, slowest = 0, slow = 1e9;
+  seen off, worst, pushed, time, speed;
   for (const auto& [c, r] : runs) {
     if (c.where != where || c.paw != paw) continue;
     ++count;
     fell += r.fell;
-    good += skills::succeeded(r);
     if (!skills::succeeded(r)) continue;
-    sum += r.reach_error;
-    worst = std::max(worst, r.worst_error);
-    slowest = std::max(slowest, r.reach_time);
-    slow = std::min(slow, r.speed_after);
+    ++good;
+    off.add(r.reach_error * 1e3);
+    worst.add(r.worst_error * 1e3);
+    pushed.add(r.worst_after_push * 1e3);
+    time.add(r.reach_time);
+    speed.add(r.speed_after);
   }
-  std::printf("  %-7s %-6s %3d of %d, %d fell; ball %.2f mm off on average, %.2f at most, in %.2f s at most; then %.3f m/s at least\n",
-              std::string(skills::target_names[static_cast<std::size_t>(where)]).c_str(), std::string(skills::paw_names[static_cast<std::size_t>(paw)]).c_str(),
-              good, count, fell, good ? sum / good * 1e3 : 0, worst * 1e3, slowest, good ? slow : 0);
+  std::printf("| %-8s | %-5s | %2d of %-13d | %5d |", quoted(skills::target_names[static_cast<std::size_t>(where)]).c_str(),
+              std::string(skills::paw_names[static_cast<std::size_t>(paw)]).c_str(), good, count, fell);
+  if (good > 0) std::printf(" %.2f, %.2f mm         | %5.2f mm      | %.2f to %.2f s | %.2f to %.2f m/s |\n", off.sum / good, worst.high, pushed.high, time.low, time.high, speed.low, speed.high);
+  else std::printf(" | | | |\n");
+}
+
+void print(const std::vector<skills::told_run>& runs) {
+  std::printf("\n| ball     | paw   | within 5 mm in 3 s | falls | off: mean, greatest | after the push | reached in     | then trots at    |\n"
+              "|----------|-------|--------------------|-------|---------------------|----------------|----------------|------------------|\n");
+  for (std::size_t where = 0; where < skills::target_names.size(); ++where)
+    for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw) print(runs, static_cast<skills::target>(where), static_cast<skills::paw_side>(paw));
+  for (const auto& [c, r] : runs)
+    if (!skills::succeeded(r))
+      std::printf("not so: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, reached in %.2f s\n", static_cast<int>(c.seed.value_or(0)),
+                  std::string(skills::paw_names[static_cast<std::size_t>(c.paw)]).c_str(), std::string(skills::target_names[static_cast<std::size_t>(c.where)]).c_str(),
+                  r.fell ? "fell" : "ended", std::string(skills::plan::table[static_cast<std::size_t>(r.last)].name).c_str(), r.worst_error * 1e3, r.reach_time);
+  const auto good = std::count_if(runs.begin(), runs.end(), [](const skills::told_run& one) { return skills::succeeded(one.what); });
+  std::printf("\n%d of %d runs did it: no fall, the ball reached in 3 s, the paw within 5 mm of it, and trotted on.\n"
+              "Off: from the paw to the ball, in the 0.4 s after it was reached; after the push: greatest in the time from then on.\n",
+              static_cast<int>(good), static_cast<int>(runs.size()));
 }
 
 int run(const options& o) {
@@ -94,13 +127,7 @@ int run(const options& o) {
       [&](std::size_t finished) { bar.show(static_cast<double>(finished) / static_cast<double>(runs.size())); });
   bar.done();
 
-  for (std::size_t where = 0; where < skills::target_names.size(); ++where)
-    for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw) print(runs, static_cast<skills::target>(where), static_cast<skills::paw_side>(paw));
-  for (const auto& [c, r] : runs)
-    if (!skills::succeeded(r))
-      std::printf("  not so: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, %.2f s\n", static_cast<int>(c.seed.value_or(0)),
-                  std::string(skills::paw_names[static_cast<std::size_t>(c.paw)]).c_str(), std::string(skills::target_names[static_cast<std::size_t>(c.where)]).c_str(),
-                  r.fell ? "fell" : "ended", std::string(skills::plan::table[static_cast<std::size_t>(r.last)].name).c_str(), r.worst_error * 1e3, r.reach_time);
+  print(runs);
   if (!o.summary.empty()) {
     std::ofstream file(o.summary);
     skills::write_json(file, runs);

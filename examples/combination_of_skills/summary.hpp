@@ -53,7 +53,7 @@ inline void write_table(std::ostream& out, const circumstances& c, const result&
   out << "  ball (" << target_names[static_cast<std::size_t>(c.where)] << ", " << paw_names[static_cast<std::size_t>(c.paw)] << " paw): ";
   if (r.touched())
     out << formatted("%.2f mm", r.reach_error * 1e3) << formatted(" off (at most %.2f mm)", r.worst_error * 1e3) << formatted(", reached in %.2f s", r.reach_time)
-        << formatted("; a push of %.0f N later ", c.push) << formatted("%.2f mm\n", r.error_after_push * 1e3);
+        << formatted("; after a push of %.0f N ", c.push) << formatted("%.2f mm off", r.error_after_push * 1e3) << formatted(" (at most %.2f mm)\n", r.worst_after_push * 1e3);
   else out << "not reached\n";
   out << formatted("  trotted on at %.3f m/s", r.speed_after) << (r.fell ? "; FELL\n" : "\n");
 }
@@ -66,6 +66,7 @@ inline void write_json(std::ostream& out, const std::vector<told_run>& runs) {
     out << (i ? ",\n " : "\n ") << "{\"seed\": " << (c.seed ? std::to_string(*c.seed) : "null") << ", \"paw\": \"" << paw_names[static_cast<std::size_t>(c.paw)]
         << "\", \"target\": \"" << target_names[static_cast<std::size_t>(c.where)] << "\", \"reach_error_mm\": " << number(r.reach_error * 1e3)
         << ", \"worst_reach_error_mm\": " << number(r.worst_error * 1e3) << ", \"reach_time_s\": " << number(r.reach_time) << ", \"push_n\": " << number(c.push)
+        << ", \"worst_error_after_push_mm\": " << number(r.worst_after_push * 1e3)
         << ", \"fell\": " << (r.fell ? "true" : "false") << ", \"speed_after_m_s\": " << number(r.speed_after) << ", \"seconds\": " << number(r.seconds)
         << ", \"last_skill\": \"" << plan::table[static_cast<std::size_t>(r.last)].name << "\"}";
   }

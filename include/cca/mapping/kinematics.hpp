@@ -76,8 +76,8 @@ CCA_GLUE void place_links(const std::array<body_link, Count>& links, const Coord
 
 // The velocity of a point that the last link carries, for each coordinate: its column of the geometric Jacobian.
 template <std::size_t Count, class Jacobian>
-void fill_jacobian(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, int last, const vector3& point,
-                   Jacobian& jacobian) {
+CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, int last, const vector3& point,
+                            Jacobian& jacobian) {
   jacobian.setZero();
   for (int i = last; i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
     const body_link& l = links[static_cast<std::size_t>(i)];
@@ -159,7 +159,7 @@ public:
     else return links[count - 1].frame * Chain::tip;
   }
 
-  jacobian_type jacobian() const {
+  CCA_GLUE jacobian_type jacobian() const {
     jacobian_type j;
     detail::fill_jacobian(detail::chain_links<Chain>, links, static_cast<int>(count) - 1, tip().at, j);
     return j;
