@@ -80,10 +80,10 @@ void print(const std::vector<skills::told_run>& runs, skills::target where, skil
     time.add(r.reach_time);
     speed.add(r.speed_after);
   }
-  std::printf("| %-8s | %-5s | %2d of %-13d | %5d |", quoted(skills::target_names[static_cast<std::size_t>(where)]).c_str(),
+  std::printf("| %-8s | %-5s | %2d of %-12d | %5d |", quoted(skills::target_names[static_cast<std::size_t>(where)]).c_str(),
               std::string(skills::paw_names[static_cast<std::size_t>(paw)]).c_str(), good, count, fell);
-  if (good > 0) std::printf(" %.2f, %.2f mm         | %5.2f mm      | %.2f to %.2f s | %.2f to %.2f m/s |\n", off.sum / good, worst.high, pushed.high, time.low, time.high, speed.low, speed.high);
-  else std::printf(" | | | |\n");
+  if (good > 0) std::printf(" %.2f, %.2f mm       | %5.2f mm       | %.2f to %.2f s | %.2f to %.2f m/s |\n", off.sum / good, worst.high, pushed.high, time.low, time.high, speed.low, speed.high);
+  else std::printf("                     |                |                |                  |\n");
 }
 
 void print(const std::vector<skills::told_run>& runs) {
