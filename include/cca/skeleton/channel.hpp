@@ -1,7 +1,7 @@
 // A bounded channel from one thread to one other one, without locks: a ring whose two ends are counted up, each by its own thread.
 //
-// Who writes asks `full()` first, who reads asks `empty()`; each answer stays true until the asking thread acts on it. Neither ever
-// waits. The counts of what was ever written and read tell how far the other side has come.
+// Who reads asks `empty()` first; the answer stays true until the asking thread acts on it. Who writes knows by the counts of what was
+// ever written and read that less than Capacity is in it. Neither ever waits.
 // Source: Lamport, "Specifying concurrent program modules", ACM TOPLAS 5(2), 1983, the ring of one producer and one consumer; here with
 // acquire and release, so that what a thread did before it wrote is seen by the one that reads. Cost: an atomic load and store.
 #pragma once
@@ -22,7 +22,6 @@ public:
   channel& operator=(const channel&) = delete;
 
   // For the one that writes.
-  bool full() const { return written.load(std::memory_order_relaxed) - taken.load(std::memory_order_acquire) == Capacity; }
   void push(const Value& value) {
     const auto at = written.load(std::memory_order_relaxed);
     ring[at % Capacity] = value;

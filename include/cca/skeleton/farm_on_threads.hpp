@@ -126,9 +126,8 @@ private:
     if (!at_work || !at_work->room()) return false;
     const std::int64_t since = last_task < 0 ? 1 : now.index() - last_task;
     last_task = now.index();
-    const std::int64_t origin = input.origin() == never ? now.time() : input.origin();
     for (std::size_t i = 0; i < count; ++i)
-      at_work->hand_out(i, {input.vector().template segment<work::taken::size>(static_cast<int>(i) * work::taken::size), origin,
+      at_work->hand_out(i, {input.vector().template segment<work::taken::size>(static_cast<int>(i) * work::taken::size), input.origin(),
                             beat(now.index(), now.period(), since)});
     return true;
   }

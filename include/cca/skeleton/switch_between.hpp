@@ -10,7 +10,7 @@
 // alone along s(u) = u^3 (10 - 15 u + 6 u^2), which begins and ends with velocity and acceleration zero (minimum jerk: Flash and
 // Hogan 1985). Between them it's the domain's own interpolation. Another choice during a hand-over begins a new one from where it is.
 // A choice that names no source, or one that has not published yet, is not followed until it does.
-// Parameters: `duration`. Errors: skeleton.arity. A limiter belongs behind it. Cost: an interpolation for each source but the
+// Parameters: `duration`; what is set during a hand-over holds from the next one on. Errors: skeleton.arity. A limiter belongs behind it. Cost: an interpolation for each source but the
 // first, and only during a hand-over. Example: tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once
 
@@ -46,7 +46,8 @@ struct switch_of {
     if (next < 0 || !spoken[next]) next = chosen;
     if (next != chosen) {
       begin = weights;
-      passed = chosen < 0 ? double(p.duration) : 0;  // the first one takes over nothing
+      passed = 0;
+      span = chosen < 0 ? 0 : double(p.duration);  // the first one takes over nothing
       chosen = next;
     }
     const bool settled = move(now.dt());
@@ -66,7 +67,7 @@ private:
   // True once only the chosen source is left.
   bool move(double dt) {
     if (chosen < 0) return false;
-    const double u = passed + dt < p.duration ? (passed += dt) / p.duration : 1;
+    const double u = passed + dt < span ? (passed += dt) / span : 1;
     const double s = u * u * u * (10 - 15 * u + 6 * u * u);
     if (u < 1) {
       for (std::size_t i = 0; i < count; ++i) weights[i] = begin[i] + s * ((static_cast<int>(i) == chosen) - begin[i]);
@@ -74,12 +75,12 @@ private:
     }
     weights = {};
     weights[static_cast<std::size_t>(chosen)] = 1;
-    passed = p.duration;
+    span = 0;  // so it stays
     return true;
   }
 
   std::array<double, count> weights{1}, begin{1};
-  double passed = 0;
+  double passed = 0, span = 0;  // of a hand-over, s
   int chosen = -1;
 };
 

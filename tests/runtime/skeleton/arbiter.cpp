@@ -29,6 +29,14 @@ struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};    // the r
 struct by_age  : two_writers<cca::by_freshness<"reflex", "gait">> {};   // whose data is younger
 // [arbiter end]
 
+// Three of them, asked in each beat, whether one speaks or not; and who is heard.
+template <class Policy>
+struct three_writers : cca::graph<
+    cca::rate<1000>, cca::node<"a", by_hand<leg_angles>>, cca::node<"b", by_hand<leg_angles, 1>>, cca::node<"c", by_hand<leg_angles, 2>>,
+    cca::node<"legs", cca::arbiter<"y", leg_angles, Policy>, cca::timed<1>>, cca::node<"robot", listener<leg_angles>>, cca::node<"who", listener<cca::choice>>,
+    cca::wire<"a.y", "legs.a">, cca::wire<"b.y", "legs.b">, cca::wire<"c.y", "legs.c">, cca::wire<"legs.y", "robot.x">,
+    cca::wire<"legs.writer", "who.x">> {};
+
 constexpr std::string_view picture_of_arbiter = R"(// [arbiter picture]
 flowchart LR
   n0["reflex<br/><i>1000 Hz</i>"]
@@ -102,6 +110,33 @@ TEST_CASE("by freshness") {
   reflex.speaks = false;
   CHECK_EQ(said(0, 3 * ms), 2);
   CHECK_EQ(said(0, ms), 1);  // it says again what is older than what it was heard to say
+}
+
+TEST_CASE("the one that was heard last stays, and it says which one that is") {
+  auto c = started<three_writers<cca::by_priority<"a", "b", "c">>>();
+  const auto who = [&](bool a, bool b, bool w) {
+    c.get<"a">().speaks = a, c.get<"b">().speaks = b, c.get<"c">().speaks = w;
+    c.step();
+    return c.get<"who">().last.vector()[0];
+  };
+  CHECK_EQ(who(false, true, true), 1);
+  CHECK_EQ(who(false, false, true), 2);
+  CHECK_EQ(who(false, false, false), 2);
+  CHECK_EQ(c.get<"robot">().last.origin(), c.period());
+  CHECK_EQ(who(true, true, true), 0);
+}
+
+TEST_CASE("by freshness, of three") {
+  auto c = started<three_writers<cca::by_freshness<"a", "b", "c">>>();
+  const auto who = [&](std::int64_t a, std::int64_t b, std::int64_t w) {
+    c.get<"a">().now = number<leg_angles>(1, a), c.get<"b">().now = number<leg_angles>(2, b), c.get<"c">().now = number<leg_angles>(3, w);
+    c.step();
+    CHECK_EQ(c.get<"robot">().last[hip{}], 1 + c.get<"who">().last.vector()[0]);
+    return c.get<"who">().last.vector()[0];
+  };
+  CHECK_EQ(who(3, 1, 2), 0);  // not the youngest of the last two
+  CHECK_EQ(who(4, 6, 5), 1);
+  CHECK_EQ(who(7, 8, 9), 2);
 }
 
 TEST_CASE("starts anew") {

@@ -46,6 +46,14 @@ struct modes : cca::graph<
     cca::wire<"mode.angles", "robot.x">> {};
 // [switch end]
 
+template <class Space>
+struct modes_and_settled : cca::graph<
+    cca::rate<1000>, cca::node<"stand", by_hand<Space>>, cca::node<"trot", by_hand<Space, 1>>, cca::node<"reach", by_hand<Space, 2>>,
+    cca::node<"operator", by_hand<cca::choice>>, cca::node<"mode", cca::switch_between<"angles", Space, "stand", "trot", "reach">>,
+    cca::node<"robot", listener<Space>>, cca::node<"settled", listener<cca::flag>>, cca::wire<"stand.y", "mode.stand">, cca::wire<"trot.y", "mode.trot">,
+    cca::wire<"reach.y", "mode.reach">, cca::wire<"operator.y", "mode.choice">, cca::wire<"mode.angles", "robot.x">,
+    cca::wire<"mode.settled", "settled.x">> {};
+
 struct three_weights : cca::space<cca::amplitude, cca::axes<cca::x, cca::y, cca::z>> {};
 struct mixed_by_three : cca::graph<
     cca::rate<1000>, cca::node<"a", by_hand<leg_angles>>, cca::node<"b", by_hand<leg_angles, 1>>, cca::node<"c", by_hand<leg_angles, 2>>,
@@ -132,6 +140,12 @@ TEST_CASE("what has no part in it has no say") {
   c.step();
   CHECK(c.get<"paw">().last.vector().hasNaN());
   CHECK_EQ(c.get<"paw">().last.origin(), old);
+  // Nor has the first one where the weight is full, to the bit.
+  c.get<"reach">().now = number<leg_angles>(not_a_number);
+  c.get<"trot">().speaks = true;
+  c.get<"cpg">().now = number<cpg_amplitude>(1);
+  c.step();
+  CHECK_EQ(c.get<"paw">().last.vector(), Eigen::Vector2d(1, 1));
 }
 
 TEST_CASE("by a weight for each") {
@@ -151,6 +165,12 @@ TEST_CASE("by a weight for each") {
   CHECK(at(1, 1, 2) == doctest::Approx(2.75));
   CHECK(at(3, -5, 1) == doctest::Approx(1.75));
   CHECK_EQ(at(not_a_number, 0, 1), 4);
+  // The oldest of those that have a part in it: neither b nor the weights.
+  c.get<"b">().speaks = c.get<"w">().speaks = false;
+  for (int i = 0; i < 3; ++i) {
+    c.step();
+    CHECK_EQ(c.get<"end">().last.origin(), (c.beat_index() - 1) * c.period());
+  }
 }
 
 TEST_CASE("on a circle and between orientations") {
@@ -196,6 +216,90 @@ TEST_CASE("hands over without a bump") {
     if (i >= 499 && i < 700) CHECK_EQ(value(), c.get<"trot">().now[hip{}]);
     before = value(), speed_before = speed;
   }
+}
+
+TEST_CASE("along minimum jerk, and it tells when only the chosen one is left") {
+  auto c = started<modes_and_settled<leg_angles>>();
+  const auto settled = [&] { return c.get<"settled">().last.vector()[0]; };
+  c.get<"operator">().now = number<cca::choice>(not_a_number);
+  c.step();
+  CHECK_EQ(settled(), 0);  // nothing has been chosen
+  c.get<"operator">().now = number<cca::choice>(0);
+  c.get<"trot">().now = number<leg_angles>(1);
+  c.step();
+  CHECK_EQ(settled(), 1);
+  c.get<"operator">().now = number<cca::choice>(1);
+  for (int k = 1; k <= 500; ++k) {
+    c.step();
+    const double u = k / 500.0;
+    CHECK(c.get<"robot">().last[hip{}] == doctest::Approx(u * u * u * (10 - 15 * u + 6 * u * u)).epsilon(1e-9));
+    if (k < 500) CHECK_EQ(settled(), 0);
+  }
+  CHECK_EQ(settled(), 1);
+  // How old the choice is does not count.
+  c.get<"operator">().speaks = false;
+  c.step();
+  c.step();
+  CHECK_EQ(c.get<"robot">().last.origin(), (c.beat_index() - 1) * c.period());
+}
+
+TEST_CASE("another duration holds from the next hand-over on") {
+  auto c = started<modes_and_settled<leg_angles>>();
+  const auto value = [&](double choice, int beats = 1) {
+    c.get<"operator">().now = number<cca::choice>(choice);
+    for (int i = 0; i < beats; ++i) c.step();
+    return c.get<"robot">().last[hip{}];
+  };
+  c.get<"trot">().now = number<leg_angles>(1);
+  c.get<"reach">().now = number<leg_angles>(5);
+  value(0);
+  CHECK(value(1, 250) == doctest::Approx(0.5));
+  c.set<"mode">(cca::hand_over{20.0});
+  CHECK(value(1) == doctest::Approx(0.5).epsilon(0.01));  // no bump in the midst of one
+  CHECK_EQ(value(1, 249), 1);
+  CHECK_EQ(value(1, 9), 1);  // nor after it
+  CHECK_EQ(c.get<"settled">().last.vector()[0], 1);
+  c.set<"mode">(cca::hand_over{0.0});
+  CHECK_EQ(value(0), 0);
+  CHECK_EQ(value(1), 1);
+  c.set<"mode">(cca::hand_over{0.5});
+  CHECK(value(2) == doctest::Approx(1).epsilon(1e-5));  // from where it is, though it came there at once
+  // What is settled stays so, also where a long time between firings ended it and a short one follows.
+  const auto speak = [&](bool they) {
+    c.get<"stand">().speaks = c.get<"trot">().speaks = c.get<"reach">().speaks = c.get<"operator">().speaks = they;
+    c.step();
+  };
+  value(2, 600);
+  c.set<"mode">(cca::hand_over{0.0045});
+  value(0);
+  for (int i = 0; i < 3; ++i) speak(false);
+  for (int i = 0; i < 3; ++i) {
+    speak(true);
+    CHECK_EQ(c.get<"settled">().last.vector()[0], 1);
+    CHECK_EQ(c.get<"robot">().last[hip{}], 0);
+  }
+}
+
+TEST_CASE("starts anew") {
+  auto c = started<modes_and_settled<leg_angles>>();
+  c.get<"trot">().now = number<leg_angles>(1);
+  c.get<"operator">().now = number<cca::choice>(0);
+  c.step();
+  c.get<"operator">().now = number<cca::choice>(1);
+  for (int k = 0; k < 100; ++k) c.step();
+  CHECK_EQ(c.get<"settled">().last.vector()[0], 0);
+  c.stop();
+  c.start();
+  c.step();  // the first choice is taken at once, again
+  CHECK_EQ(c.get<"robot">().last[hip{}], 1);
+  c.get<"operator">().now = number<cca::choice>(2);
+  c.run(cca::for_beats<100>{});
+  c.stop();
+  c.start();
+  c.get<"operator">().now = number<cca::choice>(not_a_number);
+  c.get<"stand">().now = number<leg_angles>(7);
+  c.step();
+  CHECK_EQ(c.get<"robot">().last[hip{}], 7);  // until one is chosen it is the first
 }
 
 TEST_CASE("what can't be chosen") {

@@ -55,6 +55,16 @@ struct freezing : cca::graph<cca::rate<1000>, cca::node<"a", by_hand<Space>>, cc
                              cca::node<"b", listener<Space>>, cca::wire<"a.y", "hold.input">, cca::wire<"stop.y", "hold.freeze">,
                              cca::wire<"hold.output", "b.x">> {};
 
+// Fed with what it says: the sample's origin stays that of the sample.
+template <class Skeleton>
+struct in_a_loop : cca::graph<cca::rate<1000>, cca::node<"a", Skeleton, cca::timed<1>>, cca::node<"back", cca::hold<goal_1000>>,
+                              cca::node<"b", listener<goal_1000>>, cca::wire<"a.output", "back.input">, cca::wire<"back.output", "a.input", cca::delayed<3>>,
+                              cca::wire<"a.output", "b.x">> {};
+
+struct slower_in_a_loop : cca::graph<cca::rate<1000>, cca::node<"a", cca::decimate<goal_1000, goal_100>>, cca::node<"up", cca::hold<goal_100, goal_1000>, cca::timed<1>>,
+                                     cca::node<"b", listener<goal_100>>, cca::wire<"a.output", "up.input">, cca::wire<"up.output", "a.input", cca::delayed<1>>,
+                                     cca::wire<"a.output", "b.x">> {};
+
 constexpr std::string_view picture_of_rates = R"(// [rates picture]
 flowchart LR
   n0["planner<br/><i>100 Hz</i>"]
@@ -151,6 +161,42 @@ TEST_CASE("on a circle and between orientations") {
   o.get<"a">().speaks = false;
   o.step();
   CHECK(o.get<"b">().last.pitch() == doctest::Approx(0.2));
+}
+
+TEST_CASE("in a loop a sample keeps its origin") {
+  auto c = started<in_a_loop<cca::hold<goal_1000>>>();
+  for (int k = 0; k < 12; ++k) {
+    c.step();
+    CHECK_EQ(c.get<"b">().last.origin(), k % 3 * c.period());
+  }
+  auto d = started<slower_in_a_loop>();
+  for (int k = 0; k < 60; ++k) d.step();
+  for (const auto& heard : d.get<"b">().all) CHECK_EQ(heard.sample.origin(), 0);  // that of the first beat, round and round
+  CHECK(d.get<"b">().all.size() > 3);
+}
+
+TEST_CASE("each starts anew") {
+  auto c = started<up_and_down>();
+  c.run(cca::for_beats<23>{});
+  c.stop();
+  c.start();
+  c.get<"r">().all.clear(), c.get<"p">().all.clear(), c.get<"m">().all.clear();
+  for (int k = 23; k < 60; ++k) c.step();
+  const auto& ramps = c.get<"r">().all;
+  CHECK_EQ(ramps[0].sample.vector()[0], c.get<"planner">().at - 3);  // the ramp that it was in is over
+  CHECK_EQ(ramps[7].sample.vector()[0], c.get<"planner">().at - 2);  // the first new one is taken at once
+  CHECK_EQ(c.get<"p">().all[0].beat, 23);
+  CHECK_EQ(c.get<"p">().all[1].beat, 33);
+  CHECK_EQ(c.get<"m">().all[0].beat, 32);
+  auto f = started<freezing<goal_1000>>();
+  f.get<"a">().now = number<goal_1000>(1);
+  f.step();
+  f.stop();
+  f.start();
+  f.get<"a">().now = number<goal_1000>(2);
+  f.get<"stop">().now = number<cca::flag>(1);
+  f.step();
+  CHECK_EQ(f.get<"b">().last.vector()[0], 2);  // what it kept is gone
 }
 
 TEST_CASE("hold may be frozen") {
