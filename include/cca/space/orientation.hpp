@@ -100,11 +100,6 @@ struct orientation {
     // The one of its two quaternions with positive w.
     Self canonical() const { return Self(rotation::canonical(this->self().vector()), this->self().origin()); }
 
-    // The same rotation, to the last bit of a quaternion or of its opposite.
-    friend bool operator==(const Self& a, const Self& b) {
-      return rotation::canonical(a.vector()) == rotation::canonical(b.vector());
-    }
-
     // Of the rotation, and of the one between two: in [0, pi].
     double angle() const { return rotation::angle(this->self().vector()); }
     template <detail::OrientationSample Other>
@@ -162,5 +157,12 @@ struct orientation {
     }
   };
 };
+
+// The same rotation, to the last bit of a quaternion or of its opposite.
+template <detail::OrientationSample A, detail::OrientationSample B>
+bool operator==(const A& a, const B& b) {
+  (void)detail::meet<A, B>();
+  return rotation::canonical(a.vector()) == rotation::canonical(b.vector());
+}
 
 }  // namespace cca
