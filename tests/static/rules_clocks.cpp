@@ -76,6 +76,16 @@ static_assert(tells<overflow_never_read, overflow_never_read_mended>({"queue.ove
     "`a.y` is published every beat but `b.x` is never read, so the queue of 8 between them is full sooner or "
     "later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
 
+struct late_reader {  // fires first when the delayed sample is there
+  void process(cca::in<"x", signal>, cca::in<"late", signal>) {}
+};
+template <int Room>
+struct overflow_at_first : khz<cca::node<"a", source<>>, cca::node<"b", late_reader, cca::port_triggered<"late">>,
+    cca::wire<"a.y", "b.late", cca::delayed<10>>, cca::wire<"a.y", "b.x", cca::queue<Room, cca::reject>>> {};
+static_assert(tells<overflow_at_first<10>, overflow_at_first<11>>({"queue.overflow", "a.y -> b.x",
+    "`a.y` is published every beat but `b.x` is read every beat from beat 10, so the queue of 10 between them is full "
+    "sooner or later, which cca::reject forbids: read sooner, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
+
 struct deaf : khz<cca::node<"b", listener<>>> {};
 struct deaf_mended : khz<cca::node<"b", listener<>, cca::any_of<cca::restless, cca::timeout<9>>>> {};
 static_assert(tells<deaf, deaf_mended>({"strategy.never_fires", "b",

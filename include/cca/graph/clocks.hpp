@@ -126,6 +126,12 @@ struct clocking {
     if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);
   }
 
+  // A sample arrives while so many wait: it is filled faster than it is read, or full before it is read at all.
+  static constexpr bool overflows(clock from, clock to, std::int64_t room) {
+    if (!from.known() || to.dynamic()) return false;
+    return to.never() || from.period < to.period || from.first + room * from.period <= to.first;
+  }
+
   constexpr void check_rates() {
     for (int o = 0; o < g.output_count; ++o) {
       const auto c = published(g, g.outputs[o]);
@@ -138,8 +144,7 @@ struct clocking {
       if (in.writer < 0) continue;
       const auto from = published(g, g.outputs[in.writer]), to = g.turns[in.turn].fires;
       if (in.wire->policy == policy_kind::unstated && differ(from, to)) refuse(rule::rate_unstated, in.wire, scope_of(in.turn), in.writer, i);
-      if (in.wire->policy == policy_kind::queue && in.wire->full == full_kind::reject && from.known() &&
-          (to.never() || (to.known() && from.period < to.period)))
+      if (in.wire->policy == policy_kind::queue && in.wire->full == full_kind::reject && overflows(from, to, in.wire->number))
         refuse(rule::queue_overflow, in.wire, scope_of(in.turn), in.writer, i);
     }
   }

@@ -47,9 +47,12 @@ constexpr void tell_rate_unstated(telling& t) {
 
 constexpr void tell_overflow(telling& t) {
   t.at_wire();
-  t.two_clocks(t.g.outputs[t.found().a], t.g.inputs[t.found().b]);
-  t.say() << ", so the queue of " << t.item().number << " between them is full sooner or later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or "
-             "cca::drop_newest";
+  const auto& out = t.g.outputs[t.found().a];
+  const auto& in = t.g.inputs[t.found().b];
+  t.two_clocks(out, in);
+  const bool falls_behind = published(t.g, out).period < t.g.turns[in.turn].fires.period || t.g.turns[in.turn].fires.never();
+  t.say() << ", so the queue of " << t.item().number << " between them is full sooner or later, which cca::reject forbids: read " << (falls_behind ? "faster" : "sooner")
+          << ", or say what is lost: cca::drop_oldest or cca::drop_newest";
 }
 
 constexpr void tell_never_fires(telling& t) {

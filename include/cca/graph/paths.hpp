@@ -39,9 +39,9 @@ constexpr void add_space(text& t, const space_info& space) {
 constexpr void add_clock(text& t, clock c) {
   if (c.never()) t << "never";
   else if (c.dynamic()) t << "at beats known only at run time";
-  else if (c.every_beat()) t << "every beat";
   else {
-    t << "every " << c.period << " beats";
+    if (c.period == 1) t << "every beat";
+    else t << "every " << c.period << " beats";
     if (c.first > 0) t << " from beat " << c.first;
   }
 }
