@@ -68,11 +68,12 @@ inline constexpr auto output_path = [] {
   std::array<std::string_view, 32> parts{};
   std::size_t count = 0;
   constexpr const auto& o = output_of<Graph, Output>;
-  const auto& t = plan_of<Graph>.turns[o.turn];
+  constexpr const auto& t = turn_of<Graph, o.turn>;
+  constexpr const auto& leaf = plan_of<Graph>.leaves[t.leaf];
+  const auto* scopes = plan_of<Graph>.scopes.data();
   parts[count++] = t.half->outputs[o.port].name;
-  parts[count++] = plan_of<Graph>.leaves[t.leaf].item->from;
-  for (int s = plan_of<Graph>.leaves[t.leaf].scope; plan_of<Graph>.scopes[s].item; s = plan_of<Graph>.scopes[s].parent)
-    parts[count++] = plan_of<Graph>.scopes[s].item->from;
+  parts[count++] = leaf.item->from;
+  for (int s = leaf.scope; scopes[s].item; s = scopes[s].parent) parts[count++] = scopes[s].item->from;
   std::size_t at = 0;
   while (count-- > 0) {
     for (const char c : parts[count]) text[at++] = c;
@@ -92,10 +93,13 @@ class observations {
   // Coordinates of all samples, and their number.
   static constexpr auto sizes = [] {
     std::pair<std::size_t, std::size_t> total{};
-    for (int l = 0; l < counts_of<Graph>.link_count; ++l)
-      if (plan_of<Graph>.links[l].input == Input) {
-        const auto& o = plan_of<Graph>.outputs[plan_of<Graph>.links[l].output];
-        total.first += static_cast<std::size_t>(plan_of<Graph>.turns[o.turn].half->outputs[o.port].space->size);
+    const auto* outputs = plan_of<Graph>.outputs.data();
+    const auto* turns = plan_of<Graph>.turns.data();
+    const auto* link = plan_of<Graph>.links.data();
+    for (int l = 0; l < counts_of<Graph>.link_count; ++l, ++link)
+      if (link->input == Input) {
+        const auto& o = outputs[link->output];
+        total.first += static_cast<std::size_t>(turns[o.turn].half->outputs[o.port].space->size);
         ++total.second;
       }
     return total;
