@@ -12,6 +12,13 @@ using out_y = cca::out<"y", reading>;
 struct source { auto process() -> out_y { return 1; } };
 struct constant { auto process() const -> out_y { return 1; } };
 struct certain { auto process() const noexcept -> out_y { return 1; } };
+struct on_an_lvalue { auto process(in_x x) & -> out_y { return x; } };
+struct on_a_constant { auto process(in_x x) const& noexcept -> out_y { return x; } };
+struct chosen {  // made by its default constructor, an explicit one too
+  explicit chosen(double factor = 2) : gain(factor) {}
+  auto process(in_x x) -> out_y { return gain * x[cca::x{}]; }
+  double gain;
+};
 struct stateless { static auto process(in_x x) -> out_y { return x; } };
 struct by_reference { auto process(const in_x& x, const cca::beat& now) -> out_y { return x[cca::x{}] * now.dt(); } };
 struct beat_between { auto process(in_x x, cca::beat, cca::optional_in<"z", reading> z) -> out_y { return z ? z[cca::x{}] : x[cca::x{}]; } };
@@ -40,10 +47,12 @@ struct sensor { auto sense() -> out_y { return 0; } };
 struct motor { void act(in_x) {} };
 
 struct all : cca::graph<
-    cca::rate<1000>, cca::node<"source", source>, cca::node<"constant", constant>, cca::node<"certain", certain>, cca::node<"stateless", stateless>,
+    cca::rate<1000>, cca::node<"source", source>, cca::node<"constant", constant>, cca::node<"certain", certain>, cca::node<"on_an_lvalue", on_an_lvalue>,
+    cca::node<"on_a_constant", on_a_constant>, cca::node<"chosen", chosen>, cca::node<"stateless", stateless>,
     cca::node<"by_reference", by_reference>, cca::node<"beat_between", beat_between>, cca::node<"sink", sink>, cca::node<"many", many>,
     cca::node<"one_of_tuple", one_of_tuple>, cca::node<"only_fault", only_fault>, cca::node<"inherited", inherited>, cca::node<"final_one", final_one>,
     cca::node<"scaled", scaled<3>>, cca::node<"hidden_state", hidden_state>, cca::node<"device", device>, cca::node<"sensor", sensor>, cca::node<"motor", motor>,
+    cca::wire<"source.y", "on_an_lvalue.x">, cca::wire<"source.y", "on_a_constant.x">, cca::wire<"source.y", "chosen.x">,
     cca::wire<"source.y", "stateless.x">, cca::wire<"source.y", "by_reference.x">, cca::wire<"source.y", "beat_between.x">, cca::wire<"source.y", "sink.x">,
     cca::wire<"source.y", "many.x">, cca::wire<"source.y", "one_of_tuple.x">, cca::wire<"source.y", "only_fault.x">, cca::wire<"source.y", "final_one.x">,
     cca::wire<"source.y", "scaled.x">, cca::wire<"source.y", "hidden_state.x">, cca::wire<"source.y", "device.x">, cca::wire<"source.y", "motor.x">> {};

@@ -109,6 +109,10 @@ template <class R, class C, class... P> struct function_facts<R (C::*)(P...)> : 
 template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const> : function_facts<R(P...)> {};
 template <class R, class C, class... P> struct function_facts<R (C::*)(P...) noexcept> : function_facts<R(P...)> {};
 template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) &> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const&> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) & noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const& noexcept> : function_facts<R(P...)> {};
 template <class R, class... P> struct function_facts<R (*)(P...)> : function_facts<R(P...)> {};
 template <class R, class... P> struct function_facts<R (*)(P...) noexcept> : function_facts<R(P...)> {};
 
