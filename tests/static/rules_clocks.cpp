@@ -86,6 +86,13 @@ static_assert(tells<overflow_at_first<10>, overflow_at_first<11>>({"queue.overfl
     "`a.y` is published every beat but `b.x` is read every beat from beat 10, so the queue of 10 between them is full "
     "sooner or later, which cca::reject forbids: read sooner, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
 
+// What waits when it is first read waits as long ever after.
+template <int Room, int Beats>
+struct age_at_first : khz<cca::node<"a", source<>>, cca::node<"b", late_reader, cca::port_triggered<"late">>, cca::wire<"a.y", "b.late", cca::delayed<10>>,
+    cca::wire<"a.y", "b.x", cca::queue<Room, cca::drop_oldest>>, cca::require<cca::latency<"a.y", "b.x">, cca::beats<Beats>>> {};
+static_assert(cca::well_formed<age_at_first<20, 10>> && cca::diagnosis<age_at_first<20, 9>>.rule == "latency.exceeded");
+static_assert(cca::well_formed<age_at_first<4, 3>> && cca::diagnosis<age_at_first<4, 2>>.rule == "latency.exceeded");
+
 struct deaf : khz<cca::node<"b", listener<>>> {};
 struct deaf_mended : khz<cca::node<"b", listener<>, cca::any_of<cca::restless, cca::timeout<9>>>> {};
 static_assert(tells<deaf, deaf_mended>({"strategy.never_fires", "b",

@@ -32,6 +32,11 @@ struct ageing {
         tick = taken_before - ((taken_before - writer.first) % writer.period) + writer.period;
       }
     }
+    // One that is first read late keeps what had come by then, each read taking one while another comes.
+    if (in.queue >= 0 && reader.known() && writer.period == reader.period && reader.first > writer.first) {
+      const auto waiting = (reader.first - writer.first) / writer.period;
+      tick -= (in.wire->full == full_kind::drop_oldest && waiting >= in.wire->number ? in.wire->number - 1 : waiting) * writer.period;
+    }
     return tick;
   }
 
