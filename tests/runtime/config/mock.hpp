@@ -1,4 +1,4 @@
-// A controller for these tests: components at their paths, as a real one shows them to <cca/config.hpp>.
+// A controller for these tests, and the components in it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <cca/config.hpp>
+#include "shown_components.hpp"
 
 namespace config_test {
 
@@ -44,31 +44,15 @@ struct posture {
 
 struct adder {};
 
-struct controller {
+struct controller : shown_components<controller> {
+  static constexpr std::string_view file = "trot.toml";
   hopf cpg, ode;
   adder sum;
   posture pose;
 
-  template <class F>
-  void for_each_component(F f) { each(*this, f); }
-  template <class F>
-  void for_each_component(F f) const { each(*this, f); }
+  void load(std::string_view from) { cca::detail::config_backend<controller>::load(*this, from); }
+  void save(std::string_view to) const { cca::detail::config_backend<controller>::save(*this, to); }
 
-  void load(std::string_view file) { cca::detail::config_backend<controller>::load(*this, file); }
-  void save(std::string_view file) const { cca::detail::config_backend<controller>::save(*this, file); }
-  std::string text() const { return cca::detail::parameters_text(*this, "trot.toml"); }
-
-  // Empty if it was accepted.
-  std::string refusal(std::string_view text) {
-    try {
-      cca::detail::load_parameters_from_text(*this, text, "trot.toml");
-    } catch (const cca::refused& refusal) {
-      return refusal.what();
-    }
-    return {};
-  }
-
-private:
   template <class Self, class F>
   static void each(Self& self, F& f) {
     f("cpg", self.cpg);
