@@ -306,6 +306,14 @@ static_assert(tells<lossless_queue, lossless_queue_mended>({"wire.bad_option", "
     "the wire `a.y` -> `b.x` has a queue that does `latest` when it is full: say what is lost, cca::drop_oldest or "
     "cca::drop_newest, or cca::reject"}));
 
+template <class Policy>
+struct with_policy : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", Policy>> {};
+static_assert(tells<with_policy<cca::delayed<0>>, with_policy<cca::delayed<1>>>({"wire.bad_option", "a.y -> b.x",
+    "the wire `a.y` -> `b.x` has a delay of 0, but that is at least 1: say so, or write cca::latest instead"}));
+static_assert(tells<with_policy<cca::queue<0, cca::drop_oldest>>, with_policy<cca::queue<1, cca::drop_oldest>>>({"wire.bad_option", "a.y -> b.x",
+    "the wire `a.y` -> `b.x` has a queue of 0, but that is at least 1: say so, or write cca::latest instead"}));
+static_assert(cca::diagnosis<with_policy<cca::delayed<-1>>>.rule == "wire.bad_option");
+
 struct hears_nothing : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"c.*">> {};
 struct hears_nothing_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"a.*">> {};
 static_assert(tells<hears_nothing, hears_nothing_mended>({"wire.unknown_port", "c.*",

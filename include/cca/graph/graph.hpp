@@ -37,18 +37,14 @@ struct latest {};  // the newest sample published so far, this beat included
 
 // A sample published in beat j arrives when beat j + Beats begins.
 template <int Beats>
-struct delayed {
-  static_assert(Beats >= 1, "cca::delayed<N>: N is a number of beats, at least one; without a delay it is `cca::latest`");
-};
+struct delayed {};
 
 struct drop_oldest {};  // on a full queue the oldest waiting sample makes place
 struct drop_newest {};  // on a full queue the arriving sample is lost
 struct reject {};       // a full queue is a mistake: refused if the clocks prove it, else a fault
 
 template <int Capacity, class Full>
-struct queue {
-  static_assert(Capacity >= 1, "cca::queue<C, F>: C is a number of samples, at least one");
-};
+struct queue {};
 
 // What the input holds until a first sample has come: a number for each coordinate, or one for all.
 template <auto... Coordinates>

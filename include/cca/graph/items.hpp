@@ -66,8 +66,8 @@ inline constexpr std::array<double, sizeof...(Coordinates) + 1> initial_values{s
 template <class Full>
 struct full_queue {};
 
-constexpr void set_policy(item_info& item, policy_kind policy, int number = 0) {
-  item.repeats_option |= item.policy != policy_kind::unstated;
+constexpr void set_policy(item_info& item, policy_kind policy, int number = 1) {
+  item.repeats_option |= item.policy != policy_kind::unstated || number < 1;
   item.policy = policy;
   item.number = number;
 }

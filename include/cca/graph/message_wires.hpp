@@ -149,7 +149,10 @@ constexpr void tell_bad_option(telling& t) {
   t.at_wire();
   t.say() << "the wire ";
   t.wire();
-  if (t.item().full == full_kind::unknown)
+  if (t.item().number < 1 && t.item().policy != policy_kind::unstated)
+    t.say() << (t.item().policy == policy_kind::delayed ? " has a delay of " : " has a queue of ") << t.item().number
+            << ", but that is at least 1: say so, or write cca::latest instead";
+  else if (t.item().full == full_kind::unknown)
     t.say() << " has a queue that does `" << t.item().stranger
             << "` when it is full: say what is lost, cca::drop_oldest or cca::drop_newest, or cca::reject";
   else if (t.item().stranger.empty())
