@@ -27,6 +27,7 @@ struct inactive {};     // never
 template <std::int64_t N>
 struct timeout {
   static_assert(N > 0, "cca::timeout<N>: N is a number of beats, at least one");
+  static constexpr std::int64_t beats = N;
 };
 
 // If any of the named inputs is fresh.
@@ -79,7 +80,7 @@ template <> inline constexpr strategy_info strategy_of<inactive>{strategy_kind::
 template <std::int64_t N, std::int64_t Phase>
 inline constexpr strategy_info strategy_of<timed<N, Phase>>{strategy_kind::timed, N, Phase};
 template <std::int64_t N>
-inline constexpr strategy_info strategy_of<timeout<N>>{strategy_kind::timeout, N};
+inline constexpr strategy_info strategy_of<timeout<N>>{strategy_kind::timeout, timeout<N>::beats};
 template <fixed_string... Inputs>
 inline constexpr strategy_info strategy_of<port_triggered<Inputs...>>{
     strategy_kind::port_triggered, 0, 0, names_of<Inputs...>.data(), nullptr, sizeof...(Inputs)};
