@@ -68,12 +68,16 @@ struct gait_network {
     return {x.template head<4>().eval(), x.template segment<4>(4).eval(), status_of(status.update(rate.norm(), p.settling))};
   }
 
-  // Starts again, in the gait.
-  void on_start() { begun = false; }
+  // Starts again, from amplitude 0, in the gait.
+  void on_start() {
+    begun = false;
+    status = {};
+  }
 
 private:
   void start(ode::state& x, cca::gait which) {
     const auto phases = gait_phases(which);
+    x.setZero();
     for (int i = 0; i < 4; ++i) x[i] = phases[static_cast<std::size_t>(i)];
     begun = true;
     current = which;

@@ -68,7 +68,10 @@ struct hmm_motion {
   const weights& states() const { return now; }
 
   // Begins anew.
-  void on_start() { begun = false; }
+  void on_start() {
+    begun = false;
+    now.setConstant(1.0 / K);
+  }
 
 private:
   weights now = weights::Constant(1.0 / K);

@@ -125,6 +125,7 @@ TEST_CASE("activations sum to one, and each is largest at its centre") {
     CHECK(top == i);
   }
   CHECK(cca::discrete_activations<200>(0, 5).allFinite());
+  CHECK(cca::discrete_activations<N>(1e3, 5) == cca::activations<N>(cca::activations<N>::Zero()));  // far from all centres
 }
 
 template <int Count>
@@ -259,6 +260,16 @@ TEST_CASE("the limit cycle attracts as the closed form says, and at amplitude 0 
     status = s[cca::ode_axis{}];
   }
   CHECK(status == cca::status_of(cca::ode_status::converged));
+}
+
+TEST_CASE("a duration or a frequency that is none is taken for the least that there is") {
+  reach one, least;
+  CHECK(std::get<0>(one.process(given<goal>({1, 0}), {}, wired<duration>(number(0.0)), {}, at(0))).vector() ==
+        std::get<0>(least.process(given<goal>({1, 0}), {}, wired<duration>(number(1e-3)), {}, at(0))).vector());
+  swing turning, slow;
+  for (int k = 0; k < 100; ++k)
+    CHECK(std::get<0>(turning.process(given<phase>(number(0.1)), given<amplitude>(number(1.0)), wired<frequency>(number(-1.0)), given<goal>({k < 3 ? 1.0 : 0.0, 0}), {}, at(k))).vector() ==
+          std::get<0>(slow.process(given<phase>(number(0.1)), given<amplitude>(number(1.0)), wired<frequency>(number(0.01)), given<goal>({k < 3 ? 1.0 : 0.0, 0}), {}, at(k))).vector());
 }
 
 TEST_CASE("movement primitives do not allocate") {

@@ -100,6 +100,32 @@ TEST_CASE("two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t), and amplitu
     }
 }
 
+TEST_CASE("coupling acts through the amplitudes") {
+  using ode = pair_case::ode;
+  ode::state x;
+  x << 0.3, 0.3 + 0.7 + 2, 0.5, 0.5, 0, 0;
+  ode::input u;
+  u << 1.1, 1.1, 0.5, 0.5;
+  const auto end = laws::after<pair_case, cca::rk4>(x, u, 0.7, 1000);
+  CHECK(end[1] - end[0] - 0.7 == doctest::Approx(2 * std::atan(std::tan(1.0) * std::exp(-1.5 * 0.7))).epsilon(1e-8));  // half as fast as at 1
+}
+
+TEST_CASE("frequencies of its own for each leg; without coupling each runs by itself; amplitudes come as fast as is asked") {
+  network net;
+  net.p.coupling = 0, net.p.convergence = 10;
+  const Eigen::Vector4d hertz(0.5, 1, 1.5, 2);
+  for (int k = 0; k < 300; ++k) {
+    const auto [phase, size, state] = net.process(given<amplitude>(Eigen::Vector4d(0.1, 0.2, 0.3, 0.4)), wired<frequency>(hertz), {}, at(k));
+    const double t = 1e-3 * (k + 1), come = 1 - (1 + 5 * t) * std::exp(-5 * t);
+    for (int i = 0; i < 4; ++i) {
+      CHECK(std::abs(cca::wrap_signed(phase.vector()[i] - 2 * cca::pi * hertz[i] * t - cca::gait_phases(cca::gait::trot)[static_cast<std::size_t>(i)])) < 1e-9);
+      CHECK(size.vector()[i] == doctest::Approx(0.1 * (i + 1) * come).epsilon(1e-8));
+    }
+  }
+  const auto unknown = cca::gait_phases(static_cast<cca::gait>(9));
+  CHECK(unknown == cca::gait_phases(cca::gait::walk));
+}
+
 TEST_CASE("a small disturbance of four decays as exp(-4 w t)") {
   using ode = network_case::ode;
   ode::state x = ode::state::Zero();

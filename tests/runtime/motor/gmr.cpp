@@ -100,6 +100,16 @@ TEST_CASE("one Gaussian is linear regression; far from all Gaussians the nearest
   CHECK(far[hip{}] == doctest::Approx(7));
 }
 
+TEST_CASE("a covariance that is none over the output gives no spread, not NaN") {
+  motion m;
+  m.p.mixture.priors << 1, 0, 0;
+  m.p.mixture.covariances[0] << 1, 2, 0, 2, 1, 0, 0, 0, 0.25;  // of the hip what is left is 1 - 2 * 2
+  CHECK_NOTHROW(cca::check_parameters(m.p));
+  const auto spread = std::get<1>(m.process(given<cca::in<"input", timeline>>(number(0.3)))).vector();
+  CHECK(spread[0] == 0);
+  CHECK(spread[1] == doctest::Approx(0.5));
+}
+
 TEST_CASE("over a phase the Gaussians lie on the circle") {
   laws::ode_source random{std::mt19937_64{2}};
   rhythm r;
@@ -172,6 +182,10 @@ TEST_CASE("models that are none are refused; a lost position is survived; nothin
   hidden h;
   auto worse = h.p;
   worse.transitions(0, 0) = 0.5;
+  CHECK_THROWS_AS(cca::check_parameters(worse), cca::refused);
+  worse.transitions.row(0) << 1.5, 0, 0;
+  CHECK_THROWS_AS(cca::check_parameters(worse), cca::refused);
+  worse.transitions.row(0) << 1.5, -0.5, 0;
   CHECK_THROWS_AS(cca::check_parameters(worse), cca::refused);
   laws::ode_source random{std::mt19937_64{5}};
   m.p.mixture = random_model<motion::model, 3>(random);

@@ -94,6 +94,10 @@ TEST_CASE("a negative amplitude brings the oscillator to rest, a positive one wa
   const auto [radius_at_rest, status] = run(-1, 1500);
   CHECK(radius_at_rest == cpg.p.ember);
   CHECK(status == cca::status_of(cca::ode_status::converged));
+  const auto phase_now = [&](oscillator copy) { return std::get<0>(copy.process(given<amplitude>(one<leg>(-1).head<1>()), {}, at(0)))[stride{}]; };
+  const double before = phase_now(cpg);
+  (void)run(-1, 1);
+  CHECK(cca::wrap_signed(phase_now(cpg) - before) == doctest::Approx(2 * cca::pi * 1e-3).epsilon(1e-6));  // at rest it still has a phase
   // Closed form: from the ember e it has reached half the amplitude after ln((1/e^2 - 1) / 3) / (2 c) = 0.64 s.
   const double half = std::log((1 / (1e-3 * 1e-3) - 1) / 3) / 20;
   CHECK(run(1, static_cast<int>(half * 1000)).first == doctest::Approx(0.5).epsilon(0.01));

@@ -123,6 +123,16 @@ TEST_CASE("back-calculation: after a long saturation the command leaves the limi
   CHECK(u_of(pid, -3, 0) < 2);
 }
 
+TEST_CASE("a tracking time that is shorter than a beat is taken for a beat") {
+  limited one, other;
+  one.p.proportional[0] = other.p.proportional[0] = 1, one.p.integral[0] = other.p.integral[0] = 10;
+  one.p.tracking = 1e-3, other.p.tracking = 1e-5;
+  for (int k = 0; k < 500; ++k) {
+    const double reference = k < 300 ? 3 : -0.2;
+    CHECK(u_of(one, reference, 0) == doctest::Approx(u_of(other, reference, 0)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("from manual to automatic without a bump, and the way back follows the hand") {
   limited pid;
   pid.p.proportional[0] = 3, pid.p.integral[0] = 2, pid.p.derivative[0] = 0.1;
@@ -131,6 +141,8 @@ TEST_CASE("from manual to automatic without a bump, and the way back follows the
   CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) == doctest::Approx(0.7).epsilon(1e-12));  // error 0.8: without, it would leap to 2
   CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) == doctest::Approx(0.7 + 1e-3 * 2 * 0.8).epsilon(1e-9));
   CHECK(u_of(pid, 1, 0.2, 9.0, 0.0) == 2);  // also the hand's is limited
+  CHECK(u_of(pid, 1, 0.2, std::nan(""), 0.0) == 2);  // and not taken where it is no number
+  CHECK(std::isfinite(u_of(pid, 1, 0.2, 0.0, 1.0)));
 }
 
 TEST_CASE("gains that are set while it runs make no bump") {

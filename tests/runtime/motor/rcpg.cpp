@@ -58,6 +58,30 @@ TEST_CASE("the spectral radius is the one that is asked for, and the seed decide
   CHECK((matrix(one).array() != 0).rowwise().count().maxCoeff() <= 10);
 }
 
+TEST_CASE("a unit alone leaks to its bias; a teacher is heard through the feedback, each sample once; a load begins anew") {
+  generator g;
+  g.p.spectral_radius = 0, g.p.feedback = 0, g.p.bias = 3, g.p.leak = 0.25;
+  g.on_load();
+  Eigen::Matrix<double, N, 1> last;
+  for (int k = 0; k < 200; ++k) (void)taught(g, k);
+  last = g.activity().head<N>();
+  CHECK(last.cwiseAbs().maxCoeff() < 1);  // tanh
+  CHECK(last.cwiseAbs().maxCoeff() > 0.9);
+  g.on_load();
+  CHECK(g.activity().head<N>().norm() == 0);
+  for (int k = 0; k < 20; ++k) {
+    (void)taught(g, k);  // not heard: the feedback is 0
+    CHECK((g.activity().head<N>() - (1 - std::pow(0.75, k + 1)) * last).norm() < 1e-9);
+  }
+  generator a = trained(), b = a;
+  for (int k = 0; k < 10; ++k) (void)a.process(wired<teacher>(pattern(k))), (void)b.process(wired<teacher>(pattern(k)));
+  for (int k = 0; k < 10; ++k) CHECK(a.process(wired<teacher>(Eigen::Vector2d(9, 9), false)).vector() == b.process(teacher{}).vector());
+  generator used = a, fresh;
+  fresh.p = a.p;
+  used.on_load(), fresh.on_load();
+  for (int k = 0; k < 10; ++k) CHECK(free_run(used) == free_run(fresh));
+}
+
 TEST_CASE("echo states: two networks in different states become one under the same input") {
   generator a, b;
   a.on_load(), b.on_load();
