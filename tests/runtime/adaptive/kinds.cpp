@@ -142,6 +142,37 @@ TEST_CASE("a grasp is firm, still, and around something") {
   CHECK(feel(0.01, 0.6, 20) == lost);  // closed on nothing
   CHECK(feel(0.3, 0.0, 1) == open);
   CHECK(feel(std::numeric_limits<double>::quiet_NaN(), 0.6, 20) == lost);
+  CHECK(feel(0.3, 0.6, 5) == open);
+  CHECK(feel(0.01, 0.6, 9) == open);   // not for long enough to be lost
+  CHECK(feel(0.3, 0.6, 1) == open);    // it moved
+  CHECK(feel(0.3, 0.6, 9) == open);
+  CHECK(feel(0.3, 0.1, 1) == open);    // and held for 9 ms: then slack
+  CHECK(feel(0.3, 0.6, 9) == open);
+  CHECK(feel(0.3, 0.6, 1) == fulfilled);
+  for (int again = 0; again < 2; ++again) {  // a start begins anew, however far it had come
+    c.on_start();
+    CHECK(feel(0.3, 0.6, 10) == open);  // of the first one is not known whether it moves
+    CHECK(feel(0.3, 0.6, 1) == fulfilled);
+    c.on_start();
+    CHECK(feel(0.3, 0.6, 9) == open);
+  }
+  CHECK(feel(0.01, 0.0, 9) == open);
+  c.on_start();
+  CHECK(feel(0.01, 0.0, 9) == open);
+  c.on_start();
+  const cca::beat now(k, 1'000'000, 1);
+  using target = cca::in<"target", aperture>;
+  using feedback = cca::in<"feedback", aperture>;
+  using effort = cca::in<"effort", grip>;
+  const target t(one(0.1), k, true);
+  const feedback f(one(0.4), k, true);
+  const effort e(one(0.6), k, true);
+  CHECK_EQ(std::get<0>(c.process(t, f, e, now)).vector()[0], doctest::Approx(0.3));
+  CHECK_EQ(std::get<0>(c.process(target(), f, e, now)).vector()[0], 0);  // something is missing
+  CHECK_EQ(std::get<0>(c.process(t, feedback(), e, now)).vector()[0], 0);
+  CHECK_EQ(std::get<0>(c.process(t, f, effort(), now)).vector()[0], 0);
+  c.p.slack = 0.6;
+  CHECK_THROWS_AS(cca::check_parameters(c.p), cca::refused);
 }
 
 namespace {
