@@ -1,5 +1,5 @@
 #pragma once
-// The Oncilla on eight Damiao DM6006, which speak the MIT protocol: which drive moves which joint, on which bus, mounted how.
+// The Oncilla on eight Damiao DM8006, which speak the MIT protocol: which drive moves which joint, on which bus, mounted how.
 // Their watchdog is a fault that they keep: a set-point that was stuck somewhere moves nothing when it comes at last.
 //
 // They answer under an id behind those of the set-points: where frames are tried once, an answer that goes before a set-point
@@ -30,14 +30,14 @@ inline constexpr hw::joint_servo knee_servo{.stiffness = sim::oncilla_defaults.c
 inline constexpr hw::mounting left_hip{.sign = -1, .offset = 0.1}, right_hip{.offset = -0.1}, knee{.offset = 1.0};
 
 // [joints]
-struct dm6006 {  // the ranges as they are set in the drives' own registers
-  static constexpr std::string_view name = "DM6006";
+struct dm8006 {  // the ranges as they are set in the drives' own registers
+  static constexpr std::string_view name = "DM8006";
   static constexpr auto limits = cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
                                              cca::stiffness{0, 500}, cca::damping{0, 5}};
 };
 constexpr std::uint32_t answers = 0x10;  // their master id: behind all set-points
 template <class Axis, std::uint32_t Number, hw::mounting Mounting, hw::joint_servo Servo, std::size_t Bus>
-using leg_joint = hw::joint<Axis, hw::mit_drive<dm6006, Number, answers, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
+using leg_joint = hw::joint<Axis, hw::mit_drive<dm8006, Number, answers, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
 
 struct left_front_hip : leg_joint<sim::left_front_hip, 1, left_hip, hip_servo, 0> {};
 struct right_front_hip : leg_joint<sim::right_front_hip, 2, right_hip, hip_servo, 1> {};

@@ -150,6 +150,51 @@ TEST_SUITE("virtual drives") {
     CHECK(gives_way(v.law(2'501'000'000)));
   }
 
+  TEST_CASE("moteus: in time-out mode 10 it slows down to a stand and holds there, until it is stopped") {
+    const auto go = hip::set_point({.position = 1, .velocity = 2, .stiffness = 40, .damping = 1}).frames[0];
+    constexpr std::int64_t timeout = 20'000'000;
+    virtual_moteus<hip, moteus_timeout::hold, 10.0> v;
+    v.hear(go, 0);
+    CHECK(v.law(timeout).stiffness == doctest::Approx(40));  // while its time lasts, as it was told
+    CHECK(v.law(timeout).position == doctest::Approx(1.04));
+    const drive_command slowing = v.law(timeout + 100'000'000);
+    CHECK(slowing.position == doctest::Approx(1.04 + 2 * 0.1 - 0.5 * 10 * 0.1 * 0.1));
+    CHECK(slowing.velocity == doctest::Approx(1));
+    CHECK(slowing.stiffness == 80);  // all of the drive's own, whatever part the command had
+    CHECK(slowing.damping == 2);
+    const drive_command still = v.law(timeout + 5'000'000'000);
+    CHECK(still.position == doctest::Approx(1.04 + 0.5 * 2 * 2 / 10));
+    CHECK(still.velocity == 0);
+    CHECK(still.torque == 0);
+    CHECK_FALSE(v.enabled());
+    v.hear(go, timeout + 6'000'000'000);  // too late: it stays where it is
+    CHECK(laws::virtual_drives::same(v.law(timeout + 6'000'000'000), still));
+    v.hear(hip::disable()[0], timeout + 7'000'000'000);
+    CHECK(gives_way(v.law(timeout + 7'000'000'000)));
+
+    virtual_moteus<hip, moteus_timeout::hold> at_once;
+    at_once.hear(go, 0);
+    CHECK(at_once.law(timeout + 1'000'000).position == doctest::Approx(1.04));
+    CHECK(at_once.law(timeout + 1'000'000).velocity == 0);
+    CHECK(at_once.law(timeout + 900'000'000).position == doctest::Approx(1.04));
+    virtual_moteus<hip, moteus_timeout::hold, 10.0> backwards;
+    backwards.hear(hip::set_point({.position = 1, .velocity = -2, .stiffness = 40}).frames[0], 0);
+    CHECK(backwards.law(timeout + 5'000'000'000).position == doctest::Approx(0.96 - 0.2));
+  }
+
+  TEST_CASE("odrive: what is asked of its state feeds the watchdog of 0.6 as a set-point does") {
+    using D = odrive<1, odrive_mode::position>;
+    bench<by_position::drive> b;
+    REQUIRE(b.enable());
+    b.beats(40, b.go());
+    b.beats(40);
+    b.beat({D::axis_state(8)});
+    b.beats(40);
+    CHECK(b.v.enabled());
+    b.beats(20);
+    CHECK_FALSE(b.v.enabled());
+  }
+
   TEST_CASE("cia402: by NMT and SYNC alone, a quick stop comes to a stand and is then off") {
     using V = virtual_cia402<knee, 20'000'000, cia402_lost::quick_stop>;
     V v;

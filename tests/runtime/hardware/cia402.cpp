@@ -165,6 +165,7 @@ TEST_CASE("cia402: emergencies and heartbeats") {
   CHECK(emergency(0x7305) == drive_fault::position_sensor);
   CHECK(emergency(0x8130) == drive_fault::communication);
   CHECK(emergency(0x8611) == drive_fault::limit);
+  CHECK(emergency(0x8A81) == drive_fault::limit);
   CHECK(r.activity == drive_activity::faulted);
   CHECK(emergency(0x0000) == drive_fault::none);
   REQUIRE(position::decode(position::reply(0x0237, 0, 0), r));

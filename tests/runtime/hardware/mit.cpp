@@ -147,7 +147,7 @@ TEST_CASE("mit: faults of AK and Damiao") {
   drive_report r;
   const drive_fault known[] = {drive_fault::none,         drive_fault::over_temperature, drive_fault::over_current,
                                drive_fault::over_voltage, drive_fault::under_voltage,    drive_fault::position_sensor,
-                               drive_fault::phases};
+                               drive_fault::over_temperature};
   for (std::uint32_t code = 0; code < 256; ++code) {
     REQUIRE(ak::decode(ak::reply(0, 0, 0, 40, code), r));
     CHECK(r.fault == (code < 7 ? known[code] : drive_fault::other));

@@ -99,6 +99,8 @@ TEST_CASE("odrive: states and faults of 0.6 and 0.5") {
   CHECK(fault(position{}, 0x80000000) == drive_fault::other);
   CHECK(fault(old{}, 0x800) == drive_fault::watchdog);
   CHECK(fault(old{}, 0x100) == drive_fault::position_sensor);
+  CHECK(fault(old{}, 0x80000) == drive_fault::position_sensor);
+  CHECK(fault(old{}, 0x40000) == drive_fault::over_temperature);
   CHECK(fault(old{}, 0x40) == drive_fault::power_stage);
   can_frame f = old::heartbeat(8);
   f.data[6] = 1;  // the encoder's flag, of 0.5 alone

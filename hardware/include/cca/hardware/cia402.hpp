@@ -15,7 +15,9 @@
 // enabling: by what the status word says, to operation enabled, from the measured position, without torque; a fault is reset by a
 //   rising edge, eight times at most.
 // Watchdog: the drive's own, of heartbeat (1016h) or SYNC; set it: without it goes on with its last target.
-// Source: CiA 402-2 as in IEC 61800-7-201; state masks as in drive manuals (see docs/drives.md).
+// Source: CiA 402-2 as in IEC 61800-7-201; state masks as in drive manuals (see docs/drives.md); classes of emergencies: CiA 301,
+// and 82xxh, 86xxh, 8Axxh (switches and ends of the range) as in maxon's EPOS4. The standards themselves are not public: what no
+// drive's manual says of them is not verified.
 #pragma once
 
 #include <array>
@@ -254,6 +256,7 @@ private:
       case 0x8400:
       case 0x8500:
       case 0x8600:
+      case 0x8A00:
         return drive_fault::limit;
       default:
         break;

@@ -13,7 +13,12 @@
 // setting of the
 //   firmware, CAN_TIMEOUT, in cycles of its loop, and off by default: then it goes on with the last command for ever. Set it.
 // Ranges: AK10-9, 60-6, 70-10, 80-6, 80-9, 80-64 by the manual. AK80 with firmware 1.1 has +-22.5 rad/s: state your own.
-// Cost: some dozen instructions a frame. Source: mit_frame.hpp; neurobionics/TMotorCANControl (error byte). docs/drives.md.
+// Cost: some dozen instructions a frame. Source: mit_frame.hpp; CubeMars AK series actuator driver manual 1.0.8, pp. 48 to 50, for
+// frames and ranges (AK60-6: 45 rad/s there, 50 in neurobionics/TMotorCANControl); the error byte by drivers that cite the later
+// manual, 5.2.1 (6 is the power stage's temperature there, unbalanced phases in TMotorCANControl; 7 a stall: `other`); Damiao:
+// DM-J4310 manual 1.0 and DM-S3519 manual 1.1 as drivers cite them. Not verified: under which id an AK answers (the manual has
+// `0x00 + drive ID`; 0 and the drive's own are both read from it: look first, and state `Master`), and the ranges of the AK's
+// third generation (a driver cites manual 3.0.0 with 12.56 rad, and 28 rad/s and 54 N m of the AK10-9). docs/drives.md.
 #pragma once
 
 #include <array>
@@ -40,7 +45,7 @@ struct ak10_9 {
 };
 struct ak60_6 {
   static constexpr std::string_view name = "AK60-6";
-  static constexpr auto limits = detail::mit_ranges(50, 15);
+  static constexpr auto limits = detail::mit_ranges(45, 15);
 };
 struct ak70_10 {
   static constexpr std::string_view name = "AK70-10";
@@ -186,7 +191,7 @@ private:
     } else {
       constexpr drive_fault faults[] = {drive_fault::none,         drive_fault::over_temperature, drive_fault::over_current,
                                         drive_fault::over_voltage, drive_fault::under_voltage,    drive_fault::position_sensor,
-                                        drive_fault::phases};
+                                        drive_fault::over_temperature};
       return code < std::size(faults) ? faults[code] : drive_fault::other;
     }
   }

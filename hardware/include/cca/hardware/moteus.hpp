@@ -12,7 +12,7 @@
 // decode: a number that the drive has not got is NaN. Mode 11, no command in time, is a fault, and holds until disable().
 //   Fault numbers from 96 on are limits that it keeps, not faults: they are in `code`.
 // enabling: stop, which clears faults; then stay() until it says that it holds.
-// Watchdog: in each command, `timeout`; then it does servo.timeout_mode (stop, brake or zero velocity) until disable().
+// Watchdog: in each command, `timeout`; then it does servo.timeout_mode (stop, hold, zero velocity or brake) until disable().
 // Source: moteus_registers.hpp. docs/drives.md.
 #pragma once
 
@@ -53,7 +53,7 @@ struct moteus {
       {{.shape = {.length = 48, .extended = true, .fd = true, .fast = true}},
        {.shape = {.length = 24, .extended = reply_number > 0x7FF, .fd = true, .fast = true}}}};
   static constexpr drive_watchdog watchdog{static_cast<std::int64_t>(Motor::timeout * 1e9),
-                                           "timeout mode: stops, brakes or damps by servo.timeout_mode, until stopped"};
+                                           "timeout mode: stops, holds, damps or brakes by servo.timeout_mode, until stopped"};
 
   // `most_torque`: what the drive may use while it follows this command, in N m.
   static constexpr set_point_frames set_point(const drive_command& c, double most_torque = Motor::torque) noexcept {

@@ -11,10 +11,13 @@
 // NaN.
 //   That a heartbeat has no error does not mean that it drives: `activity` is `enabled` in closed loop only.
 // enabling: clears errors, sets the mode, waits for a measured position, asks for just that, and for closed loop.
-// Watchdog: a setting (axis.config.enable_watchdog, watchdog_timeout), off by default; set-points feed it, nothing else; when it
-//   has run out the axis goes idle, with an error.
+// Watchdog: a setting (axis.config.enable_watchdog, watchdog_timeout), off by default; set-points and a request for a state feed
+//   it (0.5: each frame to its node); when it has run out the axis goes idle, with an error.
 // Requests by remote frames are not used, since many adapters don't pass them: let it send cyclically (config.can.*_rate_ms).
-// Source: odriverobotics/ODrive, docs/can-protocol.rst; odriverobotics/ros_odrive, odrive_base. docs/drives.md.
+// Source: 0.6: odriverobotics/ros_odrive, odrive_base/include/can_simple_messages.hpp (made from the maker's own database), the
+// error and state numbers of odriverobotics/ODriveArduino, src/ODriveEnums.h, and of odrive-cansimple 0.6.10; what feeds the
+// watchdog: odriverobotics/ODriveResources, examples/can_simple.py. 0.5: odriverobotics/ODrive, docs/can-protocol.rst, and the
+// errors of odrive-cansimple 0.5.6. Not verified: whether 0.6 takes frames longer than its own (none is sent). docs/drives.md.
 #pragma once
 
 #include <array>
@@ -63,8 +66,9 @@ inline constexpr fault_bit odrive_0_6_faults[] = {
     {0x40000010, drive_fault::configuration},   {0x08000020, drive_fault::power_stage}};
 inline constexpr fault_bit odrive_0_5_faults[] = {
     {0x4000, drive_fault::emergency_stop}, {0x800, drive_fault::watchdog},    {0x18000, drive_fault::over_current},
-    {0x4, drive_fault::over_voltage},      {0x2, drive_fault::under_voltage}, {0x180, drive_fault::position_sensor},
-    {0x3000, drive_fault::limit},          {0x1, drive_fault::configuration}, {0x70, drive_fault::power_stage}};
+    {0x4, drive_fault::over_voltage},      {0x2, drive_fault::under_voltage}, {0x80180, drive_fault::position_sensor},
+    {0x3000, drive_fault::limit},          {0x1, drive_fault::configuration}, {0x70, drive_fault::power_stage},
+    {0x40000, drive_fault::over_temperature}};
 
 }  // namespace detail
 
@@ -193,7 +197,7 @@ struct odrive {
     return f;
   }
   static constexpr can_frame estop() noexcept { return empty(odrive_command::estop, 0); }
-  static constexpr can_frame clear_errors() noexcept { return empty(odrive_command::clear_errors, is_0_6 ? 8 : 0); }
+  static constexpr can_frame clear_errors() noexcept { return empty(odrive_command::clear_errors, is_0_6 ? 1 : 0); }
   static constexpr can_frame controller_mode() noexcept {
     can_frame f = empty(odrive_command::set_controller_mode, 8);
     detail::put(f.data, 0, static_cast<std::uint32_t>(Mode));

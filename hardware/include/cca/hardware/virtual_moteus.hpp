@@ -5,13 +5,21 @@
 // It answers each frame that it understands. Stopped, as after a reboot, it does not wait to be enabled: a set-point is enough.
 // Position mode follows the command, whose position goes on with its velocity; NaN as position: it stays where it stands. The
 // command holds for its own timeout (0: that of the drive's type; NaN: for ever); then comes mode 11, which does what Then says:
-// it stops, damps, or shorts its windings, which is here damped as strongly. From there, and from a fault, it does nothing but
-// stop, which clears both. NaN or infinity elsewhere: not documented, here the command is not taken. Not modelled: the modes on
-// the way to position mode, limits of torque, acceleration and velocity. Source: mjbots/moteus, docs/protocol/registers.md,
-// docs/reference/configuration.md, docs/troubleshooting/timeout-mode-11.md.
+//   stop           nothing
+//   hold           its target slows down from the command's speed to a stand by Slowing, in rad/s^2 (servo.default_accel_limit;
+//                  infinity, as delivered, where none is set: at once), and stays there, with all of kp and kd. It does not give
+//                  way: a joint that is held so goes on holding, up to the drive's limit of current
+//   zero_velocity  damps
+//   brake          shorts its windings, which is here damped as strongly
+// From there, and from a fault, it does nothing but stop, which clears both. NaN or infinity elsewhere: not documented, here the
+// command is not taken. Not modelled: the modes on the way to position mode, limits of torque (servo.timeout_max_torque_Nm among
+// them) and velocity. Source: mjbots/moteus, docs/protocol/registers.md, docs/reference/configuration.md (servo.timeout_mode),
+// docs/troubleshooting/timeout-mode-11.md; for what a target is when the timeout comes: fw/bldc_servo_control.h and
+// bldc_servo_position.h.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -20,9 +28,9 @@
 
 namespace cca::hardware {
 
-enum class moteus_timeout : std::uint8_t { stop = 0, zero_velocity = 12, brake = 15 };
+enum class moteus_timeout : std::uint8_t { stop = 0, hold = 10, zero_velocity = 12, brake = 15 };
 
-template <class Drive, moteus_timeout Then = moteus_timeout::zero_velocity>
+template <class Drive, moteus_timeout Then = moteus_timeout::zero_velocity, double Slowing = std::numeric_limits<double>::infinity()>
 class virtual_moteus : public virtual_troubles {
 public:
   using drive = Drive;
@@ -53,6 +61,7 @@ public:
       case braking:
         return {.damping = Drive::motor::damping};
       case timed_out:
+        if constexpr (Then == moteus_timeout::hold) return held(static_cast<double>(now - fed - holds) * 1e-9);
         return {.damping = Then == moteus_timeout::stop ? 0.0 : Drive::motor::damping};
       default:
         return {};
@@ -84,6 +93,15 @@ private:
   void look_at(std::int64_t now) {
     clock = now;
     if (mode == positioning && now - fed > holds) mode = timed_out;
+  }
+  // So long after the timeout.
+  drive_command held(double seconds) const {
+    const double v = command.velocity, until_still = std::fabs(v) / Slowing, t = std::min(seconds, until_still);
+    const double run = static_cast<double>(holds) * 1e-9;
+    drive_command c{.stiffness = Drive::motor::stiffness, .damping = Drive::motor::damping};
+    c.position = command.position + v * run + (t > 0 ? (v - std::copysign(0.5 * Slowing * t, v)) * t : 0);
+    c.velocity = t < until_still ? v - std::copysign(Slowing * t, v) : 0;
+    return c;
   }
   void take(const typename Drive::request& q) {
     drive_command c = q.command;

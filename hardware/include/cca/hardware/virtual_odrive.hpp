@@ -5,7 +5,7 @@
 // It speaks by itself: a heartbeat each Heartbeat, its estimates each period that the drive's type states. It moves in closed
 // loop alone, by the mode that it was set to: position (from where it stands, with Gains as its own), velocity, torque. Not fed
 // for Timeout it goes idle with the error of its watchdog; an error keeps it from closed loop until it is cleared, and then it
-// waits to be asked again. 0.6 is fed by set-points; 0.5 by each frame to its node, and its watchdog runs out in idle as well. A
+// waits to be asked again. 0.6 is fed by set-points and requests for a state; 0.5 by each frame to its node, and its watchdog runs out in idle as well. A
 // number that is none: it goes idle with an error (0.6 missing input, 0.5 controller failed); what the real one does is not
 // published. Not modelled: integrator, its own limits. A reboot forgets mode and inputs.
 // Source: odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp, Firmware/MotorControl/{axis,controller}.cpp (0.5);
@@ -35,7 +35,7 @@ public:
     if (!Drive::is_0_6) fed = now;
     if (f == Drive::estop()) error(Drive::is_0_6 ? 0x02000000 : 0x4000);
     if (f == Drive::clear_errors()) code = 0;
-    if (f.id == Drive::id(odrive_command::set_axis_state) && f.length >= 4) ask_for(detail::got<std::uint32_t>(f.payload(), 0));
+    if (f.id == Drive::id(odrive_command::set_axis_state) && f.length >= 4) fed = now, ask_for(detail::got<std::uint32_t>(f.payload(), 0));
     if (f.id == Drive::id(odrive_command::set_controller_mode) && f.length == 8)
       mode = static_cast<odrive_mode>(detail::got<std::uint32_t>(f.payload(), 0));
     drive_command c;
