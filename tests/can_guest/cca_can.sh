@@ -47,6 +47,21 @@ has "and disables" "disabled" "$(cat /tmp/enabled)"
 kill $player
 wait $player
 
+# By torque, and over FD.
+cca-can pretend vcan0 odrive:5 cia402-torque:4096/0.8:9 moteus:20/0.8:4 & player=$!
+sleep 0.3
+ends "others answer" 0 cca-can list vcan0 --ask moteus,cia402 --ids 1-9
+has "an ODrive by itself" "odrive:5  " "$said"
+has "a CANopen drive" "cia402:9  answers 589#4300100092010200" "$said"
+has "a moteus" "moteus:4  answers 400##1" "$said"
+for drive in odrive:5 cia402-torque:4096/0.8:9 moteus:20/0.8:4; do
+  ends "jog $drive" 0 cca-can jog vcan0 $drive --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1 --yes
+done
+ends "another mode" 1 cca-can enable vcan0 cia402:4096/0.8:9 --seconds 0.1 --yes
+has "is told" "configured for mode 10 (6061h), and its name says 8" "$said"
+kill $player
+wait $player
+
 # The same traffic by candump and by cca-can.
 candump -L vcan0 >/tmp/candump.log & dumper=$!
 cca-can record vcan0,fd --file /tmp/ours.log --frames 104 2>/dev/null & recorder=$!

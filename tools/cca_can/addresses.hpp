@@ -4,12 +4,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include <cca/hardware/cia402.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/moteus.hpp>
 #include <cca/hardware/odrive.hpp>
+
+#include "any_drive.hpp"
+#include "canopen_objects.hpp"
 
 namespace cca_can {
 
@@ -128,6 +133,10 @@ struct unit_cia402_motor {
 };
 using unit_cia402 = hw::cia402<unit_cia402_motor, 1, hw::cia402_mode::position>;
 
+using unit_cia402_torque = hw::cia402<unit_cia402_motor, 1, hw::cia402_mode::torque>;
+
+// Its mode is a setting of its own, and a set-point of one mode says something else in the other (position 0, torque 0): so it is
+// asked for (6061h); and by position for its greatest torque (6072h, thousandths of the rated one), which no frame limits.
 struct cia402_address {
   std::uint32_t number = 1;
   static constexpr const char* family = "CiA 402";
@@ -142,10 +151,48 @@ struct cia402_address {
     f.id.number = (f.id.number & ~0x7Fu) | 1;
     return true;
   }
-  bool is_answer(const hw::can_frame& f) const { return f.id == hw::standard(0x580 + number) && f.length == 8; }
-  hw::drive_frames ask() const {
-    return {hw::can_frame{.id = hw::standard(0x600 + number), .length = 8, .data = {0x40, 0x00, 0x10, 0x00}}};
+  // What is for all, and what is for it.
+  bool to_unit_request(hw::can_frame& f) const {
+    if (f == hw::canopen_sync()) return true;
+    if (f.id != hw::standard(0)) return to_unit(f);
+    if (f.data[1] == number) f.data[1] = 1;
+    else if (f.data[1] != 0) return false;
+    return true;
   }
+  bool is_answer(const hw::can_frame& f) const { return f.id == hw::standard(0x580 + number) && f.length == 8; }
+  hw::drive_frames ask() const { return {ask_for(number, canopen_object::device_type)}; }
+  template <class Drive>
+  hw::drive_frames ask_settings(const drive_settings& s) const {
+    if (!s.mode) return {ask_for(number, canopen_object::mode_of_operation)};
+    if (Drive::by_position && !s.most_torque) return {ask_for(number, canopen_object::most_torque)};
+    return {};
+  }
+  void hear_setting(const hw::can_frame& f, drive_settings& s) const {
+    if (const auto mode = told_of(f, number, canopen_object::mode_of_operation)) s.mode = mode;
+    if (const auto most = told_of(f, number, canopen_object::most_torque)) s.most_torque = most;
+  }
+  template <class Drive>
+  std::string wrong_setting(const drive_settings& s, double torque, double rated) const {
+    constexpr std::uint32_t wanted = Drive::by_position ? 8 : 10;
+    if (s.mode && *s.mode != wanted)
+      return "it is configured for mode " + std::to_string(*s.mode) + " (6061h), and its name says " + std::to_string(wanted) +
+             ": cia402 is cyclic position, 8, cia402-torque is cyclic torque, 10";
+    if (!Drive::by_position || torque == 0) return {};
+    if (const double most = s.most_torque.value_or(0) * rated / 1000; most > torque)
+      return "it goes by position, and may use " + std::to_string(most) + " N m (6072h): set that to at most " +
+             std::to_string(static_cast<int>(torque / rated * 1000)) + " thousandths of its rated torque first";
+    return {};
+  }
+  // Of one that is played.
+  template <class Drive>
+  std::optional<hw::can_frame> answer(const hw::can_frame& f) const {
+    if (f == ask_for(number, canopen_object::device_type)) return tell(number, canopen_object::device_type, 0x00020192, 4);
+    if (f == ask_for(number, canopen_object::mode_of_operation))
+      return tell(number, canopen_object::mode_of_operation, Drive::by_position ? 8 : 10, 1);
+    if (f == ask_for(number, canopen_object::most_torque)) return tell(number, canopen_object::most_torque, most_torque, 2);
+    return {};
+  }
+  std::uint16_t most_torque = 1000;
   hw::drive_frames ask_state() const { return {hw::canopen_start(static_cast<std::uint8_t>(number)), hw::canopen_sync()}; }
   template <class Drive>
   hw::set_point_frames set_point(const hw::drive_command& c, double) const {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <cca/hardware/drive.hpp>
@@ -27,14 +28,29 @@ struct drive_scale {
   }
 };
 
+// What a drive has told of how it is configured.
+struct drive_settings {
+  std::optional<std::uint32_t> mode{}, most_torque{};
+};
+
 class any_drive {
 public:
   std::string text;    // as it was named: "mit:ak80-9:3"
   std::string family;  // "MIT, AK firmware"
-  bool takes_gains = false, needs_fd = false, clocked = false;
+  std::uint8_t uses = 0;   // drive_quantity: what a set-point says
+  bool needs_fd = false, clocked = false;
   bool scaled = true;  // its ranges are known: not only its position
 
   virtual ~any_drive() = default;
+  bool takes_gains() const { return (uses & hw::of_stiffness) != 0; }
+  bool takes_torque_alone() const { return uses == hw::of_torque; }
+
+  // What it has to tell of its settings before it may be enabled: frames that ask for what is not yet known, until none are left;
+  // then whether they are what its name says, and keep to so much torque (0: none is asked for). Not so: why.
+  virtual hw::drive_frames ask_settings() const { return {}; }
+  virtual void hear_setting(const hw::can_frame&) {}
+  virtual std::string wrong_setting(double) const { return {}; }
+
   // What it answers to, and what can't move it. None: it tells by itself.
   virtual hw::drive_frames ask() const = 0;
   // The same for its position and state.
@@ -54,12 +70,25 @@ template <hw::Drive Drive, class Address>
 class drive_at : public any_drive {
 public:
   drive_at(Address a, drive_scale s) : address(a), scale(s) {
-    takes_gains = (Drive::uses & hw::of_stiffness) != 0;
+    uses = Drive::uses;
     family = Address::family;
     needs_fd = Address::needs_fd;
     clocked = Address::clocked;
   }
 
+  hw::drive_frames ask_settings() const override {
+    if constexpr (requires { address.template ask_settings<Drive>(settings); })
+      return address.template ask_settings<Drive>(settings);
+    else return {};
+  }
+  void hear_setting(const hw::can_frame& f) override {
+    if constexpr (requires { address.hear_setting(f, settings); }) address.hear_setting(f, settings);
+  }
+  std::string wrong_setting(double torque) const override {
+    if constexpr (requires { address.template wrong_setting<Drive>(settings, torque, 1.0); })
+      return address.template wrong_setting<Drive>(settings, torque, scale.torque);
+    else return {};
+  }
   hw::drive_frames ask() const override { return address.ask(); }
   hw::drive_frames ask_state() const override { return address.ask_state(); }
   bool decode(const hw::can_frame& f, hw::drive_report& r) const override {
@@ -109,6 +138,7 @@ private:
 
   Address address;
   drive_scale scale;
+  drive_settings settings{};
   typename Drive::enabling way{};
 };
 
@@ -133,12 +163,16 @@ public:
 
   bool hear(const hw::can_frame& f, std::int64_t now) override {
     hw::can_frame unit = f;
-    return address.to_unit(unit) && drive.hear(unit, now);
+    if constexpr (requires { address.template answer<typename Virtual::drive>(f); })
+      if (const auto said = address.template answer<typename Virtual::drive>(f)) return told = said, true;
+    if constexpr (requires { address.to_unit_request(unit); }) return address.to_unit_request(unit) && drive.hear(unit, now);
+    else return address.to_unit(unit) && drive.hear(unit, now);
   }
   hw::drive_frames advance(std::int64_t now) override {
     if (now > then && then >= 0) motor.advance(law(now), load, static_cast<double>(now - then) * 1e-9);
     then = now;
     hw::drive_frames all;
+    if (told) all.add(*told), told.reset();
     for (hw::can_frame f : drive.answer(
              {motor.now.position / scale.position, motor.now.velocity / scale.velocity, motor.now.torque / scale.torque})) {
       address.to_real(f);
@@ -154,6 +188,7 @@ private:
   Address address;
   drive_scale scale;
   Virtual drive{};
+  std::optional<hw::can_frame> told{};  // of its settings
   std::int64_t then = -1;
 };
 

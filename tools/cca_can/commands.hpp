@@ -161,9 +161,7 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
   if (command == "jog") {
     const jog_order o = detail::jog_in(w);
     const detail::bus_name b = detail::bus_in(w);
-    const auto drive = drive_in();
-    if (!drive->takes_gains)
-      throw usage_error("`" + drive->text + "`: no frame limits the torque of this family, so jog could not keep to --torque");
+    const auto drive = drive_named(w.needed_next("the drive, as mit:ak80-9:3,"), true, true);
     w.nothing_left();
     auto bus = bus_of(b, drive.get());
     return jog(bus, b.name, *drive, o, time, say);
@@ -211,9 +209,11 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     const double seconds = detail::seconds_in(w);
     const detail::bus_name b = detail::bus_in(w);
     std::vector<std::unique_ptr<any_virtual>> drives;
-    for (const std::string& each : detail::drive_texts(w)) drives.push_back(virtual_named(each));
+    bool fd = b.fd;
+    for (const std::string& each : detail::drive_texts(w))
+      drives.push_back(virtual_named(each)), fd = fd || each.starts_with("moteus");
     w.nothing_left();
-    auto bus = bus_of(b);
+    auto bus = open(b.name, fd);
     return pretend(bus, drives, seconds, time);
   }
   throw usage_error("`" + command + "` is no command; `cca-can help` says what there is");

@@ -6,9 +6,10 @@
 //                           than 500 and 5, stiffness and damping
 //   damiao:12.5/45/20:3     Damiao;     mit-original:12.5/45/18:3     the original firmware
 //   mit:ak80-9:3@16         ... that answers under the id 16 instead of 0
-//   odrive:3  odrive-0.5:3  ODrive, firmware 0.6 or 0.5
+//   odrive:3  odrive-0.5:3  ODrive, firmware 0.6 or 0.5; by position, to jog by torque
 //   moteus:80/2:3           moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad
-//   cia402:4096/0.8:5       CANopen, with counts a turn and rated torque in N m
+//   cia402:4096/0.8:5       CANopen, with counts a turn and rated torque in N m, by cyclic position
+//   cia402-torque:4096/0.8:5   by cyclic torque
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,10 @@
 #include <string>
 #include <vector>
 
+#include <cca/hardware/virtual_cia402.hpp>
 #include <cca/hardware/virtual_mit.hpp>
+#include <cca/hardware/virtual_moteus.hpp>
+#include <cca/hardware/virtual_odrive.hpp>
 
 #include "addresses.hpp"
 #include "any_drive.hpp"
@@ -29,7 +33,7 @@ namespace detail {
 
 inline constexpr const char* families =
     "mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
-    "cia402:COUNTS/TORQUE:NUMBER";
+    "cia402:COUNTS/TORQUE:NUMBER, cia402-torque:COUNTS/TORQUE:NUMBER";
 
 template <class Ranges>
 drive_scale scale_of() {
@@ -101,7 +105,7 @@ inline drive_scale mit_scale(const std::string& text, const std::string& ranges,
 
 // Calls f(type of drive, address, scale), with f.template operator()<Drive>(address, scale).
 template <class F>
-auto with_drive(const std::string& text, bool ranges_needed, F&& f) {
+auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&& f) {
   const drive_parts p = parts_of(text);
   const auto ranges = [&](const char* what) {
     if (p.ranges.empty() && ranges_needed)
@@ -125,29 +129,32 @@ auto with_drive(const std::string& text, bool ranges_needed, F&& f) {
     }
     return f.template operator()<unit_moteus>(moteus_address{p.number}, s);
   }
-  if (p.family == "cia402") {
+  if (p.family == "cia402" || p.family == "cia402-torque") {
     drive_scale s;
     if (ranges("its counts a turn and its rated torque")) {
       const auto n = numbers_of(text, p.ranges, 2, 2, "counts a turn and rated torque as `4096/0.8`");
       s.position = s.velocity = hw::detail::radians_in_turn / n[0], s.torque = n[1];
     }
-    return f.template operator()<unit_cia402>(cia402_address{p.number}, s);
+    if (p.family == "cia402") return f.template operator()<unit_cia402>(cia402_address{p.number}, s);
+    return f.template operator()<unit_cia402_torque>(cia402_address{p.number}, s);
   }
   if (!p.ranges.empty() && p.family.starts_with("odrive"))
     no_drive(text, "an ODrive has no ranges; write " + p.family + ":NUMBER");
-  if (p.family == "odrive")
-    return f.template operator()<hw::odrive<1, hw::odrive_mode::position>>(odrive_address{p.number}, drive_scale{});
-  if (p.family == "odrive-0.5")
-    return f.template operator()<hw::odrive<1, hw::odrive_mode::position, hw::odrive_firmware::v0_5>>(odrive_address{p.number},
-                                                                                                      drive_scale{});
+  const auto odrive = [&]<hw::odrive_firmware Firmware>() {
+    const odrive_address at{p.number};
+    if (by_torque) return f.template operator()<hw::odrive<1, hw::odrive_mode::torque, Firmware>>(at, drive_scale{});
+    return f.template operator()<hw::odrive<1, hw::odrive_mode::position, Firmware>>(at, drive_scale{});
+  };
+  if (p.family == "odrive") return odrive.template operator()<hw::odrive_firmware::v0_6>();
+  if (p.family == "odrive-0.5") return odrive.template operator()<hw::odrive_firmware::v0_5>();
   no_drive(text, "there is no family `" + p.family + "`; written as one of " + families);
 }
 
 }  // namespace detail
 
-// Without ranges only what does not need them can be asked: whether it is there.
-inline std::unique_ptr<any_drive> drive_named(const std::string& text, bool ranges_needed = true) {
-  auto drive = detail::with_drive(text, ranges_needed, [&]<class Drive>(const auto& address, const drive_scale& s) {
+// Without ranges only what does not need them can be asked: whether it is there. `to_jog`: by torque, where a drive can go so.
+inline std::unique_ptr<any_drive> drive_named(const std::string& text, bool ranges_needed = true, bool to_jog = false) {
+  auto drive = detail::with_drive(text, ranges_needed, to_jog, [&]<class Drive>(const auto& address, const drive_scale& s) {
     return std::unique_ptr<any_drive>(std::make_unique<drive_at<Drive, std::decay_t<decltype(address)>>>(address, s));
   });
   drive->text = text;
@@ -155,14 +162,38 @@ inline std::unique_ptr<any_drive> drive_named(const std::string& text, bool rang
   return drive;
 }
 
-// One that is played, with the watchdog of 100 ms that one should set; MIT drives only.
+namespace detail {
+
+inline constexpr std::int64_t watchdog = 100'000'000;  // ns: as one should set it; a moteus has its own in each command
+
+template <class Drive>
+struct played;
+template <class Drive>
+requires requires { Drive::shares_replies; }
+struct played<Drive> {
+  using type = hw::virtual_mit<Drive, watchdog>;
+};
+template <std::uint32_t Node, hw::odrive_mode Mode, hw::odrive_firmware Firmware, std::int64_t Period>
+struct played<hw::odrive<Node, Mode, Firmware, Period>> {
+  using type = hw::virtual_odrive<hw::odrive<Node, Mode, Firmware, Period>, watchdog>;
+};
+template <class Motor, std::uint8_t Servo, std::uint8_t Source>
+struct played<hw::moteus<Motor, Servo, Source>> {
+  using type = hw::virtual_moteus<hw::moteus<Motor, Servo, Source>>;
+};
+template <class Motor, std::uint8_t Node, hw::cia402_mode Mode>
+struct played<hw::cia402<Motor, Node, Mode>> {
+  using type = hw::virtual_cia402<hw::cia402<Motor, Node, Mode>, watchdog>;
+};
+
+}  // namespace detail
+
+// One that is played, with its watchdog set.
 inline std::unique_ptr<any_virtual> virtual_named(const std::string& text) {
-  return detail::with_drive(
-      text, true, [&]<class Drive>(const auto& address, const drive_scale& s) -> std::unique_ptr<any_virtual> {
-        if constexpr (requires { Drive::shares_replies; })
-          return std::make_unique<virtual_at<hw::virtual_mit<Drive, 100'000'000>, std::decay_t<decltype(address)>>>(address, s);
-        else throw usage_error("`" + text + "`: only MIT drives can be played");
-      });
+  return detail::with_drive(text, true, false, [&]<class Drive>(const auto& address, const drive_scale& s) {
+    using drive = typename detail::played<Drive>::type;
+    return std::unique_ptr<any_virtual>(std::make_unique<virtual_at<drive, std::decay_t<decltype(address)>>>(address, s));
+  });
 }
 
 }  // namespace cca_can

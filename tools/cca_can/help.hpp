@@ -27,12 +27,12 @@ inline constexpr const char* help_text = R"(cca-can: CAN buses and the drives on
   cca-can replay BUS FILE [--from NAME] [--speed X | --fast] (*)
                                             a log goes out again; NAME: frames of this interface in it
   cca-can pretend BUS DRIVE... [--seconds S]
-                                            plays MIT drives, for trying the rest without a robot
+                                            plays drives, for trying the rest without a robot
 
 (*) asks first; --yes says yes beforehand.
 DRIVE: mit:ak80-9:3 (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64, or ranges of position/velocity/torque as
        mit:12.5/45/20:3), damiao:12.5/45/20:3, mit-original:12.5/45/18:3; mit:ak80-9:3@16 answers under the id 16;
-       odrive:3, odrive-0.5:3, moteus:KP/KD:3, cia402:COUNTS/RATED_TORQUE:3
+       odrive:3, odrive-0.5:3, moteus:KP/KD:3, cia402:COUNTS/RATED_TORQUE:3 (cyclic position), cia402-torque:... (torque)
 @FILE stands for the words in FILE, where # begins a comment. BUS with `,fd`: CAN FD, as in can0,fd.
 Ends with 0: done. 1: a drive or the bus failed; what was enabled has been disabled. 2: command line. 3: file or interface.
 4: not confirmed. 130: ended by ctrl-c, disabled.

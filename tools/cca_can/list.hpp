@@ -53,7 +53,7 @@ void listen(Bus& bus, pace& time, std::int64_t duration, F&& each) {
 
 // Drives that tell by themselves.
 inline void found_by_heartbeat(const hw::can_frame& f, std::vector<found_drive>& all) {
-  constexpr std::uint8_t most_odrive_state = 13;
+  constexpr std::uint8_t most_odrive_state = 14;
   if ((f.id.number & 31) == 1 && f.length == 8 && !f.fd && !f.remote && f.data[4] <= most_odrive_state) {
     const std::uint32_t node = f.id.number >> 5;
     hw::drive_report r;

@@ -1,4 +1,4 @@
-// cca-can pretend: plays MIT drives on a bus, for trying the rest without a robot: `ip link add vcan0 type vcan`.
+// cca-can pretend: plays drives on a bus, for trying the rest without a robot: `ip link add vcan0 type vcan`.
 #pragma once
 
 #include <array>

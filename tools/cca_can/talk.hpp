@@ -74,6 +74,17 @@ public:
                : "it answers, but tells no position" + std::string(drive.clocked ? " (is it operational, and mapped?)" : "");
   }
 
+  // Whether it is configured as its name says, and keeps to so much torque (0: none is asked for); by reading alone.
+  trouble ask_settings(double torque, std::int64_t longest = 1000 * ms) {
+    for (const std::int64_t end = time.now() + longest; !drive.ask_settings().empty();) {
+      if (time.now() >= end) return "it does not tell its mode of operation (6061h) and greatest torque (6072h)";
+      cycle(drive.ask_settings());
+      if (is_away(bus.state())) return away();
+      if (time.end_wanted()) return "ended by ctrl-c";
+    }
+    return drive.wrong_setting(torque);
+  }
+
   trouble enable(std::int64_t longest = 3000 * ms) {
     if (const auto refusal = link.start(bus.in_flight()); refusal != hw::start_refusal::none)
       return refusal == hw::start_refusal::bus_away ? away() : "the bus still holds frames: nobody takes them";
@@ -102,7 +113,7 @@ private:
     std::array<hw::received_frame, 32> frames;
     for (std::size_t n = frames.size(); n == frames.size();) {
       n = bus.receive(frames);
-      for (std::size_t i = 0; i < n; ++i) drive.decode(frames[i].frame, told);
+      for (std::size_t i = 0; i < n; ++i) drive.decode(frames[i].frame, told), drive.hear_setting(frames[i].frame);
     }
   }
   trouble away() const { return "the bus is " + std::string(name_of(bus.state())); }

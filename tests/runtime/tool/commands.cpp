@@ -461,9 +461,8 @@ TEST_SUITE("the whole line") {
           misunderstood);
     CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1", "--by", "0.1"}) ==
           misunderstood);
-    CHECK(ends({"jog", "can0", "odrive:3", "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) ==
-          misunderstood);
-    CHECK(r.told("no frame limits the torque of this family"));
+    CHECK(ends({"jog", "can0", "odrive:3", "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == failed);
+    CHECK(r.told("odrive:3 on can0: it does not answer"));
     CHECK(ends({"replay", "can0", "no/such.log"}) == refused);
     CHECK(r.told("no/such.log: cannot be read: No such file or directory"));
     CHECK(ends({"calibrate", "can0", name, "--joint", "hip", "--file", "f", "--at", "0"}) == misunderstood);
@@ -472,8 +471,8 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"list", "can0", "--ids", "5-3"}) == misunderstood);
     CHECK(ends({"list", "can0", "--ask", "mit", "--ids", "6-8"}) == done);
     CHECK(ends({"watch", "can0", name, "--ask", "--seconds", "1", "--loud"}) == misunderstood);
-    CHECK(ends({"pretend", "can0", "odrive:3"}) == misunderstood);
-    CHECK(r.told("only MIT drives can be played"));
+    CHECK(ends({"pretend", "can0", "servo:3"}) == misunderstood);
+    CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1"}) == done);
   }
 }
 

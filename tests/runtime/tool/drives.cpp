@@ -10,8 +10,8 @@
 
 namespace tool_test {
 
-struct dm6006 {
-  static constexpr std::string_view name = "DM6006";
+struct dm8006 {
+  static constexpr std::string_view name = "DM8006";
   static constexpr auto limits = cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
                                              cca::stiffness{0, 500}, cca::damping{0, 5}};
 };
@@ -68,7 +68,7 @@ TEST_SUITE("drives by name") {
   TEST_CASE("an MIT drive is the one of its number and ranges") {
     using ak = hw::mit_drive<hw::ak80_9, 3>;
     alike<ak>("mit:ak80-9:3", [](auto& some, auto& r) { return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
-    using dm = hw::mit_drive<dm6006, 7, 16, hw::mit_firmware::damiao>;
+    using dm = hw::mit_drive<dm8006, 7, 16, hw::mit_firmware::damiao>;
     alike<dm>("damiao:12.5/45/20:7@16",
               [](auto& some, auto& r) { return dm::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
     using plain = hw::mit_drive<hw::ak10_9, 255, 0, hw::mit_firmware::original>;
@@ -82,6 +82,8 @@ TEST_SUITE("drives by name") {
     alike<wide>("odrive-0.5:70", [](auto& some, auto& r) { return wide::estimates(10 * some(r), some(r)); });
     using c = hw::cia402<epos, 9, hw::cia402_mode::position>;
     alike<c>("cia402:4096/0.8:9", [](auto& some, auto& r) { return c::reply(0x27, 10 * some(r), some(r)); });
+    using t = hw::cia402<epos, 9, hw::cia402_mode::torque>;
+    alike<t>("cia402-torque:4096/0.8:9", [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
     using m = hw::moteus<n1, 4>;
     alike<m>(
         "moteus:80/2:4", [](auto& some, auto& r) { return m::reply(10, some(r), some(r), some(r)); }, 12);
@@ -136,7 +138,8 @@ TEST_SUITE("drives by name") {
   TEST_CASE("a name that is none says how it is written") {
     CHECK(complaint("mit") ==
           "`mit` names no drive: written as one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
-          "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, cia402:COUNTS/TORQUE:NUMBER");
+          "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, cia402:COUNTS/TORQUE:NUMBER, "
+          "cia402-torque:COUNTS/TORQUE:NUMBER");
     CHECK(complaint("mit:3") ==
           "`mit:3` names no drive: it needs the ranges of its firmware, which no frame tells: mit:RANGES:3");
     CHECK(complaint("mit:ak99:3") ==
