@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     canfd_frame k{};
     std::memcpy(&k, data + first, size - first < sizeof k ? size - first : sizeof k);
     for (const std::size_t length : {detail::classic_size, detail::fd_size}) {
-      const auto f = detail::from_kernel(k, length);
+      cca::hardware::can_frame f;
+      detail::from_kernel(k, length, f);
       if (!f.id.valid() || f.length > (f.fd ? 64 : 8)) std::abort();
     }
     const std::uint64_t restarts = c.restarts;

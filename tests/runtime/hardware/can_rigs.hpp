@@ -65,13 +65,19 @@ struct vcan {
   static constexpr bool has_fd = true;
   static constexpr std::size_t most_waiting = 16;
   static constexpr const char* names[] = {"vcan0", "vcan0"};
-  socket_can a{"vcan0", {.fd = true}}, b{"vcan0", {.fd = true}};
+  explicit vcan(const socket_can_options& o = {.fd = true}) : a("vcan0", o), b("vcan0", o) {}
+  socket_can a, b;
 
   socket_can& end(std::size_t i) { return i == 0 ? a : b; }
   void settle() { wait_ms(2); }
   void away(std::size_t) { REQUIRE(set_link("vcan0", false)); }
   void back(std::size_t) { REQUIRE(set_link("vcan0", true)); }
   ~vcan() { set_link("vcan0", true); }
+};
+
+// The same without what is dear.
+struct frugal_vcan : vcan {
+  frugal_vcan() : vcan({.fd = true, .confirmations = false, .times = false}) {}
 };
 
 // Two controllers on one bus, as the emulator has them (SJA1000).

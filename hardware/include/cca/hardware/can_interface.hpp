@@ -110,8 +110,12 @@ void set_option(int fd, int level, int option, const Value& value, const char* w
     throw refused(std::string("socket_can: the kernel refuses ") + what + ": " + std::strerror(errno));
 }
 
-// With filters none of `let_through` means all frames.
-inline file_descriptor open_can(const can_interface& which, std::span<const can_filter> let_through, bool with_fd) {
+struct wanted_of_socket {
+  bool fd = false, own_frames = true, times = true;
+};
+
+// None in `let_through` means all frames.
+inline file_descriptor open_can(const can_interface& which, std::span<const can_filter> let_through, wanted_of_socket wanted) {
   file_descriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
   const int fd = socket.get();
   if (fd < 0) {
@@ -123,7 +127,7 @@ inline file_descriptor open_can(const can_interface& which, std::span<const can_
     throw refused("socket_can: there is no interface `" + which.text() + "`; those with CAN: " + names_of_can_interfaces(fd));
   if (!which.is_can(fd))
     throw refused("socket_can: `" + which.text() + "` is no CAN interface; those with CAN: " + names_of_can_interfaces(fd));
-  if (with_fd && which.mtu(fd) != fd_size) {
+  if (wanted.fd && which.mtu(fd) != fd_size) {
     throw refused("socket_can: `" + which.text() + "` takes no FD frames: with the link down, `ip link set " + which.text() +
                   " type can fd on` with a `dbitrate` (vcan: `mtu 72`)");
   }
@@ -138,10 +142,9 @@ inline file_descriptor open_can(const can_interface& which, std::span<const can_
   const int yes = 1;
   set_option(fd, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, can_err_mask_t{CAN_ERR_MASK & ~CAN_ERR_BUSERROR},
              "error frames");  // BUSERROR floods
-  set_option(fd, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, yes, "confirmations");
-  if (with_fd) set_option(fd, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, yes, "FD frames");
-  set_option(fd, SOL_SOCKET, SO_TIMESTAMPNS, yes, "timestamps");
-  set_option(fd, SOL_SOCKET, SO_RXQ_OVFL, yes, "the counter of lost frames");
+  if (wanted.own_frames) set_option(fd, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, yes, "confirmations");
+  if (wanted.fd) set_option(fd, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, yes, "FD frames");
+  if (wanted.times) set_option(fd, SOL_SOCKET, SO_TIMESTAMPNS, yes, "timestamps");
   if (!which.bind(fd)) throw refused("socket_can: cannot bind to `" + which.text() + "`: " + std::strerror(errno));
   return socket;
 }

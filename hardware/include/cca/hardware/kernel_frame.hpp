@@ -19,30 +19,32 @@ namespace cca::hardware::detail {
 // Not CAN_MTU: that macro says `struct can_frame`, which is ours in this namespace.
 inline constexpr std::size_t classic_size = sizeof(::can_frame), fd_size = sizeof(::canfd_frame);
 
-// Frames that can be on a bus only.
-constexpr canfd_frame to_kernel(const can_frame& f) {
-  canfd_frame k{};
+// All that a frame of its kind can have, whatever its length: of a fixed size that is a move or four, and no call.
+constexpr void copy_payload(const std::uint8_t* from, std::uint8_t* to, bool fd) {
+  if (fd) std::copy_n(from, longest_payload, to);
+  else std::copy_n(from, std::size_t{8}, to);
+}
+
+// Frames that can be on a bus only. Both ways into what is there already, of which they leave bytes past the payload as they are.
+constexpr void to_kernel(const can_frame& f, canfd_frame& k) {
   k.can_id = f.id.number | (f.id.extended ? CAN_EFF_FLAG : 0u) | (f.remote ? CAN_RTR_FLAG : 0u);
   k.len = f.length;
-  if (f.fd) k.flags = f.fast ? CANFD_BRS : 0;
-  const auto payload = f.payload();
-  std::copy(payload.begin(), payload.end(), k.data);
-  return k;
+  k.flags = f.fast ? CANFD_BRS : 0;
+  k.__res0 = k.__res1 = 0;
+  copy_payload(f.data.data(), k.data, f.fd);
 }
 constexpr std::size_t kernel_size(const can_frame& f) { return f.fd ? fd_size : classic_size; }
 
 constexpr bool is_error(const canfd_frame& k) { return (k.can_id & CAN_ERR_FLAG) != 0; }
 
-constexpr can_frame from_kernel(const canfd_frame& k, std::size_t size) {
-  can_frame f{};
+constexpr void from_kernel(const canfd_frame& k, std::size_t size, can_frame& f) {
   f.id.extended = (k.can_id & CAN_EFF_FLAG) != 0;
   f.id.number = k.can_id & (f.id.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
   f.fd = size == fd_size;
   f.fast = f.fd && (k.flags & CANFD_BRS) != 0;
   f.remote = !f.fd && (k.can_id & CAN_RTR_FLAG) != 0;
   f.length = std::min<std::uint8_t>(k.len, f.fd ? 64 : 8);
-  std::copy_n(k.data, f.payload().size(), f.data.begin());
-  return f;
+  copy_payload(k.data, f.data.data(), f.fd);
 }
 
 // Exact in the id's kind too, and no remote frames: a mask of the id alone would let 29-bit ids through that end alike.

@@ -14,9 +14,13 @@
 // Bus-off: the kernel may hold frames of the last batch, and send them when the controller is restarted. Leave `restart-ms` 0,
 // and restart by `ip link set can0 down` and `up`: then it forgets them. `stale()` counts those that went out all the same.
 //
+// What is dear can be left out (docs/can_bus.md has the figures). `.confirmations = false`: own frames don't come back; then
+// `in_flight` is what the kernel still holds, and nothing is known of what waits in the controller: for buses on which nothing
+// moves. `.times = false`: a frame's time is that of `receive`.
+//
 // Times are the kernel's of arrival, moved to the monotonic clock. Constructing throws cca::refused; nothing else throws, waits
-// or allocates. Remote frames pass only without filters. Cost: one system call a batch of up to 32 frames received or sent, and a
-// second one to learn that no more are there. Not to be copied; a controller that is to be copied holds a pointer to it. Laws:
+// or allocates. Remote frames pass only without filters. Cost: one system call a batch of up to 32 frames received or sent. Not
+// to be copied; a controller that is to be copied holds a pointer to it. Laws:
 // tests/laws/can_bus_laws.hpp, in tests/runtime/hardware/socket_can.cpp. Source: Linux, Documentation/networking/can.rst;
 // lely-core, io2/linux/can_chan.c, for ENOBUFS. docs/can_bus.md.
 #pragma once
@@ -33,11 +37,11 @@
 
 #include <linux/sock_diag.h>
 #include <sys/socket.h>
-#include <sys/uio.h>
 
 #include <cca/hardware/can_bus.hpp>
 #include <cca/hardware/can_interface.hpp>
 #include <cca/hardware/kernel_frame.hpp>
+#include <cca/hardware/socket_batch.hpp>
 
 namespace cca::hardware {
 
@@ -47,13 +51,17 @@ struct socket_can_options {
   bool fd = false;
   std::uint64_t most_in_flight = 16;
   std::int64_t gives_up_after = 0;  // ns; 0: the controller tries until it succeeds
+  bool confirmations = true;        // own frames come back when they went over the bus
+  bool times = true;                // the kernel's, of arrival
 };
 
 class socket_can {
 public:
   explicit socket_can(std::string_view name, const socket_can_options& o = {})
-      : interface(name), socket(detail::open_can(interface, let_through(o), o.fd)), ours(o.ours.begin(), o.ours.end()),
-        most_in_flight(o.most_in_flight), gives_up_after(o.gives_up_after), with_fd(o.fd), work(std::make_unique<buffers>()) {
+      : interface(name),
+        socket(detail::open_can(interface, let_through(o), {.fd = o.fd, .own_frames = o.confirmations, .times = o.times})),
+        ours(o.ours.begin(), o.ours.end()), most_in_flight(o.most_in_flight), gives_up_after(o.gives_up_after), with_fd(o.fd),
+        with_own(o.confirmations), with_times(o.times), work(std::make_unique<detail::socket_batch>(o.times)) {
     const detail::link now = interface.state(socket.get());
     carrier_was_lost = now == detail::link::no_carrier;
     seen = now == detail::link::up ? bus_state::active : now == detail::link::no_carrier ? bus_state::bus_off : bus_state::down;
@@ -83,7 +91,7 @@ public:
       }
       frames = frames.subspan(used);
       for (std::size_t first = 0; first < n;) {
-        const int done = ::sendmmsg(socket.get(), &work->out[first], static_cast<unsigned>(n - first), MSG_DONTWAIT);
+        const int done = work->send(socket.get(), first, n);
         if (done > 0) {
           first += static_cast<std::size_t>(done);
           count.sent += static_cast<std::uint64_t>(done);
@@ -107,11 +115,10 @@ public:
   std::size_t receive(std::span<received_frame> into) noexcept {
     if (is_away(seen)) look_whether_back();
     std::size_t n = 0;
-    bool told = false;
+    bool told = false, many = false;
     while (n < into.size()) {
       const std::size_t asked = std::min(batch, into.size() - n);
-      work->ask(asked);
-      const int got = ::recvmmsg(socket.get(), work->in.data(), static_cast<unsigned>(asked), MSG_DONTWAIT, nullptr);
+      const int got = work->receive(socket.get(), asked);
       if (got < 0) {
         if (errno == EINTR) continue;
         if (told || (errno != ENETDOWN && errno != ENODEV && errno != ENXIO)) break;
@@ -120,10 +127,14 @@ public:
         look_whether_back();
         continue;
       }
-      if (got == 0) break;
-      const std::int64_t to_monotonic = nanoseconds_of(CLOCK_MONOTONIC) - nanoseconds_of(CLOCK_REALTIME);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) n += take(i, to_monotonic, into[n]);
+      const std::int64_t to_monotonic = nanoseconds_of(CLOCK_MONOTONIC) - (with_times ? nanoseconds_of(CLOCK_REALTIME) : 0);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i)
+        if (take(i, into[n].frame)) stamp(into[n++], (with_times ? work->time(i) : 0) + to_monotonic);
+      if (static_cast<std::size_t>(got) < asked) break;  // there was no more
+      many = true;
     }
+    if (many) ask_what_was_lost();
+    if (!with_own) ask_what_waits();
     if (gives_up_after > 0 && unconfirmed > 0 && nanoseconds_of(CLOCK_MONOTONIC) - sent_at > gives_up_after) forget_in_flight();
     return n;
   }
@@ -135,35 +146,7 @@ public:
   int file() const noexcept { return socket.get(); }  // to wait for with poll, outside of a beat
 
 private:
-  static constexpr std::size_t batch = 32;
-
-  struct buffers {
-    std::array<mmsghdr, batch> in{}, out{};
-    std::array<iovec, batch> in_parts{}, out_parts{};
-    std::array<canfd_frame, batch> in_frames{}, out_frames{};
-    struct alignas(cmsghdr) control {
-      std::array<std::byte, CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t))> bytes;
-    };
-    std::array<control, batch> in_control{};
-
-    void put(std::size_t i, const can_frame& f) noexcept {
-      out_frames[i] = detail::to_kernel(f);
-      out_parts[i] = {&out_frames[i], detail::kernel_size(f)};
-      out[i].msg_hdr = {};
-      out[i].msg_hdr.msg_iov = &out_parts[i];
-      out[i].msg_hdr.msg_iovlen = 1;
-    }
-    void ask(std::size_t n) noexcept {
-      for (std::size_t i = 0; i < n; ++i) {
-        in_parts[i] = {&in_frames[i], sizeof in_frames[i]};
-        in[i].msg_hdr = {};
-        in[i].msg_hdr.msg_iov = &in_parts[i];
-        in[i].msg_hdr.msg_iovlen = 1;
-        in[i].msg_hdr.msg_control = in_control[i].bytes.data();
-        in[i].msg_hdr.msg_controllen = in_control[i].bytes.size();
-      }
-    }
-  };
+  static constexpr std::size_t batch = detail::socket_batch::most;
 
   static std::vector<can_filter> let_through(const socket_can_options& o) {
     std::vector<can_filter> all(o.replies.begin(), o.replies.end());
@@ -176,44 +159,31 @@ private:
     return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
   }
 
-  // One of the messages of a batch: 1 if it is for the caller.
-  std::size_t take(std::size_t i, std::int64_t to_monotonic, received_frame& into) noexcept {
-    msghdr& head = work->in[i].msg_hdr;
-    std::int64_t time = 0;
-    for (cmsghdr* c = CMSG_FIRSTHDR(&head); c; c = CMSG_NXTHDR(&head, c)) {
-      if (c->cmsg_level != SOL_SOCKET) continue;
-      if (c->cmsg_type == SO_TIMESTAMPNS) {
-        timespec t;
-        std::memcpy(&t, CMSG_DATA(c), sizeof t);
-        time = t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec + to_monotonic;
-      } else if (c->cmsg_type == SO_RXQ_OVFL) {
-        std::uint32_t lost;
-        std::memcpy(&lost, CMSG_DATA(c), sizeof lost);
-        count.lost += lost - lost_before;  // wraps
-        lost_before = lost;
-      }
-    }
-    const canfd_frame& k = work->in_frames[i];
-    const std::size_t size = work->in[i].msg_len;
-    if (size != detail::classic_size && size != detail::fd_size) return 0;
-    if (detail::is_error(k)) {
-      if (seen != bus_state::down) seen = detail::after_error(seen, k, count);
-      if (seen == bus_state::bus_off) stale_to_come = unconfirmed, carrier_was_lost = false;
-      return 0;
-    }
-    const can_frame frame = detail::from_kernel(k, size);
-    if ((head.msg_flags & MSG_CONFIRM) != 0) {
+  // One of the messages of a batch: whether it is for the caller.
+  bool take(std::size_t i, can_frame& into) noexcept {
+    const canfd_frame& k = work->frame(i);
+    const std::size_t size = work->size(i);
+    if (size != detail::classic_size && size != detail::fd_size) return false;
+    if (detail::is_error(k)) return heed(k), false;
+    if (work->is_own(i)) {
       ++count.confirmed;
       if (unconfirmed > 0) --unconfirmed;
       if (stale_to_come > 0) --stale_to_come, ++confirmed_stale;
-      return 0;
+      return false;
     }
+    detail::from_kernel(k, size, into);
     for (const can_filter& f : ours)
-      if (f.matches(frame.id) && !frame.remote) return ++count.intruders, 0;
+      if (f.matches(into.id) && !into.remote) return ++count.intruders, false;
     ++count.received;
+    return true;
+  }
+  void heed(const canfd_frame& error) noexcept {
+    if (seen != bus_state::down) seen = detail::after_error(seen, error, count);
+    if (seen == bus_state::bus_off) stale_to_come = unconfirmed, carrier_was_lost = false;
+  }
+  void stamp(received_frame& f, std::int64_t time) noexcept {
     last_time = std::max(last_time, time);  // the real-time clock may be set back
-    into = {frame, last_time};
-    return 1;
+    f.time = last_time;
   }
 
   void went_down() noexcept {
@@ -246,13 +216,25 @@ private:
 
   // A confirmation may be lost with the receive queue: then the kernel knows better what it still holds.
   std::uint64_t room_in_flight() noexcept {
-    if (unconfirmed >= most_in_flight) {
-      std::array<std::uint32_t, SK_MEMINFO_VARS> memory{};
-      socklen_t size = sizeof memory;
-      if (::getsockopt(socket.get(), SOL_SOCKET, SO_MEMINFO, memory.data(), &size) == 0 && memory[SK_MEMINFO_WMEM_ALLOC] == 0)
-        unconfirmed = 0;
-    }
+    if (unconfirmed >= most_in_flight && kernel_holds_none()) unconfirmed = 0;
     return most_in_flight - std::min(unconfirmed, most_in_flight);
+  }
+  void ask_what_waits() noexcept {
+    if (unconfirmed == 0 || !kernel_holds_none()) return;
+    count.confirmed += unconfirmed;
+    unconfirmed = stale_to_come = 0;
+  }
+  // Only a queue that was longer than a batch can have been too long.
+  void ask_what_was_lost() noexcept {
+    const std::uint32_t lost = memory(SK_MEMINFO_DROPS, lost_before);
+    count.lost += lost - lost_before;  // wraps
+    lost_before = lost;
+  }
+  bool kernel_holds_none() const noexcept { return memory(SK_MEMINFO_WMEM_ALLOC, 1) == 0; }
+  std::uint32_t memory(int what, std::uint32_t untold) const noexcept {
+    std::array<std::uint32_t, SK_MEMINFO_VARS> all{};
+    socklen_t size = sizeof all;
+    return ::getsockopt(socket.get(), SOL_SOCKET, SO_MEMINFO, all.data(), &size) == 0 ? all[static_cast<std::size_t>(what)] : untold;
   }
 
   detail::can_interface interface;
@@ -260,8 +242,8 @@ private:
   std::vector<can_filter> ours;
   std::uint64_t most_in_flight;
   std::int64_t gives_up_after, sent_at = 0;
-  bool with_fd;
-  std::unique_ptr<buffers> work;
+  bool with_fd, with_own, with_times;
+  std::unique_ptr<detail::socket_batch> work;
   bus_state seen = bus_state::down;
   bus_counters count{};
   std::uint64_t unconfirmed = 0, stale_to_come = 0, confirmed_stale = 0;
