@@ -83,8 +83,8 @@ TEST_SUITE("every family") {
       r.drives[0]->motor.now.position = 0.1;
       const auto named = drive_named(f.name);
       CHECK_MESSAGE(enable(r.bus, "can0", *named, 1, r, r.say) == done, r.error.str());
-      // What no torque is, is half a step beside it on the wire of MIT drives: 2 mN m.
-      CHECK(std::abs(r.angle() - 0.1) < (named->takes_gains() ? 0.1 : 0.002));
+      // No torque is half a step beside it on the wire of MIT drives: 2 mN m, which nothing opposes for a second.
+      CHECK(std::abs(r.angle() - 0.1) < (named->takes_gains() ? 0.2 : 0.002));
       CHECK(r.told("disabled"));
       CHECK(r.is_off());
       family_rig c(f);
