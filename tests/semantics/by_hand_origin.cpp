@@ -12,6 +12,10 @@ struct sensor {
   void act(cca::optional_in<"u", value>) {}
 };
 
+struct ear {
+  auto process(cca::in<"x", value> x, cca::observe<"s.*", cca::delayed<1>>) -> cca::out<"y", value> { return x[axis{}]; }
+};
+
 std::vector<std::int64_t> origins(const sights& all) {
   std::vector<std::int64_t> found;
   for (const auto& s : all) found.push_back(s.origin);
@@ -75,6 +79,16 @@ TEST_SUITE("semantics by hand: time of origin") {
                              cca::wire<"m.y", "n.x", cca::delayed<1>>, cca::wire<"n.y", "m.z", cca::delayed<1>>,
                              cca::wire<"m.y", "r.x">> {};
     CHECK(origins(after<wide>(5).get<"r">().log) == times{0, 0, 0, 3 * ms, 3 * ms});
+  }
+
+  TEST_CASE("what is listened to with a delay counts, but not where it is fed by who listens") {
+    struct fed : cca::graph<cca::node<"m", relay, cca::timed<1>>, cca::expose<"m.x", "x">> {};
+    struct looped : cca::graph<ms1, cca::node<"a", count, cca::timed<3>>, cca::node<"s", fed>, cca::node<"o", ear, cca::timed<1>>,
+                               cca::node<"r", look>, cca::wire<"a.y", "o.x", cca::latest>, cca::wire<"o.y", "s.x">, cca::wire<"o.y", "r.x">> {};
+    CHECK(origins(after<looped>(5).get<"r">().log) == times{0, 0, 0, 3 * ms, 3 * ms});
+    struct open : cca::graph<ms1, cca::node<"a", count, cca::timed<3>>, cca::node<"s", fed>, cca::node<"o", ear, cca::timed<1>>,
+                             cca::node<"r", look>, cca::wire<"a.y", "o.x", cca::latest>, cca::wire<"a.y", "s.x", cca::latest>, cca::wire<"o.y", "r.x">> {};
+    CHECK(origins(after<open>(5).get<"r">().log) == times{0, 0, 0, 0, 3 * ms});
   }
 
   TEST_CASE("a loop through a resource node is a loop: what it acts on and what it senses are one node") {

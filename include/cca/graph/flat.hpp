@@ -65,6 +65,7 @@ struct output {
 // An output that an observer listens to.
 struct link {
   int input = 0, output = 0;
+  bool counts = true;  // for the time of origin
 };
 
 struct table_entry {

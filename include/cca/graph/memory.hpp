@@ -23,6 +23,11 @@ struct loop_search {
       if (number[v] < 0) visit(v);
   }
 
+  // Is the writer of this output fed, over any wires, by the one who reads it?
+  constexpr bool closes(int reader_turn, int output) const {
+    return group[g.turns[reader_turn].leaf] == group[g.turns[g.outputs[output].turn].leaf];
+  }
+
   constexpr void add_edge(int from_turn, int to_turn) {
     const int from = g.turns[from_turn].leaf;
     edge_to[edges] = g.turns[to_turn].leaf;
@@ -64,9 +69,13 @@ struct loop_search {
 struct remembering {
   flat_view g;
 
+  constexpr int delay_of_link(const link& l) const { return port_of(g, g.inputs[l.input]).observed_delay; }
+
   constexpr bool has_delays() const {
     for (int i = 0; i < g.input_count; ++i)
       if (delay_of(g.inputs[i]) > 0) return true;
+    for (int l = 0; l < g.link_count; ++l)
+      if (delay_of_link(g.links[l]) > 0) return true;
     return false;
   }
 
@@ -75,7 +84,11 @@ struct remembering {
     const loop_search loops(g);
     for (int i = 0; i < g.input_count; ++i) {
       auto& in = g.inputs[i];
-      if (delay_of(in) > 0) in.counts = loops.group[g.turns[in.turn].leaf] != loops.group[g.turns[g.outputs[in.writer].turn].leaf];
+      if (delay_of(in) > 0) in.counts = !loops.closes(in.turn, in.writer);
+    }
+    for (int l = 0; l < g.link_count; ++l) {
+      auto& link = g.links[l];
+      if (delay_of_link(link) > 0) link.counts = !loops.closes(g.inputs[link.input].turn, link.output);
     }
   }
 
@@ -121,7 +134,7 @@ struct remembering {
     for (int l = 0; l < g.link_count; ++l)
       if (g.links[l].output == o) {
         out.kept = true;
-        const int delay = port_of(g, g.inputs[g.links[l].input]).observed_delay;
+        const int delay = delay_of_link(g.links[l]);
         if (delay > 0) {
           const int need = past(delay, g.inputs[g.links[l].input].turn, out.turn);
           deepest = need > deepest ? need : deepest;

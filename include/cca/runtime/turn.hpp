@@ -77,7 +77,9 @@ CCA_GLUE std::int64_t oldest_wired([[maybe_unused]] const Places& places, [[mayb
 // The same where observers listen too.
 template <class Graph, int Turn>
 CCA_GLUE std::int64_t oldest_heard(const memory<Graph>& m, std::int64_t k, std::int64_t oldest) {
-  for_each_observed<Graph, Turn>([&]<int Link>() { oldest = older(oldest, observe_one<Graph, Link>(m, k).origin); });
+  for_each_observed<Graph, Turn>([&]<int Link>() {
+    if constexpr (plan_of<Graph>.links[Link].counts) oldest = older(oldest, observe_one<Graph, Link>(m, k).origin);
+  });
   return oldest;
 }
 
