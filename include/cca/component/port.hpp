@@ -128,6 +128,8 @@ public:
     published = true;
     return out<Name, Space>::operator[](axis);
   }
+  template <class Axis>
+  constexpr double operator[](Axis axis) const { return out<Name, Space>::operator[](axis); }
 
   constexpr maybe& with_origin(std::int64_t t) & { out<Name, Space>::with_origin(t); return *this; }
   constexpr maybe&& with_origin(std::int64_t t) && { out<Name, Space>::with_origin(t); return static_cast<maybe&&>(*this); }

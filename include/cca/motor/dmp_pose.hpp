@@ -2,20 +2,23 @@
 //
 //   cca::node<"reach", cca::dmp_pose<hand_in_trunk, hand, 20>, cca::timed<1>>      20 basis functions; hand: a frame
 //   in  "goal"        S, a space of pose<Frame>; may change while it runs
-//   in  "start"       S, optional: where it begins; else the space's zero
+//   in  "start"       S, optional: where it begins; else the space's zero. Until a first sample has come there, it waits and
+//                     publishes its status alone
 //   in  "duration"    movement_duration, s, optional: else the parameter; may change while it runs; at least 1 ms
 //   in  "restart"     restart_signal, optional: each sample that arrives begins the movement anew, from where it is
-//   out "pose"        S, its quaternion of unit length
-//   out "velocity"    twist<Tip, Frame>: of Tip's origin, along Frame's axes
-//   out "progress"    movement_progress
+//   out "pose"        S, a maybe, its quaternion of unit length
+//   out "velocity"    twist<Tip, Frame>, a maybe: of Tip's origin, along Frame's axes
+//   out "progress"    movement_progress, a maybe
 //   out "status"      ode_status_port
 //
-// Weights: six rows, of the position and of the rotation vector. Errors: none; a NaN at an input stays.
+// Weights: six rows, of the position and of the rotation vector. Errors: none; while an input is not finite, it stays where
+// it is and publishes its status alone.
 // Cost: four derivatives of N + 1 exponentials, three arcus tangents and roots each. Source: dmp_pose_ode.hpp.
 // Example: tests/runtime/motor/dmp_pose.cpp.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include <cca/adaptive/ode_solver.hpp>
@@ -24,6 +27,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/dmp_pose_ode.hpp>
+#include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -46,7 +50,10 @@ struct dmp_pose {
 
   auto process(in<"goal", S> goal, optional_in<"start", S> start, optional_in<"duration", movement_duration> duration,
                optional_in<"restart", restart_signal> restart, beat now)
-      -> std::tuple<out<"pose", S>, out<"velocity", twist_of<S, Tip>>, out<"progress", movement_progress>, out<"status", ode_status_port>> {
+      -> std::tuple<maybe<"pose", S>, maybe<"velocity", twist_of<S, Tip>>, maybe<"progress", movement_progress>, out<"status", ode_status_port>> {
+    const double wanted = duration ? duration[duration_axis{}] : p.duration.value(), tau = std::max(1e-3, wanted);
+    if (!detail::all_finite(goal.vector()) || !std::isfinite(wanted) || (!begun && start && !detail::has_come(start)))
+      return {{}, {}, {}, status_of(status.get())};
     typename ode::state x = solver.get();
     if (!begun) {
       from = start ? start.vector() : sample<S>{}.vector();
@@ -59,7 +66,6 @@ struct dmp_pose {
       x = ode::project(x);
     }
     const typename ode::parameters at{p.weights, p.stiffness, p.decay, p.goal_rate, p.scaled};
-    const double tau = duration ? std::max(1e-3, duration[duration_axis{}]) : p.duration.value();
     typename ode::input u;
     u << goal.vector(), from, tau;
     solver.set(x);

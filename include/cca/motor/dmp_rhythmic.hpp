@@ -6,17 +6,19 @@
 //   in  "amplitude"   over<amplitude, Axis>; 0 or less: no swing, it comes to the goal
 //   in  "frequency"   over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
 //   in  "goal"        S, any space of one number an axis: what it swings around; may change while it runs
-//   in  "start"       S, optional: where it begins; else at the goal
-//   out "position"    S
-//   out "velocity"    velocity_of<S>
+//   in  "start"       S, optional: where it begins; else at the goal. Until a first sample has come there, it waits and
+//                     publishes no position
+//   out "position"    S, a maybe
+//   out "velocity"    velocity_of<S>, a maybe
 //   out "status"      ode_status_port: converged at rest; the phase's own running doesn't count
 //
 // Precondition: the phase runs at the frequency. Between two firings it is taken to go on so; each firing takes it anew.
-// Errors: none; a NaN at an input stays. Cost: five times N exponentials. Source: dmp_rhythmic_ode.hpp.
-// Example: tests/runtime/motor/dmp.cpp.
+// Errors: none; while an input is not finite, it stays where it is and publishes no position.
+// Cost: five times N exponentials. Source: dmp_rhythmic_ode.hpp. Example: tests/runtime/motor/dmp.cpp.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <tuple>
 
@@ -26,6 +28,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/dmp_rhythmic_ode.hpp>
+#include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -43,13 +46,16 @@ struct dmp_rhythmic {
 
   auto process(in<"phase", over<cca::phase, Axis>> phase, in<"amplitude", over<cca::amplitude, Axis>> size,
                optional_in<"frequency", over<cca::frequency, Axis>> turns, in<"goal", S> goal, optional_in<"start", S> start, beat now)
-      -> std::tuple<out<"position", S>, out<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
+      -> std::tuple<maybe<"position", S>, maybe<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
-    const double hertz = turns ? std::max(0.01, turns[Axis{}]) : p.frequency.value();
+    const double wanted = turns ? turns[Axis{}] : p.frequency.value(), hertz = std::max(0.01, wanted);
     const typename ode::parameters at{p.weights, p.stiffness};
     typename ode::input u;
     u << goal.vector(), std::max(0.0, size[Axis{}]), 1 / (2 * std::numbers::pi * hertz);
+    const bool can_begin = begun || (start ? detail::has_come(start) : goal.origin() != never);
+    if (!can_begin || !detail::all_finite(goal.vector()) || !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted))
+      return {{}, {}, status_of(status.get())};
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();

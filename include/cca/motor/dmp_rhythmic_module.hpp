@@ -6,11 +6,12 @@
 //   in  "amplitude"      over<amplitude, Axis>; 0 or less: no swing, it comes to the reference
 //   in  "frequency"      over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
 //   in  "reference"      S, any space of one number an axis: what it swings around; may change while it runs
-//   in  "start"          S, optional: where it begins; else at the reference
+//   in  "start"          S, optional: where it begins; else at the reference. Until a first sample has come there, it waits and
+//                        publishes no command
 //   in  "demonstration"  S, optional: what it shall learn, at this phase, amplitude, frequency and reference
 //   in  "learn"          learning_request, optional: what another component asks of it
-//   out "command"        S
-//   out "velocity"       velocity_of<S>
+//   out "command"        S, a maybe
+//   out "velocity"       velocity_of<S>, a maybe
 //   out "ode"            ode_status_port: converged at rest
 //   out "module"         module_status_port: what it learns, and whether this phase has been trained
 //
@@ -20,12 +21,13 @@
 //
 // Parameters: frequency, stiffness, settling, settings (the learner's), files (read on load, written on save). The weights
 // depend on the stiffness: a file that was learned with another one is refused.
-// Errors: learner.model; `cca::refused` of files. Cost: five times N exponentials; with a demonstration one step of the learner
-// more. Source: dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
+// Errors: learner.model; `cca::refused` of files; while an input is not finite, it stays where it is and publishes no command.
+// Cost: five times N exponentials; with a demonstration one step of the learner more. Source: dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <tuple>
 
@@ -39,6 +41,7 @@
 #include <cca/component/port.hpp>
 #include <cca/motor/dmp_rhythmic_ode.hpp>
 #include <cca/motor/dmp_shapes.hpp>
+#include <cca/motor/finite.hpp>
 
 namespace cca {
 
@@ -61,17 +64,21 @@ struct dmp_rhythmic_module {
   auto process(in<"phase", over<cca::phase, Axis>> phase, in<"amplitude", over<cca::amplitude, Axis>> size,
                optional_in<"frequency", over<cca::frequency, Axis>> turns, in<"reference", S> reference, optional_in<"start", S> start,
                optional_in<"demonstration", S> demonstration, optional_in<"learn", learning_request> call, beat now)
-      -> std::tuple<out<"command", S>, out<"velocity", velocity_of<S>>, out<"ode", ode_status_port>, out<"module", module_status_port>> {
+      -> std::tuple<maybe<"command", S>, maybe<"velocity", velocity_of<S>>, out<"ode", ode_status_port>, out<"module", module_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
     if (call && call.fresh()) learning.obey(call.template as<learning_call>());
-    const double hertz = turns ? std::max(0.01, turns[Axis{}]) : p.frequency.value();
+    const double wanted = turns ? turns[Axis{}] : p.frequency.value(), hertz = std::max(0.01, wanted);
     const double tau = 1 / (2 * std::numbers::pi * hertz), swing = std::max(0.0, size[Axis{}]);
-    observe_demonstration(demonstration, {phase[Axis{}], swing}, reference.vector(), tau, now.dt());
-
     const typename ode::parameters at{learning.get().function.weights, p.stiffness};
     typename ode::input u;
     u << reference.vector(), swing, tau;
+    const bool can_begin = begun || (start ? detail::has_come(start) : reference.origin() != never);
+    if (!can_begin || !detail::all_finite(reference.vector()) || !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted)) {
+      seen_in_a_row = 0;
+      return {{}, {}, status_of(ode_state.get()), learning.status({phase[Axis{}], swing}, p.settings)};
+    }
+    observe_demonstration(demonstration, {phase[Axis{}], swing}, reference.vector(), tau, now.dt());
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();

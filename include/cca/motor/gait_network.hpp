@@ -12,7 +12,8 @@
 // unstable equilibrium, in which it would stay. So a change of gait moves leg i by i `nudge`s (0.06 degrees by default).
 // Coupling acts through the amplitudes: at amplitude 0 legs don't draw each other.
 // Precondition: one frequency for all legs, or ones that differ by less than the coupling can hold. Errors: an unknown
-// number at "gait" is taken for the walk. Cost: 60 sines a beat (RK4). Source: oscillator_network_ode.hpp, gait.hpp.
+// number at "gait" is taken for the walk; while another input is not finite, the legs stay where they
+// are. Cost: 60 sines a beat (RK4). Source: oscillator_network_ode.hpp, gait.hpp.
 // Example: tests/runtime/motor/gait_network.cpp.
 #pragma once
 
@@ -23,6 +24,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
+#include <cca/motor/finite.hpp>
 #include <cca/motor/gait.hpp>
 #include <cca/motor/oscillator_network_ode.hpp>
 #include <cca/motor/spaces.hpp>
@@ -59,7 +61,7 @@ struct gait_network {
     at.weights.diagonal().setZero();
     at.convergence = p.convergence;
     solver.set(x);
-    solver.advance(u, at, now.dt());
+    if (detail::all_finite(u)) solver.advance(u, at, now.dt());
     x = solver.get();
     for (int i = 0; i < 4; ++i) x[i] = wrap_turn(x[i]);
     solver.set(x);

@@ -10,7 +10,7 @@
 //
 // The origin is an equilibrium that no positive amplitude would leave: the radius is held at `ember` or above, so a resting
 // oscillator still has a phase and wakes up, in ln(A / ember) / (c A^2) s.
-// Errors: none; a NaN at an input stays in the state. Cost: four derivatives, an atan2 and a root. Source: hopf_ode.hpp.
+// Errors: none; while an input is not finite, it stays where it is. Cost: four derivatives, an atan2 and a root. Source: hopf_ode.hpp.
 // Example: tests/runtime/motor/hopf.cpp.
 #pragma once
 
@@ -22,6 +22,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
+#include <cca/motor/finite.hpp>
 #include <cca/motor/hopf_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
@@ -38,7 +39,7 @@ struct hopf {
   auto process(in<"amplitude", over<cca::amplitude, Axis>> wanted, optional_in<"frequency", over<cca::frequency, Axis>> turns, beat now)
       -> std::tuple<out<"phase", over<cca::phase, Axis>>, out<"amplitude", over<cca::amplitude, Axis>>, out<"status", ode_status_port>> {
     const hopf_ode::input u(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value());
-    solver.advance(u, {p.convergence}, now.dt());
+    if (detail::all_finite(u)) solver.advance(u, {p.convergence}, now.dt());
     hopf_ode::state x = solver.get();
     double radius = std::sqrt(x.dot(x));
     if (radius < p.ember) {

@@ -2,16 +2,18 @@
 //
 //   cca::node<"reach", cca::vite<leg_angles>, cca::timed<1>>
 //   in  "target"     S, any space of one number an axis
-//   in  "start"      S, optional: where it is when it begins (the measured position); else the space's zero
+//   in  "start"      S, optional: where it is when it begins (the measured position); else the space's zero. Until a first
+//                    sample has come there, it waits and publishes no position
 //   in  "go"         over<amplitude, go_axis>, optional: a factor on the speed; 0 holds still
-//   out "position"   S
-//   out "velocity"   velocity_of<S>
+//   out "position"   S, a maybe
+//   out "velocity"   velocity_of<S>, a maybe
 //   out "status"     ode_status_port: converged once it has arrived
 //
 // The GO signal's clock starts when the movement does: when what had converged is given another target. A target that moves
 // while it is under way is followed without a jump of the velocity.
 // Parameters: `convergence` a (1/s), `speed` G0 (1/s), `rise` b (s), `exponent` n. With the defaults it has done 99 % of the
-// way after 1.1 s. Errors: none; a NaN in the target stays. Cost: four derivatives. Source: vite_ode.hpp.
+// way after 1.1 s. Errors: none; while an input is not finite, it stays where it is and publishes no
+// position. Cost: four derivatives. Source: vite_ode.hpp.
 // Example: tests/runtime/motor/vite.cpp.
 #pragma once
 
@@ -23,6 +25,7 @@
 #include <cca/component/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
+#include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 #include <cca/motor/vite_ode.hpp>
 
@@ -41,8 +44,12 @@ struct vite {
   parameters p{30.0, 7.5, 0.4, 2, {1e-3, 1e-2}};
 
   auto process(in<"target", S> target, optional_in<"start", S> start, optional_in<"go", over<cca::amplitude, go_axis>> go, beat now)
-      -> std::tuple<out<"position", S>, out<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
+      -> std::tuple<maybe<"position", S>, maybe<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
     constexpr int D = S::size;
+    typename ode::input u;
+    u.template head<D>() = target.vector();
+    u[D] = p.speed * (go ? go[go_axis{}] : 1.0);
+    if (!detail::all_finite(u) || (!begun && start && !detail::has_come(start))) return {{}, {}, status_of(status.get())};
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();
@@ -50,9 +57,6 @@ struct vite {
       begun = true;
     }
     const typename ode::parameters at{p.convergence, p.rise, p.exponent};
-    typename ode::input u;
-    u.template head<D>() = target.vector();
-    u[D] = p.speed * (go ? go[go_axis{}] : 1.0);
     const bool rested = status.get() == ode_status::converged;
     if (rested && status.update(rate(x, u, at), p.settling) == ode_status::transient) x[2 * D] = 0;
     solver.set(x);

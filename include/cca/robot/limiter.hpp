@@ -12,8 +12,8 @@
 //   rate     and of those, the nearest that can be reached since the last safe command: in the time since then, but no
 //            more than one period of the space's rate, so that a pause is no leave to jump.
 //
-// It starts from "measured", where that is wired, and holds it until a first command has come; else the first command is
-// taken as it is. Each number changed is counted, and the first cause kept: which axis, which check, in which beat.
+// It starts from "measured", where that is wired and has come, and holds it until a first command has; else the first command
+// is taken as it is. Each number changed is counted, and the first cause kept: which axis, which check, in which beat.
 //
 // Cost: two comparisons an axis and one branch; two additions more where an axis limits the rate. The rest runs only when
 // a command is changed. Errors: space.missing_limits. Example: tests/runtime/robot/limiter.cpp; docs/robot.md.
@@ -126,7 +126,7 @@ public:
 
   auto process(in<"command", Space> command, optional_in<"measured", Space> measured, beat now) -> out<"safe", Space> {
     if ((limits::has_any_rate || measured) && !begun) [[unlikely]] {
-      begin(command.vector(), measured.vector(), static_cast<bool>(measured), command.fresh());
+      begin(command.vector(), measured.vector(), measured && measured.origin() != never, command.fresh() || !measured);
       if (!begun) return last;
     }
     const double dt = time_since(now);
@@ -151,13 +151,13 @@ public:
 
 private:
   // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.
-  void begin(vector_type command, vector_type measured, bool is_measured, bool fresh) {
+  void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
     each_axis([&](auto axis) {
       const double there = measured[axis], wanted = command[axis];
       const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
       last[axis] = limits::in_range(axis, start);
     });
-    begun = fresh || !is_measured;
+    begun = now;
   }
 
   static double time_since(const beat& now) {

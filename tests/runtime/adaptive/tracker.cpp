@@ -73,7 +73,7 @@ flowchart LR
     n1["criterion<br/><i>1000 Hz</i>"]
     n2["status<br/><i>1000 Hz</i>"]
   end
-  n0 -- "command → target<br/>leg, 1000 Hz" --> n1
+  n0 -- "command → target<br/>leg" --> n1
   n0 -- "ode<br/>ode_status_port, 1000 Hz" --> n2
   n0 -- "module<br/>module_status_port, 1000 Hz" --> n2
   n1 -- "state → criterion<br/>criterion_port, 1000 Hz" --> n2

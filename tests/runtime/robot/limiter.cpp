@@ -143,6 +143,17 @@ TEST_CASE("NaN first of all: the allowed numbers nearest to zero, or what is mea
   CHECK_EQ(informed({no_number, inf}, {0.3, -1}), Eigen::Vector2d(0.3, -1));
 }
 
+TEST_CASE("what is measured counts once it has come: before that, the first command is taken as it is") {
+  cca::limiter<leg_angles> limit;
+  cca::optional_in<"measured", leg_angles> none;
+  none.set_wired();
+  const auto after = [&](const Eigen::Vector2d& command, std::int64_t k) {
+    return limit.process({command, k * millisecond, true}, none, cca::beat{k, millisecond, 1}).vector();
+  };
+  CHECK_EQ(after({0.5, -1.2}, 0), Eigen::Vector2d(0.5, -1.2));
+  CHECK(limit.interventions() == 0);
+}
+
 TEST_CASE("what need not be changed is not, to the bit") {
   bench<leg_torques> limit;
   for (const double small : {5e-324, -5e-324, -0.0, 0.0, 1e-310}) {
