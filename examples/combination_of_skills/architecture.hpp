@@ -100,7 +100,7 @@ struct architecture : cca::graph<
     cca::wire<"robot.abducted", "abduction_limits.measured">,
 
     // Where the controllers begin: at the angles measured.
-    cca::node<"measured", measured_joints>,
+    cca::node<"measured", measured_joints, cca::moderate>,
     cca::wire<"robot.angles", "measured.angles">,
     cca::wire<"robot.abducted", "measured.abducted">,
     cca::wire<"measured.hips", "hip_reaching.start">,

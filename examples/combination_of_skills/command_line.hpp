@@ -87,8 +87,9 @@ inline options parse(const std::vector<std::string>& arguments) {
 }
 
 // A controller that is loaded: with parameters from a file, if there is one, and the shape that it trots by.
-inline void load(combined& controller, const std::string& shape, const std::optional<std::string>& config) {
-  if (!controller.get<"dmp.module">().p.files.load.assign(shape)) throw command_line_error(shape + ": this name is too long");
+template <class Controller>
+void load(Controller& controller, const std::string& shape, const std::optional<std::string>& config) {
+  if (!controller.template get<"dmp.module">().p.files.load.assign(shape)) throw command_line_error(shape + ": this name is too long");
   if (config) controller.load(*config);
   else controller.load();
 }

@@ -1,10 +1,13 @@
 #pragma once
-// One run of the Combination of Skills in the simulator, and what came of it.
+// One run of the Combination of Skills in a simulated world, and what came of it. The robot is the simulator's, or one on virtual
+// drives around it (examples/hardware_in_the_loop): a stage has a `controller`, loaded and not yet started, `step()`, a `world()`, and
+// can `put_down(world, disturbance)` and `disturb(disturbance)`.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include <cca/cca.hpp>
 #include <cca/sim/disturbance.hpp>
@@ -67,7 +70,8 @@ inline cca::sim::initial_posture put_down(const orders::parameters& p, const cca
 }
 
 // How far the joints are behind their commands.
-inline double tracking_error(const combined& controller) {
+template <class Controller>
+double tracking_error(const Controller& controller) {
   double error = std::nan("");
   controller.observed([&](const cca::observation& one) {
     if (one.path == "dmp.criterion.error") error = one.values[0];
@@ -75,17 +79,17 @@ inline double tracking_error(const combined& controller) {
   return error;
 }
 
-// Calls between(controller) after each beat. The controller is loaded, not yet started.
-template <class Between>
-result roll_out(combined& controller, const circumstances& c, Between between) {
+// Calls between(controller) after each beat.
+template <class Stage, class Between>
+result act(Stage& stage, const circumstances& c, Between between) {
   constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
   auto disturbance = c.seed ? cca::sim::disturbance::from_seed(*c.seed, c.trot_seconds + 15 + c.after_seconds) : cca::sim::disturbance::none();
-  auto& simulator = controller.get<"robot.simulator">();
-  auto& camera = controller.get<"camera">();
-  const auto& sequencer = controller.get<"sequencer">().steps;
-  simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat().with_friction(disturbance.friction),
-                                     put_down(controller.get<"orders">().p, disturbance)),
-                     disturbance);
+  auto& controller = stage.controller;
+  auto& camera = controller.template get<"camera">();
+  const auto& sequencer = controller.template get<"sequencer">().steps;
+  stage.put_down(cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat().with_friction(disturbance.friction),
+                                 put_down(controller.template get<"orders">().p, disturbance)),
+                 disturbance);
   scene around(c.where, c.paw, c.trot_seconds);
   result r;
   double sum = 0, late_sum = 0;
@@ -93,14 +97,14 @@ result roll_out(combined& controller, const circumstances& c, Between between) {
   cca::sim::vector3 from{};
   controller.start();
   for (;;) {
-    const auto& world = simulator.world();
+    const auto& world = stage.world();
     const double time = world.time();
     const int before = sequencer.step();
     const bool stopped = before > plan::at<"stop">;
     const auto ball = around.seen(world, stopped);
     camera.sees = ball.has_value();
     if (ball) camera.ball = *ball;
-    controller.step();
+    stage.step();
     between(controller);
 
     const int now_on = sequencer.step();
@@ -122,7 +126,7 @@ result roll_out(combined& controller, const circumstances& c, Between between) {
         if (c.push > 0 && count == 1) {
           const double side = c.seed.value_or(0) % 2 ? 1.0 : -1.0;
           disturbance.another = {time + measured, push_seconds, {0, side * c.push, 0}};
-          simulator.disturb(disturbance);
+          stage.disturb(disturbance);
         }
       } else {
         late_sum += error, ++late_count;
@@ -144,6 +148,20 @@ result roll_out(combined& controller, const circumstances& c, Between between) {
   if (late_count > 0) r.error_after_push = late_sum / late_count;
   if (r.touched()) r.reach_time = r.of<"reach">().end - r.of<"reach">().begin;
   return r;
+}
+
+struct simulated_stage {
+  combined& controller;
+  const cca::sim::world& world() const { return controller.get<"robot.simulator">().world(); }
+  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) { controller.get<"robot.simulator">().put_down(std::move(w), d); }
+  void disturb(const cca::sim::disturbance& d) { controller.get<"robot.simulator">().disturb(d); }
+  void step() { controller.step(); }
+};
+
+template <class Between>
+result roll_out(combined& controller, const circumstances& c, Between between) {
+  simulated_stage stage{controller};
+  return act(stage, c, between);
 }
 
 }  // namespace skills

@@ -39,9 +39,9 @@ class in_memory {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
-  // `one_shot`: a frame is tried once, as docs/hardware.md asks for.
-  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {}, bool one_shot = true)
-      : wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3), made(script, one_shot, 4),
+  // `one_shot`: a frame is tried once, as docs/hardware.md asks for. `answering`: when in a beat the far side answers, ns.
+  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {}, bool one_shot = true, std::int64_t answering = beat / 2)
+      : answers_at(answering), wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3), made(script, one_shot, 4),
               made(script, one_shot, 5)} {
     connect();
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
@@ -52,9 +52,10 @@ public:
   // A millisecond: the controller's beat first, unless it stands still, and what the drives make of it.
   bool step(bool controller_runs = true) {
     const bool stepped = controller_runs && controller.step();
-    go_to(now + beat / 2);
-    far.listen(now + beat / 2);
-    laws = far.laws(now + beat / 2);
+    const std::int64_t heard = now + answers_at;
+    go_to(heard);
+    far.listen(heard);
+    laws = far.laws(heard);
     robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
     now += beat;
@@ -62,16 +63,25 @@ public:
     return stepped;
   }
 
+  // What a program needs that puts the robot down and pushes it.
+  const cca::sim::world& world() const { return robot.world; }
+  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
+    robot.world = std::move(w);
+    robot.disturbance = d;
+  }
+  void disturb(const cca::sim::disturbance& d) { robot.disturbance = d; }
+
   // A controller of its own, as if the program had been started anew.
   void restart_program() {
     controller = {};
     connect();
   }
 
+  std::int64_t answers_at;
   std::array<wire, buses> wires;
   cca::controller<Architecture> controller{};
   far_side<memory_end> far{};
-  mechanics robot{put_down()};
+  mechanics robot{hil::put_down()};
   std::array<cca::hardware::drive_command, 8> laws{};  // that the drives followed in the last beat
   std::int64_t now = 0;
 

@@ -4,6 +4,7 @@
 
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/hardware/virtual_drive.hpp>
+#include <cca/sim/disturbance.hpp>
 #include <cca/sim/world.hpp>
 
 namespace hil {
@@ -19,6 +20,7 @@ public:
     };
     cca::sim::robot_laws laws;
     for (std::size_t leg = 0; leg < 4; ++leg) laws[leg] = {law(drives[leg]), law(drives[4 + leg]), abduction[leg]};
+    world.push(disturbance.push_at(world.time()));
     world.follow(laws);
   }
 
@@ -48,6 +50,7 @@ public:
   }
 
   cca::sim::world world;
+  cca::sim::disturbance disturbance{};
 };
 
 }  // namespace hil

@@ -6,7 +6,6 @@
 
 #include <cca/sim/oncilla.hpp>
 
-#include "../../../examples/combination_of_skills/architecture.hpp"
 #include "../../../examples/hardware_in_the_loop/in_memory.hpp"
 
 namespace {
@@ -14,9 +13,6 @@ namespace {
 struct simulated : trot::architecture<cca::sim::oncilla> {};
 static_assert(cca::well_formed<simulated>);
 static_assert(cca::well_formed<hil::trot_on_drives>);
-
-struct skills_on_drives : skills::architecture<hil::oncilla<hil::memory_end>> {};
-static_assert(cca::well_formed<skills_on_drives>);
 
 }  // namespace
 

@@ -19,18 +19,18 @@ flowchart LR
   n9["hip_reaching<br/><i>1000 Hz</i>"]
   n10["knee_reaching<br/><i>1000 Hz</i>"]
   n11["cpg<br/><i>1000 Hz</i>"]
-  n15["goal<br/><i>1000 Hz</i>"]
+  n15["goal<br/><i>restless</i>"]
   n16["limits<br/><i>1000 Hz</i>"]
   n17["abduction_limits<br/><i>1000 Hz</i>"]
   n18["stiffness_limits<br/><i>1000 Hz</i>"]
   n19["measured<br/><i>1000 Hz</i>"]
   n20["heading<br/><i>100 Hz</i>"]
-  n21["steering<br/><i>1000 Hz</i>"]
-  n22["balance<br/><i>1000 Hz</i>"]
+  n21["steering<br/><i>port_triggered</i>"]
+  n22["balance<br/><i>port_triggered</i>"]
   n23["paw<br/><i>1000 Hz</i>"]
   n24["aim<br/><i>1000 Hz</i>"]
   n25["ball<br/><i>1000 Hz</i>"]
-  n27["steady<br/><i>1000 Hz</i>"]
+  n27["steady<br/><i>port_triggered</i>"]
   n28["trunk<br/><i>1000 Hz</i>"]
   subgraph g1["inverse_kinematics"]
     n4["left_front<br/><i>100 Hz</i>"]
@@ -69,17 +69,17 @@ flowchart LR
   n3 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 100 Hz" --> n11
   n11 -- "phase<br/>over&lt;phase, stride&gt;, 1000 Hz" --> n12
   n11 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n12
-  n27 -- "angles → reference<br/>leg_angles, 1000 Hz" --> n12
-  n12 -- "command → target<br/>leg_angles, 1000 Hz" --> n13
+  n27 -- "angles → reference<br/>leg_angles" --> n12
+  n12 -- "command → target<br/>leg_angles" --> n13
   n0 -- "angles → feedback<br/>leg_angles, 1000 Hz" --> n13
   n12 -- "ode<br/>ode_status_port, 1000 Hz" --> n14
   n12 -- "module<br/>module_status_port, 1000 Hz" --> n14
   n13 -- "state → criterion<br/>criterion_port, 1000 Hz" --> n14
-  n9 -- "position → hips<br/>hip_angles, 1000 Hz" --> n15
-  n10 -- "position → knees<br/>knee_angles, 1000 Hz" --> n15
-  n22 -- "angles → command<br/>leg_angles, 1000 Hz" --> n16
+  n9 -- "position → hips<br/>hip_angles" --> n15
+  n10 -- "position → knees<br/>knee_angles" --> n15
+  n22 -- "angles → command<br/>leg_angles" --> n16
   n0 -- "angles → measured<br/>leg_angles, 1000 Hz" --> n16
-  n27 -- "abducted → command<br/>abduction_angles, 1000 Hz" --> n17
+  n27 -- "abducted → command<br/>abduction_angles" --> n17
   n0 -- "abducted → measured<br/>abduction_angles, 1000 Hz" --> n17
   n3 -- "stiffness → command<br/>wanted_stiffness, 100 Hz" --> n18
   n0 -- "angles<br/>leg_angles, 1000 Hz" --> n19
@@ -88,12 +88,12 @@ flowchart LR
   n1 -- "ball<br/>point_in_trunk" --> n20
   n23 -- "side<br/>side_port, 1000 Hz" --> n20
   n11 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n20
-  n27 -- "angles → goal<br/>leg_angles, 1000 Hz" --> n21
+  n27 -- "angles → goal<br/>leg_angles" --> n21
   n20 -- "turn<br/>turning, 100 Hz" --> n21
-  n12 -- "command<br/>leg_angles, 1000 Hz" --> n21
+  n12 -- "command<br/>leg_angles" --> n21
   n0 -- "angular_velocity<br/>trunk_angular_velocity, 1000 Hz" --> n22
   n3 -- "supports<br/>supports, 100 Hz" --> n22
-  n21 -- "angles → command<br/>leg_angles, 1000 Hz" --> n22
+  n21 -- "angles → command<br/>leg_angles" --> n22
   n1 -- "ball<br/>point_in_trunk" --> n23
   n0 -- "angles<br/>leg_angles, 1000 Hz" --> n23
   n0 -- "abducted<br/>abduction_angles, 1000 Hz" --> n23
@@ -103,8 +103,8 @@ flowchart LR
   n1 -- "ball<br/>point_in_trunk" --> n25
   n1 -- "ball → target<br/>point_in_trunk" --> n26
   n23 -- "paw → feedback<br/>point_in_trunk, 1000 Hz" --> n26
-  n15 -- "legs<br/>leg_angles, 1000 Hz" --> n27
-  n15 -- "abduction<br/>abduction_angles, 1000 Hz" --> n27
+  n15 -- "legs<br/>leg_angles" --> n27
+  n15 -- "abduction<br/>abduction_angles" --> n27
   n1 -- "ball<br/>point_in_trunk" --> n27
   n23 -- "paw<br/>point_in_trunk, 1000 Hz" --> n27
   n24 -- "aim<br/>point_in_trunk, 1000 Hz" --> n27

@@ -1,7 +1,8 @@
 // The synchronizer of a robot on CAN: the one node that knows the buses. It reads all that came in `sense`, and writes in `act`.
 //
-//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m; NaN until the drive has told)
-//           out "trunk"  the sensor board, as sim::measured_trunk
+//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has told: the nodes behind it publish
+//           what is a number (oncilla_nodes.hpp)
+//           out "trunk"  the sensor board, as sim::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
 //   act     in "set_points" of the guards; optional "abduction" targets for the board
 //
@@ -63,7 +64,8 @@ public:
     typename joint_states<joints>::vector_type states;
     for (std::size_t i = 0; i < count; ++i) joint_state{angle[i], speed[i], torque[i], trip_of(i), at}.put(states, i);
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense())(Eigen::Vector3d(angle[I], speed[I], torque[I])..., trunk(), states);
+      return decltype(sense())(
+          Eigen::Vector3d(angle[I], J::speed_of(reports[I].velocity), J::torque_of(reports[I].torque))..., trunk(), states);
     });
   }
 
@@ -279,7 +281,7 @@ private:
   std::array<Bus*, buses> wires{};
   std::array<link_supervisor<3>, buses> links{};
   std::array<drive_report, count> reports{};
-  board_reading reading{};
+  board_reading reading = board_reading::untold();
   std::array<double, count> angle = unknown, speed{}, torque{};
   std::array<std::int64_t, count> told_at{};
   std::array<int, count> quiet{}, jumps{};

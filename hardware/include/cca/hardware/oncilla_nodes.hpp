@@ -1,20 +1,21 @@
 // The resource nodes of the Oncilla on real drives, with the ports of those in the simulator (cca/sim/resource_nodes.hpp).
 //
-//   joint_node<Axis>   sense: in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m, as the drive tells)
+//   joint_node<Axis>   sense: in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m, as the drive tells), each a maybe
 //                      act:   in "command" (rad); out "target", of no origin (`never`) until a command has come
 //   trunk_node         sense: in "measured"; out "orientation", "angular_velocity", "acceleration", "contacts" (status),
-//   "foot_loads"
-//                      (N), "abduction" (rad)
+//                      "foot_loads" (N), "abduction" (rad), each a maybe
 //   joint_servos       act:   in the targets, "joints", optional "stiffness" of the hips; out "wanted" set_points: the law of
 //                      each joint's servo, with the speed of its target. Without a target it holds where the joint is.
 //
-// A target's stiffness takes its damping with it, as in the simulator. Cost: some operations a joint.
+// What a drive or the board has not told yet is not published: a sample is what was measured. So "angles" of the whole robot come
+// once all drives have told theirs. A target's stiffness takes its damping with it, as in the simulator. Cost: some operations a joint.
 #pragma once
 
 #include <array>
 #include <tuple>
 
 #include <cca/component/beat.hpp>
+#include <cca/component/inlining.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/set_points.hpp>
@@ -22,12 +23,29 @@
 
 namespace cca::hardware {
 
+namespace detail {
+
+// A part of a record as a port, if `witness` says that it has been told: it is a number.
+template <fixed_string Name, class Space, class Record>
+CCA_GLUE maybe<Name, Space> told(const Record& v, int from, int witness) {
+  if (v[witness] - v[witness] == 0) return v.template segment<Space::vector_type::RowsAtCompileTime>(from);
+  return {};
+}
+template <fixed_string Name, class Space, class Record>
+CCA_GLUE maybe<Name, Space> told(const Record& v, int from) {
+  return told<Name, Space>(v, from, from);
+}
+
+}  // namespace detail
+
 template <class Axis>
 struct joint_node {
   auto sense(in<"measured", sim::measured_joint<Axis>> now)
-      -> std::tuple<out<"angle", sim::joint_angle<Axis>>, out<"velocity", sim::joint_velocity<Axis>>,
-                    out<"torque", sim::joint_torque<Axis>>> {
-    return {now.vector()[0], now.vector()[1], now.vector()[2]};
+      -> std::tuple<maybe<"angle", sim::joint_angle<Axis>>, maybe<"velocity", sim::joint_velocity<Axis>>,
+                    maybe<"torque", sim::joint_torque<Axis>>> {
+    const auto& v = now.vector();
+    return {detail::told<"angle", sim::joint_angle<Axis>>(v, 0), detail::told<"velocity", sim::joint_velocity<Axis>>(v, 1),
+            detail::told<"torque", sim::joint_torque<Axis>>(v, 2)};
   }
   auto act(in<"command", sim::joint_angle<Axis>> wanted) -> out<"target", sim::joint_angle<Axis>> {
     return out<"target", sim::joint_angle<Axis>>(wanted.vector()).with_origin(wanted.origin());
@@ -36,12 +54,16 @@ struct joint_node {
 
 struct trunk_node {
   auto sense(in<"measured", sim::measured_trunk> now)
-      -> std::tuple<out<"orientation", sim::trunk_orientation>, out<"angular_velocity", sim::trunk_angular_velocity>,
-                    out<"acceleration", sim::trunk_acceleration>, out<"contacts", sim::foot_contacts>,
-                    out<"foot_loads", sim::foot_loads>, out<"abduction", sim::abduction_angles>> {
+      -> std::tuple<maybe<"orientation", sim::trunk_orientation>, maybe<"angular_velocity", sim::trunk_angular_velocity>,
+                    maybe<"acceleration", sim::trunk_acceleration>, maybe<"contacts", sim::foot_contacts>,
+                    maybe<"foot_loads", sim::foot_loads>, maybe<"abduction", sim::abduction_angles>> {
     const auto& v = now.vector();
-    return {v.template segment<4>(0),  v.template segment<3>(4),  v.template segment<3>(7),
-            v.template segment<4>(14), v.template segment<4>(10), v.template segment<4>(18)};
+    return {detail::told<"orientation", sim::trunk_orientation>(v, 0),
+            detail::told<"angular_velocity", sim::trunk_angular_velocity>(v, 4),
+            detail::told<"acceleration", sim::trunk_acceleration>(v, 7),
+            detail::told<"contacts", sim::foot_contacts>(v, 14, 4),  // in the frame of the angular velocity
+            detail::told<"foot_loads", sim::foot_loads>(v, 10),
+            detail::told<"abduction", sim::abduction_angles>(v, 18)};
   }
 };
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <cca/hardware/drive.hpp>
 #include <cca/hardware/wire_number.hpp>
@@ -30,6 +31,14 @@ struct board_reading {
   std::array<double, 4> abduction{};  // rad
   std::uint8_t status = 0;
   std::uint64_t frames = 0;
+
+  // Before anything has been told: no numbers.
+  static constexpr board_reading untold() {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    board_reading r;
+    r.orientation.fill(none), r.angular_velocity.fill(none), r.specific_force.fill(none), r.foot_load.fill(none), r.abduction.fill(none);
+    return r;
+  }
 };
 
 template <std::uint32_t Base, std::size_t Bus = 0, bit_rates Rates = bit_rates{}>
