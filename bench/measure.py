@@ -3,7 +3,7 @@
 three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, skills, compile, listing; the others stay as they were in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, skills, drives, compile, listing; the others stay as they were in figures.json;
                                more than one: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -35,7 +35,7 @@ SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # from the sight of the ball on: each skill has its turn
 SYNTHETIC_BEATS = (200, 600)  # whole rounds of the slowest clock, and 300 virtual components under callgrind
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
-INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(HERE)]
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(ROOT / "hardware/include"), "-I", str(HERE)]
 
 
 def run(command, **options):
@@ -50,11 +50,12 @@ def build(compiler, flags, source, program):
          "-lbenchmark", "-lpthread"])
 
 
-def instructions(program, *form, lengths=(1000, 3000)):
-    """A beat: the difference between two lengths of run."""
+def instructions(program, *form, lengths=(1000, 3000), within=()):
+    """A beat: the difference between two lengths of run. `within`: counted in these functions alone."""
     counts = []
     for beats in lengths:
-        out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(program), *form, str(beats)]).stderr
+        out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *(f"--toggle-collect={name}" for name in within),
+                   str(program), *form, str(beats)]).stderr
         counts.append(int(re.search(r"Collected : (\d+)", out)[1]))
     return (counts[1] - counts[0]) / (lengths[1] - lengths[0])
 
@@ -163,6 +164,19 @@ def skills(work):
     return rows
 
 
+def drives(work):
+    """The trot on eight drives over CAN, less what the buses that cost nothing do."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "drives"
+        build(compiler, ["-O2"], HERE / "drives.cpp", program)
+        buses = ("bench::mirror::send*", "bench::mirror::receive*")
+        rows.append({"compiler": compiler, "flags": "-O2", "instructions": instructions(program) - instructions(program, within=buses),
+                     "allocations": int(run([str(program), "allocations"]).stdout)})
+        print("drives", rows[-1], flush=True)
+    return rows
+
+
 def skeletons(work):
     """Each skeleton in a graph, and by hand: instructions a beat, allocations of a thousand, calls left."""
     rows = []
@@ -263,7 +277,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "skills": skills, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "skills": skills, "drives": drives, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

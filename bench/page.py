@@ -128,6 +128,17 @@ Seldom: a limiter's first beat and where it steps in; a sequence looks for the p
 {measured(part)}"""
 
 
+def drives(part):
+    rows = [[r["compiler"], f"`{r['flags']}`", number(r["instructions"]), r["allocations"]] for r in part["data"]]
+    return f"""## Eight drives
+
+A whole beat of the trot with `hardware::oncilla`, eight drives and the sensor board: 8 set-points, 13 answers, five buses, the whole safety chain.
+`bench/drives.cpp` has buses that cost nothing, behind which drives are at once where they are told to be; what these do is taken off.
+
+{table(["compiler", "flags", "instructions a beat", "allocations in 1000 beats"], rows)}
+{measured(part)}"""
+
+
 def compiling(part, exponent):
     data = part["data"]
     bases = table(["file that only includes", "compiler", "s", "MB"],
@@ -187,6 +198,8 @@ watch that a beat allocates nothing and calls nothing but libm.
         parts.append(skeletons(figures["skeletons"]))
     if "skills" in figures:
         parts.append(skills(figures["skills"]))
+    if "drives" in figures:
+        parts.append(drives(figures["drives"]))
     if "compile" in figures:
         parts.append(compiling(figures["compile"], exponent))
     if "listing" in figures:
