@@ -24,9 +24,9 @@ struct oscillator_network_ode {
   using input = Eigen::Matrix<double, 2 * N, 1>;
   using matrix = Eigen::Matrix<double, N, N>;
   struct parameters {
-    matrix weights;      // w_ij, per s: how strongly j draws i; 0: not coupled
-    matrix phases;       // phi_ij, rad
-    double convergence;  // a, per s
+    matrix weights = matrix::Zero();  // w_ij, per s: how strongly j draws i; 0: not coupled
+    matrix phases = matrix::Zero();   // phi_ij, rad
+    double convergence = 0;           // a, per s
   };
 
   static state derivative(const state& x, const input& u, const parameters& p) {
