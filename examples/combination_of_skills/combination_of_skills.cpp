@@ -1,9 +1,6 @@
 // The Oncilla trots, stops, reaches for a ball with a front paw, and trots on: run, table, CSV, picture. --help lists the options.
 #include <cstdio>
-#include <exception>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,19 +11,11 @@
 #include "../trot/progress.hpp"
 #include "../trot/recording.hpp"
 #include "../trot/svg.hpp"
-#include "command_line.hpp"
+#include "program.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"
 
 namespace {
-
-template <class Write>
-void write(const std::string& name, Write content) {
-  std::ofstream file(name);
-  if (file) content(file);
-  file.close();
-  if (!file) throw std::runtime_error(name + ": cannot be written");
-}
 
 int run(const skills::options& o) {
   skills::combined controller;
@@ -51,10 +40,10 @@ int run(const skills::options& o) {
   bar.done();
 
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary) write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
-  if (o.csv) write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
+  if (o.summary) skills::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+  if (o.csv) skills::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
   if (o.svg)
-    write(*o.svg, [&](std::ostream& file) {
+    skills::write(*o.svg, [&](std::ostream& file) {
       char title[128];
       std::snprintf(title, sizeof title, "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s", result.reach_error * 1e3, result.reach_time);
       trot::write_svg(file, recorded, title);
@@ -64,19 +53,4 @@ int run(const skills::options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  try {
-    const skills::options options = skills::parse({arguments + 1, arguments + count});
-    if (options.help) {
-      std::cout << skills::usage;
-      return 0;
-    }
-    return run(options);
-  } catch (const skills::command_line_error& error) {
-    std::cerr << "combination_of_skills: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "combination_of_skills: " << error.what() << '\n';
-    return 3;
-  }
-}
+int main(int count, char** arguments) { return skills::program("combination_of_skills", count, arguments, run); }

@@ -1,15 +1,13 @@
 // The Combination of Skills on drives: the Oncilla trots, stops, reaches for a ball and trots on, over five buses in memory. Options are
 // those of combination_of_skills, without its recordings; --help lists them.
 #include <cstdio>
-#include <exception>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
+#include "../combination_of_skills/program.hpp"
 #include "../combination_of_skills/summary.hpp"
 #include "on_drives.hpp"
 
@@ -21,12 +19,7 @@ int run(const skills::options& o) {
   hil::load(robot, o.shape, o.config);
   const auto result = skills::act(robot, o.run, [](const auto&) {});
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary) {
-    std::ofstream file(*o.summary);
-    if (file) skills::write_json(file, {{o.run, result}});
-    file.close();
-    if (!file) throw std::runtime_error(*o.summary + ": cannot be written");
-  }
+  if (o.summary) skills::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
   const auto& stop = robot.controller.get<"robot.emergency_stop">();
   if (stop.mode() != cca::hardware::motion_mode::run)
     std::printf("stopped; first cause: %s\n", std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
@@ -35,19 +28,4 @@ int run(const skills::options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  try {
-    const skills::options options = skills::parse({arguments + 1, arguments + count});
-    if (options.help) {
-      std::cout << skills::usage;
-      return 0;
-    }
-    return run(options);
-  } catch (const skills::command_line_error& error) {
-    std::cerr << "hardware_in_the_loop_skills: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "hardware_in_the_loop_skills: " << error.what() << '\n';
-    return 3;
-  }
-}
+int main(int count, char** arguments) { return skills::program("hardware_in_the_loop_skills", count, arguments, run); }
