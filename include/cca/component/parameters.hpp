@@ -17,7 +17,6 @@
 #include <vector>
 
 #include <cca/component/component.hpp>
-#include <cca/component/component.hpp>
 #include <cca/component/parameter_check.hpp>
 #include <cca/component/refused.hpp>
 #include <cca/component/schema.hpp>
@@ -98,13 +97,6 @@ constexpr field_problem bad_field_of<Component> = {.name = unsupported_field<typ
                                                    .type = unsupported_type<typename Component::parameters>()};
 template <ForgotParameters Component>
 constexpr field_problem bad_field_of<Component> = {.forgot_parameters = true};
-
-template <class Component>
-  requires HasParameters<Component> || ForgotParameters<Component>
-constexpr field_problem bad_field_of<Component> = [] {
-  if constexpr (ForgotParameters<Component>) return field_problem{.forgot_parameters = true};
-  else return field_problem{unsupported_field<typename Component::parameters>(), unsupported_type<typename Component::parameters>()};
-}();
 
 inline void refuse(const std::vector<complaint>& found) {
   if (found.empty()) return;

@@ -11,11 +11,9 @@
 
 namespace cca {
 
-// In beat k if (k - Phase) mod N = 0.
+// In beat k if (k - Phase) mod N = 0; N > 0.
 template <std::int64_t N, std::int64_t Phase = 0>
-struct timed {
-  static_assert(N > 0, "cca::timed<N, Phase>: N is a number of beats, at least one");
-};
+struct timed {};
 
 struct restless {};     // if any input is fresh
 struct moderate {};     // if every input is fresh
@@ -23,12 +21,9 @@ struct coordinated {};  // if every input holds a sample of one time of origin, 
 struct full_speed {};   // always
 struct inactive {};     // never
 
-// If N beats have passed since it last fired (since beat 0, if never); for use in any_of<moderate, timeout<15>>.
+// If N beats have passed since it last fired (since beat 0, if never), N > 0; for use in any_of<moderate, timeout<15>>.
 template <std::int64_t N>
-struct timeout {
-  static_assert(N > 0, "cca::timeout<N>: N is a number of beats, at least one");
-  static constexpr std::int64_t beats = N;
-};
+struct timeout {};
 
 // If any of the named inputs is fresh.
 template <fixed_string... Inputs>
@@ -80,7 +75,7 @@ template <> inline constexpr strategy_info strategy_of<inactive>{strategy_kind::
 template <std::int64_t N, std::int64_t Phase>
 inline constexpr strategy_info strategy_of<timed<N, Phase>>{strategy_kind::timed, N, Phase};
 template <std::int64_t N>
-inline constexpr strategy_info strategy_of<timeout<N>>{strategy_kind::timeout, timeout<N>::beats};
+inline constexpr strategy_info strategy_of<timeout<N>>{strategy_kind::timeout, N};
 template <fixed_string... Inputs>
 inline constexpr strategy_info strategy_of<port_triggered<Inputs...>>{
     strategy_kind::port_triggered, 0, 0, names_of<Inputs...>.data(), nullptr, sizeof...(Inputs)};

@@ -95,6 +95,14 @@ constexpr clock pure_clock(const strategy_info& strategy, bool inside = false) {
 }
 
 // Clocks under `all_of` that exclude each other: it never fires, whatever comes.
+// Every so many beats, but none.
+constexpr bool counts_no_beats(const strategy_info& strategy) {
+  if (strategy.kind == strategy_kind::timed || strategy.kind == strategy_kind::timeout) return strategy.n < 1;
+  for (int i = 0; is_combined(strategy) && i < strategy.count; ++i)
+    if (counts_no_beats(*strategy.parts[i])) return true;
+  return false;
+}
+
 constexpr bool excludes_itself(const strategy_info& strategy) {
   if (strategy.kind != strategy_kind::all_of && strategy.kind != strategy_kind::any_of) return false;
   for (int i = 0; i < strategy.count; ++i)

@@ -29,7 +29,7 @@ struct clocking {
       for (int o = 0; o < g.output_count; ++o)
         if (const auto space = port_of(g, g.outputs[o]).space; space->hz > g.hz) g.hz = space->hz;
     }
-    if (g.hz == 0) return refuse(rule::rate_missing, nullptr, 0);
+    if (g.hz == 0 || g.hz > 1e9) return refuse(rule::rate_missing, nullptr, 0);
     g.period = static_cast<std::int64_t>(1e9 / g.hz);
     for (int s = 1; s < g.scope_count; ++s)
       for (int i = 0; i < g.scopes[s].graph->count; ++i) {
@@ -122,6 +122,7 @@ struct clocking {
   constexpr void check_strategy(int turn_index) {
     const auto& t = g.turns[turn_index];
     const auto strategy = strategy_of_turn(g, t);
+    if (counts_no_beats(strategy)) return refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 2);
     if (waits_in_vain(t, strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
     if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);
   }

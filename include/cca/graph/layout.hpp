@@ -33,8 +33,27 @@ struct turn_place {
   int first_input = 0, first_output = 0;
 };
 
+// The first number of each key, by open addressing. Keys are of 64 well-mixed bits: equal ones mean equal facts.
+template <int Count>
+struct likeness {
+  static constexpr auto mask = table_size(Count) - 1;
+  int numbers[mask + 1]{};  // one more than the number; 0: none
+  std::uint64_t keys[mask + 1]{};
+
+  constexpr int first_alike(std::uint64_t key, int number) {
+    auto at = key & mask;
+    while (numbers[at] != 0 && keys[at] != key) at = (at + 1) & mask;
+    if (numbers[at] == 0) {
+      numbers[at] = number + 1;
+      keys[at] = key;
+    }
+    return numbers[at] - 1;
+  }
+};
+
 template <int Leaves, int Turns, int Inputs, int Outputs>
 struct layout {
+  static constexpr int max_groups = 2 * Outputs + Inputs + 1;
   seat cells[Leaves + 1]{};       // group: the first component of the same type
   int cell_counts[Leaves + 1]{};  // of the group of this number
   int like[Turns + 1]{};          // the first function that is alike
@@ -44,26 +63,13 @@ struct layout {
   seat newest[Outputs + 1]{};     // kept, or a local of the beat
   seat past[Outputs + 1]{};
   seat sources[Inputs + 1]{};     // what the input reads; of a queue, its own
-  storage_group groups[2 * Outputs + Inputs + 1]{};
+  storage_group groups[max_groups]{};
   int group_count = 0, firing_count = 0;
-};
 
-// The first number of each key, by open addressing. Keys are of 64 well-mixed bits: equal ones mean equal facts.
-struct likeness {
-  int mask;
-  scratch numbers;
-  scratch_of<std::uint64_t> keys;
-  explicit constexpr likeness(int count) : mask(static_cast<int>(table_size(count)) - 1), numbers(mask, -1), keys(mask) {}
-
-  constexpr int first_alike(std::uint64_t key, int number) {
-    int at = static_cast<int>(key) & mask;
-    while (numbers[at] >= 0 && keys[at] != key) at = (at + 1) & mask;
-    if (numbers[at] < 0) {
-      numbers[at] = number;
-      keys[at] = key;
-    }
-    return numbers[at];
-  }
+  using like_types = likeness<Leaves>;
+  using like_turns = likeness<Turns>;
+  using like_inputs = likeness<Inputs>;
+  using like_outputs = likeness<Outputs>;
 };
 
 // Coordinate c of the initial value that a wire gives; without one, of the space's zero.
@@ -71,9 +77,11 @@ constexpr double initial_coordinate(ref<item_info> wire, const space_info& space
   return wire && wire->initial ? wire->initial[wire->initial_count == 1 ? 0 : c] : space.zero[c];
 }
 
-constexpr std::uint64_t mixed(std::uint64_t key, std::int64_t fact) {
-  key = (key ^ static_cast<std::uint64_t>(fact)) * 0x9e3779b97f4a7c15ull;
-  return key ^ (key >> 29);
+// All facts in one call: to call a function costs the compilers more than to compute.
+template <class... Facts>
+constexpr std::uint64_t mixed(std::uint64_t key, Facts... facts) {
+  ((key = (key ^ static_cast<std::uint64_t>(facts)) * 0x9e3779b97f4a7c15ull, key ^= key >> 29), ...);
+  return key;
 }
 
 template <class Layout>
@@ -93,7 +101,7 @@ struct laying_out {
   }
 
   constexpr void place_components() {
-    likeness types(g.leaf_count);
+    typename Layout::like_types types;
     for (int l = 0; l < g.leaf_count; ++l) {
       const int first = types.first_alike(g.leaves[l].item->component->key, l);
       to.cells[l] = {first, to.cell_counts[first]++};
@@ -102,7 +110,7 @@ struct laying_out {
 
   // Each part of a beat has its own locals.
   constexpr void place_locals() {
-    scratch used(2 * g.output_count);
+    int used[Layout::max_groups]{};
     for (int r = 0; r < g.turn_count; ++r) {
       const auto& t = g.turns[g.order[r]];
       if (r % g.turns_in_part == 0)
@@ -145,8 +153,7 @@ struct laying_out {
     std::uint64_t key = mixed(0, source);
     if (in.writer >= 0) {
       const auto c = published(g, g.outputs[in.writer]);
-      for (const std::int64_t fact : {c.period, c.first, std::int64_t{delay_of(in)}}) key = mixed(key, fact);
-      key = mixed(key, in.is_kept | in.in_beat << 1 | in.own_initial << 2 | in.counts << 3);
+      key = mixed(key, c.period, c.first, delay_of(in), in.is_kept | in.in_beat << 1 | in.own_initial << 2 | in.counts << 3);
     }
     const auto space = port_of(g, in).space;
     if (shows_initial(in) && space)
@@ -156,30 +163,29 @@ struct laying_out {
 
   constexpr std::uint64_t key_of(const output& out, int newest, int past) const {
     const auto c = published(g, out);
-    std::uint64_t key = 0;
-    for (const std::int64_t fact : {c.period, c.first, std::int64_t{newest}, std::int64_t{past}}) key = mixed(key, fact);
-    return key;
+    return mixed(0, c.period, c.first, newest, past);
   }
 
   constexpr std::uint64_t key_of(const turn& t) const {
-    std::uint64_t key = node_of(g, t).strategy_key;
-    for (const std::int64_t fact : {std::int64_t{to.cells[t.leaf].group}, static_cast<std::int64_t>(t.phase), t.fires.period, t.fires.first})
-      key = mixed(key, fact);
+    std::uint64_t key = mixed(node_of(g, t).strategy_key, to.cells[t.leaf].group, t.phase, t.fires.period, t.fires.first);
     for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) key = mixed(key, to.like_input[i]);
     for (int o = t.first_output; o < t.first_output + t.half->output_count; ++o) key = mixed(key, to.like_output[o]);
     return key;
   }
 
   // Observers read, and queues are filled, by the numbers of the ports.
-  constexpr bool is_special(const input& in) const { return !port_of(g, in).space; }
+  constexpr bool is_special(const input& in) const { return in.writer < 0 && !port_of(g, in).space; }
   constexpr bool is_special(const output& out) const {
+    if (g.queue_count == 0) return false;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
       if (g.inputs[i].queue >= 0) return true;
     return false;
   }
 
   constexpr void find_alike() {
-    likeness inputs(g.input_count), outputs(g.output_count), functions(g.turn_count);
+    typename Layout::like_inputs inputs;
+    typename Layout::like_outputs outputs;
+    typename Layout::like_turns functions;
     for (int i = 0; i < g.input_count; ++i)
       to.like_input[i] = is_special(g.inputs[i]) ? i : inputs.first_alike(key_of(g.inputs[i], to.sources[i].group), i);
     for (int o = 0; o < g.output_count; ++o)

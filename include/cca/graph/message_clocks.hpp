@@ -8,7 +8,10 @@ namespace cca::detail {
 
 constexpr void tell_rate_missing(telling& t) {
   t.where << t.graph().name;
-  t.say() << "neither " << t.graph().name << " nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph";
+  if (t.g.hz > 0)
+    t.say() << t.graph().name << " or one of its spaces states " << t.g.hz << " Hz, and a beat is at least a nanosecond long: state at most 1,000,000,000 Hz";
+  else
+    t.say() << "neither " << t.graph().name << " nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph";
 }
 
 constexpr void tell_rate_mismatch(telling& t) {
@@ -60,6 +63,8 @@ constexpr void tell_never_fires(telling& t) {
   t.node();
   if (t.found().b == 0)
     t.say() << " fires when an input is fresh, but none of those that it waits for is wired: wire one, or make it cca::timed";
+  else if (t.found().b == 2)
+    t.say() << " counts beats by a number below 1: in cca::timed<N> and cca::timeout<N> it is at least 1";
   else
     t.say() << " never fires: the clocks under its cca::all_of have no beat in common; change a period or a phase";
 }
@@ -80,7 +85,7 @@ constexpr void tell_coordination(telling& t) {
   t.port(t.g.outputs[b.writer]);
   t.say() << ", ";
   add_clock(t.say(), published(t.g, t.g.outputs[b.writer]));
-  t.say() << ") never hold samples of one time of origin, so it would never fire: feed them from one source at one rate, or make it cca::moderate";
+  t.say() << ") never hold samples of one time of origin, so it would never fire: feed them from one source at one rate, with equal delays, or make it cca::moderate";
 }
 
 constexpr void tell_latency(telling& t) {

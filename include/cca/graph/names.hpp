@@ -56,7 +56,11 @@ constexpr std::uint64_t path_hash(const scope& from, std::string_view name, std:
 }
 
 // Names are joined by dots to paths, and `*` stands for any of them.
-constexpr bool is_name(std::string_view name) { return !name.empty() && name.find('.') == name.npos && name.find('*') == name.npos; }
+constexpr bool is_name(std::string_view name) {
+  for (const char c : name)
+    if (c == '.' || c == '*') return false;
+  return !name.empty();
+}
 
 // A wire names `node.port`, both of its own graph.
 constexpr bool names_port(std::string_view path) {

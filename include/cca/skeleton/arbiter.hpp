@@ -31,10 +31,6 @@ struct by_priority {};
 template <fixed_string... Writers>
 struct by_freshness {};
 
-struct arbiter_patience {
-  BOOST_HANA_DEFINE_STRUCT(arbiter_patience, (bounded<double, 0, 3600>, patience));
-};
-
 namespace detail {
 
 template <fixed_string Output, class Space, class Policy>
@@ -42,7 +38,9 @@ struct arbiter_of;
 
 template <fixed_string Output, class Space, fixed_string... Writers>
 struct arbiter_of<Output, Space, by_priority<Writers...>> {
-  using parameters = arbiter_patience;
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (bounded<double, 0, 3600>, patience));
+  };
   parameters p{0.0};
 
   auto process(in<Writers, Space>... writers, beat now) -> std::tuple<out<Output, Space>, out<"writer", choice>> {

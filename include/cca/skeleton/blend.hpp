@@ -23,16 +23,14 @@
 
 namespace cca {
 
-struct blend_range {
-  BOOST_HANA_DEFINE_STRUCT(blend_range, (double, none), (double, full));
-  std::string_view check() const { return none < full ? "" : "`none` must lie below `full`"; }
-};
-
 namespace detail {
 
 template <fixed_string Output, class Space, class Weight, fixed_string First, fixed_string Second>
 struct blend_of_two {
-  using parameters = blend_range;
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, none), (double, full));
+    std::string_view check() const { return none < full ? "" : "`none` must lie below `full`"; }
+  };
   parameters p{0.0, 1.0};
 
   auto process(in<First, Space> first, in<Second, Space> second, in<"weight", Weight> weight) -> out<Output, Space> {

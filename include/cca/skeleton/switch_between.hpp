@@ -28,15 +28,13 @@
 
 namespace cca {
 
-struct hand_over {
-  BOOST_HANA_DEFINE_STRUCT(hand_over, (bounded<double, 0, 3600>, duration));
-};
-
 namespace detail {
 
 template <fixed_string Output, class Space, fixed_string... Sources>
 struct switch_of {
-  using parameters = hand_over;
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (bounded<double, 0, 3600>, duration));
+  };
   parameters p{0.5};
 
   auto process(in<Sources, Space>... sources, in<"choice", choice> wanted, beat now) -> std::tuple<out<Output, Space>, out<"settled", flag>> {

@@ -53,13 +53,21 @@ template <class Type, class In>
 using express = sample<with_domain<typename Type::space, typename expressed_in<typename Type::space::domain, In>::type>>;
 
 // Three numbers are turned, and so is each three of six.
-template <class Vector>
-Vector turned(const vector4& q, const Vector& v) {
+template <class Quaternion, class Vector>
+Vector turned(const Quaternion& q, const Vector& v) {
   Vector result;
   for (int i = 0; i + 3 <= Vector::RowsAtCompileTime; i += 3)
     result.template segment<3>(i) = rotation::rotate(q, vector3(v.template segment<3>(i)));
   return result;
 }
+
+// By way of Self, so that a file without orientations compiles no vectors of three.
+template <class Self>
+struct spatial_types {
+  using vector = Eigen::Matrix<double, 3, 1>;
+  using quaternion = Eigen::Matrix<double, 4, 1>;
+  using matrix = Eigen::Matrix<double, 3, 3>;
+};
 
 }  // namespace detail
 
@@ -74,11 +82,14 @@ struct orientation {
 
   template <class Self>
   struct methods : detail::mixin<Self> {
-    static Self about(const Eigen::Matrix<double, 3, 1>& axis, double angle) { return Self(rotation::about(axis, angle)); }
+    using vector_3 = typename detail::spatial_types<Self>::vector;
+    using matrix_3 = typename detail::spatial_types<Self>::matrix;
+
+    static Self about(const vector_3& axis, double angle) { return Self(rotation::about(axis, angle)); }
     static Self from_roll_pitch_yaw(double roll, double pitch, double yaw) {
-      return Self(rotation::from_roll_pitch_yaw(roll, pitch, yaw));
+      return Self(rotation::from_roll_pitch_yaw<typename vector_3::Scalar>(roll, pitch, yaw));
     }
-    static Self from_rotation_vector(const Eigen::Matrix<double, 3, 1>& v) { return Self(rotation::exp(v)); }
+    static Self from_rotation_vector(const vector_3& v) { return Self(rotation::exp(v)); }
     // Of an Eigen::Quaterniond or an Eigen::AngleAxisd.
     template <class Rotation>
     static Self from(const Rotation& r) {
@@ -110,15 +121,15 @@ struct orientation {
 
     // From the other one to this one the shorter way, as a rotation vector in Frame: b.plus(a.difference(b)) is a.
     template <detail::OrientationSample Other>
-    Eigen::Matrix<double, 3, 1> difference(const Other& from) const {
+    vector_3 difference(const Other& from) const {
       (void)detail::meet<Self, Other>();
       return rotation::log(rotation::product(this->self().vector(), rotation::inverse(from.vector())));
     }
     // Turned on by a rotation vector in Frame; an angular velocity times a duration is one.
-    Self plus(const Eigen::Matrix<double, 3, 1>& by) const {
+    Self plus(const vector_3& by) const {
       return Self(rotation::product(rotation::exp(by), this->self().vector()), this->self().origin());
     }
-    Eigen::Matrix<double, 3, 1> rotation_vector() const { return rotation::log(this->self().vector()); }
+    vector_3 rotation_vector() const { return rotation::log(this->self().vector()); }
 
     // Slerp: the shorter way at constant angular velocity, this one at t = 0, `to` at t = 1.
     template <detail::OrientationSample To>
@@ -132,10 +143,10 @@ struct orientation {
     double pitch() const { return rotation::pitch(this->self().vector()); }  // [-pi/2, pi/2]
     double yaw() const { return rotation::yaw(this->self().vector()); }      // (-pi, pi]
 
-    Eigen::Matrix<double, 3, 3> matrix() const { return rotation::matrix(this->self().vector()); }
+    matrix_3 matrix() const { return rotation::matrix(this->self().vector()); }
 
     // A vector, or a point about the origin of Frame, turned in Frame.
-    Eigen::Matrix<double, 3, 1> rotate(const Eigen::Matrix<double, 3, 1>& v) const { return rotation::rotate(this->self().vector(), v); }
+    vector_3 rotate(const vector_3& v) const { return rotation::rotate(this->self().vector(), v); }
     template <detail::PositionSample Position>
     auto rotate(const Position& p) const {
       static_assert(SameFrame<Frame, typename Position::space::domain::frame>,

@@ -38,6 +38,9 @@ struct pose {
 
   template <class Self>
   struct methods : detail::mixin<Self> {
+    using vector_3 = typename detail::spatial_types<Self>::vector;
+    using vector_4 = typename detail::spatial_types<Self>::quaternion;
+
     // Its two parts, as samples.
     template <detail::PositionSample Position, detail::OrientationSample Orientation>
     static Self of(const Position& p, const Orientation& o) {
@@ -60,11 +63,11 @@ struct pose {
       static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
                     "frame.mismatch: two poses are composed that are motions in different frames; bring both into one frame "
                     "first (what is given in a thing's frame goes through `express(...)` of its pose)");
-      return make(moved(detail::vector3(b.vector().template head<3>())), rotation::product(quaternion(), detail::vector4(b.vector().template tail<4>())),
+      return make(moved(vector_3(b.vector().template head<3>())), rotation::product(quaternion(), vector_4(b.vector().template tail<4>())),
                   detail::older(this->self().origin(), b.origin()));
     }
     Self inverse() const {
-      const detail::vector4 back = rotation::inverse(quaternion());
+      const vector_4 back = rotation::inverse(quaternion());
       return make(-rotation::rotate(back, translation()), back, this->self().origin());
     }
 
@@ -80,7 +83,7 @@ struct pose {
       else
         return result(p.vector());
     }
-    Eigen::Matrix<double, 3, 1> transform(const Eigen::Matrix<double, 3, 1>& p) const { return moved(p); }
+    vector_3 transform(const vector_3& p) const { return moved(p); }
 
     // A position in the frame of the thing whose pose this is: the same point in Frame.
     template <detail::PositionSample Position>
@@ -94,7 +97,7 @@ struct pose {
     Self interpolated(const To& to, double t) const {
       (void)detail::meet<Self, To>();
       return make((1 - t) * translation() + t * to.vector().template head<3>(),
-                  rotation::slerp(quaternion(), detail::vector4(to.vector().template tail<4>()), t),
+                  rotation::slerp(quaternion(), vector_4(to.vector().template tail<4>()), t),
                   detail::older(this->self().origin(), to.origin()));
     }
 
@@ -105,15 +108,15 @@ struct pose {
     double angle_to(const Other& to) const { return orientation().angle_to(to.orientation()); }
 
   private:
-    static Self make(const detail::vector3& p, const detail::vector4& q, std::int64_t origin) {
+    static Self make(const vector_3& p, const vector_4& q, std::int64_t origin) {
       typename Self::space::vector_type v;
       for (int i = 0; i < 3; ++i) v.coeffRef(i) = p.coeff(i);
       for (int i = 0; i < 4; ++i) v.coeffRef(3 + i) = q.coeff(i);
       return Self(v, origin);
     }
-    detail::vector3 translation() const { return this->self().vector().template head<3>(); }
-    detail::vector4 quaternion() const { return this->self().vector().template tail<4>(); }
-    detail::vector3 moved(const detail::vector3& p) const { return rotation::rotate(quaternion(), p) + translation(); }
+    vector_3 translation() const { return this->self().vector().template head<3>(); }
+    vector_4 quaternion() const { return this->self().vector().template tail<4>(); }
+    vector_3 moved(const vector_3& p) const { return rotation::rotate(quaternion(), p) + translation(); }
   };
 };
 

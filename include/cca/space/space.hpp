@@ -19,7 +19,6 @@ namespace cca {
 template <auto Hz>
 struct rate {
   static_assert(Hz > 0, "cca::rate: a rate is a positive number of updates per second");
-  static_assert(Hz <= 1'000'000'000, "cca::rate: time is counted in whole nanoseconds, so a rate is at most 1,000,000,000 updates per second");
   static constexpr double hz = Hz;
 };
 

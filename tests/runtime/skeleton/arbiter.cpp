@@ -81,7 +81,7 @@ TEST_CASE("by priority") {
 
 TEST_CASE("a writer may fall silent for a while") {
   auto c = started<by_rank>();
-  c.set<"legs">(cca::arbiter_patience{0.003});
+  c.set<"legs">({0.003});
   c.get<"reflex">().now = number<leg_angles>(1);
   c.get<"gait">().now = number<leg_angles>(2);
   c.step();
@@ -141,7 +141,7 @@ TEST_CASE("by freshness, of three") {
 
 TEST_CASE("starts anew") {
   auto c = started<by_rank>();
-  c.set<"legs">(cca::arbiter_patience{1});
+  c.set<"legs">({1});
   c.get<"reflex">().now = number<leg_angles>(1);
   c.step();
   c.stop();

@@ -120,10 +120,10 @@ TEST_CASE("by an amplitude") {
   CHECK_EQ(at(-3), low);
   CHECK_EQ(at(7), high);
   CHECK_EQ(at(not_a_number), low);
-  c.set<"blend">(cca::blend_range{1, 3});
+  c.set<"blend">({1, 3});
   CHECK_EQ(at(1), low);
   CHECK_EQ(at(2), Eigen::Vector2d(0, 0.75));
-  CHECK_THROWS_AS(c.set<"blend">(cca::blend_range{1, 1}), cca::refused);
+  CHECK_THROWS_AS(c.set<"blend">({1, 1}), cca::refused);
 }
 
 TEST_CASE("what has no part in it has no say") {
@@ -254,15 +254,15 @@ TEST_CASE("another duration holds from the next hand-over on") {
   c.get<"reach">().now = number<leg_angles>(5);
   value(0);
   CHECK(value(1, 250) == doctest::Approx(0.5));
-  c.set<"mode">(cca::hand_over{20.0});
+  c.set<"mode">({20.0});
   CHECK(value(1) == doctest::Approx(0.5).epsilon(0.01));  // no bump in the midst of one
   CHECK_EQ(value(1, 249), 1);
   CHECK_EQ(value(1, 9), 1);  // nor after it
   CHECK_EQ(c.get<"settled">().last.vector()[0], 1);
-  c.set<"mode">(cca::hand_over{0.0});
+  c.set<"mode">({0.0});
   CHECK_EQ(value(0), 0);
   CHECK_EQ(value(1), 1);
-  c.set<"mode">(cca::hand_over{0.5});
+  c.set<"mode">({0.5});
   CHECK(value(2) == doctest::Approx(1).epsilon(1e-5));  // from where it is, though it came there at once
   // What is settled stays so, also where a long time between firings ended it and a short one follows.
   const auto speak = [&](bool they) {
@@ -270,7 +270,7 @@ TEST_CASE("another duration holds from the next hand-over on") {
     c.step();
   };
   value(2, 600);
-  c.set<"mode">(cca::hand_over{0.0045});
+  c.set<"mode">({0.0045});
   value(0);
   for (int i = 0; i < 3; ++i) speak(false);
   for (int i = 0; i < 3; ++i) {
@@ -327,7 +327,7 @@ TEST_CASE("the first choice is taken at once, and one of no duration") {
   c.get<"operator">().now = number<cca::choice>(1);
   c.step();
   CHECK_EQ(c.get<"robot">().last[hip{}], 2);
-  c.set<"mode">(cca::hand_over{0.0});
+  c.set<"mode">({0.0});
   c.get<"operator">().now = number<cca::choice>(0);
   c.step();
   CHECK_EQ(c.get<"robot">().last[hip{}], 0);
