@@ -52,6 +52,9 @@ struct hopf {
     return {std::atan2(x[1], x[0]), radius, status_of(status.update(rate, p.settling))};
   }
 
+  // Starts again, from the ember, where it rests: so its status needs no start.
+  void on_start() { solver = {}; }
+
 private:
   ode_solver<hopf_ode, Integrator> solver;
   ode_monitor status;

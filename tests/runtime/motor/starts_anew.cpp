@@ -7,6 +7,7 @@
 #include <cca/motor/dmp_rhythmic_module.hpp>
 #include <cca/motor/gait_network.hpp>
 #include <cca/motor/hmm_motion.hpp>
+#include <cca/motor/hopf.hpp>
 #include <cca/motor/pid.hpp>
 #include <cca/motor/vite.hpp>
 
@@ -30,6 +31,13 @@ std::vector<double> numbers(const Result& result) {
   if constexpr (requires { result.vector(); }) add(result);
   else std::apply([&](const auto&... ports) { (add(ports), ...); }, result);
   return all;
+}
+
+// What has come to rest once says so until the next start, and only then has to come to rest anew: its status is seen to begin, too.
+template <class Component>
+Component lasting(Component c) {
+  c.p.settling.above = 1e9;
+  return c;
 }
 
 // `step(component, k)`; before the start it is stepped with other k than after it.
@@ -56,13 +64,13 @@ Eigen::Vector2d place(int k) { return k < 10'000 ? Eigen::Vector2d(0.4, -0.3) : 
 }  // namespace
 
 TEST_CASE("VITE starts anew") {
-  starts_anew(cca::vite<leg>{}, [](auto& c, int k) { return c.process(given<cca::in<"target", leg>>(place(k)), {}, {}, at(k)); });
+  starts_anew(lasting(cca::vite<leg>{}), [](auto& c, int k) { return c.process(given<cca::in<"target", leg>>(place(k)), {}, {}, at(k)); });
 }
 
 TEST_CASE("the discrete movement primitive starts anew") {
   cca::dmp_discrete<leg, 5> c;
   c.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
-  starts_anew(c, [](auto& one, int k) {
+  starts_anew(lasting(c), [](auto& one, int k) {
     return one.process(given<cca::in<"goal", leg>>(place(k)), wired<cca::optional_in<"start", leg>>(0.5 * place(k)), {}, {}, at(k));
   });
 }
@@ -70,7 +78,7 @@ TEST_CASE("the discrete movement primitive starts anew") {
 TEST_CASE("the movement primitive of a pose starts anew") {
   cca::dmp_pose<hand_in_trunk, hand, 3> c;
   c.p.weights.setConstant(30);
-  starts_anew(c, [](auto& one, int k) {
+  starts_anew(lasting(c), [](auto& one, int k) {
     Eigen::Matrix<double, 7, 1> to;
     to << place(k), 0.1, cca::rotation::exp(Eigen::Vector3d(0.3, k < 10'000 ? 0.5 : -0.5, 0));
     return one.process(given<cca::in<"goal", hand_in_trunk>>(to), {}, {}, {}, at(k));
@@ -84,7 +92,7 @@ TEST_CASE("rhythmic movement primitives start anew, and keep what they have lear
   };
   cca::dmp_rhythmic<leg, stride, 5> plain;
   plain.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
-  starts_anew(plain, step);
+  starts_anew(lasting(plain), step);
   using module = cca::dmp_rhythmic_module<leg, stride, 5>;
   module learned;
   for (int i = 0; i < 100; ++i) {
@@ -92,17 +100,23 @@ TEST_CASE("rhythmic movement primitives start anew, and keep what they have lear
     module::learner::step(known, {0.07 * i, 1.0}, {std::sin(i), 2}, {});
     learned.learning.hand_over(known);
   }
-  starts_anew(learned, [](auto& one, int k) {
-    return one.process(given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)), given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(1)), {},
+  starts_anew(lasting(learned), [](auto& one, int k) {
+    return one.process(given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)), given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 10'000 ? 1.0 : 0.0)), {},
                        given<cca::in<"reference", leg>>(place(k)), {}, {}, {}, at(k));
   });
 }
 
 TEST_CASE("the network of legs starts anew: from rest, in the gait") {
   using network = cca::gait_network<lf, rf, lh, rh>;
-  starts_anew(network{}, [](auto& one, int k) {
+  starts_anew(lasting(network{}), [](auto& one, int k) {
     return one.process(given<cca::in<"amplitude", network::legs<cca::amplitude>>>(Eigen::Vector4d::Constant(0.8)), {},
                        wired<cca::optional_in<"gait", cca::gait_choice>>(one_number(k < 10'000 ? 2.0 : 0.0)), at(k));
+  });
+}
+
+TEST_CASE("the Hopf oscillator starts anew: from the ember") {
+  starts_anew(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
+    return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)), {}, at(k));
   });
 }
 
@@ -118,6 +132,8 @@ TEST_CASE("PID starts anew") {
 TEST_CASE("the hidden Markov model starts anew") {
   cca::hmm_motion<plane, 3> c;
   c.p.mixture.means.row(0) << -1, 0, 1;
+  c.p.mixture.means.row(2) << 1, -2, 3;  // so the velocity tells which states are likely
+  c.p.mixture.priors << 0.5, 0.3, 0.2;
   c.p.transitions << 0.9, 0.1, 0, 0, 0.9, 0.1, 0.1, 0, 0.9;
   starts_anew(c, [](auto& one, int k) {
     const double x = k < 3 ? std::nan("") : k < 10'000 ? -1 + 0.007 * k : 1;  // at first it is lost
