@@ -156,6 +156,14 @@ TEST_CASE("a grasp is firm, still, and around something") {
     c.on_start();
     CHECK(feel(0.3, 0.6, 9) == open);
   }
+  c.p.still = 10;
+  CHECK(feel(0.0205, 0.6, 10) == open);
+  CHECK(feel(0.0195, 0.6, 1) == open);  // it held for 9 ms, of the first it was not known: closing is no holding, however slow
+  CHECK(feel(0.0195, 0.6, 9) == lost);
+  c.p.hold = 0.1;
+  CHECK(feel(0.0195, 0.6, 1) == lost);  // a longer wait does not open what is closed
+  c.p.hold = 0.01;
+  CHECK(feel(0.3, 0.0, 1) == open);
   CHECK(feel(0.01, 0.0, 9) == open);
   c.on_start();
   CHECK(feel(0.01, 0.0, 9) == open);

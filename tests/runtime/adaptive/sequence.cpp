@@ -35,7 +35,8 @@ struct conditions : cca::steps<
     cca::step<"sixth",  cca::no<cca::is<"s.b", 6>>>,
     cca::step<"last">> {};
 
-struct on_end : cca::steps<cca::step<"wait">, cca::step<"held", cca::above<"s.a", 0.0>, cca::held_for<3>>> {};
+struct on_end : cca::steps<cca::step<"wait">, cca::step<"held", cca::above<"s.a", 0.0>, cca::held_for<3>>,
+                               cca::step<"held again", cca::above<"s.a", 0.0>, cca::held_for<3>>> {};
 
 struct too_long : cca::steps<
     cca::step<"try">,
@@ -90,6 +91,8 @@ TEST_CASE("a condition has to hold on end, and anew") {
   CHECK_EQ(r.step(3), "wait");
   CHECK_EQ(r.step(), "held");
   CHECK_EQ(r.s.beats(motor_test::at(r.k + 4)), 5);
+  CHECK_EQ(r.step(3), "held");  // what held for the step before doesn't count for the next one
+  CHECK_EQ(r.step(), "held again");
 }
 
 TEST_CASE("what takes too long leads elsewhere, beats counted from the step before; what holds in time does not") {
