@@ -25,4 +25,12 @@ constexpr bool has_scope(std::uint64_t path) {
   return false;
 }
 
+template <class Graph, int Leaf>
+struct parameters_at { using type = typename leaf_of<Graph, Leaf>::component::parameters; };
+template <class Graph>
+struct parameters_at<Graph, -1> {
+  static_assert(sizeof(Graph) == 0, "cca::controller::set: no component has this path");
+  struct type {};
+};
+
 }  // namespace cca::detail

@@ -9,8 +9,6 @@
 
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
@@ -151,7 +149,7 @@ public:
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't hold.
   // In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
-  template <fixed_string Path, class Parameters = typename std::remove_cvref_t<decltype(std::declval<controller&>().template get<Path>())>::parameters>
+  template <fixed_string Path, class Parameters = typename detail::parameters_at<Graph, detail::leaf_at<Graph>(Path.view())>::type>
   void set(const Parameters& parameters) {
     detail::apply_parameters(get<Path>(), parameters, Path.view());
   }

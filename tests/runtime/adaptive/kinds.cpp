@@ -43,6 +43,29 @@ struct of_phases {
   static auto at(double error) { return std::pair(Eigen::Vector2d(0.1, 3), Eigen::Vector2d(0.1 - 2 * cca::pi, 3 + error + 2 * cca::pi)); }
 };
 
+struct jaw : cca::dimension<"jaw"> {};
+struct aperture : cca::space<cca::joint_angles, cca::axes<jaw>> {};
+struct grip : cca::space<cca::joint_torques, cca::axes<jaw>> {};
+using one = Eigen::Matrix<double, 1, 1>;
+struct of_a_grip {
+  using criterion = cca::grasping<aperture, grip>;
+  static criterion made() {
+    criterion c;
+    c.p.hold = 0.01;
+    return c;
+  }
+  static cca::criterion_state feel(criterion& c, laws::circumstance what, std::int64_t k) {
+    using in_target = cca::in<"target", aperture>;
+    using in_width = cca::in<"feedback", aperture>;
+    using in_effort = cca::in<"effort", grip>;
+    const double effort = what == laws::circumstance::as_wanted ? 2.0 : what == laws::circumstance::not_yet ? 0.1 : std::nan("");
+    const auto [e, s] = what == laws::circumstance::nothing
+                            ? c.process(in_target(), in_width(), in_effort(), cca::beat(k, 1'000'000, 1))
+                            : c.process(in_target(one(0.0), k, true), in_width(one(0.05), k, true), in_effort(one(effort), k, true), cca::beat(k, 1'000'000, 1));
+    return static_cast<cca::criterion_state>(s.vector()[0]);
+  }
+};
+
 // Asks for one place, then for another; phase and amplitude of an oscillator that runs.
 struct script {
   auto process(cca::beat now) -> std::tuple<cca::out<"reference", leg>, cca::out<"phase", cca::over<cca::phase, stride>>,
@@ -107,6 +130,8 @@ TEST_CASE("the laws of a criterion hold for tracking and reaching, over angles, 
   laws::criterion<of_phases>();
 }
 
+TEST_CASE("the laws of a criterion hold for grasping") { laws::any_criterion<of_a_grip>(); }
+
 TEST_CASE("the laws of an adaptive component hold for its kinds") {
   laws::adaptive_component<arm_case>();
   laws::adaptive_component<follower_case>();
@@ -114,10 +139,6 @@ TEST_CASE("the laws of an adaptive component hold for its kinds") {
 }
 
 TEST_CASE("a grasp is firm, still, and around something") {
-  struct jaw : cca::dimension<"jaw"> {};
-  struct aperture : cca::space<cca::joint_angles, cca::axes<jaw>> {};
-  struct grip : cca::space<cca::joint_torques, cca::axes<jaw>> {};
-  using one = Eigen::Matrix<double, 1, 1>;
   cca::grasping<aperture, grip> c;
   c.p = {0.5, 0.2, 0.02, 0.1, 0.01};
   std::int64_t k = 0;
