@@ -40,10 +40,10 @@ int run(const skills::options& o) {
   bar.done();
 
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary) skills::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
-  if (o.csv) skills::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
+  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+  if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
   if (o.svg)
-    skills::write(*o.svg, [&](std::ostream& file) {
+    trot::write(*o.svg, [&](std::ostream& file) {
       char title[128];
       std::snprintf(title, sizeof title, "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s", result.reach_error * 1e3, result.reach_time);
       trot::write_svg(file, recorded, title);

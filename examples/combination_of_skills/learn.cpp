@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
 
-#include "../trot/command_line.hpp"
+#include "../trot/program.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"
 
@@ -144,14 +143,5 @@ void run(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    run(parse({arguments + 1, arguments + count}));
-    return 0;
-  } catch (const trot::command_line_error& error) {
-    std::cerr << "combination_of_skills_learn: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "combination_of_skills_learn: " << error.what() << '\n';
-    return 3;
-  }
+  return trot::program("combination_of_skills_learn", [&] { return run(parse({arguments + 1, arguments + count})), 0; });
 }

@@ -6,12 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +17,7 @@
 #include <cca/config.hpp>
 
 #include "../trot/parallel.hpp"
+#include "../trot/program.hpp"
 #include "../trot/progress.hpp"
 #include "command_line.hpp"
 #include "rollout.hpp"
@@ -128,25 +126,12 @@ int run(const options& o) {
   bar.done();
 
   print(runs);
-  if (!o.summary.empty()) {
-    std::ofstream file(o.summary);
-    skills::write_json(file, runs);
-    file.close();
-    if (!file) throw std::runtime_error(o.summary + ": cannot be written");
-  }
+  if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });
   return std::all_of(runs.begin(), runs.end(), [](const skills::told_run& one) { return skills::succeeded(one.what); }) ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    return run(parse({arguments + 1, arguments + count}));
-  } catch (const skills::command_line_error& error) {
-    std::cerr << "combination_of_skills_runs: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "combination_of_skills_runs: " << error.what() << '\n';
-    return 3;
-  }
+  return trot::program("combination_of_skills_runs", [&] { return run(parse({arguments + 1, arguments + count})); });
 }

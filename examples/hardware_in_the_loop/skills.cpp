@@ -19,7 +19,7 @@ int run(const skills::options& o) {
   hil::load(robot, o.shape, o.config);
   const auto result = skills::act(robot, o.run, [](const auto&) {});
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary) skills::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
   const auto& stop = robot.controller.get<"robot.emergency_stop">();
   if (stop.mode() != cca::hardware::motion_mode::run)
     std::printf("stopped; first cause: %s\n", std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -18,8 +17,8 @@
 #include <cca/config.hpp>
 
 #include "cma_es.hpp"
-#include "command_line.hpp"
 #include "parallel.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "rollout.hpp"
 #include "statistics.hpp"
@@ -170,14 +169,5 @@ void search(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    search(parse({arguments + 1, arguments + count}));
-    return 0;
-  } catch (const trot::command_line_error& error) {
-    std::cerr << "trot_search: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "trot_search: " << error.what() << '\n';
-    return 3;
-  }
+  return trot::program("trot_search", [&] { return search(parse({arguments + 1, arguments + count})), 0; });
 }

@@ -5,18 +5,15 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "command_line.hpp"
 #include "parallel.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "rollout.hpp"
 #include "statistics.hpp"
@@ -90,28 +87,16 @@ void run(const options& o) {
               all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, mean, slowest, 100 * aside, roll * 57.2958,
               pitch * 57.2958);
   if (o.summary.empty()) return;
-  std::ofstream file(o.summary);
   char text[256];
   std::snprintf(text, sizeof text,
                 "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, \"least_speed_m_s\": %.6g, "
                 "\"greatest_drift_share\": %.6g}\n",
                 all.size(), falls, rate, mean, slowest, aside);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(o.summary + ": cannot be written");
+  trot::write(o.summary, [&](std::ostream& file) { file << text; });
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    run(parse({arguments + 1, arguments + count}));
-    return 0;
-  } catch (const trot::command_line_error& error) {
-    std::cerr << "trot_seeds: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "trot_seeds: " << error.what() << '\n';
-    return 3;
-  }
+  return trot::program("trot_seeds", [&] { return run(parse({arguments + 1, arguments + count})), 0; });
 }

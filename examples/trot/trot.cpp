@@ -1,8 +1,6 @@
 // The Oncilla trots in the simulator: run, table, CSV, picture. `trot --help` lists the options.
 #include <chrono>
 #include <cstdio>
-#include <exception>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -10,9 +8,9 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "command_line.hpp"
 #include "csv.hpp"
 #include "idle_robot.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "rollout.hpp"
 #include "statistics.hpp"
@@ -36,17 +34,6 @@ double controller_nanoseconds() {
   const auto start = clock_type::now();
   for (int k = 0; k < beats; ++k) controller.step();
   return seconds_since(start) / beats * 1e9;
-}
-
-std::ofstream open(const std::string& name) {
-  std::ofstream file(name);
-  if (!file) throw std::runtime_error(name + ": cannot be written");
-  return file;
-}
-
-void close(std::ofstream& file, const std::string& name) {
-  file.close();
-  if (!file) throw std::runtime_error(name + ": could not be written to its end");
 }
 
 int run(const trot::options& o) {
@@ -84,23 +71,13 @@ int run(const trot::options& o) {
 
   const std::string seed = o.seed ? std::to_string(*o.seed) : "null";
   if (!o.quiet) trot::write_table(std::cout, figures, costs);
-  if (o.summary) {
-    auto file = open(*o.summary);
-    trot::write_json(file, figures, costs, {seed, o.ground.name()});
-    close(file, *o.summary);
-  }
-  if (o.csv) {
-    auto file = open(*o.csv);
-    trot::write_csv(file, recorded);
-    close(file, *o.csv);
-  }
+  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { trot::write_json(file, figures, costs, {seed, o.ground.name()}); });
+  if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
   if (o.svg) {
-    auto file = open(*o.svg);
     char title[128];
     std::snprintf(title, sizeof title, "Oncilla, trot on %s ground: %.2f m in %.1f s, %.2f m/s", o.ground.name().c_str(),
                   figures.distance, figures.seconds, figures.speed);
-    trot::write_svg(file, recorded, title);
-    close(file, *o.svg);
+    trot::write(*o.svg, [&](std::ostream& file) { trot::write_svg(file, recorded, title); });
   }
   return figures.fell ? 1 : 0;
 }
@@ -108,18 +85,10 @@ int run(const trot::options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
+  return trot::program("trot", [&] {
     const trot::options options = trot::parse({arguments + 1, arguments + count});
-    if (options.help) {
-      std::cout << trot::usage;
-      return 0;
-    }
-    return run(options);
-  } catch (const trot::command_line_error& error) {
-    std::cerr << "trot: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "trot: " << error.what() << '\n';
-    return 3;
-  }
+    if (!options.help) return run(options);
+    std::cout << trot::usage;
+    return 0;
+  });
 }
