@@ -175,6 +175,25 @@ struct unmeasured {
   auto process(in<"target", Target>, in<"feedback", Feedback>) -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> { return {}; }
 };
 
+// A control_through<...> names an input that its module or its criterion has besides those of the roles.
+template <class Option, class ModulePorts, class ModuleRoles, class CriterionPorts, class CriterionRoles>
+constexpr bool names_an_input = true;
+template <fixed_string Name, class Ports, class Roles>
+constexpr bool has_input = false;
+template <fixed_string Name, class Ports, fixed_string... Roles>
+constexpr bool has_input<Name, Ports, roles<Roles...>> = port_at<Name, Ports>::exists && ((Name.view() != Roles.view()) && ...);
+template <fixed_string Name, class M, class ModulePorts, class ModuleRoles, class CriterionPorts, class CriterionRoles>
+constexpr bool names_an_input<control_through<Name, M>, ModulePorts, ModuleRoles, CriterionPorts, CriterionRoles> =
+    has_input<Name, ModulePorts, ModuleRoles> || has_input<Name, CriterionPorts, CriterionRoles>;
+
+template <bool All>
+constexpr bool check_controls() {
+  static_assert(All, "wire.unknown_port: a control_through<`name`, M> of this adaptive component names no control input that its module or its "
+                     "criterion has; reference, feedback and command have options of their own: reference_through<M>, feedback_through<M>, "
+                     "command_through<M>");
+  return true;
+}
+
 template <class Module, class Measure, class Names, class... Options>
 struct adaptive_items_of;
 template <class Module, class Measure, fixed_string Reference, fixed_string Command, fixed_string OdeStatus, class... Options>
@@ -192,7 +211,10 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
   using target = typename port_at<"target", criterion_ports>::space;
   using feedback = typename port_at<"feedback", criterion_ports>::space;
   using in_module = typename std::conditional_t<to_reference, port_at<Reference, module_ports>, port_at<Command, module_ports>>::space;
-  static constexpr bool measured = check_criterion<target, in_module, feedback, typename space_given<on_feedback>::type>();
+  using module_roles = roles<Reference, Command, OdeStatus, "module", "feedback">;
+  using criterion_roles = roles<"target", "feedback", "error", "state">;
+  static constexpr bool measured = check_controls<(names_an_input<Options, module_ports, module_roles, criterion_ports, criterion_roles> && ...)>() &&
+                                   check_criterion<target, in_module, feedback, typename space_given<on_feedback>::type>();
   using stand_in = unmeasured<std::conditional_t<std::is_void_v<in_module>, target, in_module>,
                               std::conditional_t<std::is_void_v<on_feedback>, feedback, typename space_given<on_feedback>::type>>;
 
@@ -216,8 +238,8 @@ struct adaptive_items_of<Module, Measure, named<Reference, Command, OdeStatus>, 
       if_chosen<learns, list<wire<"module.module", "status.module", latest>>>,
       if_chosen<!to_reference, list<wire<module_command, "criterion.target", latest>>>, reference_items, feedback_items,
       typename given<on_command, module_command, "command">::type,
-      typename shown_ports<"module", module_ports, roles<Reference, Command, OdeStatus, "module", "feedback">, Options...>::type,
-      if_chosen<measured, typename shown_ports<"criterion", criterion_ports, roles<"target", "feedback", "error", "state">>::type>>::type;
+      typename shown_ports<"module", module_ports, module_roles, Options...>::type,
+      if_chosen<measured, typename shown_ports<"criterion", criterion_ports, criterion_roles, Options...>::type>>::type;
 };
 
 template <class Module, class Measure, class... Options>

@@ -259,6 +259,49 @@ TEST_CASE("mappings on the ports let a component work in its own space") {
 
 namespace {
 
+// A hand whose fingers press by a motor, of which the current is measured.
+struct current : cca::space<cca::number, cca::axes<jaw>> {};
+struct to_torque {
+  Eigen::Matrix<double, 1, 1> operator()(const Eigen::Matrix<double, 1, 1>& amperes) const { return 0.25 * amperes; }
+};
+struct gripper : cca::adaptive_component<cca::vite<aperture>, cca::grasping<aperture, grip>, vite_names,
+                                         cca::control_through<"effort", cca::mapping<current, grip, to_torque>>> {};
+struct closing {
+  auto process(cca::beat) -> cca::out<"aperture", aperture> { return 0.0; }
+};
+struct fingers {  // follow, down to what is between them, and press the harder the further they were to close
+  auto process(cca::in<"command", aperture> wanted) -> std::tuple<cca::out<"aperture", aperture>, cca::out<"current", current>> {
+    const double command = wanted.vector()[0];
+    return {std::max(command, width), 400 * std::max(width - command, 0.0)};
+  }
+  double width = 0.05;  // of the thing
+};
+struct grasp : cca::graph<
+    cca::rate<1000>, cca::node<"wish", closing>, cca::node<"grip", gripper>, cca::node<"fingers", fingers>,
+    cca::wire<"wish.aperture", "grip.reference">, cca::wire<"grip.command", "fingers.command">,
+    cca::wire<"fingers.aperture", "grip.feedback", cca::delayed<1>>, cca::wire<"fingers.current", "grip.effort", cca::delayed<1>>,
+    cca::observe<"grip.status.*">> {};
+
+}  // namespace
+
+TEST_CASE("a grasp is a component's criterion, whose effort comes through a mapping") {
+  cca::controller<grasp> c;
+  c.get<"grip.criterion">().p = {4.0, 2.0, 0.02, 0.1, 0.1};
+  c.load();
+  c.start();
+  const auto component = [&] { return laws::told(c).at("grip.status.component")[0]; };
+  std::vector<double> told;
+  for (int k = 0; k < 3000; ++k) {
+    if (k == 1500) c.get<"fingers">().width = 0.005;  // it slips out
+    c.step();
+    if (told.empty() || told.back() != component()) told.push_back(component());
+  }
+  using cca::status_of;
+  CHECK(told == std::vector<double>{status_of(converging), status_of(reached), status_of(converging), status_of(diverged)});
+}
+
+namespace {
+
 // [generator]
 struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg, stride, 25>, cca::tracking<leg>> {};
 
