@@ -30,7 +30,7 @@ void any_criterion() {
     for (int i = 0; i < beats; ++i) state = Case::feel(one, what, k++);
     return state;
   };
-  CHECK_MESSAGE(feel(nothing) == open, "before anything has come it is open");
+  CHECK_MESSAGE(feel(nothing, 50) == open, "before anything has come it is open");
   feel(as_wanted);  // the first of a speed, where one counts
   feel(not_yet);
   CHECK_MESSAGE(feel(as_wanted, 9) != fulfilled, "not before it has held");
@@ -97,6 +97,15 @@ void criterion() {
   any_criterion<by_distance<Case>>();
   static_assert(cca::Criterion<typename Case::criterion>);
   using enum cca::criterion_state;
+  {
+    criterion_rig<Case> one;
+    const cca::in<"feedback", typename Case::space> come(Case::at(0.05).second, 0, true);
+    for (int k = 0; k < 50; ++k) {
+      const auto [e, s] = one.c.process({}, come, cca::beat(k, 1'000'000, 1));
+      CHECK_MESSAGE(s.vector()[0] == cca::status_of(open), "before both have come it is open");
+      CHECK_MESSAGE(e.vector()[0] == 0, "and says no error");
+    }
+  }
   criterion_rig<Case> one;
   CHECK_MESSAGE(one.feel(0.05, 9) == open, "not before it has held");
   CHECK_MESSAGE(one.feel(0.05) == fulfilled, "then it is fulfilled");
@@ -111,7 +120,13 @@ void criterion() {
   CHECK_MESSAGE(one.feel(0.6) == lost, "far off for long: lost");
   CHECK_MESSAGE(one.feel(0.3, 50) == lost, "between `lost` and `until` it stays so");
   CHECK_MESSAGE(one.feel(0.15) == open, "below `until` it is open again");
+  CHECK_MESSAGE(one.feel(0.6, 9) == open, "it has to be far off anew");
+  one.feel(0.15);
   CHECK_MESSAGE(one.feel(std::numeric_limits<double>::quiet_NaN()) == lost, "what is no number is lost, at once");
+  for (const double error : {0.05, 0.05, 0.6, 0.6}) {
+    one.c.on_start();
+    CHECK_MESSAGE(one.feel(error, 9) == open, "after a start it has to hold anew");
+  }
 }
 
 }  // namespace laws

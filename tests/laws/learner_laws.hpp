@@ -141,6 +141,12 @@ void tells() {
   side->forget();
   CHECK(side->state() == cca::learning::idle);
   CHECK_MESSAGE(side->region(all[200].x, s) == cca::trained_region::outside, "what is forgotten is not known");
+  const auto fresh = std::make_unique<cca::training<learner, 200>>();
+  CHECK_MESSAGE(side->answer(all[200].x) == fresh->answer(all[200].x), "nor answered");
+  CHECK_MESSAGE(side->example_count() == 0, "nor are its examples there");
+  side->collect();
+  side->rest();
+  CHECK_MESSAGE(side->state() == cca::learning::idle, "nothing has been learned");
 }
 
 template <class Case>

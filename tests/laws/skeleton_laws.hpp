@@ -84,8 +84,8 @@ void adds_nothing() {
 template <class Case>
 void is_deterministic() {
   auto a = begun<Case>(), b = begun<Case>();
-  beats<Case>(a, 70);
-  beats<Case>(b, 70);
+  beats<Case>(a, 73);  // in the middle of whatever repeats itself
+  beats<Case>(b, 73);
   auto copy = a;
   beats<Case>(a, 70);
   beats<Case>(b, 70);
