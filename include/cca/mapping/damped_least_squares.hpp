@@ -174,9 +174,9 @@ public:
     reaching status;
   };
 
-  // `wanted` has been found readable.
+  // `wanted` has been found readable, `near` lies within the limits.
   static answer solve(const wanted_type& wanted, const vector& near) {
-    answer best = descend(wanted, limits::clamped(near));
+    answer best = descend(wanted, near);
     for (int start = 1; start < Settings::starts && best.status != reaching::reached; ++start) {
       const answer other = descend(wanted, other_start(start));
       if (other.status == reaching::reached || other.distance < best.distance - 1e-6 * limits::span) best = other;

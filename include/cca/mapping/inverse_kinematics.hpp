@@ -21,10 +21,11 @@ namespace detail {
 template <class Chain, class Joints, class Tip, class Settings>
 struct solver_of { using type = least_squares_solver<Chain, Joints, Tip, Settings>; };
 
-// The plane's two coordinates for two joints, all three for three.
+// The plane's two coordinates for two joints, if it is that of the base's x and z; all three for three.
 template <PantographLeg Leg, class Joints, class Tip, class Settings>
   requires(one_kind<typename Tip::domain, cartesian_position<void>> &&
-           ((Leg::axes::count == 2 && std::is_same_v<typename Tip::axes, axes<x, z>>) ||
+           ((Leg::axes::count == 2 && std::is_same_v<typename Tip::axes, axes<x, z>> && Leg::geometry.hip.rotation[0] == 0 &&
+             Leg::geometry.hip.rotation[2] == 0) ||
             (Leg::axes::count == 3 && std::is_same_v<typename Tip::axes, axes<x, y, z>>)))
 struct solver_of<Leg, Joints, Tip, Settings> { using type = pantograph_solver<Leg, Joints, Tip, Settings>; };
 

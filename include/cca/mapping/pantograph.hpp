@@ -6,7 +6,8 @@
 // Frame: x forward, y left, z up, its origin in the hip, or where `hip` places it in the base. The leg's plane is that of x and
 // z, turned about x by the abduction (positive outward: to +y on side +1, the left one). In it a segment at angle t points to
 // (sin t, -cos t): the upper one stands at `hip`, the middle one at `hip - knee`, the lower one at `hip` again. So it is a leg
-// of two links, upper + lower and middle. With axes<hip, knee> it stays in its plane: then positions are over axes<x, z>.
+// of two links, upper + lower and middle. With axes<hip, knee> it stays in its plane: then positions are over axes<x, z>, and a hip
+// that is turned out of the base's plane of x and z makes it any serial chain, solved as that.
 //
 // It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of all there are: the
 // reachable points of the plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and
@@ -146,7 +147,7 @@ public:
 private:
   CCA_GLUE static vector3 in_hip(const typename Tip::vector_type& wanted) {
     constexpr placement back = inverse(geometry.hip);
-    vector3 p = as_vector(geometry.hip.translation);
+    vector3 p = vector3::Zero();
     using part = cartesian_part<typename Tip::axes>;
     for (int i = 0; i < Tip::size; ++i) p[part::of[static_cast<std::size_t>(i)]] = wanted[i];
     CCA_INLINE_CALL return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);

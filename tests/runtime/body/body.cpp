@@ -43,7 +43,7 @@ struct leg_chain : cca::serial_chain<hip, paw, cca::axes<b, c>> {
                                     cca::link_inertia{0.05, {0.01, 0, -0.03}, {1e-4, 1e-4, 1e-5, 0, 0, 0}}};
 };
 struct toe_chain : cca::serial_chain<paw, toe, cca::axes<d>> {
-  static constexpr std::array joints{prismatic({0, 1, 2}, at(0.01, 0, 0))};
+  static constexpr std::array joints{prismatic({0, 1, 2}, at(0.01, 0, 0)).driven_by(0, 0.7)};
   static constexpr auto tip = at(0.02, 0, 0);
   static constexpr std::array links{cca::link_inertia{0.04, {0.01, 0, 0}, {1e-5, 1e-5, 1e-5, 0, 0, 0}}};
 };
@@ -94,7 +94,7 @@ cca::rigid by_hand(const vector& q, std::string_view which) {
   if (which == "hip") return frame;
   frame = step(step(step(frame, leg_chain::joints[0], -q[1]), leg_chain::joints[1], q[2]), leg_chain::joints[2], 0.1 - q[2]) * leg_chain::tip;
   if (which == "leg") return frame;
-  return step(frame, toe_chain::joints[0], q[0]) * toe_chain::tip;
+  return step(frame, toe_chain::joints[0], 0.7 * q[0]) * toe_chain::tip;
 }
 
 // Kinetic and potential energy of all that weighs something, the base at rest, from velocities of the points by differences.
@@ -200,6 +200,11 @@ TEST_CASE("gravity's torques are those of inverse dynamics at rest, and of the c
     CHECK((held.wrench.tail<3>() + mass * base.gravity).norm() < 1e-12);
     CHECK((held.wrench.head<3>() + mass * now.centre_of_mass().cross(base.gravity)).norm() < 1e-12);
   }
+}
+
+TEST_CASE("what weighs nothing has its centre of mass in the base's origin") {
+  struct weightless : cca::body<trunk, cca::part<"tail", tail_chain>> {};
+  CHECK(cca::body_pose<weightless>(Eigen::Matrix<double, 1, 1>(0.3)).centre_of_mass() == Eigen::Vector3d::Zero());
 }
 
 // What the base must be held with is the change of momentum: seen from a base that turns, everything else at rest in it.

@@ -41,6 +41,12 @@ struct sliding_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a4, slide>>
                                      prismatic({0, 1, 1}, at(0.2, 0, 0) * turned_about(along_y, -0.5))};
   static constexpr auto tip = at(0.1, 0, 0);
 };
+// Two sections that slide together, the second half as far.
+struct telescope : cca::serial_chain<trunk, hip, cca::axes<a1, slide>> {
+  static constexpr std::array joints{revolute(along_z), prismatic(along_x, at(0.1, 0, 0)).driven_by(1),
+                                     prismatic(along_x, at(0.1, 0, 0)).driven_by(1, 0.5, 0.02)};
+  static constexpr auto tip = at(0.1, 0, 0);
+};
 // Six with a wrist.
 struct whole_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a3, a4, a5, a6>> {
   static constexpr std::array joints{revolute(along_z, at(0, 0, 0.3)),  revolute(along_y),
@@ -71,6 +77,16 @@ constexpr cca::pantograph placed_leg(double side) {
 struct leg_in_plane : cca::pantograph_leg<hip, world, cca::axes<hip_joint, knee>, leg_on(1)> {};
 struct left_leg : cca::pantograph_leg<trunk, world, cca::axes<abduction, hip_joint, knee>, placed_leg(1)> {};
 struct right_leg : cca::pantograph_leg<trunk, world, cca::axes<abduction, hip_joint, knee>, placed_leg(-1)> {};
+// On hips that are turned.
+constexpr cca::pantograph turned_leg_by(const std::array<double, 3>& axis, double angle) {
+  auto leg = leg_on(1);
+  leg.hip = at(0.1, 0.05, 0.02) * turned_about(axis, angle);
+  return leg;
+}
+struct pitched_leg : cca::pantograph_leg<trunk, world, cca::axes<hip_joint, knee>, turned_leg_by(along_y, 0.5)> {};
+struct tilted_leg : cca::pantograph_leg<trunk, world, cca::axes<hip_joint, knee>, turned_leg_by(along_x, 0.5)> {};
+struct splayed_leg : cca::pantograph_leg<trunk, world, cca::axes<hip_joint, knee>, turned_leg_by(along_z, -0.5)> {};
+struct turned_leg : cca::pantograph_leg<trunk, world, cca::axes<abduction, hip_joint, knee>, turned_leg_by({1, 2, -1}, 0.7)> {};
 // The same, but solved as any chain.
 template <class Leg>
 struct as_chain : cca::serial_chain<typename Leg::base, typename Leg::tip_frame, typename Leg::axes> {

@@ -56,6 +56,11 @@ struct back : turning<"knee", -180, 0> {};
 struct both : turning<"knee", -180, 180> {};
 struct hip_angle : turning<"hip", -90, 90> {};
 struct backward : cca::pantograph_leg<hip, world, cca::axes<hip_angle, back>, leg_on(1)> {};
+struct folding : turning<"knee", 100, 320> {};
+struct folding_back : turning<"knee", -320, -100> {};
+struct any_hip : turning<"hip", -320, 320> {};
+template <class Knee>
+struct folding_leg : cca::pantograph_leg<hip, world, cca::axes<any_hip, Knee>, leg_on(1)> {};
 struct either : cca::pantograph_leg<hip, world, cca::axes<hip_angle, both>, leg_on(1)> {};
 
 struct foot_in_base_plane : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::z>> {};
@@ -93,8 +98,8 @@ TEST_CASE("the example of docs/mappings.md") {
   CHECK(solve(ik, Eigen::Vector2d(0.9, 0.2)).status == cca::reaching::nearest);
 }
 
-TEST_CASE_TEMPLATE("the Jacobian is what differences of the positions say", Chain, plane_arm, skew_arm, sliding_arm, whole_arm, left_leg,
-                   right_leg, leg_in_plane) {
+TEST_CASE_TEMPLATE("the Jacobian is what differences of the positions say", Chain, plane_arm, skew_arm, sliding_arm, telescope, whole_arm,
+                   left_leg, right_leg, leg_in_plane) {
   laws::source random{std::mt19937_64{21}};
   for (int i = 0; i < laws::rounds; ++i) {
     const auto q = random_angles<Chain>(random, 1.2);
@@ -145,6 +150,8 @@ TEST_CASE_TEMPLATE("the inverse reaches what can be reached", Model, chain_model
                    chain_model<skew_arm, foot_in_trunk, 20>, chain_model<sliding_arm, foot_in_trunk, 40>, chain_model<whole_arm, foot_in_trunk, 2>,
                    chain_model<whole_arm, turn_in_trunk, 6>, chain_model<whole_arm, pose_in_trunk, 300>,
                    chain_model<left_leg, foot_in_trunk, 0>, chain_model<right_leg, foot_in_trunk, 0>, chain_model<leg_in_plane, foot_in_plane, 0>,
+                   chain_model<turned_leg, foot_in_trunk, 0>, chain_model<pitched_leg, foot_in_base_plane, 0>,
+                   chain_model<tilted_leg, foot_in_base_plane, 10>, chain_model<splayed_leg, foot_in_base_plane, 10>,
                    chain_model<as_chain<left_leg>, foot_in_trunk, 2>) {
   using chain = typename Model::chain;
   using tip = typename Model::tip;
@@ -193,7 +200,7 @@ TEST_CASE("the nearest point of a circle is known") {
   for (int i = 0; i < laws::rounds; ++i) {
     inverse<free_arm, foot_in_base_plane> ik;
     const Eigen::Vector2d direction = Eigen::Vector2d(random(-1, 1), random(-1, 1)).normalized();
-    for (const double radius : {0.5001, 0.6, 2.0, 100.0, 0.05, 0.0999}) {
+    for (const double radius : {1e200, 0.5001, 0.6, 2.0, 100.0, 0.05, 0.0999}) {
       const auto found = solve(ik, (radius * direction).eval());
       const auto at = cca::chain_pose<free_arm>(found.q).tip().at;
       CHECK(found.status == cca::reaching::nearest);
@@ -224,11 +231,53 @@ TEST_CASE_TEMPLATE("what is no position is answered with the angles from before"
 }
 
 TEST_CASE("a start that is no number is passed over") {
-  inverse<skew_arm, foot_in_trunk> ik;
-  cca::optional_in<"near", angles_of<skew_arm>> near(Eigen::Vector3d(not_a_number, inf, 0.1), 0, true);
+  of_skew_arm ik, other;
+  const auto q = solve(ik, Eigen::Vector3d(0.4, 0.1, 0.3)).q;
+  (void)solve(other, Eigen::Vector3d(0.4, 0.1, 0.3));
+  cca::optional_in<"near", angles_of<skew_arm>> near(Eigen::Vector3d(not_a_number, inf, q[2]), 0, true);
   near.set_wired();
-  const auto [q, status] = ik.process(cca::in<"position", foot_in_trunk>(Eigen::Vector3d(0.4, 0.1, 0.3), 0, true), near);
-  CHECK(q.vector().allFinite());
+  const Eigen::Vector3d next(0.3, 0.2, 0.3);
+  const auto [angles, status] = ik.process(cca::in<"position", foot_in_trunk>(next, 0, true), near);
+  CHECK(angles.vector() == solve(other, next).q);
+}
+
+TEST_CASE("a start beyond the limits is taken as the nearest within") {
+  const Eigen::Vector3d beyond(2.0, 0.1, -0.3);
+  cca::optional_in<"near", angles_of<skew_arm>> near(beyond, 0, true);
+  near.set_wired();
+  of_skew_arm ik;
+  const auto [q, status] = ik.process(cca::in<"position", foot_in_trunk>(cca::chain_pose<skew_arm>(beyond).tip().at, 0, true), near);
+  CHECK(within_limits<skew_arm>(q.vector()));
+}
+
+TEST_CASE("after a start it knows nothing of before") {
+  of_skew_arm used, fresh;
+  (void)solve(used, Eigen::Vector3d(0.4, 0.1, 0.3));
+  used.on_start();
+  const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(not_a_number);
+  CHECK(solve(used, nowhere).q == solve(fresh, nowhere).q);
+}
+
+TEST_CASE("sections that slide together move by their ratios from where they rest, and within their limits") {
+  CHECK(cca::chain_pose<telescope>(Eigen::Vector2d(0, 0.1)).tip().at[0] == doctest::Approx(0.3 + 0.1 + 0.05 + 0.02));
+  inverse<telescope, foot_in_trunk> ik;
+  CHECK(solve(ik, Eigen::Vector3d(9, 0, 0)).q[1] == 0.3);
+  CHECK(solve(ik, Eigen::Vector3d(0.1, 0, 0)).q[1] == -0.1);
+}
+
+TEST_CASE("a quaternion of any length is the rotation that it names") {
+  const auto target = [](double length) {
+    forward<whole_arm, pose_in_trunk> there;
+    auto pose = laws::map(there, Eigen::Matrix<double, 6, 1>{0.1, 0.2, -0.8, 0.3, 0.5, -0.2});
+    pose.tail<4>() *= length;
+    return pose;
+  };
+  inverse<whole_arm, pose_in_trunk> unit;
+  const auto q = solve(unit, target(1)).q;
+  for (const double length : {1e-200, 3.0, 1e200}) {
+    inverse<whole_arm, pose_in_trunk> ik;
+    CHECK((solve(ik, target(length)).q - q).norm() < 1e-6);
+  }
 }
 
 }
@@ -289,6 +338,14 @@ TEST_CASE_TEMPLATE("nothing that can be reached is nearer", Leg, left_leg, right
   }
   CHECK(outside > 100);
   CHECK(above > 50);
+}
+
+TEST_CASE_TEMPLATE("nearer to the hip than a leg can fold, it folds", Knee, folding, folding_back) {
+  const double shortest = std::abs(oncilla.upper_length + oncilla.foot_lever() - oncilla.middle_length);
+  inverse<folding_leg<Knee>, foot_in_plane> ik;
+  const Eigen::Vector2d target = 0.5 * shortest * Eigen::Vector2d(0.6, -0.8);
+  const auto at = cca::chain_pose<folding_leg<Knee>>(solve(ik, target).q).tip().at;
+  CHECK((Eigen::Vector2d(at[0], at[2]) - 2 * target).norm() < 1e-9);
 }
 
 // A knee that may bend either way, as in the leg of the README.

@@ -55,6 +55,10 @@ struct counting {
 struct two_inputs {
   auto process(cca::in<"a", foot_in_hip>, cca::in<"b", foot_in_hip> b) -> cca::out<"c", foot_in_hip> { return b; }
 };
+// Tells where what it takes comes from, and whether it's new.
+struct noting {
+  auto process(cca::in<"a", foot_in_hip> a) -> cca::out<"b", foot_in_hip> { return Eigen::Vector3d(static_cast<double>(a.origin()), a.fresh(), 0); }
+};
 struct sink { void process(cca::in<"a", foot_in_hip>) {} };
 
 static_assert(cca::Mapping<cca::mapping<foot_in_hip, heights, height>> && !cca::Transformation<cca::mapping<foot_in_hip, heights, height>>);
@@ -139,6 +143,12 @@ TEST_CASE("a chain hands on what its mappings give, their statuses and the beat"
   static_assert(decltype(b)::name == "output" && decltype(mode)::name == "mode");
   CHECK(b.vector() == Eigen::Vector3d(12, 14, 16));
   CHECK(mode.vector()[0] == 5);
+}
+
+TEST_CASE("each mapping of a chain hears the origin of the chain's input, and whether that is new") {
+  cca::mapping_chain<noting, noting> c;
+  for (const bool fresh : {true, false})
+    CHECK(std::get<0>(c.process(cca::in<"a", foot_in_hip>(Eigen::Vector3d(1, 2, 3), 7, fresh), cca::beat{5, 1'000'000, 1})).vector() == Eigen::Vector3d(7, fresh, 0));
 }
 
 TEST_CASE("placements are those of matrices") {
