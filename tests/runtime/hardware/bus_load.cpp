@@ -5,7 +5,11 @@
 #include <vector>
 
 #include <cca/hardware/bus_plan.hpp>
+#include <cca/hardware/cia402.hpp>
 #include <cca/hardware/mit.hpp>
+#include <cca/hardware/moteus.hpp>
+#include <cca/hardware/odrive.hpp>
+#include <cca/hardware/sensor_board.hpp>
 
 #include "../../laws/can_bus_laws.hpp"
 
@@ -74,6 +78,26 @@ std::int64_t length_of(const can_frame& f) {
 template <std::uint32_t Number>
 using joint = mit_drive<ak80_9, Number>;
 
+struct n1 {
+  static constexpr std::string_view name = "n1";
+  static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.05, counts = 4096;
+};
+template <std::uint32_t Node>
+using axis = odrive<Node, odrive_mode::torque>;
+template <std::uint8_t Node>
+using node = cia402<n1, Node, cia402_mode::torque>;
+template <std::uint32_t Number, std::uint32_t Master = 0>
+using damiao = mit_drive<ak60_6, Number, Master, mit_firmware::damiao>;
+
+// Whether two can be on one bus, whichever is named first.
+template <class A, class B>
+constexpr bool beside() {
+  constexpr std::array<detail::drive_facts, 2> both{detail::facts_of<A>(), detail::facts_of<B>()},
+      turned{detail::facts_of<B>(), detail::facts_of<A>()};
+  static_assert((detail::find_same_id(both).a < 0) == (detail::find_same_id(turned).a < 0));
+  return detail::find_same_id(both).a < 0;
+}
+
 }  // namespace
 
 TEST_CASE("bus load: known lengths") {
@@ -139,4 +163,34 @@ TEST_CASE("bus load: what is overloaded, and whose ids meet") {
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<0>, joint<1>>::sound,
                 "asks under the id that the others reply under");
   static_assert(plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, mit_drive<ak80_9, 2, 9>>::sound);
+}
+
+TEST_CASE("bus load: an id that belongs to a drive is nobody else's, whether set-points use it or not") {
+  // ODrive: all 32 of a node, of 11 bits or of 29.
+  static_assert(!beside<axis<1>, joint<0x20>>() && !beside<axis<1>, joint<0x36>>() && !beside<axis<1>, joint<0x3F>>());
+  static_assert(beside<axis<1>, joint<0x1F>>() && beside<axis<1>, joint<0x40>>() && beside<axis<1>, axis<2>>());
+  static_assert(!beside<axis<1>, mit_drive<ak80_9, 1, 0x24>>(), "its SDO, as the id of another's answers");
+  static_assert(!beside<axis<2>, sensor_board<0x3B>>() && beside<axis<1>, sensor_board<0x40>>());
+  static_assert(!beside<axis<0x402>, moteus<n1, 65>>() && beside<axis<0x402>, moteus<n1, 1>>());  // 29 bits: 8040h to 805Fh
+  static_assert(!beside<axis<4>, node<5>>(), "SYNC, 80h, is what asks axis 4 for its version");
+  static_assert(beside<axis<1>, node<5>>());
+
+  // CANopen: all process data, SDO, NMT and the heartbeat of a node.
+  constexpr auto meets_node_5 = []<std::uint32_t... Id>(std::integer_sequence<std::uint32_t, Id...>) {
+    return (!beside<node<5>, mit_drive<ak80_9, 1, Id>>() && ...);
+  };
+  static_assert(meets_node_5(std::integer_sequence<std::uint32_t, 0, 0x80, 0x85, 0x185, 0x205, 0x285, 0x305, 0x385, 0x405, 0x485,
+                                                   0x505, 0x585, 0x605, 0x705>()));
+  static_assert(beside<node<5>, mit_drive<ak80_9, 1, 0x606>>() && beside<node<5>, node<6>>() && beside<node<1>, node<127>>());
+  static_assert(!beside<node<5>, cia402<n1, 5, cia402_mode::position>>());
+
+  // moteus: what is sent to its number, whoever says it; an answer to a source that is also a servo moves that one.
+  static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 3, 1>>() && beside<moteus<n1, 3, 0>, moteus<n1, 4, 1>>());
+  static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 4, 3>>());
+  static_assert(!beside<moteus<n1, 3>, joint<3>>() && beside<moteus<n1, 3>, mit_drive<ak80_9, 4, 1>>());
+
+  // Answers under one id: told apart by their first byte, of which a Damiao uses half.
+  static_assert(beside<joint<1>, joint<2>>() && beside<joint<1>, damiao<2>>() && beside<damiao<1>, damiao<2>>());
+  static_assert(!beside<joint<0x15>, damiao<5>>() && beside<joint<0x15>, damiao<5, 0x100>>() && beside<joint<0x16>, damiao<5>>());
+  static_assert(!beside<mit_drive<ak80_9, 9, 0x41>, sensor_board<0x40>>(), "the board does not say by a byte who it is");
 }

@@ -6,8 +6,8 @@
 // left::load is the part of the time that the bus is in use, each frame of each drive counted in its longest form
 // (frame_bits.hpp). Errors: bus.overloaded, above nine tenths (the rest is for frames that are repeated, and for other talk),
 // with the figures and the
-//   rate that would do; drive.duplicate_id, where two drives listen to or send one id. Drives that say in their replies who they
-//   are (`shares_replies`) may reply under one. Frames that end a cycle (SYNC) are counted once.
+//   rate that would do; drive.duplicate_id, where two drives listen to, send or occupy one id. Drives whose replies say by their
+//   first byte who they are (`reply_mark`) may reply under one. Frames that end a cycle (SYNC) are counted once.
 // The buses of a whole robot are planned from its joints: robot_buses.hpp.
 // Cost: constants. Example: tests/runtime/hardware/bus_load.cpp; docs/can_bus.md.
 #pragma once
@@ -28,16 +28,15 @@ inline constexpr std::int64_t most_percent = 90;
 
 struct drive_facts {
   std::string_view name;
-  std::span<const can_filter> requests, replies, broadcasts;
+  std::span<const can_filter> requests, replies, broadcasts, occupies;
   std::span<const frame_traffic> traffic;
   std::span<const can_frame> cycle_frames;
-  bool shares_replies = false;
+  drive_mark mark{};
 };
 template <class D>
 constexpr drive_facts facts_of(std::string_view name = D::name) {
-  drive_facts f{name, D::requests, D::replies, broadcasts_of<D>, D::traffic, cycle_frames_of<D>};
-  if constexpr (requires { D::shares_replies; }) f.shares_replies = D::shares_replies;
-  return f;
+  return {name,       D::requests,        D::replies,      broadcasts_of<D>, occupied_by<D>,
+          D::traffic, cycle_frames_of<D>, reply_mark_of<D>};
 }
 
 struct bus_use {
@@ -72,6 +71,7 @@ constexpr bus_use use_of(std::span<const drive_facts> drives, bit_rates rates) {
 struct same_id {
   int a = -1, b = -1;
   can_id id{};
+  bool answers = false;  // both reply under it, and can't be told apart
 };
 constexpr bool share_one(std::span<const can_filter> a, std::span<const can_filter> b, can_id& id) {
   for (const can_filter& f : a)
@@ -82,16 +82,21 @@ constexpr bool share_one(std::span<const can_filter> a, std::span<const can_filt
       }
   return false;
 }
+// What one sends or hears, the other must neither send, nor hear, nor have for itself.
+constexpr bool meets(const drive_facts& a, const drive_facts& b, can_id& id) {
+  for (const auto& those : {a.requests, a.replies, a.broadcasts, a.occupies})
+    if (share_one(those, b.occupies, id)) return true;
+  return share_one(a.requests, b.requests, id) || share_one(a.requests, b.replies, id) ||
+         share_one(a.broadcasts, b.requests, id) || share_one(a.broadcasts, b.replies, id);
+}
 constexpr same_id find_same_id(std::span<const drive_facts> drives) {
   same_id found;
   for (std::size_t i = 0; i < drives.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const drive_facts &a = drives[j], &b = drives[i];
-      if (share_one(a.requests, b.requests, found.id) || share_one(a.requests, b.replies, found.id) ||
-          share_one(a.replies, b.requests, found.id) || share_one(a.broadcasts, b.requests, found.id) ||
-          share_one(a.broadcasts, b.replies, found.id) || share_one(b.broadcasts, a.requests, found.id) ||
-          share_one(b.broadcasts, a.replies, found.id) ||
-          (!(a.shares_replies && b.shares_replies) && share_one(a.replies, b.replies, found.id))) {
+      const bool one_moves_both = meets(a, b, found.id) || meets(b, a, found.id);
+      found.answers = !one_moves_both && !apart(a.mark, b.mark) && share_one(a.replies, b.replies, found.id);
+      if (one_moves_both || found.answers) {
         found.a = static_cast<int>(j);
         found.b = static_cast<int>(i);
         return found;
@@ -132,8 +137,8 @@ constexpr cca::detail::report tell_of_bus(std::string_view name, std::span<const
     drive(bus.twice.b);
     t << " both use the id ";
     add_id(t, bus.twice.id);
-    t << ": what is meant for one would move the other as well; give each of them an id of its own, in its firmware and in its "
-         "type";
+    t << (bus.twice.answers ? ": what one answers would be taken for the other's" : ": what is meant for one would move the other as well")
+      << "; give each of them an id of its own, in its firmware and in its type";
     return r;
   }
   const double left = static_cast<double>(most_percent) * 1e7 - bus.use.periodic;

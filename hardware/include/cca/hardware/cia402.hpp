@@ -118,6 +118,14 @@ struct cia402 {
   static constexpr std::array<can_filter, 2> broadcasts{{{standard(0)}, {standard(0x080)}}};  // NMT, SYNC
   static constexpr std::array<can_frame, 1> cycle_frames{canopen_sync()};
   static constexpr std::array<can_filter, 4> replies{{{sends}, {sends_velocity}, {emergency}, {heartbeat}}};
+  // Its other process data and its SDO, in and out, of the ids that CiA 301 gives a node.
+  static constexpr std::array<can_filter, 7> occupies{{{standard(0x300 + Node)},
+                                                       {standard(0x400 + Node)},
+                                                       {standard(0x500 + Node)},
+                                                       {standard(0x380 + Node)},
+                                                       {standard(0x480 + Node)},
+                                                       {standard(0x580 + Node)},
+                                                       {standard(0x600 + Node)}}};
   static constexpr std::array<frame_traffic, 4> traffic{{{.shape = {.length = 8}},
                                                          {.shape = {.length = 8}},
                                                          {.shape = {.length = 4}},

@@ -16,6 +16,8 @@
 //   D::broadcasts           ids that all drives of its kind listen to, whoever is meant
 //   D::cycle_frames         frames that end a cycle on its bus, once for all drives there that state the same
 //   D::report_period        ns; it tells where it is by itself, so often, instead of when it is asked
+//   D::occupies             ids that are its own though no set-point uses them: on its bus nobody else may have one (bus_plan.hpp)
+//   D::reply_mark           what stands in the first byte of all its replies, where drives may reply under one id
 //   D::damp()               frames after which it only damps, where a set-point without stiffness can't say so
 //
 // Models: mit.hpp, odrive.hpp, moteus.hpp, cia402.hpp. docs/drives.md.
@@ -149,12 +151,29 @@ struct frame_traffic {
   std::int64_t period = 0;  // ns; 0: by cycle
 };
 
+// The bits of a reply's first byte that say who it is from: `value` in those of `mask`. Without a mask they say nothing.
+struct drive_mark {
+  std::uint8_t value = 0, mask = 0;
+  // Whether no byte is taken for both.
+  friend constexpr bool apart(drive_mark a, drive_mark b) { return ((a.value ^ b.value) & a.mask & b.mask) != 0; }
+};
+
 // What of these a drive does not state.
 template <class D>
 inline constexpr std::array<can_filter, 0> broadcasts_of{};
 template <class D>
 requires requires { D::broadcasts; }
 inline constexpr auto broadcasts_of<D> = D::broadcasts;
+template <class D>
+inline constexpr std::array<can_filter, 0> occupied_by{};
+template <class D>
+requires requires { D::occupies; }
+inline constexpr auto occupied_by<D> = D::occupies;
+template <class D>
+inline constexpr drive_mark reply_mark_of{};
+template <class D>
+requires requires { D::reply_mark; }
+inline constexpr drive_mark reply_mark_of<D> = D::reply_mark;
 template <class D>
 inline constexpr std::array<can_frame, 0> cycle_frames_of{};
 template <class D>

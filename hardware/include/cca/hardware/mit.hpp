@@ -79,7 +79,7 @@ struct mit_drive {
   static constexpr std::uint8_t reply_length = Firmware == mit_firmware::original ? 6 : 8;
   static constexpr can_id request_id = standard(Number), reply_id = standard(Master);
   static constexpr std::array<can_filter, 1> requests{{{request_id}}}, replies{{{reply_id}}};
-  static constexpr bool shares_replies = true;  // one id for all drives, which say who they are
+  static constexpr drive_mark reply_mark{Number, Firmware == mit_firmware::damiao ? 0x0F : 0xFF};  // one id for all drives
   static constexpr std::array<frame_traffic, 2> traffic{{{.shape = {.length = 8}}, {.shape = {.length = reply_length}}}};
   static constexpr drive_watchdog watchdog{0, "torque to zero; off unless CAN_TIMEOUT is set"};
 

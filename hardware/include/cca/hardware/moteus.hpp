@@ -49,6 +49,8 @@ struct moteus {
   static constexpr std::array<can_filter, 1> requests{{{request_id}}};
   static constexpr std::array<can_filter, 2> replies{
       {{extended(reply_number)}, {reply_number <= 0x7FF ? standard(reply_number) : extended(reply_number)}}};
+  // Whatever is sent to its number, from whatever source; 11 or 29 bits make no difference to it.
+  static constexpr std::array<can_filter, 2> occupies{{{extended(Servo), 0x1FFF00FF}, {standard(Servo), 0x1FFF00FF}}};
   static constexpr std::array<frame_traffic, 2> traffic{
       {{.shape = {.length = 48, .extended = true, .fd = true, .fast = true}},
        {.shape = {.length = 24, .extended = reply_number > 0x7FF, .fd = true, .fast = true}}}};

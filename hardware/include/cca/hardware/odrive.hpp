@@ -107,6 +107,7 @@ struct odrive {
                                                       {id(odrive_command::estimates)},
                                                       {id(odrive_command::temperature)},
                                                       {id(odrive_command::torques)}}};
+  static constexpr std::array<can_filter, 1> occupies{{{{Node << 5, Node > 63}, 0x1FFFFFE0}}};  // Reboot, settings, and so on
   static constexpr std::array<frame_traffic, 3> traffic{
       {{.shape = {.length = 8, .extended = Node > 63}},
        {.shape = {.length = 8, .extended = Node > 63}, .period = EstimatesPeriod},
