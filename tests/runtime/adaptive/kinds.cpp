@@ -1,5 +1,7 @@
 // The kinds of adaptive components and their criteria, under their laws.
 #include <future>
+#include <string>
+#include <string_view>
 
 #include <cca/adaptive/grasping.hpp>
 #include <cca/adaptive/reaching_criterion.hpp>
@@ -452,4 +454,41 @@ TEST_CASE("a shape is learned from a demonstration in a batch on another thread,
   CHECK(lwr_online < 0.05);
   CHECK(rls < 0.005);
   CHECK(rls_online < 0.005);
+}
+
+namespace {
+
+constexpr std::string_view picture_of_generator = R"(// [generator picture]
+flowchart LR
+  n0["hand<br/><i>1000 Hz</i>"]
+  n6["robot<br/><i>restless</i>"]
+  subgraph g1["swing"]
+    n4["criterion<br/><i>1000 Hz</i>"]
+    n5["status<br/><i>1000 Hz</i>"]
+    subgraph g2["module"]
+      n1["oscillator<br/><i>1000 Hz</i>"]
+      n2["shift<br/><i>1000 Hz</i>"]
+      n3["pattern<br/><i>1000 Hz</i>"]
+    end
+  end
+  n0 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n1
+  n0 -- "frequency<br/>over&lt;frequency, stride&gt;, 1000 Hz" --> n1
+  n1 -- "phase<br/>over&lt;phase, stride&gt;, 1000 Hz" --> n2
+  n0 -- "phase → by<br/>over&lt;phase, stride&gt;, 1000 Hz" --> n2
+  n2 -- "shifted → phase<br/>over&lt;phase, stride&gt;, 1000 Hz" --> n3
+  n1 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n3
+  n0 -- "frequency<br/>over&lt;frequency, stride&gt;, 1000 Hz" --> n3
+  n0 -- "centre → reference<br/>leg, 1000 Hz" --> n3
+  n3 -- "command → target<br/>leg" --> n4
+  n6 -. "angles → feedback<br/>leg<br/>delayed 1" .-> n4
+  n3 -- "ode<br/>ode_status_port, 1000 Hz" --> n5
+  n3 -- "module<br/>module_status_port, 1000 Hz" --> n5
+  n4 -- "state → criterion<br/>criterion_port, 1000 Hz" --> n5
+  n3 -- "command<br/>leg" --> n6
+)";  // [generator picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of a generator is that of its page") {
+  CHECK(std::string(cca::describe<swinging>::mermaid()) == std::string(picture_of_generator.substr(picture_of_generator.find('\n') + 1)));
 }

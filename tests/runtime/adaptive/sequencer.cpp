@@ -1,4 +1,7 @@
 // A Sequencer and the skills that it leads through: it goes on by what they tell, and elsewhere when that takes too long.
+#include <string>
+#include <string_view>
+
 #include <cca/adaptive/reaching_criterion.hpp>
 #include <cca/adaptive/sequencer.hpp>
 #include <cca/motor/vite.hpp>
@@ -132,4 +135,33 @@ TEST_CASE("beats are counted from when a step began, and a condition has to hold
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 100; ++k) c.step();
   CHECK(laws::allocations() == before);
+}
+
+namespace {
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0["sequencer<br/><i>100 Hz</i>"]
+  n1["leader<br/><i>100 Hz</i>"]
+  n2["cpg<br/><i>1000 Hz</i>"]
+  n6["robot<br/><i>restless</i>"]
+  subgraph g1["arm"]
+    n3["module<br/><i>1000 Hz</i>"]
+    n4["criterion<br/><i>1000 Hz</i>"]
+    n5["status<br/><i>1000 Hz</i>"]
+  end
+  n0 -- "step<br/>step_port, 100 Hz" --> n1
+  n1 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 100 Hz" --> n2
+  n1 -- "target<br/>leg, 100 Hz" --> n3
+  n1 -- "target<br/>leg, 100 Hz" --> n4
+  n6 -. "angles → feedback<br/>leg<br/>delayed 1" .-> n4
+  n3 -- "status → ode<br/>ode_status_port, 1000 Hz" --> n5
+  n4 -- "state → criterion<br/>criterion_port, 1000 Hz" --> n5
+  n3 -- "position → command<br/>leg" --> n6
+)";  // [picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of a sequencer and what it leads is that of its page") {
+  CHECK(std::string(cca::describe<skills>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
 }

@@ -1,4 +1,7 @@
 // The example of docs/body.md.
+#include <string>
+#include <string_view>
+
 #include <doctest/doctest.h>
 
 // [body]
@@ -94,4 +97,22 @@ TEST_CASE("where its parts are") {
   // [places end]
 }
 
+}
+
+namespace {
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0[("arm<br/><i>1000 Hz</i>")]
+  n1["gravity<br/><i>1000 Hz</i>"]
+  n2["limits<br/><i>1000 Hz</i>"]
+  n2 -- "safe → torques<br/>torques, 1000 Hz" --> n0
+  n0 -- "angles<br/>angles, 1000 Hz" --> n1
+  n1 -- "torques → command<br/>torques, 1000 Hz" --> n2
+)";  // [picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of an arm that bears its own weight is that of its page") {
+  CHECK(std::string(cca::describe<walker::floating>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
 }

@@ -1,4 +1,7 @@
 // The example of docs/mappings.md.
+#include <string>
+#include <string_view>
+
 #include <doctest/doctest.h>
 
 // [mappings]
@@ -61,4 +64,21 @@ TEST_CASE("a chain in a graph") {
   CHECK(c.get<"reader">().last == doctest::Approx(0.3));
 }
 
+}
+
+namespace {
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0["sweep<br/><i>1000 Hz</i>"]
+  n1["height<br/><i>1000 Hz</i>"]
+  n2["reader<br/><i>1000 Hz</i>"]
+  n0 -- "paw → input<br/>in_hip, 1000 Hz" --> n1
+  n1 -- "output → height<br/>height, 1000 Hz" --> n2
+)";  // [picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of a mapping between two components is that of its page") {
+  CHECK(std::string(cca::describe<paw::walk>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
 }

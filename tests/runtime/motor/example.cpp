@@ -1,5 +1,8 @@
 // The example of docs/motor.md: the way from locomotion to reaching of the seed's section 6.3, for one leg; and a graph of all
 // motor components, which the rules accept.
+#include <string>
+#include <string_view>
+
 #include <cca/motor/dmp_discrete.hpp>
 #include <cca/motor/dmp_pose.hpp>
 #include <cca/motor/dmp_rhythmic.hpp>
@@ -106,4 +109,25 @@ TEST_CASE("all motor components in one graph run without allocation") {
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 500; ++k) c.step();
   CHECK(laws::allocations() == before);
+}
+
+namespace {
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0["script<br/><i>1000 Hz</i>"]
+  n1["cpg<br/><i>1000 Hz</i>"]
+  n2["reach<br/><i>1000 Hz</i>"]
+  n3["dmp<br/><i>1000 Hz</i>"]
+  n0 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n1
+  n0 -- "target<br/>leg, 1000 Hz" --> n2
+  n1 -- "phase<br/>over&lt;phase, stride&gt;, 1000 Hz" --> n3
+  n1 -- "amplitude<br/>over&lt;amplitude, stride&gt;, 1000 Hz" --> n3
+  n2 -- "position → goal<br/>leg" --> n3
+)";  // [picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of the way from locomotion to reaching is that of its page") {
+  CHECK(std::string(cca::describe<skills>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
 }

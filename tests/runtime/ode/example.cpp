@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/cca.hpp>
@@ -57,4 +59,22 @@ TEST_CASE("an ode in a component follows its closed form in a controller") {
   CHECK(c.get<"sink">().status == cca::ode_status::transient);
   c.run(cca::for_beats<2000>{});
   CHECK(c.get<"sink">().status == cca::ode_status::converged);
+}
+
+namespace {
+
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0["step<br/><i>1000 Hz</i>"]
+  n1["filter<br/><i>1000 Hz</i>"]
+  n2["sink<br/><i>1000 Hz</i>"]
+  n0 -- "wish<br/>wish, 1000 Hz" --> n1
+  n1 -- "level<br/>wish, 1000 Hz" --> n2
+  n1 -- "status<br/>ode_status_port, 1000 Hz" --> n2
+)";  // [picture end]
+
+}  // namespace
+
+TEST_CASE("the picture of a component with an ode is that of its page") {
+  CHECK(std::string(cca::describe<filtered>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
 }
