@@ -54,6 +54,12 @@ struct rcpg {
     made = true;
   }
 
+  // Starts again, from rest; the network stays.
+  void on_start() {
+    network.rest();
+    y.setZero();
+  }
+
 private:
   reservoir<S::size, N, Connections> network;
   output y = output::Zero();

@@ -45,7 +45,7 @@ public:
     }
     const double scale = s.spectral_radius / radius();
     for (double& w : weight) w *= scale;
-    x.setZero();
+    rest();
   }
 
   void step(const output& y, double leak) {
@@ -60,6 +60,7 @@ public:
   }
 
   const activity& get() const { return x; }
+  void rest() { x.setZero(); }
 
   // W applied to a vector: what its spectral radius is of.
   activity recur(const activity& v) const {

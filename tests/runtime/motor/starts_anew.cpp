@@ -9,6 +9,7 @@
 #include <cca/motor/hmm_motion.hpp>
 #include <cca/motor/hopf.hpp>
 #include <cca/motor/pid.hpp>
+#include <cca/motor/rcpg.hpp>
 #include <cca/motor/vite.hpp>
 
 #include "rig.hpp"
@@ -118,6 +119,12 @@ TEST_CASE("the Hopf oscillator starts anew: from the ember") {
   starts_anew(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
     return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)), {}, at(k));
   });
+}
+
+TEST_CASE("a reservoir pattern generator starts anew: the same network, from rest") {
+  cca::rcpg<plane, 20> c;
+  c.p.readout.setConstant(0.1);
+  starts_anew(c, [](auto& one, int k) { return one.process(wired<cca::optional_in<"teacher", plane>>(place(k), k >= 10'000)); });
 }
 
 TEST_CASE("PID starts anew") {
