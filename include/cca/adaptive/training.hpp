@@ -91,8 +91,9 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
+  CCA_GLUE bool in_trained_region(const input& x, const settings& s) const { return has_learned && Rule::inside(known, x, s); }
   CCA_GLUE trained_region region(const input& x, const settings& s) const {
-    return has_learned && Rule::inside(known, x, s) ? trained_region::inside : trained_region::outside;
+    return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
   CCA_GLUE auto status(const input& x, const settings& s) const { return status_of(now, region(x, s)); }
 

@@ -1,6 +1,9 @@
 // An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say, against the
 // analytic one. An adaptive transformation: what a camera sees, corrected.
+#include <array>
+
 #include <cca/adaptive/extreme_learning_machine.hpp>
+#include <cca/adaptive/sampling.hpp>
 #include <cca/mapping/adaptive_mapping.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/mapping/mapping_chain.hpp>
@@ -85,6 +88,44 @@ TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or
   const auto [q, status] = ik->process(input(Eigen::Vector2d(0.0, 0.3), 0, true), {}, {});
   CHECK(q.vector().allFinite());
   CHECK(status.vector()[1] == cca::status_of(cca::trained_region::outside));
+}
+
+TEST_CASE("inverse kinematics are learned from postures that the learner chooses") {
+  const auto ik = std::make_unique<learned_ik>();
+  forward there;
+  const Eigen::Vector2d low(0.9 * oncilla.hip_range.low, oncilla.knee_range.low + 0.1 * (oncilla.knee_range.high - oncilla.knee_range.low));
+  const Eigen::Vector2d high(0.9 * oncilla.hip_range.high, oncilla.knee_range.low + 0.8 * (oncilla.knee_range.high - oncilla.knee_range.low));
+  const auto ask = [&](const Eigen::Vector2d& q) { return cca::example<machine::model>{laws::map(there, q), q}; };
+  CHECK_THROWS_WITH_AS(cca::sample_examples(ik->learning, low, high, 10, ik->p.settings, ask),
+                       "cca::sample_examples: refused while it is `idle`: collect() or learn() first", cca::refused);
+  // [sampling]
+  ik->learning.collect();
+  cca::sample_examples(ik->learning, low, high, 1000, ik->p.settings, ask);  // of a posture, where it puts the paw
+  ik->learning.hand_over(ik->learning.begin_batch(ik->p.settings)());
+  // [sampling end]
+  laws::ode_source random{std::mt19937_64{23}};
+  double square = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Eigen::Vector2d q = posture(random), p = laws::map(there, q);
+    CHECK(ik->learning.in_trained_region(p, ik->p.settings));
+    square += (ik->learning.answer(p) - q).squaredNorm() / 2;
+  }
+  CHECK(std::sqrt(square / 1000) < 2e-3);
+  CHECK_FALSE(ik->learning.in_trained_region({0.5, 0.5}, ik->p.settings));
+}
+
+TEST_CASE("spread points cover a box evenly, whatever their number") {
+  const Eigen::Vector3d low(-1, 0, 10), high(1, 0.5, 20);
+  for (const int count : {64, 500}) {
+    std::array<int, 8> octants{};
+    for (int i = 0; i < count; ++i) {
+      const Eigen::Vector3d p = cca::spread_point(low, high, i), u = (p - low).cwiseQuotient(high - low);
+      CHECK((u.minCoeff() >= 0 && u.maxCoeff() < 1));
+      ++octants[static_cast<std::size_t>((u[0] < 0.5) + 2 * (u[1] < 0.5) + 4 * (u[2] < 0.5))];
+    }
+    for (const int in_octant : octants) CHECK(std::abs(in_octant - count / 8.0) <= 4);
+  }
+  CHECK(cca::spread_point(low, high, 0) == Eigen::Vector3d(0, 0.5 / 3, 12));  // a half, a third, a fifth of the way
 }
 
 TEST_CASE("an adaptive transformation changes nothing until it has learned a correction") {
