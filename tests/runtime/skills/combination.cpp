@@ -69,6 +69,38 @@ TEST_CASE("the left paw comes to a ball ahead") { check(run(short_run(1, skills:
 
 TEST_CASE("the right paw comes to a ball that hangs inside") { check(run(short_run(2, skills::paw_side::right, skills::target::inside))); }
 
+TEST_CASE("the right paw comes to a ball fixed in the world, at which the robot arrives; the table tells of each skill") {
+  auto c = short_run(5, skills::paw_side::right, skills::target::world);
+  skills::set_seconds(c, 6);
+  const auto r = run(c);
+  check(r);
+  std::ostringstream table;
+  skills::write_table(table, c, r);
+  std::istringstream lines(table.str());
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "  skill            begins     takes   joints off   status");
+  for (std::size_t i = 0; i < r.skills.size(); ++i) {
+    std::getline(lines, line);
+    std::istringstream words(line.substr(16));
+    CHECK(line.find("  " + std::string(plan::table[i].name) + " ") == 0);
+    double begins = -1, takes = -1, off = -1;
+    std::string unit, status;
+    words >> begins >> unit >> takes >> unit;
+    const bool measured = std::isfinite(r.skills[i].error);
+    if (measured) words >> off >> unit;
+    words >> status;
+    CHECK(begins == doctest::Approx(r.skills[i].begin).epsilon(0.01));
+    CHECK(takes > 0);
+    if (measured) CHECK(std::abs(off - r.skills[i].error) < 1e-3);
+    CHECK(status == "done");
+  }
+  std::getline(lines, line);
+  CHECK(line.find("  ball (world, right paw): ") == 0);
+  std::getline(lines, line);
+  CHECK(line.find("  trotted on at 0.") == 0);
+}
+
 TEST_CASE("the same seed gives the same bits, and another seed others") {
   const auto c = short_run(3, skills::paw_side::left, skills::target::high);
   const auto first = run(c), again = run(c);
