@@ -26,6 +26,25 @@ void go(Run& run, int beats) {
   for (int k = 0; k < beats; ++k) run.step();
 }
 
+// One that has trotted for 500 beats: the next one has the index 500.
+template <class Architecture = hil::trot_on_drives>
+struct trotting : hil::in_memory<Architecture> {
+  trotting() {
+    this->controller.load();
+    this->controller.start();
+    go(*this, 500);
+    REQUIRE(stop().mode() == hw::motion_mode::run);
+  }
+  auto& stop() { return this->controller.template get<"robot.emergency_stop">(); }
+  auto& synchronizer() { return this->controller.template get<"robot.synchronizer">(); }
+};
+
+void is(const hw::safety_event& cause, hw::safety_rule rule, int joint, std::int64_t beat) {
+  CHECK(cause.rule == rule);
+  CHECK(cause.joint == joint);
+  CHECK(cause.beat == beat);
+}
+
 }  // namespace
 
 TEST_SUITE("safety chain") {
@@ -83,6 +102,135 @@ TEST_SUITE("safety chain") {
     go(run, 50);
     CHECK(stop.mode() == hw::motion_mode::run);
     CHECK(stop.first_cause().rule == hw::safety_rule::none);
+  }
+
+  TEST_CASE("a sensor board that is silent or faulty trips by a rule of its own, and no joint is blamed") {
+    trotting<> silent;
+    silent.far.board_silent = true;
+    go(silent, 11);  // its last frames are still on the way in the first
+    CHECK(silent.stop().mode() == hw::motion_mode::run);
+    go(silent, 1);
+    is(silent.stop().first_cause(), hw::safety_rule::sensor_board, -1, 511);
+    CHECK(hw::name_of(hw::safety_rule::sensor_board) == "sensor board");
+    go(silent, 2);
+    CHECK(silent.stop().mode() == hw::motion_mode::damped);
+    for (const auto& law : silent.laws) CHECK(law.stiffness == 0);
+
+    trotting<> faulty;
+    faulty.far.board_silent = true;  // another speaks in its place
+    auto reading = faulty.robot.board();
+    reading.status = 1;
+    faulty.wires[4].end(2).send(hil::board::frames(reading, 0));
+    go(faulty, 2);
+    is(faulty.stop().first_cause(), hw::safety_rule::sensor_board, -1, 501);
+  }
+
+  TEST_CASE("a drive that tells of a jump: after three answers it is believed no more") {
+    trotting<> run;
+    auto& drive = std::get<6>(run.far.drives);
+    const double told = run.synchronizer().report(6).position;
+    REQUIRE(std::abs(told) > 0.2);
+    drive.hear(hw::mit_special_frame(hil::left_hind_knee::drive::request_id, hw::mit_special::set_zero),
+               run.now);  // and an answer
+    go(run, 2);
+    CHECK(run.stop().mode() == hw::motion_mode::run);
+    CHECK(run.synchronizer().report(6).position == doctest::Approx(told).epsilon(0.1));  // a jump is not taken for a motion
+    go(run, 1);
+    is(run.stop().first_cause(), hw::safety_rule::implausible, 6, 502);
+    CHECK(run.stop().mode() == hw::motion_mode::damped);
+  }
+
+  TEST_CASE("a start that comes to nothing, for want of a drive or of the board: given up, told, and nothing moves") {
+    for (const bool of_drive : {true, false}) {
+      CAPTURE(of_drive);
+      hil::in_memory<> run;
+      const auto& drives = run.controller.get<"robot.synchronizer">();
+      const auto& stop = run.controller.get<"robot.emergency_stop">();
+      if (of_drive) std::get<3>(run.far.drives).go_silent(true);
+      else run.far.board_silent = true;
+      run.controller.load();
+      run.controller.start();
+      bool moved = false;
+      for (int k = 0; k < 1000; ++k) {
+        CHECK(drives.refusal() == hw::safety_rule::none);
+        run.step();
+        for (const auto& law : run.laws) moved = moved || law.stiffness != 0;
+        if (k < 999) CHECK(drives.phase() == hw::motion_phase::enabling);
+      }
+      CHECK(drives.phase() == hw::motion_phase::stopped);
+      CHECK(drives.refusal() == hw::safety_rule::enabling);
+      CHECK_FALSE(moved);
+      CHECK(stop.mode() == hw::motion_mode::damped);
+      is(stop.first_cause(), hw::safety_rule::none, -1, -1);  // it has not run: there is nothing that stopped it
+      go(run, 2);
+      CHECK(!std::get<0>(run.far.drives).enabled());
+      std::get<3>(run.far.drives).clear();
+      run.far.board_silent = false;
+      run.controller.get<"robot.synchronizer">().start();
+      go(run, 50);
+      CHECK(drives.refusal() == hw::safety_rule::none);
+      CHECK(drives.phase() == hw::motion_phase::running);
+      CHECK(stop.mode() == hw::motion_mode::run);
+    }
+  }
+
+  TEST_CASE("commands from old data: a soft stop once they are older than 50 ms") {
+    trotting<hil::limited> run;
+    run.controller.get<"saboteur">().stuck = true;
+    go(run, 40);
+    CHECK(run.stop().mode() == hw::motion_mode::run);
+    go(run, 11);  // the posture, which they are made from, is looked at each 10 beats
+    CHECK(run.stop().mode() == hw::motion_mode::soft);
+    const auto cause = run.stop().first_cause();
+    is(cause, hw::safety_rule::stale, -1, std::clamp<std::int64_t>(cause.beat, 540, 550));
+    const auto& guard = run.controller.get<"robot.stale">().record();
+    is(guard.first, hw::safety_rule::stale, -1, cause.beat);
+  }
+
+  TEST_CASE("a command that is no number and that no limiter holds: a soft stop in the same beat") {
+    trotting<hil::unlimited> run;
+    run.controller.get<"saboteur">().not_a_number = true;
+    go(run, 1);
+    is(run.stop().first_cause(), hw::safety_rule::not_finite, 2, 500);
+    CHECK(run.stop().mode() == hw::motion_mode::soft);
+    is(run.controller.get<"robot.finite">().record().first, hw::safety_rule::not_finite, 2, 500);
+    for (const auto& law : run.laws) CHECK(std::isfinite(law.position));
+  }
+
+  TEST_CASE("someone else who sends our frames: all damped in the beat in which the bus tells") {
+    trotting<> run;
+    // What a socket counts of them: tests/runtime/hardware/socket_can.cpp. A bus in memory does not.
+    ++const_cast<hw::bus_counters&>(run.wires[1].end(0).counters()).intruders;
+    go(run, 1);
+    is(run.stop().first_cause(), hw::safety_rule::link, -1, 500);
+    CHECK(run.stop().mode() == hw::motion_mode::damped);
+    CHECK(run.synchronizer().link(1).first_cause() == hw::link_cause::intruder);
+    CHECK(run.synchronizer().link(0).first_cause() == hw::link_cause::none);
+    for (const auto& law : run.laws) CHECK(law.stiffness == 0);
+  }
+
+  TEST_CASE("a set-point that would come too late is dropped: two in a row are lost and no more, the third is the link's fault") {
+    trotting<> run;
+    auto near = run.wires[0].end(0);
+    const std::array<hw::can_frame, 1> waiting{{{.id = hw::standard(0x7FF), .length = 8}}};
+    const auto with_one_waiting = [&] {
+      const auto before = near.counters().sent;
+      near.send(waiting);
+      run.step();
+      return near.counters().sent - before - 1;
+    };
+    for (const int in_a_row : {1, 2}) {
+      for (int k = 0; k < in_a_row; ++k) CHECK(with_one_waiting() == 0);
+      go(run, 10);
+      CHECK(run.stop().mode() == hw::motion_mode::run);
+    }
+    CHECK(run.synchronizer().link(0).dropped_batches() == 3);
+    for (int k = 0; k < 3; ++k) CHECK(with_one_waiting() == 0);
+    CHECK(run.stop().mode() == hw::motion_mode::run);
+    go(run, 1);
+    is(run.stop().first_cause(), hw::safety_rule::link, -1, 526);  // 523 to 525 were full
+    CHECK(run.stop().mode() == hw::motion_mode::damped);
+    CHECK(run.synchronizer().link(0).first_cause() == hw::link_cause::queue_full);
   }
 
   TEST_CASE("the pressed emergency stop outlasts a start") {

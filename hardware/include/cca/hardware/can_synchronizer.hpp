@@ -9,10 +9,10 @@
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and `start()` are the
 // deliberate way to motion: drives are enabled; once all of them are, the phase `begins` and the guards start where the joints
 // are. A bus that went away, a drive that says nothing for `silent_beats` or three times its own period, tells of a fault or
-// jumps, a loop that stood still, all trip the emergency stop, in the same beat. Then set-points go out only if they damp, until
-// `start()`. No set-point is sent behind frames that still wait: it would be an old one. `on_fault` damps at once and stops;
-// `on_stop` disables. Parameters: `offset`, the calibration of each joint, in addition to its type's. Cost: two calls of each bus
-// a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
+// jumps, a sensor board that is silent or faulty, a loop that stood still, all trip the emergency stop, in the same beat. Then
+// set-points go out only if they damp, until `start()`. No set-point is sent behind frames that still wait: it would be an old one.
+// `on_fault` damps at once and stops; `on_stop` disables. Parameters: `offset`, the calibration of each joint, in addition to its
+// type's. Cost: two calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -143,12 +143,10 @@ private:
       }
       links[b].observe(wires[b]->state(), wires[b]->counters());
     }
-    if (at < motion_phase::begins) {
-      newest = latest;
-      return;
-    }
-    if (newest != 0 && latest - newest > longest_pause) trips.fill(safety_rule::stalled);
+    const std::int64_t pause = newest == 0 ? 0 : latest - newest;
     newest = latest;
+    if (at < motion_phase::begins) return;
+    if (pause > longest_pause) trips.fill(safety_rule::stalled);
     const auto now = frames_of_drives();
     for (std::size_t i = 0; i < count; ++i) {
       quiet[i] = now[i] == before[i] ? quiet[i] + 1 : 0;
@@ -159,7 +157,8 @@ private:
       if (links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
     }
     quiet_board = reading.frames == of_board ? quiet_board + 1 : 0;
-    if (quiet_board >= silent_board_beats || reading.status != 0) note(0, safety_rule::silent);
+    if (quiet_board >= silent_board_beats || reading.status != 0)
+      std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
     if (links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
   }
   void note(std::size_t i, safety_rule rule) {

@@ -59,8 +59,12 @@ private:
     if (rule == safety_rule::none) return;
     is = std::max(is, leads_to(rule));
     if (cause.rule != safety_rule::none) return;
-    const bool of_one = rule != safety_rule::link && rule != safety_rule::stale && rule != safety_rule::stalled;
-    cause = {rule, of_one ? joint : -1, now.index()};
+    cause = {rule, is_of_joint(rule) ? joint : -1, now.index()};
+  }
+  // What the synchronizer and the guards tell of every joint is of none.
+  static constexpr bool is_of_joint(safety_rule rule) {
+    return rule != safety_rule::stale && rule != safety_rule::stalled && rule != safety_rule::sensor_board &&
+           rule != safety_rule::link;
   }
   static constexpr motion_mode leads_to(safety_rule rule) {
     switch (rule) {

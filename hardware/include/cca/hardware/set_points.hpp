@@ -20,25 +20,26 @@ namespace cca::hardware {
 // Why motion stopped, or a set-point was changed.
 enum class safety_rule : std::uint8_t {
   none,
-  not_finite,   // a set-point that is no number
-  stale,        // a command older than it may be
-  stalled,      // the whole loop stood still
-  silent,       // a drive, or the sensor board, does not answer
-  drive_fault,  // a drive says that something is wrong with it
-  implausible,  // a drive says that it jumped
-  link,         // the bus went off or down, its queue stays full, or someone else sends our frames
-  enabling,     // a drive would not be enabled
-  pressed,      // the emergency stop
-  asked,        // a soft stop
-  range,        // the rest change a set-point and stop nothing
+  not_finite,    // a set-point that is no number
+  stale,         // a command older than it may be
+  stalled,       // the whole loop stood still
+  silent,        // a drive does not answer
+  sensor_board,  // the sensor board says nothing, or that something is wrong with it
+  drive_fault,   // a drive says that something is wrong with it
+  implausible,   // a drive says that it jumped
+  link,          // the bus went off or down, its queue stays full, or someone else sends our frames
+  enabling,      // a drive would not be enabled, or the sensor board does not tell: why a start came to nothing
+  pressed,       // the emergency stop
+  asked,         // a soft stop
+  range,         // the rest change a set-point and stop nothing
   rate,
   torque,
   stop,
 };
 constexpr std::string_view name_of(safety_rule r) {
-  constexpr std::string_view names[] = {"none",      "not finite",  "stale", "stalled",  "silent",
-                                        "fault",     "implausible", "link",  "enabling", "emergency stop",
-                                        "soft stop", "range",       "rate",  "torque",   "stop of the joint"};
+  constexpr std::string_view names[] = {"none",  "not finite",  "stale",  "stalled",          "silent",         "sensor board",
+                                        "fault", "implausible", "link",   "enabling",         "emergency stop", "soft stop",
+                                        "range", "rate",        "torque", "stop of the joint"};
   return names[static_cast<std::size_t>(r)];
 }
 
