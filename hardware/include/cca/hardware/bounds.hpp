@@ -1,9 +1,11 @@
 // The last links before the drives: nothing passes them that is beyond what a joint may do, whatever the mode.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
-//   rate_guard    positions change at most as fast as the axis' `velocity`, torques as its `torque_rate`, from one set-point sent
-//                 to the next. It begins where the joint is measured, and until the command is caught up no faster than
-//                 the parameter `approach`: so a start is without a jump.
+//   rate_guard    positions change at most as fast as the axis' `velocity`, from one set-point sent to the next. It begins where
+//                 the joint is measured, and until the command is caught up no faster than the parameter `approach`: so a start
+//                 is without a jump. The torque of a set-point, which is fed forward, changes by the axis' `torque_rate`. What
+//                 stiffness and damping make has no rate: it must follow the joint as fast as that is pushed. joint_servos feed
+//                 nothing forward, so with them, as in `oncilla`, `torque_rate` bounds nothing.
 //   limit_guard   position, velocity, stiffness and damping within their limits. The torque that the drive will make of the
 //                 set-point, where the joint is and as fast as it goes, stays within the torque limits: else stiffness,
 //                 damping and torque are scaled down alike. Beyond an end of its range, only torque that leads back; faster than

@@ -81,7 +81,7 @@ struct joint {
                                          cca::detail::upper_limit_of<Axis, cca::velocity>};
   static constexpr joint_bounds torque = {cca::detail::lower_limit_of<Axis, cca::torque>,
                                           cca::detail::upper_limit_of<Axis, cca::torque>};
-  // N m/s; without `torque_rate` of the axis the whole range in 10 ms.
+  // N m/s, of the torque that a set-point feeds forward; without `torque_rate` of the axis the whole range in 10 ms.
   static constexpr double torque_rate = [] {
     if constexpr (cca::detail::axis_has_limits<Axis, cca::torque_rate>)
       return cca::detail::upper_limit_of<Axis, cca::torque_rate>;
