@@ -68,7 +68,8 @@ struct result {
   std::int64_t beats_to_detect = -1;  // -1: nothing had to be done about it
   std::int64_t beats_to_safe = 0;     // from the detection
   std::string detected_by = "-";
-  double max_excursion = 0, max_torque = 0;
+  double max_excursion = 0;  // rad, from where a joint was at the detection; where nothing was, from a run without the fault
+  double max_torque = 0;
   std::int64_t sent = 0, sent_outside_limits = 0;
   bool recovered = false, fell = false;
   bool good() const { return recovered && sent_outside_limits == 0 && beats_to_safe <= 3; }
@@ -118,9 +119,44 @@ private:
   }
 };
 
+struct timing {  // in beats: before a fault, behind it, of the longest, behind the deliberate restart
+  static constexpr std::int64_t begin = 1500, after = 700, longest = 1000, restarted = 2500;
+};
+
+// Where the joints go from the beginning of the fault on; `undisturbed`: if nothing goes wrong.
+using way = std::vector<std::array<double, 8>>;
+template <class Architecture>
+std::array<double, 8> positions(const in_memory<Architecture>& r) {
+  std::array<double, 8> all{};
+  const auto joints_now = r.robot.joints();
+  for (std::size_t i = 0; i < 8; ++i) all[i] = joints_now[i].position;
+  return all;
+}
+template <class Architecture>
+const way& undisturbed() {
+  static const way all = [] {
+    in_memory<Architecture> r;
+    r.controller.load();
+    r.controller.start();
+    way w;
+    for (std::int64_t k = 0; k < timing::begin + timing::longest + timing::after; ++k) {
+      r.step();
+      if (k >= timing::begin) w.push_back(positions(r));
+    }
+    return w;
+  }();
+  return all;
+}
+inline double farthest(const way& a, const way& b) {
+  double most = 0;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    for (std::size_t i = 0; i < 8; ++i) most = std::max(most, std::abs(a[k][i] - b[k][i]));
+  return most;
+}
+
 template <class Architecture>
 result run(const scenario<Architecture>& s) {
-  constexpr std::int64_t begin = 1500, after = 700, restarted = 2500;
+  constexpr std::int64_t begin = timing::begin, after = timing::after, restarted = timing::restarted;
   std::vector<hw::bus_fault> script;
   for (hw::bus_fault f : s.script) {
     f.from = begin * 1'000'000, f.until = (begin + s.beats) * 1'000'000;
@@ -141,6 +177,7 @@ result run(const scenario<Architecture>& s) {
   std::int64_t last_moving = -1, detected = -1;
   std::array<double, 8> where{};
   auto former = r.laws;
+  way gone;
   const auto note = [&](std::int64_t k) {
     watcher.look(r);
     const auto q = r.robot.joints();
@@ -167,6 +204,7 @@ result run(const scenario<Architecture>& s) {
     if (k < begin) {
       for (std::size_t i = 0; i < 8; ++i) where[i] = q[i].position;
     } else {
+      gone.push_back(positions(r));
       for (std::size_t i = 0; i < 8; ++i) {
         if (detected < 0 || k <= detected) where[i] = q[i].position;
         found.max_excursion = std::max(found.max_excursion, std::abs(q[i].position - where[i]));
@@ -191,7 +229,7 @@ result run(const scenario<Architecture>& s) {
     found.beats_to_detect = detected - begin;
     found.beats_to_safe = std::max<std::int64_t>(0, last_moving + 1 - detected);
   } else {
-    found.max_excursion = 0;
+    found.max_excursion = farthest(gone, undisturbed<Architecture>());
   }
   found.fell = r.robot.world.fallen();
 

@@ -398,4 +398,17 @@ TEST_SUITE("safety chain") {
     CHECK(killed.good());
     CHECK(killed.beats_to_detect == 4);
   }
+
+  TEST_CASE("what goes on is compared with a run without the fault") {
+    using scenario = hil::scenario<hil::limited>;
+    const auto warned = hil::run(scenario{.fault = "warning", .script = {{.what = hw::bus_trouble::warning, .end = 0}}});
+    CHECK(warned.good());
+    CHECK(warned.beats_to_detect == -1);
+    CHECK(warned.max_excursion == 0);
+    const auto late = hil::run(scenario{.fault = "stalled", .beats = 1, .controller_runs = [](std::int64_t) { return false; }});
+    CHECK(late.good());
+    CHECK(late.beats_to_detect == -1);
+    CHECK(late.max_excursion > 0.001);
+    CHECK(late.max_excursion < 0.5);
+  }
 }
