@@ -1,9 +1,11 @@
 // ODrive's CAN Simple: known frames, every representable number, what differs between 0.5 and 0.6, the way to closed loop.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <cca/hardware/odrive.hpp>
 
@@ -19,6 +21,15 @@ using torque = odrive<3, odrive_mode::torque>;
 using old = odrive<4, odrive_mode::position, odrive_firmware::v0_5>;
 using far = odrive<0x1234, odrive_mode::torque>;
 constexpr double turn = detail::radians_in_turn;
+
+// All exponents, both signs, and of the fractions every 9973rd; with zeros, ends, infinities, NaN.
+template <class F>
+void for_floats(F&& f) {
+  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += 9973) f(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+  for (const std::uint32_t bits :
+       {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC00000u, 0x7FFFFFFFu})
+    for (const std::uint32_t sign : {0u, 0x80000000u}) f(std::bit_cast<float>(bits | sign));
+}
 
 static_assert(position::set_point({.position = turn}).frames[0].id == standard(0x2C));  // the example of ODrive's page
 
@@ -40,29 +51,189 @@ TEST_CASE("odrive: known frames") {
   CHECK(position::axis_state(8) == classic(standard(0x27), std::array<std::uint8_t, 8>{8}));
 }
 
-TEST_CASE("odrive: every number comes back as it was") {
+TEST_CASE("odrive: every number of a command comes back as it was") {
   const auto again = [](const can_frame& f, auto drive) {
     drive_command c;
     if (!decltype(drive)::hear(f, c)) return false;
     const auto s = decltype(drive)::set_point(c);
     return s.finite && s.cut == 0 && s.frames[0] == f;
   };
+  drive_command c;
   can_frame f = position::set_point({}).frames[0];
   for (int n = -32767; n <= 32767; ++n) {
     detail::put(f.data, 4, static_cast<std::uint16_t>(n));
     detail::put(f.data, 6, static_cast<std::uint16_t>(-n));
     REQUIRE(again(f, position{}));
+    REQUIRE(position::hear(f, c));
+    REQUIRE(std::lround(c.velocity / turn * 1000) == n);
+    REQUIRE(std::lround(c.torque * 1000) == -n);
   }
+  detail::put(f.data, 4, std::uint16_t{0x8000});  // -32768 is heard as it stands, and never said
+  detail::put(f.data, 6, std::uint16_t{0x8000});
+  REQUIRE(position::hear(f, c));
+  CHECK(c.velocity == -32.768 * turn);
+  CHECK(c.torque == -32.768);
+  const auto s = position::set_point(c);
+  CHECK(s.cut == (of_velocity | of_torque));
+  CHECK(detail::got<std::uint16_t>(s.frames[0].payload(), 4) == 0x8001);
+  CHECK(detail::got<std::uint16_t>(s.frames[0].payload(), 6) == 0x8001);
+
   can_frame g = torque::set_point({}).frames[0], v = velocity::set_point({}).frames[0], p = position::set_point({}).frames[0];
-  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += 9973) {  // all exponents, both signs
-    const float x = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    if (!std::isfinite(x) || (x != 0 && std::fabs(x) < 1.2e-38f)) continue;
+  for_floats([&](float x) {
+    if (!std::isfinite(x)) return;
     detail::put_float(g.data, 0, x);
     REQUIRE(again(g, torque{}));
     detail::put_float(v.data, 0, x);
+    detail::put_float(v.data, 4, -x);
     REQUIRE(again(v, velocity{}));
+    REQUIRE(velocity::hear(v, c));
+    REQUIRE(c.velocity == static_cast<double>(x) * turn);
+    REQUIRE(c.torque == static_cast<double>(-x));
     detail::put_float(p.data, 0, x);
     REQUIRE(again(p, position{}));
+    REQUIRE(position::hear(p, c));
+    REQUIRE(c.position == static_cast<double>(x) * turn);
+  });
+}
+
+TEST_CASE("odrive: every number of a report is told as it was; NaN and infinity are numbers that it has not got") {
+  const auto is = [](double told, float x, double unit) {
+    return std::isfinite(x) ? told == static_cast<double>(x) * unit : std::isnan(told);
+  };
+  for_floats([&](float x) {
+    drive_report r;
+    can_frame f{.id = position::id(odrive_command::estimates), .length = 8};
+    detail::put_float(f.data, 0, x);
+    detail::put_float(f.data, 4, -x);
+    REQUIRE(position::decode(f, r));
+    REQUIRE(is(r.position, x, turn));
+    REQUIRE(is(r.velocity, -x, turn));
+    REQUIRE(r.told == (of_position | of_velocity));
+    if (std::isfinite(x)) REQUIRE(position::estimates(r.position, r.velocity) == f);
+    f.id = position::id(odrive_command::temperature);  // of the power stage, then of the motor
+    REQUIRE(position::decode(f, r));
+    REQUIRE(is(r.temperature, x, 1));
+    REQUIRE(r.told == of_temperature);
+    f.id = position::id(odrive_command::torques);  // wanted, then estimated
+    REQUIRE(position::decode(f, r));
+    REQUIRE(is(r.torque, -x, 1));
+    REQUIRE(r.told == of_torque);
+    REQUIRE(is(r.position, x, turn));  // what the other frames told stays
+    REQUIRE(r.frames == 3);
+  });
+  drive_report r;
+  for (const auto c : {odrive_command::temperature, odrive_command::torques})
+    CHECK(!old::decode({.id = old::id(c), .length = 8}, r));  // of 0.5 something else
+}
+
+TEST_CASE("odrive: a position has no end and does not wrap; it only grows coarser") {
+  drive_report r;
+  double before = 0;
+  for (double turns = 0.5; turns < 3e38; turns *= 2) {
+    REQUIRE(position::decode(position::estimates(turns * turn, -turns * turn), r));
+    REQUIRE(r.position == turns * turn);
+    REQUIRE(r.velocity == -turns * turn);
+    REQUIRE(r.position > before);
+    REQUIRE(r.at_end == 0);
+    before = r.position;
+  }
+  // A million turns away a step is a sixteenth of a turn, in what it tells and in what it is told.
+  REQUIRE(position::decode(position::estimates((1e6 + 0.03) * turn, 0), r));
+  CHECK(r.position == 1e6 * turn);
+  drive_command c;
+  REQUIRE(position::hear(position::set_point({.position = (1e6 + 0.04) * turn}).frames[0], c));
+  CHECK(c.position == (1e6 + 0.0625) * turn);
+}
+
+TEST_CASE("odrive: what stops, reboots or changes it has an id of its own, which no command uses") {
+  CHECK(position::estop() == can_frame{.id = standard(0x22)});
+  CHECK(position::clear_errors() == classic(standard(0x38), std::array<std::uint8_t, 1>{}));
+  CHECK(old::clear_errors() == can_frame{.id = standard(0x98)});
+  CHECK(position::controller_mode() == classic(standard(0x2B), std::array<std::uint8_t, 8>{3, 0, 0, 0, 1}));
+  CHECK(position::disable()[0] == position::axis_state(1));
+  CHECK(old::axis_state(1) == classic(standard(0x87), std::array<std::uint8_t, 4>{1}));
+  drive_report r;
+  for (std::uint32_t command = 0; command < 32; ++command) {  // from the drive it tells five things, and takes no more
+    const auto c = static_cast<odrive_command>(command);
+    const bool told = c == odrive_command::heartbeat || c == odrive_command::error || c == odrive_command::estimates ||
+                      c == odrive_command::temperature || c == odrive_command::torques;
+    CHECK(position::decode({.id = position::id(c), .length = 8}, r) == told);
+  }
+  for (const double x : {-1e30, -1.0, 0.0, 1.0, 1e30}) {
+    const drive_command all{x, x, x, x, x};
+    CHECK(position::set_point(all).frames[0].id == standard(0x2C));
+    CHECK(velocity::set_point(all).frames[0].id == standard(0x4D));
+    CHECK(torque::set_point(all).frames[0].id == standard(0x6E));
+  }
+  // Stopped so, it says so, and is a fault until it is cleared.
+  REQUIRE(position::decode(position::heartbeat(1, 0x02000000), r));
+  CHECK(r.fault == drive_fault::emergency_stop);
+  CHECK(r.activity == drive_activity::faulted);
+}
+
+TEST_CASE("odrive: each error and each state, in heartbeats and in error frames") {
+  using enum drive_fault;
+  struct known {
+    int bit;
+    drive_fault of;
+  };
+  const auto expected = [](std::span<const known> all, int bit) {
+    for (const known& k : all)
+      if (k.bit == bit) return k.of;
+    return other;
+  };
+  const known now[] = {{3, position_sensor}, {4, configuration}, {5, power_stage},       {8, over_voltage},
+                       {9, under_voltage},   {10, over_current}, {11, over_voltage},     {12, over_current},
+                       {13, over_temperature}, {14, over_temperature}, {15, limit},      {16, limit},
+                       {24, watchdog},       {25, emergency_stop}, {26, position_sensor}, {27, power_stage},
+                       {30, configuration}};
+  const known before[] = {{0, configuration}, {1, under_voltage},   {2, over_voltage}, {4, power_stage},  {5, power_stage},
+                          {6, power_stage},   {7, position_sensor}, {8, position_sensor}, {11, watchdog}, {12, limit},
+                          {13, limit},        {14, emergency_stop}, {15, over_current}, {16, over_current},
+                          {18, over_temperature}, {19, position_sensor}};
+  for (int bit = 0; bit < 32; ++bit) {
+    const std::uint32_t error = std::uint32_t{1} << bit;
+    drive_report r;
+    REQUIRE(position::decode(position::heartbeat(8, error), r));
+    CHECK_MESSAGE(r.fault == expected(now, bit), bit);
+    CHECK(r.code == error);
+    REQUIRE(old::decode(old::heartbeat(8, error), r));
+    CHECK_MESSAGE(r.fault == expected(before, bit), bit);
+
+    can_frame f{.id = position::id(odrive_command::error), .length = 8};
+    detail::put(f.data, 0, error);
+    detail::put(f.data, 4, ~error);
+    r = {};
+    REQUIRE(position::decode(f, r));
+    CHECK(r.fault == expected(now, bit));
+    CHECK(r.code == error);
+    CHECK(r.activity == drive_activity::faulted);
+    CHECK(r.states == 1);
+    detail::put(f.data, 0, std::uint32_t{0});  // no error any more, and why it was disarmed
+    r = {};
+    REQUIRE(position::decode(f, r));
+    CHECK(r.code == ~error);
+    CHECK(r.fault == none);
+    CHECK(r.activity == drive_activity::unknown);
+    CHECK_MESSAGE(r.states == 0, "whether it drives is what the heartbeat says");
+    f.id = old::id(odrive_command::error);  // 64 bits of the motor's errors
+    for (const std::size_t at : {0u, 4u}) {
+      detail::put(f.data, 4 - at, std::uint32_t{0});
+      detail::put(f.data, at, error);
+      r = {};
+      REQUIRE(old::decode(f, r));
+      CHECK(r.fault == other);
+      CHECK(r.code == error);
+      CHECK(r.activity == drive_activity::faulted);
+    }
+  }
+  for (unsigned state = 0; state < 256; ++state) {
+    drive_report r;
+    REQUIRE(position::decode(position::heartbeat(static_cast<std::uint8_t>(state)), r));
+    CHECK(r.state == state);
+    CHECK(r.activity == (state == 8   ? drive_activity::enabled
+                         : state <= 1 ? drive_activity::disabled
+                                      : drive_activity::enabling));
   }
 }
 
@@ -136,4 +307,14 @@ TEST_CASE("odrive: into closed loop from where it stands") {
   CHECK(failing.next(r).progress == enable_progress::going);
   position::decode(position::heartbeat(1, 0x200), r);
   CHECK(failing.next(r).progress == enable_progress::failed);
+
+  // In closed loop from before; that there is no error doesn't say that it still is.
+  position::enabling again;
+  position::decode(position::heartbeat(8), r);
+  again.next(r);
+  again.next(r);
+  position::decode({.id = position::id(odrive_command::error), .length = 8}, r);
+  CHECK(again.next(r).progress == enable_progress::going);
+  position::decode(position::heartbeat(8), r);
+  CHECK(again.next(r).progress == enable_progress::done);
 }

@@ -177,7 +177,7 @@ struct odrive {
         r.activity = drive_activity::faulted;
       }
       r.told = of_activity;
-      ++r.states;
+      r.states += active != 0;  // without an error it says nothing of what the drive does
     } else if (is_0_6 && f.id == id(odrive_command::temperature)) {
       r.temperature = number(0);
       r.told = of_temperature;
