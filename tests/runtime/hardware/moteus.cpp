@@ -33,6 +33,37 @@ can_frame from_hex(can_id id, std::string_view hex) {
 
 static_assert(servo::set_point({.position = 1}).frames[0].length == 48);
 
+template <int Milliseconds>
+struct waits : motor {
+  static constexpr double timeout = Milliseconds / 1000.0;
+};
+
+can_frame one_register(moteus_kind kind, moteus_value as, moteus_register which, std::uint32_t bits) {
+  can_frame f = fd(extended(servo::reply_number), {});
+  register_writer w(f.data);
+  w.head(kind, as, which, 1);
+  if (kind != moteus_kind::read)
+    for (std::size_t i = 0; i < detail::moteus_size(as); ++i) w.byte(static_cast<std::uint8_t>(bits >> 8 * i));
+  f.length = static_cast<std::uint8_t>(w.size());
+  return f;
+}
+
+// All exponents, both signs, and of the fractions every 99991st; with zeros, ends, infinities, NaN.
+template <class F>
+void for_floats(F&& f) {
+  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += 99991) f(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+  for (const std::uint32_t bits :
+       {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC00000u, 0x7FFFFFFFu})
+    for (const std::uint32_t sign : {0u, 0x80000000u}) f(std::bit_cast<float>(bits | sign));
+}
+// Every 65521st of 32 bits, and the ends.
+template <class F>
+void for_integers(F&& f) {
+  for (std::int64_t n = -2147483648; n <= 2147483647; n += 65521) f(static_cast<std::int32_t>(n));
+  for (const std::int64_t n : std::initializer_list<std::int64_t>{-2147483648, -2147483647, -1, 0, 1, 2147483646, 2147483647})
+    f(static_cast<std::int32_t>(n));
+}
+
 }  // namespace
 
 TEST_CASE("moteus: the laws of a drive") {
@@ -81,25 +112,199 @@ TEST_CASE("moteus: a command is heard as it was given, floats exactly") {
   }
 }
 
-TEST_CASE("moteus: every integer of a reply comes back as it was, the most negative is none") {
-  drive_report r;
-  can_frame f = from_hex(standard(0x100), "24040000000000000000000000");
-  for (int n = -32768; n <= 32767; ++n) {
-    for (const std::size_t at : {5u, 7u, 9u}) detail::put(f.data, at, static_cast<std::uint16_t>(n));
-    REQUIRE(servo::decode(f, r));
-    if (n == -32768) {
-      CHECK(std::isnan(r.position));
-      CHECK(std::isnan(r.torque));
-      continue;
-    }
-    REQUIRE(std::lround(r.position / turn / 0.0001) == n);
-    REQUIRE(std::lround(r.velocity / turn / 0.00025) == n);
-    REQUIRE(std::lround(r.torque / 0.01) == n);
+TEST_CASE("moteus: each number of a command is heard as it was given") {
+  servo::request q;
+  const auto hear = [&q](const auto& s) { return servo::hear(s.frames[0], q); };
+  for_floats([&](float x) {
+    if (!std::isfinite(x)) return;
+    const double number = static_cast<double>(x), part = std::fabs(number);
+    auto s = servo::set_point({.position = number * turn, .velocity = -number * turn});
+    REQUIRE(s.cut == 0);
+    REQUIRE(hear(s));
+    REQUIRE(static_cast<float>(q.command.position / turn) == x);
+    REQUIRE(static_cast<float>(q.command.velocity / turn) == -x);
+    s = servo::set_point({.torque = number});
+    REQUIRE(s.cut == (part > 12 ? of_torque : no_quantity));
+    REQUIRE(hear(s));
+    REQUIRE(q.command.torque == std::fmax(-12, std::fmin(12, number)));
+    s = servo::set_point({}, part);  // the most torque that it may use
+    REQUIRE(hear(s));
+    REQUIRE(q.most_torque == part);
+    if (part > 1) return;
+    s = servo::set_point({.stiffness = part * 80, .damping = part * 2});
+    REQUIRE(s.cut == 0);
+    REQUIRE(hear(s));
+    REQUIRE(static_cast<float>(q.command.stiffness) == static_cast<float>(part));
+    REQUIRE(static_cast<float>(q.command.damping) == static_cast<float>(part));
+  });
+  const auto timeout = [&q](auto drive) {
+    using D = decltype(drive);
+    REQUIRE(servo::hear(D::set_point({}).frames[0], q));
+    CHECK(static_cast<float>(q.timeout) == static_cast<float>(D::motor::timeout));
+    REQUIRE(servo::hear(D::stay(), q));
+    CHECK(static_cast<float>(q.timeout) == static_cast<float>(D::motor::timeout));
+    CHECK(D::watchdog.nanoseconds == std::llround(D::motor::timeout * 1e9));
+  };
+  timeout(moteus<waits<1>, 1>{});
+  timeout(moteus<waits<2>, 1>{});
+  timeout(moteus<waits<50>, 1>{});
+  timeout(moteus<waits<333>, 1>{});
+  timeout(moteus<waits<100'000>, 1>{});
+}
+
+// Each register that a request or a reply may have, in each of the forms, every number of 8 and 16 bits. Steps: registers.md.
+TEST_CASE("moteus: every number of a register is read as it was, the most negative integer is none") {
+  using enum moteus_register;
+  struct known {
+    moteus_register which;
+    double steps[3];  // of 8, 16, 32 bits
+  };
+  const known all[] = {{position, {0.01, 0.0001, 0.00001}},
+                       {velocity, {0.1, 0.00025, 0.00001}},
+                       {torque, {0.5, 0.01, 0.001}},
+                       {voltage, {0.5, 0.1, 0.001}},
+                       {temperature, {1, 0.1, 0.001}},
+                       {mode, {1, 1, 1}},
+                       {fault, {1, 1, 1}},
+                       {command_position, {0.01, 0.0001, 0.00001}},
+                       {command_velocity, {0.1, 0.00025, 0.00001}},
+                       {command_torque, {0.5, 0.01, 0.001}},
+                       {stiffness_scale, {1.0 / 127, 1.0 / 32767, 1.0 / 2147483647}},
+                       {damping_scale, {1.0 / 127, 1.0 / 32767, 1.0 / 2147483647}},
+                       {most_torque, {0.5, 0.01, 0.001}},
+                       {command_timeout, {0.01, 0.001, 0.000001}}};
+  for (const known& k : all) {
+    const auto reads = [&k](moteus_value as, std::uint32_t bits, double expected) {
+      const can_frame f = one_register(moteus_kind::reply, as, k.which, bits);
+      int seen = 0;
+      const bool sound = read_registers(f.payload(), [&](moteus_kind kind, std::uint32_t which, double value) {
+        const bool same = std::isnan(expected) ? std::isnan(value) : value == doctest::Approx(expected).epsilon(1e-14);
+        seen += kind == moteus_kind::reply && which == static_cast<std::uint32_t>(k.which) && same;
+      });
+      return sound && seen == 1;
+    };
+    for (int n = -127; n <= 127; ++n) REQUIRE(reads(moteus_value::int8, static_cast<std::uint8_t>(n), n * k.steps[0]));
+    for (int n = -32767; n <= 32767; ++n) REQUIRE(reads(moteus_value::int16, static_cast<std::uint16_t>(n), n * k.steps[1]));
+    for_integers([&](std::int32_t n) {
+      if (n != std::numeric_limits<std::int32_t>::min())
+        REQUIRE(reads(moteus_value::int32, static_cast<std::uint32_t>(n), n * k.steps[2]));
+    });
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    CHECK(reads(moteus_value::int8, 0x80, none));
+    CHECK(reads(moteus_value::int16, 0x8000, none));
+    CHECK(reads(moteus_value::int32, 0x80000000, none));
   }
-  for (std::int64_t n = -2147483647; n <= 2147483647; n += 65521) {
-    const double position = static_cast<double>(n) * 1e-5 * turn;
-    REQUIRE(servo::decode(servo::reply(10, position, 0, 0), r));
+  for_floats([](float x) {
+    const can_frame f = one_register(moteus_kind::reply, moteus_value::float32, velocity, std::bit_cast<std::uint32_t>(x));
+    read_registers(f.payload(), [x](moteus_kind, std::uint32_t, double value) {
+      REQUIRE((std::isfinite(x) ? value == static_cast<double>(x) : std::isnan(value)));
+    });
+  });
+}
+
+TEST_CASE("moteus: replies in all forms are told in SI units; NaN and infinity are numbers that it has not got") {
+  using enum moteus_register;
+  struct known {
+    moteus_register which;
+    double drive_report::*where;
+    drive_quantity told;
+    double unit, steps[3];
+  };
+  const known all[] = {{position, &drive_report::position, of_position, turn, {0.01, 0.0001, 0.00001}},
+                       {velocity, &drive_report::velocity, of_velocity, turn, {0.1, 0.00025, 0.00001}},
+                       {torque, &drive_report::torque, of_torque, 1, {0.5, 0.01, 0.001}},
+                       {temperature, &drive_report::temperature, of_temperature, 1, {1, 0.1, 0.001}}};
+  for (const known& k : all) {
+    const auto tells = [&k](moteus_value as, std::uint32_t bits, double expected) {
+      drive_report r;
+      if (!servo::decode(one_register(moteus_kind::reply, as, k.which, bits), r) || r.told != k.told || r.states != 0) return false;
+      const double told = r.*k.where / k.unit;
+      return std::isfinite(expected) ? told == doctest::Approx(expected).epsilon(1e-14) : std::isnan(told);
+    };
+    for (int n = -128; n <= 127; ++n)
+      REQUIRE(tells(moteus_value::int8, static_cast<std::uint8_t>(n), n == -128 ? NAN : n * k.steps[0]));
+    for (int n = -32768; n <= 32767; ++n)
+      REQUIRE(tells(moteus_value::int16, static_cast<std::uint16_t>(n), n == -32768 ? NAN : n * k.steps[1]));
+    for_integers([&](std::int32_t n) {
+      REQUIRE(tells(moteus_value::int32, static_cast<std::uint32_t>(n),
+                    n == std::numeric_limits<std::int32_t>::min() ? NAN : n * k.steps[2]));
+    });
+    for_floats([&](float x) {
+      REQUIRE(tells(moteus_value::float32, std::bit_cast<std::uint32_t>(x), static_cast<double>(x)));
+    });
+    // What a request writes or asks for under these registers is no reply.
+    drive_report r;
+    CHECK(!servo::decode(one_register(moteus_kind::write, moteus_value::int16, k.which, 1), r));
+    CHECK(!servo::decode(one_register(moteus_kind::read, moteus_value::int16, k.which, 0), r));
+  }
+  // As the simulated drive says them, there and back.
+  for_integers([](std::int32_t n) {
+    if (n == std::numeric_limits<std::int32_t>::min()) return;
+    drive_report r;
+    const double x = n;
+    REQUIRE(servo::decode(servo::reply(10, x * 1e-5 * turn, -x * 1e-5 * turn, x * 1e-3), r));
     REQUIRE(std::llround(r.position / turn / 1e-5) == n);
+    REQUIRE(std::llround(r.velocity / turn / 1e-5) == -std::int64_t{n});
+    REQUIRE(std::llround(r.torque / 1e-3) == n);
+  });
+}
+
+TEST_CASE("moteus: a position that is further than 32 bits say stays at their end, and does not wrap") {
+  drive_report r;
+  for (const double sign : {-1, 1}) {
+    double before = 0;
+    for (const double turns : {21474.0, 21474.83646, 21474.83647, 21474.83648, 21475.0, 1e9}) {
+      REQUIRE(servo::decode(servo::reply(10, sign * turns * turn, 0, 0), r));
+      REQUIRE(sign * r.position >= before);
+      REQUIRE(std::fabs(r.position) / turn < 21474.836471);
+      before = sign * r.position;
+    }
+    CHECK(r.position / turn == doctest::Approx(sign * 21474.83647).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
+  using enum drive_fault;
+  const std::pair<unsigned, drive_fault> faults[] = {
+      {32, configuration},    {33, power_stage},     {34, over_voltage},  {35, position_sensor}, {36, configuration}, {37, other},
+      {38, over_temperature}, {39, limit},           {40, under_voltage}, {41, configuration},   {42, position_sensor},
+      {43, position_sensor},  {44, power_stage},     {45, configuration}, {46, other},           {47, configuration},
+      {48, configuration}};
+  for (unsigned code = 0; code < 256; ++code) {
+    auto expected = other;
+    for (const auto& [known, fault] : faults)
+      if (known == code) expected = fault;
+    drive_report r;
+    if (code < 128) {  // as int8, which is how it is asked for
+      REQUIRE(servo::decode(servo::reply(1, 0, 0, 0, static_cast<std::uint8_t>(code)), r));
+      CHECK_MESSAGE(r.fault == expected, code);
+      CHECK(r.code == code);
+      CHECK(r.activity == drive_activity::faulted);
+    }
+    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::mode, 1), r));
+    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::fault, code), r));
+    CHECK_MESSAGE(r.fault == expected, code);
+    CHECK(r.code == code);
+  }
+  for (unsigned mode = 0; mode < 256; ++mode) {
+    drive_report r;
+    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::mode, mode), r));
+    CHECK(r.state == mode);
+    CHECK(r.states == 1);
+    CHECK(r.activity == (mode == 0                 ? drive_activity::disabled
+                         : mode == 1 || mode == 11 ? drive_activity::faulted
+                         : mode <= 4               ? drive_activity::enabling
+                                                   : drive_activity::enabled));
+  }
+  // No mode at all: it says nothing of what the drive does, and is not counted as if it did.
+  for (const float x : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1.0f, 256.0f, 4e9f}) {
+    drive_report r;
+    REQUIRE(servo::decode(servo::reply(10, 0, 0, 0), r));
+    REQUIRE(servo::decode(
+        one_register(moteus_kind::reply, moteus_value::float32, moteus_register::mode, std::bit_cast<std::uint32_t>(x)), r));
+    CHECK(r.state == 10);
+    CHECK(r.activity == drive_activity::enabled);
+    CHECK(r.states == 1);
   }
 }
 

@@ -119,7 +119,7 @@ struct moteus {
     now.fault = now.activity != drive_activity::faulted ? drive_fault::none
                 : now.state == 11                       ? drive_fault::watchdog
                                                         : fault_of(now.code);
-    now.states += (now.told & of_activity) != 0;
+    now.states += mode >= 0 && mode <= 255;
     ++now.frames;
     r = now;
     return true;
