@@ -11,6 +11,7 @@
 //   counts/s
 // The bus sends canopen_sync() once a cycle, after the set-points (`cycle_frames`). A drive begins pre-operational: enabling
 // starts it. set_point: NaN and infinity in what the mode uses refuse the command; beyond 32 or 16 bits, the end, and `cut`.
+// Positions count on from 2^31 - 1 to -2^31, and are told so: a joint that turns as far takes position_unwrap.hpp, 2^32 counts wide.
 // decode: process data, emergencies (080h + node), heartbeats (700h + node): one that says that it boots, means that it is off.
 // enabling: by what the status word says, to operation enabled, from the measured position, without torque; a fault is reset by a
 //   rising edge, eight times at most.

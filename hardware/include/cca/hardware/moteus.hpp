@@ -9,7 +9,7 @@
 // damping up to the part that stiffness has, as the firmware has
 //   it. Without stiffness it does not damp: brake() does. NaN would mean `stay where you are` here: it is refused, stay() says
 //   it.
-// decode: a number that the drive has not got is NaN. Mode 11, no command in time, is a fault, and holds until disable().
+// decode: a number that the drive has not got is NaN; a position beyond 21474.83647 turns, of 32 bits, stays there. Mode 11, no command in time, is a fault, and holds until disable().
 //   Fault numbers from 96 on are limits that it keeps, not faults: they are in `code`.
 // enabling: stop, which clears faults; then stay() until it says that it holds.
 // Watchdog: in each command, `timeout`; then it does servo.timeout_mode (stop, hold, zero velocity or brake) until disable().

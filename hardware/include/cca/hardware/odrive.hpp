@@ -9,6 +9,7 @@
 //   infinity refuse the command.
 // decode: heartbeat, encoder estimates, errors; of 0.6 temperatures and torques too. What the drive gives as NaN, it has not got:
 // NaN.
+// A position has no end and does not wrap; it grows coarser, to steps of 1/16 turn at a million turns.
 //   That a heartbeat has no error does not mean that it drives: `activity` is `enabled` in closed loop only.
 // enabling: clears errors, sets the mode, waits for a measured position, asks for just that, and for closed loop.
 // Watchdog: a setting (axis.config.enable_watchdog, watchdog_timeout), off by default; set-points and a request for a state feed
