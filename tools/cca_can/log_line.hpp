@@ -103,6 +103,8 @@ inline std::string read_line(std::string_view text, log_line& line) {
   auto fraction = dot == inner.npos ? std::string_view("0") : inner.substr(dot + 1);
   const auto parts = detail::number_of(fraction, 10, 9);
   if (!seconds || !parts) return "`" + std::string(time) + "` is no time in seconds";
+  constexpr std::uint64_t latest = 9'223'372'035;  // of which the nanoseconds fit, in the year 2262
+  if (*seconds > latest) return "`" + std::string(time) + "` is later than the time can say";
   std::int64_t ns = static_cast<std::int64_t>(*parts);
   for (std::size_t i = fraction.size(); i < 9; ++i) ns *= 10;
   line.time = static_cast<std::int64_t>(*seconds) * 1'000'000'000 + (dot == inner.npos ? 0 : ns);

@@ -119,6 +119,9 @@ TEST_SUITE("log") {
   TEST_CASE("what is no line of a log is refused, with what is wrong") {
     log_line line;
     CHECK(read_line("hello", line) == "a line begins with its time, (SECONDS.MICROSECONDS)");
+    CHECK(read_line("(9223372035.999999999) can0 123#", line) == "");
+    CHECK(line.time == 9'223'372'035'999'999'999);
+    CHECK(read_line("(9223372036.0) can0 123#", line) == "`(9223372036.0)` is later than the time can say");
     CHECK(read_line("(now) can0 123#", line) == "`(now)` is no time in seconds");
     CHECK(read_line("(1.0)", line) == "behind the time stands the name of the interface");
     CHECK(read_line("(1.0) can0", line) == "behind the name of the interface stands the frame");
