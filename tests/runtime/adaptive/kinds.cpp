@@ -329,6 +329,24 @@ struct swinging : cca::graph<
     cca::observe<"swing.status.*">> {};
 // [generator end]
 
+struct other_centre {  // while the robot sticks
+  auto process(cca::beat now) -> std::tuple<cca::out<"centre", leg>, cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                            cca::out<"phase", cca::over<cca::phase, stride>>, cca::out<"frequency", cca::over<cca::frequency, stride>>> {
+    return {now.index() < 2600 ? Eigen::Vector2d(0.1, -0.8) : Eigen::Vector2d(0.6, -1.2), 1.0, 0.0, 1.5};
+  }
+};
+struct generator_case {
+  struct graph : cca::graph<
+      cca::rate<1000>, cca::node<"script", other_centre>, cca::node<"skill", swing>, cca::node<"robot", late_robot>,
+      cca::wire<"script.centre", "skill.centre">, cca::wire<"script.amplitude", "skill.amplitude">, cca::wire<"script.phase", "skill.phase">,
+      cca::wire<"script.frequency", "skill.frequency">, cca::wire<"skill.command", "robot.command">,
+      cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.*">> {};
+  static constexpr int beats = 6000;
+  static constexpr bool at_rest = false;
+  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05}; }
+  static std::set<cca::component_status> expected() { return {outside_trained_region, reached, diverged}; }
+};
+
 template <class Learner, class Shape>
 typename Learner::learned taught(Shape shape) {
   std::vector<cca::example<typename Learner::model>> all;
@@ -488,6 +506,8 @@ flowchart LR
 )";  // [generator picture end]
 
 }  // namespace
+
+TEST_CASE("the laws of an adaptive component hold for a generator") { laws::adaptive_component<generator_case>(); }
 
 TEST_CASE("the picture of a generator is that of its page") {
   CHECK(std::string(cca::describe<swinging>::mermaid()) == std::string(picture_of_generator.substr(picture_of_generator.find('\n') + 1)));
