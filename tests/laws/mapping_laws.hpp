@@ -11,6 +11,8 @@
 
 namespace laws {
 
+std::size_t allocations();  // so far, by new and delete (allocations.cpp)
+
 // A mapping called by hand: the input, and the outputs as a tuple.
 template <class Mapping, class Vector>
 auto map_all(Mapping& m, const Vector& v) {
@@ -21,7 +23,7 @@ auto map(Mapping& m, const Vector& v) {
   return cca::detail::output_in(map_all(m, v)).vector();
 }
 
-// Each takes back what the other one did; asked twice, a mapping answers the same.
+// Each takes back what the other one did; asked twice, a mapping answers the same; neither allocates.
 template <class Model>
 void inverse() {
   source random{std::mt19937_64{11}};
@@ -32,8 +34,11 @@ void inverse() {
   static_assert(cca::SameSpace<cca::input_space<typename Model::forward>, cca::output_space<typename Model::inverse>>);
   for (int i = 0; i < rounds; ++i) {
     const auto x = Model::random(random);
+    const std::size_t before = allocations();
     const auto y = map(there, x);
     const auto again = map(back, y);
+    const std::size_t allocated = allocations() - before;  // before a check, which allocates itself
+    CHECK_MESSAGE(allocated == 0, "nothing allocates");
     CHECK_MESSAGE(Model::close(again, x), "the inverse takes back: ", x.transpose(), " became ", again.transpose());
     CHECK_MESSAGE((map(there, again) - y).norm() < 1e-9, "and the mapping takes there again");
     CHECK_MESSAGE(map(there, x) == y, "the same answer twice");

@@ -38,6 +38,18 @@ struct chain_model {
   static constexpr int most_missed = Most;  // of 1000, for which only a local minimum is found
 };
 
+// From where a foot can be to the angles, in closed form, and back.
+template <class Leg, class Tip>
+struct leg_model {
+  using forward = cca::inverse_kinematics<Leg, angles_of<Leg>, Tip>;
+  using inverse = cca::forward_kinematics<Leg, angles_of<Leg>, Tip>;
+  static auto random(laws::source& r) {
+    inverse foot;
+    return laws::map(foot, random_angles<Leg>(r));
+  }
+  static bool close(const typename Tip::vector_type& a, const typename Tip::vector_type& b) { return (a - b).norm() < 1e-9; }
+};
+
 using of_skew_arm = inverse<skew_arm, foot_in_trunk>;
 using of_left_leg = inverse<left_leg, foot_in_trunk>;
 using of_right_leg = inverse<right_leg, foot_in_trunk>;
@@ -161,12 +173,20 @@ TEST_CASE_TEMPLATE("the inverse reaches what can be reached", Model, chain_model
   for (int i = 0; i < 1000; ++i) {
     inverse<chain, tip> back;  // which knows nothing of the one before
     const auto target = laws::map(there, random_angles<chain>(random));
+    const std::size_t before = laws::allocations();
     const auto found = solve(back, target);
+    const std::size_t allocated = laws::allocations() - before;
+    CHECK(allocated == 0);
     CHECK(within_limits<chain>(found.q));
     if (found.status != cca::reaching::reached) ++missed;
     else CHECK(apart<tip>(laws::map(there, found.q), target) < 2e-8);
   }
   CHECK(missed <= Model::most_missed);
+}
+
+TEST_CASE_TEMPLATE("the laws of an inverse hold for the kinematics of a leg", Model, leg_model<left_leg, foot_in_trunk>, leg_model<right_leg, foot_in_trunk>,
+                   leg_model<leg_in_plane, foot_in_plane>) {
+  laws::inverse<Model>();
 }
 
 TEST_CASE("it follows a path without a jump") {

@@ -109,6 +109,17 @@ struct chain_model {
 struct lifted { static constexpr auto where = cca::at(0.1, 0.2, 0.3); };
 struct turned { static constexpr auto where = cca::turned_about({3, 0, 4}, -1.1); };
 struct both { static constexpr auto where = lifted::where * turned::where; };
+template <class Motion>
+struct undone { static constexpr auto where = cca::inverse(Motion::where); };
+
+// Within a frame, by a motion and the one that undoes it.
+template <template <class, class> class By, class Motion, class Space>
+struct motion_model {
+  using forward = By<Space, Motion>;
+  using inverse = By<Space, undone<Motion>>;
+  static auto random(laws::source& r) { return random_point<Space>(r); }
+  static bool close(const typename Space::vector_type& a, const typename Space::vector_type& b) { return near<Space>(a, b); }
+};
 
 }  // namespace
 
@@ -117,7 +128,9 @@ TEST_SUITE("mappings") {
 TEST_CASE_TEMPLATE("an inverse takes back", Model, scale_model, chain_model, change_model<foot_in_hip, foot_in_trunk>,
                    change_model<turn_in_hip, turn_in_trunk>, change_model<pose_in_hip, pose_in_trunk>,
                    change_model<twist_at_hip, twist_at_trunk>, change_model<wrench_at_hip, wrench_at_trunk>,
-                   change_model<twist_at_hip, twist_at_hip_in_trunk>, change_model<wrench_at_hip, wrench_at_hip_in_trunk>) {
+                   change_model<twist_at_hip, twist_at_hip_in_trunk>, change_model<wrench_at_hip, wrench_at_hip_in_trunk>,
+                   motion_model<cca::translation_by, lifted, foot_in_hip>, motion_model<cca::rotation_by, turned, foot_in_hip>,
+                   motion_model<cca::rigid_motion, both, pose_in_hip>, motion_model<cca::rotation_by, turned, turn_in_hip>) {
   laws::inverse<Model>();
 }
 
