@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -94,10 +95,17 @@ int in_one_process(std::int64_t beats) {
 struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
 
 using bus_array = std::array<paced_can, buses>;
-bus_array open(const options& o) {
-  const auto bus = [&](std::size_t i) { return paced_can(o.names[i], o.lock_step); };
-  return {bus(0), bus(1), bus(2), bus(3), bus(4)};
+// What the robot hears the far end says, and the other way round; the kernel lets nothing else in.
+template <std::size_t... Bus>
+bus_array open(const options& o, std::index_sequence<Bus...>) {
+  using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
+  const auto bus = [&o](std::size_t i, std::span<const hw::can_filter> asked, std::span<const hw::can_filter> told) {
+    if (o.role == "drives") std::swap(asked, told);
+    return paced_can(o.names[i], {.replies = told, .ours = asked, .gives_up_after = 800'000}, o.lock_step);
+  };
+  return {bus(Bus, plan::requests<Bus>, plan::replies<Bus>)...};
 }
+bus_array open(const options& o) { return open(o, std::make_index_sequence<buses>()); }
 
 struct robots_pace {
   bus_array& bus;

@@ -19,7 +19,7 @@ namespace hil {
 // SocketCAN; in lock step what has come is kept until the beat, and has come at the beat's time.
 class paced_can {
 public:
-  paced_can(std::string_view name, bool in_lock_step) : bus(name, {.gives_up_after = 800'000}), kept(in_lock_step) {}
+  paced_can(std::string_view name, const cca::hardware::socket_can_options& o, bool in_lock_step) : bus(name, o), kept(in_lock_step) {}
 
   cca::hardware::send_result send(std::span<const cca::hardware::can_frame> frames) noexcept { return bus.send(frames); }
   std::size_t receive(std::span<cca::hardware::received_frame> into) noexcept {
