@@ -1,7 +1,6 @@
 // An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say, against the
 // analytic one. An adaptive transformation: what a camera sees, corrected.
 #include <array>
-#include <cstdio>
 
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/adaptive/sampling.hpp>
@@ -12,6 +11,7 @@
 #include "../../laws/learner_laws.hpp"
 #include "../../laws/mapping_laws.hpp"
 #include "../mapping/chains.hpp"
+#include "rig.hpp"
 
 namespace {
 
@@ -152,10 +152,10 @@ struct taught : cca::graph<
 
 TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned in a file") {
   const auto first = std::make_unique<cca::controller<taught>>(), second = std::make_unique<cca::controller<taught>>();
-  const std::string file = "adaptive_mapping.learned";
+  const adaptive_test::temporary file("inverse_kinematics");
   for (auto* c : {first.get(), second.get()}) {
     auto& files = c->get<"ik">().p.files;
-    REQUIRE((c == first.get() ? files.save : files.load).assign(file));
+    REQUIRE((c == first.get() ? files.save : files.load).assign(file.path));
   }
   first->load();
   first->start();
@@ -179,7 +179,6 @@ TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned 
     CHECK(second->get<"ear">().answer == module.learning.answer(laws::map(there, wanted)));
   }
   CHECK(std::sqrt(square / 1000) < 2e-3);
-  std::remove(file.c_str());
 }
 
 TEST_CASE("an adaptive transformation changes nothing until it has learned a correction") {
