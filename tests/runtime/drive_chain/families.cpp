@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <doctest/doctest.h>
 
@@ -98,7 +99,11 @@ public:
       far.listen(now + 500'000, [this](std::size_t, const hw::can_frame& f) { syncs += f == hw::canopen_sync(); });
       laws = far.laws(now + 500'000);
       std::array<hw::drive_motion, count> motions;
-      for (std::size_t i = 0; i < count; ++i) motors[i].advance(laws[i], spring(i), 1e-3), motions[i] = motors[i].now;
+      for (std::size_t i = 0; i < count; ++i) {
+        motors[i].advance(laws[i], spring(i), 1e-3);
+        motions[i] = motors[i].now;
+        if (without_speed[i]) motions[i].velocity = std::numeric_limits<double>::quiet_NaN();
+      }
       far.tell(motions, {});
       go_to((now += 1'000'000) - 1);
     }
@@ -121,6 +126,7 @@ public:
   hw::virtual_robot<wire::end_type, hw::virtual_of, board, joints> far{};
   std::array<hw::virtual_motor, count> motors{};
   std::array<hw::drive_command, count> laws{};
+  std::array<bool, count> without_speed{};
   std::int64_t now = 0;
   int syncs = 0;
 
@@ -201,5 +207,39 @@ TEST_SUITE("families of drives") {
     check(std::index_sequence<4>(), 0x2310);
     check(std::index_sequence<5>(), 0x2310);
     check(std::index_sequence<6>(), 2);
+  }
+
+  TEST_CASE("a drive that no longer knows how fast it goes trips after three answers, and all are told to give way") {
+    for (const std::size_t drive : {2u, 3u}) {
+      CAPTURE(drive);
+      lab l;
+      l.controller.start();
+      l.beats(1200);
+      REQUIRE(l.stop().mode() == hw::motion_mode::run);
+      l.without_speed[drive] = true;
+      l.beats(5);
+      CHECK(l.stop().mode() == hw::motion_mode::damped);
+      CHECK(l.stop().first_cause().rule == hw::safety_rule::implausible);
+      CHECK(l.stop().first_cause().joint == static_cast<int>(drive));
+      l.beats(5);
+      CHECK(l.all_give_way());
+      l.without_speed[drive] = false;
+      l.controller.stop();
+      l.controller.start();
+      l.beats(1500);
+      CHECK(l.stop().mode() == hw::motion_mode::run);
+      CHECK(l.all_there());
+    }
+  }
+
+  TEST_CASE("a drive that does not know how fast it goes is not enabled") {
+    lab l;
+    l.without_speed[2] = true;
+    l.controller.start();
+    l.beats(1000);
+    CHECK(l.synchronizer().refusal() == hw::safety_rule::enabling);
+    CHECK(l.synchronizer().phase() == hw::motion_phase::stopped);
+    l.beats(3);
+    CHECK(l.all_give_way());
   }
 }

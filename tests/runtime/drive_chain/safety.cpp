@@ -130,13 +130,13 @@ TEST_SUITE("safety chain") {
     auto& drive = std::get<6>(run.far.drives);
     const double told = run.synchronizer().report(6).position;
     REQUIRE(std::abs(told) > 0.2);
-    drive.hear(hw::mit_special_frame(hil::left_hind_knee::drive::request_id, hw::mit_special::set_zero),
-               run.now);  // and an answer
-    go(run, 2);
+    drive.hear(hw::mit_special_frame(hil::left_hind_knee::drive::request_id, hw::mit_special::set_zero), run.now);
+    drive.answer({.position = told});  // to that one, which nobody asked for
+    go(run, 3);
     CHECK(run.stop().mode() == hw::motion_mode::run);
     CHECK(run.synchronizer().report(6).position == doctest::Approx(told).epsilon(0.1));  // a jump is not taken for a motion
     go(run, 1);
-    is(run.stop().first_cause(), hw::safety_rule::implausible, 6, 502);
+    is(run.stop().first_cause(), hw::safety_rule::implausible, 6, 503);
     CHECK(run.stop().mode() == hw::motion_mode::damped);
   }
 

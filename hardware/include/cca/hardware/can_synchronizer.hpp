@@ -8,11 +8,11 @@
 //
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and `start()` are the
 // deliberate way to motion: drives are enabled; once all of them are, the phase `begins` and the guards start where the joints
-// are. A bus that went away, a drive that says nothing for `silent_beats` or three times its own period, tells of a fault or
-// jumps, a sensor board that is silent or faulty, a loop that stood still, all trip the emergency stop, in the same beat. Then
-// set-points go out only if they damp, until `start()`. No set-point is sent behind frames that still wait: it would be an old one.
-// `on_fault` damps at once and stops; `on_stop` disables. Parameters: `offset`, the calibration of each joint, in addition to its
-// type's. Cost: two calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
+// are. A bus that went away, a drive that says nothing for `silent_beats` or three times its own period, tells of a fault, jumps
+// or loses its speed, a sensor board that is silent or faulty, a loop that stood still, all trip the emergency stop, in the same
+// beat. Then set-points go out only if they damp, until `start()`. No set-point is sent behind frames that still wait: it would
+// be an old one. `on_fault` damps at once and stops; `on_stop` disables. Parameters: `offset`, the calibration of each joint, in
+// addition to its type's. Cost: two calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -150,8 +150,8 @@ private:
     const auto now = frames_of_drives();
     for (std::size_t i = 0; i < count; ++i) {
       quiet[i] = now[i] == before[i] ? quiet[i] + 1 : 0;
-      if (quiet[i] >= patient[i]) note(i, safety_rule::silent);
       if (jumps[i] >= silent_beats) note(i, safety_rule::implausible);
+      if (quiet[i] >= patient[i]) note(i, safety_rule::silent);
       if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
         note(i, safety_rule::drive_fault);
       if (links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
@@ -170,6 +170,7 @@ private:
     if (One::bus != b) return false;
     drive_report heard = reports[I];
     if (!One::drive::decode(f.frame, heard)) return false;
+    if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return ++jumps[I], true;  // no number to judge by
     if (heard.told & of_position) {
       const double now = One::angle_of(heard.position) + p.offset[I];
       const double pause = static_cast<double>(f.time - told_at[I]) * 1e-9;

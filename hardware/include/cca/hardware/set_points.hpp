@@ -26,7 +26,7 @@ enum class safety_rule : std::uint8_t {
   silent,        // a drive does not answer
   sensor_board,  // the sensor board says nothing, or that something is wrong with it
   drive_fault,   // a drive says that something is wrong with it
-  implausible,   // a drive says that it jumped
+  implausible,   // a drive says that it jumped, or not how fast it goes
   link,          // the bus went off or down, its queue stays full, or someone else sends our frames
   enabling,      // a drive would not be enabled, or the sensor board does not tell: why a start came to nothing
   pressed,       // the emergency stop
