@@ -213,6 +213,8 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     for (const std::string& each : detail::drive_texts(w))
       drives.push_back(virtual_named(each)), fd = fd || each.starts_with("moteus");
     w.nothing_left();
+    if (!b.name.starts_with("vcan") && !say.confirmed("On " + b.name + " it answers in the place of drives: who drives a robot there takes that for what the robot says."))
+      return not_confirmed;
     auto bus = open(b.name, fd);
     return pretend(bus, drives, seconds, time);
   }

@@ -168,10 +168,9 @@ inline constexpr std::int64_t watchdog = 100'000'000;  // ns: as one should set 
 
 template <class Drive>
 struct played;
-template <class Drive>
-requires requires { Drive::shares_replies; }
-struct played<Drive> {
-  using type = hw::virtual_mit<Drive, watchdog>;
+template <hw::MitRanges Ranges, std::uint32_t Number, std::uint32_t Master, hw::mit_firmware Firmware>
+struct played<hw::mit_drive<Ranges, Number, Master, Firmware>> {
+  using type = hw::virtual_mit<hw::mit_drive<Ranges, Number, Master, Firmware>, watchdog>;
 };
 template <std::uint32_t Node, hw::odrive_mode Mode, hw::odrive_firmware Firmware, std::int64_t Period>
 struct played<hw::odrive<Node, Mode, Firmware, Period>> {

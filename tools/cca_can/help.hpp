@@ -27,7 +27,7 @@ inline constexpr const char* help_text = R"(cca-can: CAN buses and the drives on
   cca-can replay BUS FILE [--from NAME] [--speed X | --fast] (*)
                                             a log goes out again; NAME: frames of this interface in it
   cca-can pretend BUS DRIVE... [--seconds S]
-                                            plays drives, for trying the rest without a robot
+                                            plays drives, for trying the rest without a robot (* unless BUS is a vcan)
 
 (*) asks first; --yes says yes beforehand.
 DRIVE: mit:ak80-9:3 (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64, or ranges of position/velocity/torque as

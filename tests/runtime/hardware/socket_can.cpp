@@ -288,6 +288,18 @@ TEST_CASE("socket can on vcan: states by error frames; off means nothing goes ou
   CHECK(robot.counters().restarts == 1);
 }
 
+TEST_CASE("socket can on vcan: what goes out although the bus was off is counted as stale") {
+  if (!can_rigs::present("vcan0")) return;
+  socket_can robot("vcan0");
+  const raw_socket other("vcan0");
+  REQUIRE(other.error(CAN_ERR_BUSOFF));
+  CHECK(robot.send(std::array{numbered(1, 1), numbered(1, 2)}).sent == 2);  // it has not read yet that the bus is off
+  can_rigs::wait_ms(2);
+  all_from(robot);
+  CHECK(robot.state() == bus_state::bus_off);
+  CHECK(robot.stale() == 2);
+}
+
 TEST_CASE("socket can on vcan: a link that is down for less than a beat is seen") {
   if (!can_rigs::present("vcan0")) return;
   socket_can bus("vcan0");

@@ -472,7 +472,11 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"list", "can0", "--ask", "mit", "--ids", "6-8"}) == done);
     CHECK(ends({"watch", "can0", name, "--ask", "--seconds", "1", "--loud"}) == misunderstood);
     CHECK(ends({"pretend", "can0", "servo:3"}) == misunderstood);
-    CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1"}) == done);
+    r.say.yes = false;
+    CHECK(ends({"pretend", "can0", "odrive:3", "--seconds", "0.1"}) == not_confirmed);
+    CHECK(r.told("On can0 it answers in the place of drives"));
+    CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1"}) == done);
+    CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1", "--yes"}) == done);
   }
 }
 
