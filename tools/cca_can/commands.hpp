@@ -43,6 +43,16 @@ inline std::vector<std::string> drive_texts(words& w) {
 
 inline double seconds_in(words& w) { return w.number("--seconds", "seconds, 0 without end", 0, 1e6).value_or(0); }
 
+inline pretend_order pretend_in(words& w) {
+  pretend_order o{.seconds = seconds_in(w)};
+  o.silent_at = w.number("--silent-at", "seconds", 0, 1e6);
+  o.silent_for = w.number("--silent-for", "seconds, 0 for good", 0, 1e6).value_or(0);
+  o.fault_at = w.number("--fault-at", "seconds", 0, 1e6);
+  if (o.fault_at) o.code = static_cast<std::uint32_t>(w.needed_number("--code", "the firmware's number of a fault", 1, 4294967295.0));
+  o.load = w.number("--load", "N m", -1e3, 1e3).value_or(0);
+  return o;
+}
+
 inline list_order list_in(words& w) {
   list_order o;
   o.listen = w.number("--listen", "seconds", 0, 3600).value_or(o.listen);
@@ -206,7 +216,7 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     return replay(bus, b.name, log, o, time, say);
   }
   if (command == "pretend") {
-    const double seconds = detail::seconds_in(w);
+    const pretend_order o = detail::pretend_in(w);
     const detail::bus_name b = detail::bus_in(w);
     std::vector<std::unique_ptr<any_virtual>> drives;
     bool fd = b.fd;
@@ -216,7 +226,7 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     if (!b.name.starts_with("vcan") && !say.confirmed("On " + b.name + " it answers in the place of drives: who drives a robot there takes that for what the robot says."))
       return not_confirmed;
     auto bus = open(b.name, fd);
-    return pretend(bus, drives, seconds, time);
+    return pretend(bus, drives, o, time);
   }
   throw usage_error("`" + command + "` is no command; `cca-can help` says what there is");
 }

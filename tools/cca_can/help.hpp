@@ -28,6 +28,9 @@ inline constexpr const char* help_text = R"(cca-can: CAN buses and the drives on
                                             a log goes out again; NAME: frames of this interface in it
   cca-can pretend BUS DRIVE... [--seconds S]
                                             plays drives, for trying the rest without a robot (* unless BUS is a vcan)
+      --silent-at S --silent-for S          troubles on demand: they say nothing, for good or so long
+      --fault-at S --code N                 and a fault, by the firmware's number of it
+      --load NM                             N m on each motor
 
 (*) asks first; --yes says yes beforehand.
 DRIVE: mit:ak80-9:3 (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64, or ranges of position/velocity/torque as

@@ -1,8 +1,9 @@
-// cca-can pretend: plays drives on a bus, for trying the rest without a robot: `ip link add vcan0 type vcan`.
+// cca-can pretend: plays drives on a bus, and their troubles, for trying the rest without a robot: `ip link add vcan0 type vcan`.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "any_drive.hpp"
@@ -24,11 +25,28 @@ void play(Bus& bus, const std::vector<std::unique_ptr<any_virtual>>& drives, std
     if (const hw::drive_frames answers = drive->advance(now); !answers.empty()) bus.send(answers);
 }
 
-// 0 s: until ctrl-c.
+// Times in s from the beginning.
+struct pretend_order {
+  double seconds = 0;  // 0: until ctrl-c
+  std::optional<double> silent_at{}, fault_at{};
+  double silent_for = 0;   // 0: for good
+  std::uint32_t code = 0;  // of the fault, as the firmware numbers it
+  double load = 0;         // N m on each motor
+};
+
 template <hw::CanBus Bus>
-ending pretend(Bus& bus, const std::vector<std::unique_ptr<any_virtual>>& drives, double seconds, pace& time) {
+ending pretend(Bus& bus, const std::vector<std::unique_ptr<any_virtual>>& drives, const pretend_order& o, pace& time) {
   const std::int64_t from = time.now();
-  while (!time.end_wanted() && (seconds == 0 || static_cast<double>(time.now() - from) < seconds * 1e9)) {
+  bool failed_once = false;
+  for (const auto& drive : drives) drive->load = o.load;
+  for (double t = 0; !time.end_wanted() && (o.seconds == 0 || t < o.seconds); t = static_cast<double>(time.now() - from) * 1e-9) {
+    const bool silent = o.silent_at && t >= *o.silent_at && (o.silent_for == 0 || t < *o.silent_at + o.silent_for);
+    const bool fails = o.fault_at && t >= *o.fault_at && !failed_once;
+    failed_once = failed_once || fails;
+    for (const auto& drive : drives) {
+      drive->go_silent(silent);
+      if (fails) drive->fail(o.code);
+    }
     play(bus, drives, time.now());
     time.wait_until(time.now() + ms / 2);
   }

@@ -476,7 +476,32 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"pretend", "can0", "odrive:3", "--seconds", "0.1"}) == not_confirmed);
     CHECK(r.told("On can0 it answers in the place of drives"));
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1"}) == done);
+    CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1", "--silent-at", "0", "--silent-for", "0.05", "--fault-at", "0.01", "--code", "64", "--load", "-1"}) == done);
+    CHECK(ends({"pretend", "vcan0", "odrive:3", "--fault-at", "0.01"}) == misunderstood);
+    CHECK(r.told("--code is missing: the firmware's number of a fault"));
     CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1", "--yes"}) == done);
+  }
+}
+
+TEST_SUITE("pretend") {
+  TEST_CASE("drives are silent, faulty and loaded on demand") {
+    rig r;
+    std::vector<std::unique_ptr<any_virtual>> drives;
+    drives.push_back(virtual_named("odrive:3"));
+    std::size_t at_half = 0, at_one = 0, at_three_halves = 0;
+    r.each = [&] {
+      if (r.clock <= 500 * ms) at_half = r.seen.size();
+      if (r.clock <= 1000 * ms) at_one = r.seen.size();
+      if (r.clock <= 1500 * ms) at_three_halves = r.seen.size();
+    };
+    CHECK(pretend(r.far, drives, {.seconds = 2, .silent_at = 0.502, .fault_at = 1.5, .silent_for = 0.498, .code = 0x4000, .load = 0.25}, r) == done);
+    CHECK(at_half > 4);
+    CHECK(at_one <= at_half + 2);  // what was under way
+    CHECK(at_three_halves > at_one + 4);
+    CHECK(r.seen.size() > at_three_halves + 4);  // with a fault it goes on telling
+    const hw::can_frame heartbeat = r.last_of(hw::standard(3 << 5 | 0x01));
+    CHECK((heartbeat.data[0] | heartbeat.data[1] << 8) == 0x4000);
+    CHECK(drives[0]->load == 0.25);
   }
 }
 
