@@ -146,7 +146,6 @@ static_assert(CanBus<slcan_adapter>);
 // The kernel's end and the adapter's; away by bus-off, as a controller that heard only errors.
 struct slcan {
   static constexpr bool has_fd = false;
-  static constexpr std::size_t most_waiting = 64;
   static constexpr int rounds = 8;
   slcan_adapter adapter;
   socket_can bus{adapter.name()};
