@@ -172,7 +172,7 @@ struct apart_mended : khz<cca::node<"a", source<>, cca::timed<2>>, cca::node<"c"
 static_assert(tells<apart, apart_mended>({"strategy.coordination", "m",
     "`m` (merge<>) is cca::coordinated, but `m.a` (from `a.y`, every 2 beats) and `m.b` (from `c.y`, every 2 beats "
     "from beat 1) never hold samples of one time of origin, so it would never fire: feed them from one source at "
-    "one rate, or make it cca::moderate"}));
+    "one rate, with equal delays, or make it cca::moderate"}));
 
 struct old : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::delayed<3>>,
     cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
