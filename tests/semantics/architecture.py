@@ -79,8 +79,8 @@ class Graph:
 
 
 class Architecture:
-    def __init__(self, seed):
-        self.seed = seed
+    def __init__(self, seed, threads=False):
+        self.seed, self.threads = seed, threads
         self.rng = random.Random(seed)
         self.features = {}
         self.base = self.rng.choice(BASE_RATES)

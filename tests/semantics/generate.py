@@ -2,6 +2,7 @@
 """Random well-formed architectures, each from its seed: as graph types of the library, and as text for the interpreter.
 
     generate.py OUT --seeds 1 320 --per-file 10     writes OUT/architectures_0.cpp, ...
+    generate.py OUT --threads ...                   the same, each with a farm on threads
     generate.py --text 17                           prints what the interpreter gets
     generate.py --code 17                           prints what the compiler gets
     generate.py --list OUT ...                      prints the names of the files it would write
@@ -24,11 +25,12 @@ def main():
     parser.add_argument("--text", type=int)
     parser.add_argument("--code", type=int)
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--threads", action="store_true")
     options = parser.parse_args()
     if options.text is not None:
-        print(text(Architecture(options.text)), end="")
+        print(text(Architecture(options.text, options.threads)), end="")
     elif options.code is not None:
-        print(code(Architecture(options.code)), end="")
+        print(code(Architecture(options.code, options.threads)), end="")
     else:
         seeds = list(range(options.seeds[0], options.seeds[1] + 1))
         for number, first in enumerate(range(0, len(seeds), options.per_file)):
@@ -37,8 +39,9 @@ def main():
                 print(path)
                 continue
             options.out.mkdir(parents=True, exist_ok=True)
-            parts = [code(Architecture(seed)) for seed in seeds[first:first + options.per_file]]
-            path.write_text("// Made by tests/semantics/generate.py.\n#include \"run.hpp\"\n\n" + "\n".join(parts))
+            parts = [code(Architecture(seed, options.threads)) for seed in seeds[first:first + options.per_file]]
+            header = "run_threads.hpp" if options.threads else "run.hpp"
+            path.write_text(f"// Made by tests/semantics/generate.py.\n#include \"{header}\"\n\n" + "\n".join(parts))
 
 
 if __name__ == "__main__":

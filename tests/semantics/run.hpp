@@ -11,7 +11,12 @@
 
 namespace semantics {
 
-template <class Graph>
+struct in_the_loop {  // nothing to wait for
+  template <class Controller>
+  static void settle(Controller&) {}
+};
+
+template <class Graph, class Crews = in_the_loop>
 outcome run(int copy_at) {
   outcome o;
   log of_copy;
@@ -19,6 +24,10 @@ outcome run(int copy_at) {
   recording = &o.firings;
   auto c = std::make_unique<cca::controller<Graph>>();
   std::unique_ptr<cca::controller<Graph>> copy;
+  const auto step = [](cca::controller<Graph>& which) {
+    which.step();
+    if (which.state() != cca::state::faulted) Crews::settle(which);
+  };
   c->load();
   c->start();
   for (int k = 0; k < beats; ++k) {
@@ -26,10 +35,10 @@ outcome run(int copy_at) {
       copy = std::make_unique<cca::controller<Graph>>(*c);
       before_copy = o.firings.size();
     }
-    c->step();
+    step(*c);
   }
   recording = &of_copy;
-  if (copy->state() != cca::state::faulted) copy->run(cca::for_some_beats{beats - copy_at});
+  for (int k = copy_at; k < beats && copy->state() != cca::state::faulted; ++k) step(*copy);
   recording = nullptr;
   o.faulted = c->state() == cca::state::faulted;
   o.copy_agrees = agree(o.firings, before_copy, of_copy) && copy->state() == c->state();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <istream>
 #include <stdexcept>
@@ -164,6 +165,24 @@ struct interpolate {
   }
 };
 
+// Its workers have all the time that they need: what they make of a task is there one beat later.
+struct on_threads {
+  std::size_t count;
+  int tasks = 0;
+  std::deque<value> made{};
+  void operator()(firing& f) {
+    f.outputs[0].published = !made.empty();
+    if (!made.empty()) tell(f.outputs[0], made.front()), made.pop_front();
+    if (f.inputs[0].fresh) {
+      value v = of(f.inputs[0]);
+      for (double& x : v.x) x = practised(x, tasks);
+      made.push_back(v), ++tasks;
+    }
+    tell(f.outputs[1], static_cast<double>(made.size()));
+    tell(f.outputs[2], 0.0);
+  }
+};
+
 // The first coordinates to the first output, and so on: a splitter, what shares out for a farm.
 inline void apart(firing& f) {
   std::size_t next = 0;
@@ -198,6 +217,7 @@ inline std::function<void(firing&)> skeleton(const std::string& kind, std::istre
   if (kind == "blend_of") return blend_of{count()};
   if (kind == "hold") return hold{};
   if (kind == "decimate") { const auto n = static_cast<int>(number()); return decimate{n, word() == "averaged"}; }
+  if (kind == "on_threads") return on_threads{count()};
   if (kind == "interpolate") return interpolate{static_cast<int>(number())};
   if (kind == "splitter" || kind == "share_out") { if (kind == "share_out") count(); return apart; }
   if (kind == "collector" || kind == "gather") { if (kind == "gather") count(); return together; }

@@ -27,6 +27,8 @@ class Skeletons:
         self.outputs = [(leaf, port) for leaf in made.nodes for half, port in leaf.outputs() if half != "act"]
         for i in range(self.rng.choice([0, 1, 1, 2, 2, 3, 3]) if len(made.nodes) < 24 else 0):
             self.add(self.rng.choice(KINDS), i)
+        for i in range(3, self.rng.choice([4, 5]) if made.threads else 3):
+            self.add("farm_on_threads", i)
 
     def leaf(self, name, number, skeleton=None):
         leaf = self.Leaf(name, number)
@@ -81,8 +83,8 @@ class Skeletons:
         told = []
         if kind in ("pipeline", "pipeline_over"):
             told = [self.pipeline(kind, name, number, space)]
-        elif kind == "farm":
-            told = [self.farm(name, number, rng.choice(list(PARTS)), rng.choice(list(PARTS)))]
+        elif kind in ("farm", "farm_on_threads"):
+            told = [getattr(self, kind)(name, number, rng.choice(list(PARTS)), rng.choice(list(PARTS)))]
         else:
             leaf = self.leaf(name, number)
             told = getattr(self, kind)(leaf, space)
@@ -134,6 +136,20 @@ class Skeletons:
         leaves.append(join)
         output = join, self.give(join, "output", result)
         self.groups.append(Group(("farm", whole, result), leaves, {"split.input": "input", "join.output": "output"}))
+        return output
+
+    def farm_on_threads(self, name, number, whole, result):
+        """Settled after each beat: a result comes one beat after its task."""
+        count = PARTS[whole][1]
+        if PARTS[result][1] != count:
+            result = whole
+        crew = self.leaf("crew", number, ("on_threads", count))
+        crew.strategy = ("full_speed",)
+        self.take(crew, "input", self.own(whole), self.policy())
+        output = crew, self.give(crew, "output", result, "maybe")
+        self.give(crew, "waiting", "num1")
+        self.give(crew, "dropped", "num1")
+        self.groups.append(Group(("farm_on_threads", whole, result), [crew], {"crew.input": "input", "crew.output": "output"}))
         return output
 
     # ---- components: each gives its outputs ----
@@ -255,6 +271,9 @@ def group_cpp(group, leaf_cpp):
     kind, leaves = group.skeleton[0], group.leaves
     if kind == "farm":
         return f"cca::farm<{leaf_cpp(leaves[1])}, {group.skeleton[1]}, {group.skeleton[2]}>"
+    if kind == "farm_on_threads":
+        whole, result = group.skeleton[1:]
+        return f"cca::farm_on_threads<apprentice<{PARTS[whole][0]}, {PARTS[result][0]}>, {whole}, {result}>"
     stages = ", ".join(leaf_cpp(leaf) for leaf in leaves)
     if kind == "pipeline":
         return f"cca::pipeline<{stages}>"

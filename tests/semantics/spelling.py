@@ -158,5 +158,9 @@ def code(made):
     if made.seed % 3 == 0:  # as graphs of very many functions are: cut into parts
         lines.append(f"\n{closed}template <>\nconstexpr int cca::detail::turns_in_part<architecture_{made.seed}::top> = {1 + made.seed % 4};")
         lines.append(f"namespace architecture_{made.seed} {{")
-    lines.append(f"const registered here{{{made.seed}, text, &run<top>}};\n\n{closed}")
+    crews = [path for path, leaf, _ in flat(made)[0] if leaf.skeleton and leaf.skeleton[0] == "on_threads"]
+    if crews:
+        waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
+        lines.append(f"struct crews {{\n  template <class Controller>\n  static void settle(Controller& c) {{ {waits} }}\n}};")
+    lines.append(f"const registered here{{{made.seed}, text, &run<top{', crews' if crews else ''}>}};\n\n{closed}")
     return "\n".join(lines)
