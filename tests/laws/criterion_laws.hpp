@@ -48,13 +48,29 @@ void any_criterion() {
   CHECK_MESSAGE(allocations() == before, "nothing allocates");
 }
 
+// One that measures a distance, as any.
+template <class Case>
+struct by_distance {
+  static auto made() {
+    typename Case::criterion c;
+    c.p.limits = {0.1, 0.2, 0.5, 0.01};
+    return c;
+  }
+  static cca::criterion_state feel(typename Case::criterion& c, circumstance what, std::int64_t k) {
+    using in_target = cca::in<"target", typename Case::space>;
+    using in_feedback = cca::in<"feedback", typename Case::space>;
+    const auto [target, feedback] = Case::at(what == circumstance::as_wanted ? 0.05 : what == circumstance::not_yet ? 0.3 : std::nan(""));
+    const auto [e, s] = what == circumstance::nothing ? c.process(in_target(), in_feedback(), cca::beat(k, 1'000'000, 1))
+                                                      : c.process(in_target(target, k, true), in_feedback(feedback, k, true), cca::beat(k, 1'000'000, 1));
+    return static_cast<cca::criterion_state>(s.vector()[0]);
+  }
+};
+
 template <class Case>
 class criterion_rig {
 public:
   using criterion = typename Case::criterion;
-  criterion c{};
-
-  criterion_rig() { c.p.limits = {0.1, 0.2, 0.5, 0.01}; }
+  criterion c = by_distance<Case>::made();
 
   // For so many beats of a millisecond so far apart: the state at the end.
   cca::criterion_state feel(double error, int beats = 1) {
@@ -72,24 +88,6 @@ public:
 
 private:
   std::int64_t k = 0;
-};
-
-// One that measures a distance, as any.
-template <class Case>
-struct by_distance {
-  static auto made() {
-    typename Case::criterion c;
-    c.p.limits = {0.1, 0.2, 0.5, 0.01};
-    return c;
-  }
-  static cca::criterion_state feel(typename Case::criterion& c, circumstance what, std::int64_t k) {
-    using in_target = cca::in<"target", typename Case::space>;
-    using in_feedback = cca::in<"feedback", typename Case::space>;
-    const auto [target, feedback] = Case::at(what == circumstance::as_wanted ? 0.05 : what == circumstance::not_yet ? 0.3 : std::nan(""));
-    const auto [e, s] = what == circumstance::nothing ? c.process(in_target(), in_feedback(), cca::beat(k, 1'000'000, 1))
-                                                      : c.process(in_target(target, k, true), in_feedback(feedback, k, true), cca::beat(k, 1'000'000, 1));
-    return static_cast<cca::criterion_state>(s.vector()[0]);
-  }
 };
 
 template <class Case>

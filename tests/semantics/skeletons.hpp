@@ -167,7 +167,6 @@ struct interpolate {
 
 // Its workers have all the time that they need: what they make of a task is there one beat later.
 struct on_threads {
-  std::size_t count;
   int tasks = 0;
   std::deque<value> made{};
   void operator()(firing& f) {
@@ -217,7 +216,7 @@ inline std::function<void(firing&)> skeleton(const std::string& kind, std::istre
   if (kind == "blend_of") return blend_of{count()};
   if (kind == "hold") return hold{};
   if (kind == "decimate") { const auto n = static_cast<int>(number()); return decimate{n, word() == "averaged"}; }
-  if (kind == "on_threads") return on_threads{count()};
+  if (kind == "on_threads") { count(); return on_threads{}; }
   if (kind == "interpolate") return interpolate{static_cast<int>(number())};
   if (kind == "splitter" || kind == "share_out") { if (kind == "share_out") count(); return apart; }
   if (kind == "collector" || kind == "gather") { if (kind == "gather") count(); return together; }
