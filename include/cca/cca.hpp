@@ -2,7 +2,10 @@
 // Parameters from a file need <cca/config.hpp> as well.
 #pragma once
 
-#include <cca/runtime/fires.hpp>  // first: where it refuses something, clang tells of each file around it
+// First: where these refuse something, the compilers tell of each file around them.
+#include <cca/component/port.hpp>
+
+#include <cca/runtime/fires.hpp>
 
 #include <cca/component/component.hpp>
 #include <cca/component/parameters.hpp>

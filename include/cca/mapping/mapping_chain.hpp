@@ -21,7 +21,7 @@ namespace detail {
 
 // The space that each gives and the next one takes.
 template <class Before, class Next>
-concept Meets = SameSpace<output_space<Before>, input_space<Next>>;
+concept Meets = matching<output_space<Before>, input_space<Next>>;
 
 // Only the first pair that doesn't meet is reported.
 template <class Before, class... Rest>

@@ -148,12 +148,9 @@ struct body {
   using axes = typename detail::joined_axes<typename Parts::chain::axes...>::type;
 };
 
+// In one line: where a rule is broken, clang shows all of them.
 template <class Type>
-concept Body = requires {
-  typename Type::parts;
-  typename Type::attached;
-  typename Type::base_frame;
-};
+concept Body = requires { typename Type::parts; typename Type::attached; typename Type::base_frame; };
 
 template <Body Type>
 using axes_of = typename Type::axes;

@@ -15,6 +15,7 @@
 #include <cca/component/port.hpp>
 #include <cca/component/reflect.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
+#include <cca/robot/body.hpp>
 #include <cca/robot/body_dynamics.hpp>
 
 namespace cca {
