@@ -28,7 +28,6 @@ template <class Frame> struct frame_along<pose<Frame>> { using type = Frame; };
 template <class At, class In> struct frame_along<twist<At, In>> { using type = In; };
 template <class At, class In> struct frame_along<wrench<At, In>> { using type = In; };
 
-
 template <class Domain, class Other> constexpr bool one_kind = false;
 template <class A, class B> constexpr bool one_kind<cartesian_position<A>, cartesian_position<B>> = true;
 template <class A, class B> constexpr bool one_kind<orientation<A>, orientation<B>> = true;

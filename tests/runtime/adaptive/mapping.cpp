@@ -1,6 +1,7 @@
 // An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say, against the
 // analytic one. An adaptive transformation: what a camera sees, corrected.
 #include <array>
+#include <string_view>
 
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/adaptive/sampling.hpp>
@@ -11,6 +12,7 @@
 #include "../../laws/learner_laws.hpp"
 #include "../../laws/mapping_laws.hpp"
 #include "../mapping/chains.hpp"
+#include "../picture.hpp"
 #include "rig.hpp"
 
 namespace {
@@ -148,7 +150,21 @@ struct taught : cca::graph<
     cca::rate<1000>, cca::node<"leg", led_leg>, cca::node<"ik", learned_ik>, cca::node<"ear", heard>, cca::wire<"leg.paw", "ik.input">,
     cca::wire<"leg.angles", "ik.teacher">, cca::wire<"leg.learn", "ik.learn">, cca::wire<"ik.output", "ear.angles">, cca::wire<"ik.module", "ear.module">> {};
 
+constexpr std::string_view picture = R"(// [picture]
+flowchart LR
+  n0["leg<br/><i>1000 Hz</i>"]
+  n1["ik<br/><i>1000 Hz</i>"]
+  n2["ear<br/><i>1000 Hz</i>"]
+  n0 -- "paw → input<br/>paw, 1000 Hz" --> n1
+  n0 -- "angles → teacher<br/>angles, 1000 Hz" --> n1
+  n0 -- "learn<br/>learning_request, 1000 Hz" --> n1
+  n1 -- "output → angles<br/>angles, 1000 Hz" --> n2
+  n1 -- "module<br/>module_status_port, 1000 Hz" --> n2
+)";  // [picture end]
+
 }  // namespace
+
+TEST_CASE("the picture of a mapping that is taught is that of its page") { test::check_picture<taught>(picture); }
 
 TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned in a file") {
   const auto first = std::make_unique<cca::controller<taught>>(), second = std::make_unique<cca::controller<taught>>();

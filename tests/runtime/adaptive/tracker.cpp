@@ -1,4 +1,5 @@
 // The DMP Transformation System as a Tracker (seed, figure 6.3): it is shown a shape, learns it, and follows it.
+#include "../picture.hpp"
 #include "rig.hpp"
 
 using namespace adaptive_test;
@@ -122,5 +123,5 @@ TEST_CASE("a tracker is shown a shape, learns it in a batch, and follows it") {
 }
 
 TEST_CASE("the picture of a tracker is that of its page") {
-  CHECK(std::string(cca::describe<pictured>::mermaid()) == std::string(picture.substr(picture.find('\n') + 1)));
+  test::check_picture<pictured>(picture);
 }

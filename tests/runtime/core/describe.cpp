@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 
+#include "../picture.hpp"
 #include "counting.hpp"
 
 using namespace core_test;
@@ -114,7 +115,7 @@ drawn draw(const std::string& dot, const char* name) {
 TEST_SUITE("describe") {
 
 TEST_CASE("mermaid") {
-  CHECK_EQ(cca::describe<shown>::mermaid(), picture.substr(picture.find('\n') + 1));
+  test::check_picture<shown>(picture);
   CHECK_EQ(cca::describe<lonely>::mermaid(), "flowchart LR\n  n0[\"counter<br/><i>0.5 Hz</i>\"]\n");
 }
 

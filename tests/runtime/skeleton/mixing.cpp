@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "../picture.hpp"
 #include "by_hand.hpp"
 
 namespace {
@@ -99,8 +100,8 @@ flowchart LR
 TEST_SUITE("blend") {
 
 TEST_CASE("the picture") {
-  CHECK_EQ(cca::describe<paw_command>::mermaid(), picture_of_blend.substr(picture_of_blend.find('\n') + 1));
-  CHECK_EQ(cca::describe<modes<leg_angles>>::mermaid(), picture_of_switch.substr(picture_of_switch.find('\n') + 1));
+  test::check_picture<paw_command>(picture_of_blend);
+  test::check_picture<modes<leg_angles>>(picture_of_switch);
 }
 
 TEST_CASE("by an amplitude") {

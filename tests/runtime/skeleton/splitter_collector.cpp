@@ -6,6 +6,7 @@
 
 #include <cca/cca.hpp>
 
+#include "../picture.hpp"
 
 namespace {
 
@@ -93,7 +94,7 @@ flowchart LR
 TEST_SUITE("splitter and collector") {
 
 TEST_CASE("the picture") {
-  CHECK_EQ(cca::describe<halved_hip>::mermaid(), picture_of_splitter.substr(picture_of_splitter.find('\n') + 1));
+  test::check_picture<halved_hip>(picture_of_splitter);
 }
 
 TEST_CASE("apart and together again") {

@@ -10,6 +10,7 @@
 
 #include <cca/skeleton/farm_on_threads.hpp>
 
+#include "../picture.hpp"
 #include "by_hand.hpp"
 
 namespace {
@@ -108,7 +109,7 @@ flowchart LR
 TEST_SUITE("farm on threads") {
 
 TEST_CASE("the picture") {
-  CHECK_EQ(cca::describe<on_threads>::mermaid(), picture_of_threads.substr(picture_of_threads.find('\n') + 1));
+  test::check_picture<on_threads>(picture_of_threads);
 }
 
 TEST_CASE("the same results, in order, of the same origins") {
