@@ -1,5 +1,6 @@
 #pragma once
 // What the user asked for on the command line; what cannot be understood is refused with what was expected.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -62,7 +63,20 @@ inline std::uint64_t whole_number(const std::string& option, const std::string& 
   return std::stoull(text);
 }
 
+inline cca::sim::terrain ground(const std::string& text) {
+  try {
+    return cca::sim::terrain::named(text);
+  } catch (const std::invalid_argument& e) {
+    throw command_line_error(e.what());
+  }
+}
+
 }  // namespace detail
+
+// Of the programs beside `trot`, whose options all have a value.
+inline bool asks_for_help(const std::vector<std::string>& arguments) {
+  return std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
+}
 
 inline options parse(const std::vector<std::string>& arguments) {
   options o;
@@ -76,13 +90,8 @@ inline options parse(const std::vector<std::string>& arguments) {
     else if (name == "--seed") {
       const std::string& text = value();
       o.seed = text == "none" ? std::nullopt : std::optional(detail::whole_number(name, text));
-    } else if (name == "--terrain") {
-      try {
-        o.ground = cca::sim::terrain::named(value());
-      } catch (const std::invalid_argument& e) {
-        throw command_line_error(e.what());
-      }
-    } else if (name == "--speed") o.speed = detail::number(name, value(), 0, 1);
+    } else if (name == "--terrain") o.ground = detail::ground(value());
+    else if (name == "--speed") o.speed = detail::number(name, value(), 0, 1);
     else if (name == "--config") o.config = value();
     else if (name == "--summary") o.summary = value();
     else if (name == "--csv") o.csv = value();

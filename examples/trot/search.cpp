@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -103,6 +104,17 @@ struct options {
   std::uint64_t seed = 1;
 };
 
+constexpr std::string_view usage =
+    "trot_search: gait parameters that make the robot fast and steady, on all cores\n"
+    "\n"
+    "  --config FILE     parameters to begin with (the defaults in the code)\n"
+    "  --out FILE        where the best go, for trot --config (found.toml)\n"
+    "  --generations N   how long to search (40)\n"
+    "  --population N    how many at a time (12)\n"
+    "  --seconds S       of each run, simulated (7)\n"
+    "  --seed N          of the search (1)\n"
+    "  --help            this text\n";
+
 options parse(const std::vector<std::string>& arguments) {
   options o;
   for (std::size_t i = 0; i < arguments.size(); i += 2) {
@@ -115,7 +127,7 @@ options parse(const std::vector<std::string>& arguments) {
     else if (name == "--population") o.population = static_cast<int>(trot::detail::number(name, value, 4, 1e4));
     else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 3, 1000);
     else if (name == "--seed") o.seed = trot::detail::whole_number(name, value);
-    else throw trot::command_line_error(name + ": expected --config, --out, --generations, --population, --seconds or --seed");
+    else throw trot::command_line_error(name + ": no such option; --help lists them");
   }
   return o;
 }
@@ -169,5 +181,10 @@ void search(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_search", [&] { return search(parse({arguments + 1, arguments + count})), 0; });
+  return trot::program("trot_search", [&] {
+    const std::vector<std::string> asked(arguments + 1, arguments + count);
+    if (trot::asks_for_help(asked)) std::cout << usage;
+    else search(parse(asked));
+    return 0;
+  });
 }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -27,6 +28,17 @@ struct options {
   double seconds = 20;
 };
 
+constexpr std::string_view usage =
+    "trot_seeds: the trot from many disturbances, on all cores\n"
+    "\n"
+    "  --config FILE     parameters (the defaults in the code)\n"
+    "  --first N         the first seed (0)\n"
+    "  --count N         how many (100)\n"
+    "  --seconds S       of each, simulated (20)\n"
+    "  --terrain T       flat, slope[:degrees] or steps[:millimetres] (flat)\n"
+    "  --summary FILE    falls, speed and drift as one JSON object\n"
+    "  --help            this text\n";
+
 options parse(const std::vector<std::string>& arguments) {
   options o;
   for (std::size_t i = 0; i < arguments.size(); i += 2) {
@@ -35,11 +47,11 @@ options parse(const std::vector<std::string>& arguments) {
     const std::string& value = arguments[i + 1];
     if (name == "--config") o.config = value;
     else if (name == "--summary") o.summary = value;
-    else if (name == "--terrain") o.ground = cca::sim::terrain::named(value);
+    else if (name == "--terrain") o.ground = trot::detail::ground(value);
     else if (name == "--first") o.first = trot::detail::whole_number(name, value);
     else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
     else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 1, 3600);
-    else throw trot::command_line_error(name + ": expected --config, --summary, --terrain, --first, --count or --seconds");
+    else throw trot::command_line_error(name + ": no such option; --help lists them");
   }
   return o;
 }
@@ -98,5 +110,10 @@ void run(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_seeds", [&] { return run(parse({arguments + 1, arguments + count})), 0; });
+  return trot::program("trot_seeds", [&] {
+    const std::vector<std::string> asked(arguments + 1, arguments + count);
+    if (trot::asks_for_help(asked)) std::cout << usage;
+    else run(parse(asked));
+    return 0;
+  });
 }

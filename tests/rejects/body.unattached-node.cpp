@@ -4,7 +4,6 @@
 
 #include "parts.hpp"
 
-struct trunk : cca::frame<"trunk"> {};
 struct paw : cca::frame<"paw"> {};
 
 struct leg_chain : cca::serial_chain<trunk, paw, cca::axes<hip, knee>> {

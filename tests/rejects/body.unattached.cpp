@@ -4,7 +4,6 @@
 
 #include "parts.hpp"
 
-struct trunk : cca::frame<"trunk"> {};
 struct hand : cca::frame<"hand"> {};
 struct finger : cca::frame<"finger"> {};
 struct shoulder : cca::dimension<"shoulder"> {};

@@ -6,7 +6,6 @@
 
 #include "parts.hpp"
 
-struct trunk : cca::frame<"trunk"> {};
 struct paw : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::z>> {};
 #if CCA_REJECT
 using follows = cca::tracking<paw>;

@@ -4,8 +4,6 @@
 
 #include "parts.hpp"
 
-struct trunk : cca::frame<"trunk"> {};
-struct world : cca::frame<"world"> {};
 struct paw : cca::frame<"paw"> {};
 
 struct leg_chain : cca::serial_chain<trunk, paw, cca::axes<hip, knee>> {

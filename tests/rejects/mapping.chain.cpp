@@ -6,9 +6,6 @@
 #include "parts.hpp"
 
 struct hip_frame : cca::frame<"hip"> {};
-struct trunk : cca::frame<"trunk"> {};
-struct world : cca::frame<"world"> {};
-using xyz = cca::axes<cca::x, cca::y, cca::z>;
 struct paw_in_hip : cca::space<cca::cartesian_position<hip_frame>, xyz> {};
 struct paw_in_trunk : cca::space<cca::cartesian_position<trunk>, xyz> {};
 struct paw_in_world : cca::space<cca::cartesian_position<world>, xyz> {};

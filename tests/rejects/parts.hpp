@@ -1,4 +1,4 @@
-// What the files of this folder make their architectures of: a leg, and what moves it.
+// What the files of this folder make their architectures of: a leg, what moves it, and places and attitudes in the world.
 #pragma once
 
 #include <cca/cca.hpp>
@@ -13,6 +13,12 @@ struct knee : cca::dimension<"knee"> {
 struct gait_phase : cca::space<cca::phase, cca::axes<cca::x>> {};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
 struct leg_torques : cca::space<cca::joint_torques, cca::axes<hip, knee>> {};
+
+struct world : cca::frame<"world"> {};
+struct trunk : cca::frame<"trunk"> {};
+using xyz = cca::axes<cca::x, cca::y, cca::z>;
+struct attitude : cca::space<cca::orientation<world>, xyz> {};
+struct place : cca::space<cca::cartesian_position<world>, xyz> {};
 
 struct oscillator {
   auto process(cca::beat now) -> cca::out<"phase", gait_phase> { return 1e-9 * static_cast<double>(now.time()); }

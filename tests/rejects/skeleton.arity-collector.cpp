@@ -2,10 +2,6 @@
 // Nor is a quaternion made of one number for each axis.
 #include "parts.hpp"
 
-struct world : cca::frame<"world"> {};
-using xyz = cca::axes<cca::x, cca::y, cca::z>;
-struct attitude : cca::space<cca::orientation<world>, xyz> {};
-struct place : cca::space<cca::cartesian_position<world>, xyz> {};
 #if CCA_REJECT
 using measured = attitude;
 #else

@@ -2,7 +2,6 @@
 // The frame belongs to the domain type: where a foot is seen from the hip is not where it is in the world.
 #include "parts.hpp"
 
-struct world : cca::frame<"world"> {};
 struct hip_frame : cca::frame<"hip"> {};
 struct foot : cca::space<cca::cartesian_position<hip_frame>, cca::axes<cca::x, cca::z>> {};
 

@@ -1,8 +1,12 @@
 // How long and how fast a controller runs. The results never depend on it: time in a beat is virtual.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <ctime>
+#include <string>
+
+#include <cca/component/refused.hpp>
 
 namespace cca {
 
@@ -32,10 +36,12 @@ struct as_fast_as_possible {
 // Wakes at absolute times, so a late beat does not shift those after it.
 class at_speed {
 public:
-  explicit at_speed(double factor) : speed(factor) {}
+  explicit at_speed(double factor) : speed(factor) {
+    if (!(factor > 0)) throw refused("cca::at_speed: " + std::to_string(factor) + " is no pace, expected a number above 0");
+  }
   void begin() { clock_gettime(CLOCK_MONOTONIC, &start); }
   void wait(std::int64_t virtual_nanoseconds) const {
-    const auto passed = static_cast<std::int64_t>(static_cast<double>(virtual_nanoseconds) / speed) + start.tv_nsec;
+    const auto passed = static_cast<std::int64_t>(std::min(static_cast<double>(virtual_nanoseconds) / speed, 9e18)) + start.tv_nsec;
     timespec wake{};
     wake.tv_sec = start.tv_sec + static_cast<std::time_t>(passed / 1'000'000'000);
     wake.tv_nsec = static_cast<long>(passed % 1'000'000'000);

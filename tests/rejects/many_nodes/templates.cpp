@@ -33,11 +33,7 @@ struct weights : cca::space<cca::amplitude, cca::axes<cca::x, cca::y>> {};
 struct of_pairs {
   auto process(cca::in<"x", pair_of_numbers> x) -> cca::out<"y", pair_of_numbers> { return x.vector(); }
 };
-struct trunk : cca::frame<"trunk"> {};
-struct world : cca::frame<"world"> {};
 struct paw : cca::frame<"paw"> {};
-using xyz = cca::axes<cca::x, cca::y, cca::z>;
-struct attitude : cca::space<cca::orientation<world>, xyz> {};
 template <class Frame> struct paw_in : cca::space<cca::cartesian_position<Frame>, xyz> {};
 struct slow : cca::space<cca::number, cca::axes<cca::x>, cca::rate<100>> {};
 struct odd : cca::space<cca::number, cca::axes<cca::x>, cca::rate<300>> {};

@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
+#include <string>
 
 #include "counting.hpp"
 
@@ -74,6 +76,15 @@ TEST_CASE("at any pace, the same results") {
   CHECK_EQ(fast.get<"log">().all, slow.get<"log">().all);
   CHECK_EQ(fast.get<"log">().all, quick.get<"log">().all);
   CHECK_EQ(fast.get<"log">().all, stepped.get<"log">().all);
+}
+
+TEST_CASE("a pace that is none is refused") {
+  for (const double none : {0.0, -1.0, std::nan("")})
+    CHECK_EQ(words_of([&] { cca::at_speed{none}; }), "cca::at_speed: " + std::to_string(none) + " is no pace, expected a number above 0");
+  auto c = started<counting>();
+  c.run(cca::for_beats<1>{}, cca::at_speed(1e-300));  // the first beat begins at once, however slow it is
+  c.run(cca::for_beats<3>{}, cca::at_speed(1e300));
+  CHECK_EQ(c.beat_index(), 4);
 }
 
 TEST_CASE("before start() nothing fires") {

@@ -10,6 +10,7 @@
 #include <cca/hardware/moteus.hpp>
 
 #include "../../laws/drive_laws.hpp"
+#include "all_numbers.hpp"
 
 using namespace cca::hardware;
 
@@ -22,6 +23,7 @@ struct motor {
 using servo = moteus<motor, 1>;
 using ninth = moteus<motor, 9>;
 constexpr double turn = detail::radians_in_turn;
+constexpr std::uint32_t stride = 99991;  // of floats
 
 can_frame from_hex(can_id id, std::string_view hex) {
   std::array<std::uint8_t, 64> bytes{};
@@ -48,14 +50,6 @@ can_frame one_register(moteus_kind kind, moteus_value as, moteus_register which,
   return f;
 }
 
-// All exponents, both signs, and of the fractions every 99991st; with zeros, ends, infinities, NaN.
-template <class F>
-void for_floats(F&& f) {
-  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += 99991) f(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-  for (const std::uint32_t bits :
-       {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC00000u, 0x7FFFFFFFu})
-    for (const std::uint32_t sign : {0u, 0x80000000u}) f(std::bit_cast<float>(bits | sign));
-}
 // Every 65521st of 32 bits, and the ends.
 template <class F>
 void for_integers(F&& f) {
@@ -103,7 +97,7 @@ TEST_CASE("moteus: a command is heard as it was given, floats exactly") {
   CHECK(q.command.damping == 0.25);
   CHECK(q.most_torque == 12);
   CHECK(q.timeout == doctest::Approx(0.05));
-  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += 99991) {
+  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += stride) {
     const float x = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     if (!std::isfinite(x) || (x != 0 && std::fabs(x) < 1.2e-38f)) continue;
     const auto s = servo::set_point({.position = static_cast<double>(x) * turn});
@@ -115,7 +109,7 @@ TEST_CASE("moteus: a command is heard as it was given, floats exactly") {
 TEST_CASE("moteus: each number of a command is heard as it was given") {
   servo::request q;
   const auto hear = [&q](const auto& s) { return servo::hear(s.frames[0], q); };
-  for_floats([&](float x) {
+  for_floats(stride, [&](float x) {
     if (!std::isfinite(x)) return;
     const double number = static_cast<double>(x), part = std::fabs(number);
     auto s = servo::set_point({.position = number * turn, .velocity = -number * turn});
@@ -194,7 +188,7 @@ TEST_CASE("moteus: every number of a register is read as it was, the most negati
     CHECK(reads(moteus_value::int16, 0x8000, none));
     CHECK(reads(moteus_value::int32, 0x80000000, none));
   }
-  for_floats([](float x) {
+  for_floats(stride, [](float x) {
     const can_frame f = one_register(moteus_kind::reply, moteus_value::float32, velocity, std::bit_cast<std::uint32_t>(x));
     read_registers(f.payload(), [x](moteus_kind, std::uint32_t, double value) {
       REQUIRE((std::isfinite(x) ? value == static_cast<double>(x) : std::isnan(value)));
@@ -229,7 +223,7 @@ TEST_CASE("moteus: replies in all forms are told in SI units; NaN and infinity a
       REQUIRE(tells(moteus_value::int32, static_cast<std::uint32_t>(n),
                     n == std::numeric_limits<std::int32_t>::min() ? NAN : n * k.steps[2]));
     });
-    for_floats([&](float x) {
+    for_floats(stride, [&](float x) {
       REQUIRE(tells(moteus_value::float32, std::bit_cast<std::uint32_t>(x), static_cast<double>(x)));
     });
     // What a request writes or asks for under these registers is no reply.

@@ -10,6 +10,7 @@
 #include <cca/hardware/odrive.hpp>
 
 #include "../../laws/drive_laws.hpp"
+#include "all_numbers.hpp"
 
 using namespace cca::hardware;
 
@@ -21,15 +22,7 @@ using torque = odrive<3, odrive_mode::torque>;
 using old = odrive<4, odrive_mode::position, odrive_firmware::v0_5>;
 using far = odrive<0x1234, odrive_mode::torque>;
 constexpr double turn = detail::radians_in_turn;
-
-// All exponents, both signs, and of the fractions every 9973rd; with zeros, ends, infinities, NaN.
-template <class F>
-void for_floats(F&& f) {
-  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += 9973) f(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-  for (const std::uint32_t bits :
-       {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC00000u, 0x7FFFFFFFu})
-    for (const std::uint32_t sign : {0u, 0x80000000u}) f(std::bit_cast<float>(bits | sign));
-}
+constexpr std::uint32_t stride = 9973;  // of floats
 
 static_assert(position::set_point({.position = turn}).frames[0].id == standard(0x2C));  // the example of ODrive's page
 
@@ -79,7 +72,7 @@ TEST_CASE("odrive: every number of a command comes back as it was") {
   CHECK(detail::got<std::uint16_t>(s.frames[0].payload(), 6) == 0x8001);
 
   can_frame g = torque::set_point({}).frames[0], v = velocity::set_point({}).frames[0], p = position::set_point({}).frames[0];
-  for_floats([&](float x) {
+  for_floats(stride, [&](float x) {
     if (!std::isfinite(x)) return;
     detail::put_float(g.data, 0, x);
     REQUIRE(again(g, torque{}));
@@ -100,7 +93,7 @@ TEST_CASE("odrive: every number of a report is told as it was; NaN and infinity 
   const auto is = [](double told, float x, double unit) {
     return std::isfinite(x) ? told == static_cast<double>(x) * unit : std::isnan(told);
   };
-  for_floats([&](float x) {
+  for_floats(stride, [&](float x) {
     drive_report r;
     can_frame f{.id = position::id(odrive_command::estimates), .length = 8};
     detail::put_float(f.data, 0, x);

@@ -1,9 +1,11 @@
 // The trot of the example: it trots, straight, from disturbances, and a snapshot of it trots on bit for bit.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -62,8 +64,12 @@ TEST_SUITE("trot") {
   }
 
   TEST_CASE("the throttle: slower is slower, and no speed is standing") {
-    CHECK(trot::evaluate(run(5, 1, 0.2)).cruise == doctest::Approx(0.2).epsilon(0.2));
-    CHECK(trot::evaluate(run(5, 1, 0.4)).cruise == doctest::Approx(0.4).epsilon(0.2));
+    for (const double speed : {0.2, 0.4, 0.6}) {
+      CAPTURE(speed);
+      const trot::statistics s = trot::evaluate(run(5, 1, speed));
+      CHECK(!s.fell);
+      CHECK(s.cruise == doctest::Approx(speed).epsilon(0.1));
+    }
     const trot::statistics standing = trot::evaluate(run(3, 1, 0.0));
     CHECK(!standing.fell);
     CHECK(std::abs(standing.distance) < 0.1);
@@ -80,6 +86,44 @@ TEST_SUITE("trot") {
     CHECK(original.get<"robot.simulator">().world().hash() == copy.get<"robot.simulator">().world().hash());
   }
 
+  TEST_CASE("controller and world, set back to a snapshot, go on bit for bit") {
+    trot::trotting controller;
+    controller.load();
+    controller.start();
+    controller.run(cca::for_beats<900>{});
+    const trot::trotting snapshot = controller;
+    const auto go_on = [&] {
+      std::vector<std::uint64_t> hashes;
+      for (int k = 0; k < 300; ++k) {
+        controller.step();
+        hashes.push_back(controller.get<"robot.simulator">().world().hash());
+      }
+      return hashes;
+    };
+    const auto first = go_on();
+    controller = snapshot;
+    CHECK(controller.beat_index() == 900);
+    CHECK(go_on() == first);
+  }
+
+  TEST_CASE("the same seed gives the same bits, in two threads at once, too; another seed others") {
+    const auto hash_of = [](std::uint64_t seed) {
+      trot::trotting controller;
+      controller.load();
+      trot::roll_out(controller, cca::sim::terrain::named("steps:6"), cca::sim::disturbance::from_seed(seed, 5), 4, [](const cca::sim::world&, double) {});
+      return controller.get<"robot.simulator">().world().hash();
+    };
+    const std::uint64_t alone = hash_of(3);
+    std::vector<std::uint64_t> together(3);
+    const std::array<std::uint64_t, 3> seeds{3, 3, 4};
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < 3; ++i) threads.emplace_back([&, i] { together[i] = hash_of(seeds[i]); });
+    for (auto& thread : threads) thread.join();
+    CHECK(together[0] == alone);
+    CHECK(together[1] == alone);
+    CHECK(together[2] != alone);
+  }
+
   TEST_CASE("the command line says what it doesn't understand") {
     const trot::options o = trot::parse({"--seconds", "2.5", "--seed", "7", "--terrain", "slope:4", "--quiet"});
     CHECK(o.seconds == 2.5);
@@ -87,6 +131,13 @@ TEST_SUITE("trot") {
     CHECK(o.ground.name() == "slope");
     CHECK(o.quiet);
     CHECK(!trot::parse({"--seed", "none"}).seed);
+    CHECK(trot::parse({"--help"}).help);
+    for (const char* option : {"--seconds", "--seed", "--terrain", "--speed", "--config", "--summary", "--csv", "--svg"}) {  // what the help lists
+      CHECK(trot::usage.find(option) != std::string_view::npos);
+      const std::string value = option == std::string("--terrain") ? "flat" : "1";
+      CHECK_NOTHROW(trot::parse({option, value}));
+    }
+    CHECK(std::count(trot::usage.begin(), trot::usage.end(), '\n') == 2 + 10);
     for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
              {"--fast"}, {"--seconds"}, {"--seconds", "x"}, {"--seconds", "-1"}, {"--seed", "-1"}, {"--terrain", "sea"}, {"--seconds", "nan"}})
       CHECK_THROWS_AS(trot::parse(bad), trot::command_line_error);
@@ -107,6 +158,9 @@ TEST_SUITE("trot") {
     const std::string lines = csv.str();
     CHECK(std::count(lines.begin(), lines.end(), '\n') == 1 + 2500 / 5);
     CHECK(svg.str().ends_with("</svg>\n"));
+    for (const char* part : {"footfalls", "path", "angles", "left front", "right hind"}) CHECK(svg.str().find(part) != std::string::npos);
+    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "roll", "pitch", "real-time factor", "controller", "physics"})
+      CHECK(table.str().find(row) != std::string::npos);
     CHECK(svg.str().find("nan") == std::string::npos);
   }
 
