@@ -1,4 +1,5 @@
 // Spaces, as the compiler sees them: sizes, zeros, limits, what their checks find, what a sample is.
+#include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/info.hpp>
 #include <cca/space/sample.hpp>
@@ -62,6 +63,13 @@ static_assert(cca::SameFrames<cca::joint_angles, cca::joint_angles>);
 // A sample is its coordinates and a time: its methods weigh nothing.
 static_assert(sizeof(cca::sample<attitude>) <= 3 * 16);
 static_assert(sizeof(cca::sample<plain>) == 16);
+
+// And none of its coordinates can be written: a sample does not change.
+template <class Sample>
+concept Written = requires(Sample s) { s[hip{}] = 1.0; } || requires(Sample s) { s.vector()[0] = 1.0; } ||
+                  requires(Sample s) { s.vector() = s.vector(); } || requires(Sample s) { s.set(0, 1.0); };
+static_assert(!Written<cca::sample<leg_angles>> && !Written<cca::sample<leg_angles>&>);
+static_assert(Written<cca::out<"angles", leg_angles>&>);  // what a component fills
 static_assert(std::is_convertible_v<cca::sample<leg_angles>, cca::sample<cca::sub_space<leg_angles, hip, knee>>>);
 static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<leg_torques>>);
 struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<100>> {};
