@@ -1,4 +1,4 @@
-// EXPECT: space\.mismatch: `walking\.gait\.angles` publishes leg_angles \(joint_angles over hip, knee\) but `watch\.torques` expects leg_torques \(joint_torques over
+// EXPECT: space\.mismatch: `walking\.gait\.angles` \(exposed as `walking\.angles`\) publishes leg_angles \(joint_angles over hip, knee\) but `watch\.torques` expects leg_torques \(joint_torques over
 // Ports of an inner graph are named by their own path.
 #include "parts.hpp"
 

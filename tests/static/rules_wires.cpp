@@ -193,8 +193,8 @@ struct inner_space : khz<cca::node<"g", showing>, cca::node<"b", sink<angles>>, 
 struct inner_space_mended : khz<cca::node<"g", showing>, cca::node<"b", sink<>>, cca::node<"a", source<>>, cca::wire<"a.y", "g.x">,
     cca::wire<"g.y", "b.x">> {};
 static_assert(tells<inner_space, inner_space_mended>({"space.mismatch", "g.y -> b.x",
-    "`g.out.y` publishes signal (number over x) but `b.x` expects angles (joint_angles over hip, knee): the domain "
-    "types differ; put a mapping between them, or wire another port"}));
+    "`g.out.y` (exposed as `g.y`) publishes signal (number over x) but `b.x` expects angles (joint_angles over hip, "
+    "knee): the domain types differ; put a mapping between them, or wire another port"}));
 
 struct unconnected : khz<cca::node<"a", source<>>, cca::node<"m", merge<>>, cca::wire<"a.y", "m.a">> {};
 struct unconnected_mended : khz<cca::node<"a", source<>>, cca::node<"m", merge<>>, cca::wire<"a.y", "m.a">, cca::expose<"m.b", "b">> {};

@@ -193,11 +193,11 @@ constexpr void tell_mismatch(telling& t) {
   const auto& to = t.g.inputs[t.found().b];
   const auto &a = t.space(from), &b = t.space(to);
   t.at_wire();
-  t.port(from);
+  t.wired_port(from, t.item().from);
   t.say() << " publishes ";
   add_space(t.say(), a);
   t.say() << " but ";
-  t.port(to);
+  t.wired_port(to, t.item().to);
   t.say() << " expects ";
   add_space(t.say(), b);
   const auto base = [](std::string_view name) { return name.substr(0, name.find('<')); };

@@ -45,6 +45,14 @@ struct telling {
     add_port(say(), g, p);
     say() << "`";
   }
+  // The same, with its name in the wire where that is what an inner graph exposes it as.
+  template <class Port>
+  constexpr void wired_port(const Port& p, std::string_view name) {
+    port(p);
+    text path;
+    add_port(path, g, p);
+    if (!path.view().ends_with(name)) say() << " (exposed as `" << name << "`)";
+  }
   constexpr const space_info& space(const input& i) const { return *port_of(g, i).space; }
   constexpr const space_info& space(const output& o) const { return *port_of(g, o).space; }
 

@@ -1,6 +1,7 @@
 // The controller of a graph that breaks a rule: one error, which is the message.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <cca/component/fault.hpp>
@@ -9,11 +10,30 @@
 #include <cca/graph/find.hpp>
 
 namespace cca {
+namespace detail {
+
+struct anything {
+  template <class... Values>
+  constexpr anything(Values&&...) {}
+};
+
+}  // namespace detail
 
 // The calls are there so that nothing else is reported.
 template <class Graph>
 class controller {
   static_assert(sizeof(detail::refusal<Graph>) != 0);
+
+  // A component, or the nodes of an inner graph; also where there is neither.
+  template <std::uint64_t Path, int Leaf>
+  struct part { using type = typename detail::leaf_of<Graph, Leaf>::component&; };
+  template <std::uint64_t Scope>
+  struct part<Scope, -1> {
+    using type = part;
+
+    template <fixed_string Path, std::uint64_t Whole = detail::hash(Path.view(), detail::hash(".", Scope))>
+    auto get() const -> typename part<Whole, detail::leaf_with_hash<Graph>(Whole)>::type;
+  };
 
 public:
   void load(std::string_view = {}) {}
@@ -26,13 +46,19 @@ public:
   cca::state run(Options...) { return {}; }
   cca::state state() const noexcept { return {}; }
   cca::fault fault() const noexcept { return {}; }
+  std::string fault_path() const { return {}; }
   std::int64_t beat_index() const noexcept { return 0; }
+  static constexpr std::int64_t period() { return detail::counts_of<Graph>.period; }
   template <fixed_string Path>
-  auto get() const -> typename detail::leaf_of<Graph, detail::leaf_at<Graph>(Path.view())>::component&;
+  auto get() const -> typename part<detail::hash(Path.view()), detail::leaf_at<Graph>(Path.view())>::type;
   template <fixed_string Path, class Parameters>
   void set(const Parameters&) {}
+  template <fixed_string Path>
+  void set(detail::anything) {}  // in braces
   template <class F>
-  void for_each_component(F) {}
+  void observed(F) const {}
+  template <class F>
+  void for_each_component(F) const {}
 };
 
 }  // namespace cca
