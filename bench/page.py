@@ -101,7 +101,12 @@ origins and freshness that the skeleton looks at, where the loop by hand has not
 What a skeleton takes more is what it does more. In each beat of a graph: is the controller running, and which beat is it (5 instructions).
 An arbiter by priority asks each writer whether it has said something new, and hands on the origin of the one it hears (22 more in all); a switch
 asks whether its choice has spoken yet, and while it hands over which source is the older (23); the mean of a decimation has the oldest origin of its samples (18);
-an interpolation reads a slower wire at its own rate, so it finds the sample's age by a division of the beat's number, and its result has the older origin of two (30).
+an interpolation reads a slower wire at its own rate, so it finds the sample's age by a division of the beat's number, and its result has the older origin of two (30);
+a delay between the stages of a pipeline keeps each sample with its origin and its beat, where by hand a stage's own state is what the next one reads a beat later (15 a delay).
+
+Of a farm on threads what is counted is what the loop does in its own thread: two rings a worker, one of tasks and one of results. What the workers do is not, nor waiting:
+between two beats each run waits, uncounted, until they are done, so that every beat hands out a task and takes a result. By hand these are the same rings of bare numbers. The farm
+hands over with each task its origin and its beat as well, takes with each result its origin, and publishes how many tasks are under way and how many were lost.
 
 {table(head, rows)}
 Calls left in the beats of all of them: {"; ".join(calls_left)}.

@@ -1,16 +1,9 @@
 // The beat of each skeleton's graph: what `calls.py` disassembles.
-#include <cca/skeleton/farm_on_threads.hpp>
-
 #include "skeletons.hpp"
-
-namespace bench {
-
-struct farm_threads : through<cca::farm_on_threads<filter, quad, quad>, cca::node<"source", ramp<quad>>, quad> {};
-
-}  // namespace bench
 
 void beat(cca::controller<bench::splitter_collector>& c) { c.step(); }
 void beat(cca::controller<bench::pipeline>& c) { c.step(); }
+void beat(cca::controller<bench::pipeline_delayed>& c) { c.step(); }
 void beat(cca::controller<bench::farm>& c) { c.step(); }
 void beat(cca::controller<bench::farm_threads>& c) { c.step(); }
 void beat(cca::controller<bench::by_priority>& c) { c.step(); }

@@ -27,13 +27,23 @@ struct as_graph {
   cca::controller<Graph> controller;
   as_graph() { controller.load(), controller.start(); }
   void step() { controller.step(); }
+  void settle()
+    requires requires { Graph::crew; }
+  { controller.template get<Graph::crew>().wait(); }
   Eigen::Vector2d result() const { return controller.template get<"end">().sum; }
 };
+
+// What threads have to do is done between two beats.
+template <class Form>
+void one_round(Form& form) {
+  one_beat(form);
+  if constexpr (requires { form.settle(); }) form.settle();
+}
 
 template <class Form>
 int run(int beats) {
   const auto form = std::make_unique<Form>();
-  for (int k = 0; k < beats; ++k) one_beat(*form);
+  for (int k = 0; k < beats; ++k) one_round(*form);
   return std::isfinite(form->result()[0]) ? 0 : 1;
 }
 
@@ -45,7 +55,7 @@ int use(const char* name, int argc, char** argv) {
     const auto g = std::make_unique<as_graph<Graph>>();
     const auto h = std::make_unique<ByHand>();
     for (int k = 0; k < 3000; ++k) {
-      one_beat(*g), one_beat(*h);
+      one_round(*g), one_round(*h);
       const Eigen::Vector2d a = g->result(), b = h->result();
       if (std::memcmp(a.data(), b.data(), sizeof a) == 0) continue;
       std::fprintf(stderr, "%s, beat %d: %.17g by the graph, %.17g by hand\n", name, k, a[0], b[0]);
@@ -55,9 +65,9 @@ int use(const char* name, int argc, char** argv) {
   if (what != name || argc < 3) return 0;
   if (std::string_view(argv[2]) == "allocations") {
     const auto g = std::make_unique<as_graph<Graph>>();
-    one_beat(*g);
+    one_round(*g);
     const long before = bench_allocations();
-    for (int k = 0; k < 1000; ++k) one_beat(*g);
+    for (int k = 0; k < 1000; ++k) one_round(*g);
     std::printf("%ld\n", bench_allocations() - before);
     return 0;
   }
@@ -70,7 +80,8 @@ int main(int argc, char** argv) {
   using namespace bench;
   if (argc < 2) return 2;
   return use<splitter_collector, splitter_collector_by_hand>("splitter, collector", argc, argv) +
-         use<pipeline, pipeline_by_hand>("pipeline", argc, argv) + use<farm, farm_by_hand>("farm", argc, argv) +
+         use<pipeline, pipeline_by_hand>("pipeline", argc, argv) + use<pipeline_delayed, pipeline_delayed_by_hand>("pipeline over delays", argc, argv) +
+         use<farm, farm_by_hand>("farm", argc, argv) + use<farm_threads, farm_threads_by_hand>("farm on threads", argc, argv) +
          use<by_priority, by_priority_by_hand>("arbiter by priority", argc, argv) +
          use<by_freshness, by_freshness_by_hand>("arbiter by freshness", argc, argv) +
          use<switched, switched_by_hand>("switch", argc, argv) + use<blended, blended_by_hand>("blend", argc, argv) +

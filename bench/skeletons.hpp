@@ -1,9 +1,13 @@
 // Graphs of one skeleton each, of a ramp and low-pass filters, and the same by hand. What ends in `end` is summed up.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include <cca/cca.hpp>
+#include <cca/skeleton/farm_on_threads.hpp>
 
 #include "components.hpp"
 
@@ -73,6 +77,16 @@ struct pipeline_by_hand : moving {
   }
 };
 
+struct pipeline_delayed : through<cca::pipeline_over<cca::delayed<1>, filter, filter, filter>, cca::node<"source", source>> {};
+struct pipeline_delayed_by_hand : moving {
+  filter f[3];
+  void step() {
+    move();
+    for (int i = 2; i >= 0; --i) f[i].state += f[i].gain * ((i > 0 ? f[i - 1].state : at) - f[i].state);
+    sum += f[2].state;
+  }
+};
+
 struct farm : through<cca::farm<filter, quad, quad>, cca::node<"source", ramp<quad>>, quad> {};
 struct farm_by_hand : sum_of {
   Eigen::Vector4d at{0, 0, 0, 0};
@@ -81,6 +95,79 @@ struct farm_by_hand : sum_of {
     at = (at.array() + dt).matrix();
     for (int i = 0; i < 2; ++i) f[i].state += f[i].gain * (at.segment<2>(2 * i) - f[i].state);
     sum += f[0].state;
+  }
+  Eigen::Vector2d result() const { return sum; }
+};
+
+// A task a beat, of which the threads are done before the next one: what is counted is the loop's hand-over, not their work.
+struct farm_threads : through<cca::farm_on_threads<filter, quad, quad>, cca::node<"source", ramp<quad>>, quad> {
+  static constexpr cca::fixed_string crew = "skeleton.crew";
+};
+struct farm_threads_by_hand : sum_of {
+  struct ring {
+    alignas(64) std::atomic<std::uint64_t> written{0};
+    alignas(64) std::atomic<std::uint64_t> taken{0};
+    alignas(64) Eigen::Vector2d values[4];
+    void push(const Eigen::Vector2d& v) {
+      const auto n = written.load(std::memory_order_relaxed);
+      values[n % 4] = v;
+      written.store(n + 1, std::memory_order_release);
+    }
+    bool empty() const { return taken.load(std::memory_order_relaxed) == written.load(std::memory_order_acquire); }
+    Eigen::Vector2d pop() {
+      const auto n = taken.load(std::memory_order_relaxed);
+      const Eigen::Vector2d v = values[n % 4];
+      taken.store(n + 1, std::memory_order_release);
+      return v;
+    }
+  };
+  struct lane {
+    filter by;
+    ring tasks, results;
+    std::thread runs;
+  };
+  Eigen::Vector4d at{0, 0, 0, 0};
+  std::int64_t lost = 0;
+  lane lanes[2];
+  std::atomic<bool> stops{false};
+
+  farm_threads_by_hand() {
+    for (auto& l : lanes)
+      l.runs = std::thread([this, &l] {
+        while (!stops.load(std::memory_order_relaxed)) {
+          if (l.tasks.empty()) {
+            std::this_thread::sleep_for(std::chrono::microseconds(50));
+            continue;
+          }
+          const Eigen::Vector2d x = l.tasks.pop();
+          l.by.state += l.by.gain * (x - l.by.state);
+          l.results.push(l.by.state);
+        }
+      });
+  }
+  ~farm_threads_by_hand() {
+    stops = true;
+    for (auto& l : lanes) l.runs.join();
+  }
+
+  void step() {
+    at = (at.array() + dt).matrix();
+    if (!lanes[0].results.empty() && !lanes[1].results.empty()) {
+      Eigen::Vector4d whole;
+      for (int i = 0; i < 2; ++i) whole.segment<2>(2 * i) = lanes[i].results.pop();
+      sum += whole.head<2>();
+    }
+    bool room = true;
+    for (auto& l : lanes) room &= l.tasks.written.load(std::memory_order_relaxed) - l.results.taken.load(std::memory_order_relaxed) < 4;
+    if (!room) {
+      ++lost;
+      return;
+    }
+    for (int i = 0; i < 2; ++i) lanes[i].tasks.push(at.segment<2>(2 * i));
+  }
+  void settle() const {
+    for (auto& l : lanes)
+      while (l.results.written.load() != l.tasks.written.load()) std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
   Eigen::Vector2d result() const { return sum; }
 };
