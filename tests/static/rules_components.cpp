@@ -42,6 +42,11 @@ static_assert(tells<number, number_mended>({"component.no_process", "a",
     "`a` (int) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a "
     "template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource node has `sense` and `act` instead"}));
 
+struct unchanging : khz<cca::node<"a", const source<>>> {};
+struct unchanging_mended : khz<cca::node<"a", source<>>> {};
+static_assert(tells<unchanging, unchanging_mended>({"component.no_process", "a",
+    "`a` (source<>) is const, and what a component holds changes as it runs: leave the `const` out"}));
+
 struct two_processes {
   void process(cca::in<"x", signal>) {}
   void process(cca::beat) {}

@@ -44,6 +44,7 @@ struct component_info {
   std::string_view bad_field_type{};
   bool forgot_parameters = false;    // a struct `parameters`, but no member `p` of it
   bool also_sense = false, also_act = false;  // beside `process`
+  bool is_const = false;
   std::string_view wrong_arity{};    // of a skeleton: what does not come out even in it, as the end of a sentence
   bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
   bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
@@ -64,6 +65,7 @@ inline constexpr component_info component_of = [] {
   component_info info;
   info.spelled_type = spelled<Type>();
   info.key = type_key<Type>;
+  info.is_const = std::is_const_v<Type>;
   if constexpr (HasProcess<Type>) {
     info.process = &half_of_component<Type, phase_of_beat::process>::value;
     info.also_sense = HasSense<Type>;

@@ -75,6 +75,7 @@ struct flattening {
     if (!component.wrong_arity.empty()) refuse(rule::skeleton_arity, &item, in_scope);
     if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope, 0);
     if (component.also_sense || component.also_act) refuse(rule::component_no_process, &item, in_scope, 1);
+    if (component.is_const) refuse(rule::component_no_process, &item, in_scope, 2);
     for (const auto& [half, phase] : {std::pair{component.sense, phase_of_beat::sense}, std::pair{component.process, phase_of_beat::process},
                                      std::pair{component.act, phase_of_beat::act}}) {
       if (!half) continue;

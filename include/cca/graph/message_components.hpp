@@ -72,6 +72,7 @@ constexpr void tell_no_process(telling& t) {
   if (t.found().a == 1)
     t.say() << " has both `process` and `" << (t.item().component->also_sense ? "sense" : "act")
             << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
+  else if (t.found().a == 2) t.say() << " is const, and what a component holds changes as it runs: leave the `const` out";
   else
     t.say() << " has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template, as in "
                "`auto process(cca::in<...>) -> cca::out<...>`; a resource node has `sense` and `act` instead";

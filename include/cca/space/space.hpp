@@ -15,11 +15,22 @@
 
 namespace cca {
 
+namespace detail {
+
+// A function and not a struct, of which the compiler would no longer know the members.
+template <auto Hz>
+consteval double checked_rate() {
+  constexpr bool is_positive = Hz > 0;
+  static_assert(is_positive, "rate.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where none is meant, leave it out");
+  return is_positive ? static_cast<double>(Hz) : 1;
+}
+
+}  // namespace detail
+
 // Updates per second, of a space or of a graph.
 template <auto Hz>
 struct rate {
-  static_assert(Hz > 0, "cca::rate: a rate is a positive number of updates per second");
-  static constexpr double hz = Hz;
+  static constexpr double hz = detail::checked_rate<Hz>();
 };
 
 template <class... Axes>
