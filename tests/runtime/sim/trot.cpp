@@ -3,12 +3,19 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include <unistd.h>
+
 #include <doctest/doctest.h>
+
+#include <cca/config.hpp>
 
 #include "../../../examples/trot/cma_es.hpp"
 #include "../../../examples/trot/command_line.hpp"
@@ -29,6 +36,18 @@ trot::recording run(double seconds, std::uint64_t seed, double speed = 0.68) {
   controller.set<"throttle">(wanted);
   return trot::roll_out(controller, cca::sim::terrain::flat(), cca::sim::disturbance::from_seed(seed, seconds), seconds,
                         [](const cca::sim::world&, double) {});
+}
+
+// All parameters, as a file has them.
+std::string text_of(trot::trotting controller) {
+  const auto path = std::filesystem::temp_directory_path() / ("cca_trot_all_" + std::to_string(::getpid()) + ".toml");
+  controller.load();
+  controller.save(path.string());
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  file.close();
+  std::filesystem::remove(path);
+  return text;
 }
 
 }  // namespace
@@ -122,6 +141,32 @@ TEST_SUITE("trot") {
     CHECK(together[0] == alone);
     CHECK(together[1] == alone);
     CHECK(together[2] != alone);
+  }
+
+  TEST_CASE("a file that is refused leaves the controller as it was; where it stands, which key, and what was expected is told") {
+    struct bad {
+      const char *text, *words;
+    };
+    const auto path = std::filesystem::temp_directory_path() / ("cca_trot_" + std::to_string(::getpid()) + ".toml");
+    for (const bad& b : {bad{"[cpg]\nfrequncy = 2.0\n", ":2: cpg.frequncy: unknown parameter, did you mean `frequency`?"},
+                         bad{"[gait]\nduty = \"half\"\n", ":2: gait.duty: expected a number, got a string \"half\"; for example `duty = 0.5"},
+                         bad{"[cpg]\nfrequency = 3.0\n[throttle]\nspeed = 1.5\n", ":4: throttle.speed: 1.5 m/s is out of range, expected 0 to 1 m/s"},
+                         bad{nullptr, ": cannot be read: No such file or directory"}}) {
+      trot::trotting c;
+      const std::string before = text_of(c);
+      std::filesystem::remove(path);
+      if (b.text) std::ofstream(path) << b.text;
+      std::string words;
+      try {
+        c.load(path.string());
+      } catch (const cca::refused& refusal) {
+        words = refusal.what();
+      }
+      CHECK_EQ(words.substr(0, path.string().size() + std::string_view(b.words).size()), path.string() + b.words);
+      CHECK(c.state() == cca::state::created);
+      CHECK(text_of(c) == before);
+    }
+    std::filesystem::remove(path);
   }
 
   TEST_CASE("the command line says what it doesn't understand") {
