@@ -58,6 +58,25 @@ TEST_SUITE("sim world") {
     CHECK(w.trunk_position()[2] > 0.25);
   }
 
+  TEST_CASE("the toe is a spring and no motor: it bends under load, a softer one more, and is straight in the air") {
+    const auto bent = [](double stiffness, double gravity) {
+      sim::oncilla_model other = m;
+      other.toe_stiffness = stiffness;
+      other.gravity = gravity;
+      sim::world w(other, sim::terrain::flat(), crouched());
+      for (int k = 0; k < 2000; ++k) w.advance(stand());
+      double sum = 0;
+      for (const auto& l : w.reading().legs) {
+        sum += std::abs(l.toe.angle) / 4;
+        CHECK(std::abs(l.toe.torque + stiffness * l.toe.angle) < 0.02);  // but for the damping
+      }
+      return sum;
+    };
+    CHECK(bent(2, m.gravity) > 0.01);
+    CHECK(bent(2, m.gravity) > 1.5 * bent(4, m.gravity));
+    CHECK(bent(2, 0) < 0.005);
+  }
+
   TEST_CASE("torques stay within the motors whatever is commanded") {
     sim::world w(m, sim::terrain::flat(), crouched());
     for (int k = 0; k < 1500; ++k) {
