@@ -13,11 +13,13 @@
 namespace cca {
 namespace detail {
 
+// A template, so that it is compiled only where a graph is described.
+template <class String>
 class describing {
 public:
   explicit describing(const flat_view& graph) : g(graph) {}
 
-  std::string mermaid() {
+  String mermaid() {
     text = "flowchart LR\n";
     add_scope(0, 1, false);
     for (int i = 0; i < g.input_count; ++i)
@@ -27,7 +29,7 @@ public:
     return text;
   }
 
-  std::string dot() {
+  String dot() {
     text = "digraph \"" + quoted(g.scopes[0].graph->name) + "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
            "  edge [fontname=\"sans-serif\", fontsize=10];\n";
     add_scope(0, 1, true);
@@ -40,17 +42,17 @@ public:
   }
 
 private:
-  static std::string id(int leaf_index) { return "n" + std::to_string(leaf_index); }
+  static String id(int leaf_index) { return String("n") + std::to_string(leaf_index); }
   int leaf_of_output(int o) const { return g.turns[g.outputs[o].turn].leaf; }
 
   // Inner graphs are boxes around their nodes.
   void add_scope(int s, int depth, bool as_dot) {
-    const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+    const String indent(static_cast<std::size_t>(2 * depth), ' ');
     for (int l = 0; l < g.leaf_count; ++l)
       if (g.leaves[l].scope == s) text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
     for (int inner = s + 1; inner < g.scope_count; ++inner) {
       if (g.scopes[inner].parent != s) continue;
-      const std::string name(g.scopes[inner].item->from);
+      const String name(g.scopes[inner].item->from);
       text += as_dot ? indent + "subgraph cluster_" + std::to_string(inner) + " {\n" + indent + "  label=\"" + name + "\";\n"
                      : indent + "subgraph g" + std::to_string(inner) + "[\"" + name + "\"]\n";
       add_scope(inner, depth + 1, as_dot);
@@ -58,26 +60,26 @@ private:
     }
   }
 
-  std::string mermaid_node(int l) const {
+  String mermaid_node(int l) const {
     const bool resource = g.leaves[l].item->component->resource();
-    return id(l) + (resource ? "[(\"" : "[\"") + std::string(g.leaves[l].item->from) + "<br/><i>" + escaped(when(l)) + "</i>" + (resource ? "\")]\n" : "\"]\n");
+    return id(l) + (resource ? "[(\"" : "[\"") + String(g.leaves[l].item->from) + "<br/><i>" + escaped(when(l)) + "</i>" + (resource ? "\")]\n" : "\"]\n");
   }
-  std::string dot_node(int l) const {
-    return id(l) + " [label=\"" + std::string(g.leaves[l].item->from) + "\\n" + when(l) + "\"" +
+  String dot_node(int l) const {
+    return id(l) + " [label=\"" + String(g.leaves[l].item->from) + "\\n" + when(l) + "\"" +
            (g.leaves[l].item->component->resource() ? ", shape=cylinder" : "") + "];\n";
   }
 
   // When a component fires: its clock as a rate, or its strategy.
-  std::string when(int l) const {
+  String when(int l) const {
     const auto& t = g.turns[g.leaves[l].first_turn];
     if (g.hz > 0 && t.fires.known()) return hertz(g.hz / static_cast<double>(t.fires.period));
     return strategy_name(strategy_of_turn(g, t));
   }
 
-  static std::string strategy_name(const strategy_info& s) {
+  static String strategy_name(const strategy_info& s) {
     static constexpr std::string_view names[] = {"by default", "timed", "restless", "moderate", "timeout", "port_triggered",
                                                  "coordinated", "full_speed", "inactive", "any_of", "all_of", "own strategy"};
-    std::string name(names[static_cast<std::size_t>(s.kind)]);
+    String name(names[static_cast<std::size_t>(s.kind)]);
     if (is_combined(s)) {
       name += "<";
       for (int i = 0; i < s.count; ++i) name += (i ? ", " : "") + strategy_name(*s.parts[i]);
@@ -88,39 +90,39 @@ private:
     return name;
   }
 
-  std::string label(const input& in, const char* line_break) const {
+  String label(const input& in, const char* line_break) const {
     const auto& out = g.outputs[in.writer];
-    std::string from(port_of(g, out).name), to(port_of(g, in).name);
-    std::string all = from == to ? from : from + " → " + to;
+    String from(port_of(g, out).name), to(port_of(g, in).name);
+    String all = from == to ? from : from + " → " + to;
     const auto c = published(g, out);
     const std::string_view space = port_of(g, out).space->name;
-    all += line_break + (line_break[0] == '<' ? std::string(space) : quoted(space));
+    all += line_break + (line_break[0] == '<' ? String(space) : quoted(space));
     if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
-    if (in.wire->policy == policy_kind::delayed) all += std::string(line_break) + "delayed " + std::to_string(in.wire->number);
-    if (in.wire->policy == policy_kind::queue) all += std::string(line_break) + "queue " + std::to_string(in.wire->number);
+    if (in.wire->policy == policy_kind::delayed) all += String(line_break) + "delayed " + std::to_string(in.wire->number);
+    if (in.wire->policy == policy_kind::queue) all += String(line_break) + "queue " + std::to_string(in.wire->number);
     return line_break[0] == '<' ? keep_breaks(all) : all;
   }
 
-  static std::string hertz(double hz) {
+  static String hertz(double hz) {
     detail::text t;
     t << hz << " Hz";
-    return std::string(t.view());
+    return String(t.view());
   }
 
-  static std::string escaped(std::string_view plain) {
-    std::string html;
+  static String escaped(std::string_view plain) {
+    String html;
     for (const char c : plain) c == '<' ? html += "&lt;" : c == '>' ? html += "&gt;" : c == '"' ? html += "&quot;" : html += c;
     return html;
   }
   // For DOT, in quotation marks.
-  static std::string quoted(std::string_view plain) {
-    std::string text;
+  static String quoted(std::string_view plain) {
+    String text;
     for (const char c : plain) c == '"' ? text += "\\\"" : c == '\\' ? text += "\\\\" : text += c;
     return text;
   }
   // Names of spaces may hold `<`, a line break does.
-  static std::string keep_breaks(std::string_view all) {
-    std::string html;
+  static String keep_breaks(std::string_view all) {
+    String html;
     for (std::size_t at = 0;;) {
       const auto next = all.find("<br/>", at);
       html += escaped(all.substr(at, next - at));
@@ -131,7 +133,7 @@ private:
   }
 
   const flat_view& g;
-  std::string text;
+  String text;
 };
 
 }  // namespace detail
@@ -140,11 +142,11 @@ template <class Graph>
 struct describe {
   static std::string mermaid() {
     auto plan = detail::plan_of<Graph>;
-    return detail::describing(plan.view()).mermaid();
+    return detail::describing<std::string>(plan.view()).mermaid();
   }
   static std::string dot() {
     auto plan = detail::plan_of<Graph>;
-    return detail::describing(plan.view()).dot();
+    return detail::describing<std::string>(plan.view()).dot();
   }
 };
 

@@ -47,6 +47,7 @@ struct input {
   bool counts = true;               // for the time of origin
   bool is_kept = false;             // read from where it is kept beyond the beat
   bool in_beat = false;             // surely published in the beat of the reader's firing
+  bool is_last = false;             // no later function of the beat reads the local that it reads
   bool own_initial = false;         // its initial value is not that of the kept sample
   int queue = -1;                   // number of its queue
 };
@@ -79,6 +80,7 @@ struct flat_view {
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
   int turns_in_part = 0;    // graph/parts.hpp
+  bool ends_locals = false; // graph/parts.hpp
   bool may_fault = false;
   verdict found{};
 };

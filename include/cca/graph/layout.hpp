@@ -153,7 +153,7 @@ struct laying_out {
     std::uint64_t key = mixed(0, source);
     if (in.writer >= 0) {
       const auto c = published(g, g.outputs[in.writer]);
-      key = mixed(key, c.period, c.first, delay_of(in), in.is_kept | in.in_beat << 1 | in.own_initial << 2 | in.counts << 3);
+      key = mixed(key, c.period, c.first, delay_of(in), in.is_kept | in.in_beat << 1 | in.own_initial << 2 | in.counts << 3 | in.is_last << 4);
     }
     const auto space = port_of(g, in).space;
     if (shows_initial(in) && space)

@@ -102,6 +102,14 @@ struct remembering {
     return wired == 1;
   }
 
+  // Of the readers of a local sample, the last in the order of the beat.
+  constexpr void find_last(const output& out) {
+    int last = -1;
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+      if (!is_queued(g.inputs[i]) && delay_of(g.inputs[i]) == 0 && (last < 0 || g.turns[g.inputs[i].turn].rank > g.turns[g.inputs[last].turn].rank)) last = i;
+    if (last >= 0) g.inputs[last].is_last = true;
+  }
+
   // Samples that a reader with a delay may still need: it may come before or after the writer in a beat.
   constexpr int past(int delay, int reader_turn, int writer_turn) const {
     return g.turns[reader_turn].rank < g.turns[writer_turn].rank ? delay : delay + 1;
@@ -158,6 +166,7 @@ struct remembering {
       first = false;
       in.own_initial = !same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
     }
+    if (g.ends_locals && out.local && c.every_beat()) find_last(out);
   }
 
   constexpr void run() {

@@ -40,7 +40,7 @@ constexpr text as_written(std::string_view spelled) {
   return t;
 }
 
-constexpr void tell(telling& t) {
+constexpr void tell(auto& t) {
   const auto broken = t.found().broken;
   if (broken == rule::none) return;
   t.say() << rule_ids[static_cast<std::size_t>(broken)] << ": ";

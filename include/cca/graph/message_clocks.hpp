@@ -6,7 +6,7 @@
 
 namespace cca::detail {
 
-constexpr void tell_rate_missing(telling& t) {
+constexpr void tell_rate_missing(auto& t) {
   t.where << t.graph().name;
   if (t.g.hz > 0)
     t.say() << t.graph().name << " or one of its spaces states " << t.g.hz << " Hz, and a beat is at least a nanosecond long: state at most 1,000,000,000 Hz";
@@ -14,7 +14,7 @@ constexpr void tell_rate_missing(telling& t) {
     t.say() << "neither " << t.graph().name << " nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph";
 }
 
-constexpr void tell_rate_mismatch(telling& t) {
+constexpr void tell_rate_mismatch(auto& t) {
   if (t.item().kind == item_kind::rate) {
     if (t.found().scope == 0) {
       t.where << t.graph().name;
@@ -40,7 +40,7 @@ constexpr void tell_rate_mismatch(telling& t) {
   t.say() << "`, or the rate of the space, or let the space state none";
 }
 
-constexpr void tell_rate_unstated(telling& t) {
+constexpr void tell_rate_unstated(auto& t) {
   t.at_wire();
   t.two_clocks(t.g.outputs[t.found().a], t.g.inputs[t.found().b]);
   t.say() << ", and the wire does not say what happens between them: write ";
@@ -48,7 +48,7 @@ constexpr void tell_rate_unstated(telling& t) {
   t.say() << ", or cca::queue or cca::delayed instead";
 }
 
-constexpr void tell_overflow(telling& t) {
+constexpr void tell_overflow(auto& t) {
   t.at_wire();
   const auto& out = t.g.outputs[t.found().a];
   const auto& in = t.g.inputs[t.found().b];
@@ -58,7 +58,7 @@ constexpr void tell_overflow(telling& t) {
           << ", or say what is lost: cca::drop_oldest or cca::drop_newest";
 }
 
-constexpr void tell_never_fires(telling& t) {
+constexpr void tell_never_fires(auto& t) {
   t.at_node();
   t.node();
   if (t.found().b == 0)
@@ -69,7 +69,7 @@ constexpr void tell_never_fires(telling& t) {
     t.say() << " never fires: the clocks under its cca::all_of have no beat in common; change a period or a phase";
 }
 
-constexpr void tell_coordination(telling& t) {
+constexpr void tell_coordination(auto& t) {
   const auto &a = t.g.inputs[t.found().a], &b = t.g.inputs[t.found().b];
   t.at_node();
   t.node();
@@ -88,7 +88,7 @@ constexpr void tell_coordination(telling& t) {
   t.say() << ") never hold samples of one time of origin, so it would never fire: feed them from one source at one rate, with equal delays, or make it cca::moderate";
 }
 
-constexpr void tell_latency(telling& t) {
+constexpr void tell_latency(auto& t) {
   t.at_wire();
   t.say() << "a sample of `" << t.item().from << "` can be ";
   if (t.found().a < 0) t.say() << "of any age";
@@ -98,7 +98,7 @@ constexpr void tell_latency(telling& t) {
                               : "shorten a delay or a queue on the way, or run the components on it more often");
 }
 
-constexpr void tell_loop(telling& t) {
+constexpr void tell_loop(auto& t) {
   const auto loop = find_cycle(t.g);
   if (loop.length == 0) {
     for (int l = 0; l < t.g.link_count; ++l) {

@@ -6,14 +6,14 @@
 
 namespace cca::detail {
 
-constexpr void tell_unknown_item(telling& t) {
+constexpr void tell_unknown_item(auto& t) {
   t.where << t.graph().name;
   t.say() << "`" << t.item().stranger << "` in " << t.graph().name
           << " is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a component or graph; the others are cca::wire, "
              "cca::expose, cca::observe, cca::rate and cca::require<cca::latency<...>, cca::beats<N>>";
 }
 
-constexpr void tell_bad_name(telling& t) {
+constexpr void tell_bad_name(auto& t) {
   t.at_node();
   if (t.where.size == 0) t.where << t.graph().name;
   auto name = t.found().a == 2 ? t.item().to : t.item().from;
@@ -35,7 +35,7 @@ constexpr void tell_bad_name(telling& t) {
   else t.say() << " is named `" << name << "`, but names are joined by dots to paths, and `*` stands for any of them: use neither in a name";
 }
 
-constexpr void tell_no_fires(telling& t) {
+constexpr void tell_no_fires(auto& t) {
   t.at_node();
   t.node();
   t.say() << " has the strategy `" << t.item().stranger
@@ -43,7 +43,7 @@ constexpr void tell_no_fires(telling& t) {
              "fires(cca::beat, const Inputs&)`";
 }
 
-constexpr void tell_duplicate_name(telling& t) {
+constexpr void tell_duplicate_name(auto& t) {
   t.at_node();
   if (t.found().a == 1) {
     t.say() << "two outputs are exposed as `" << t.item().to << "` by " << t.graph().name << ": give one of them another name";
@@ -60,13 +60,13 @@ constexpr void tell_duplicate_name(telling& t) {
   t.say() << "), so a path to them has two meanings: give one of them another name";
 }
 
-constexpr void tell_arity(telling& t) {
+constexpr void tell_arity(auto& t) {
   t.at_node();
   t.node();
   t.say() << " " << t.item().component->wrong_arity;
 }
 
-constexpr void tell_no_process(telling& t) {
+constexpr void tell_no_process(auto& t) {
   t.at_node();
   t.node();
   if (t.found().a == 1)
@@ -92,7 +92,7 @@ constexpr std::string_view repeated_port(const component_info& c, bool outputs) 
   return {};
 }
 
-constexpr void tell_bad_signature(telling& t, bool parameter) {
+constexpr void tell_bad_signature(auto& t, bool parameter) {
   const auto& c = *t.item().component;
   t.at_node();
   t.node();
@@ -116,7 +116,7 @@ constexpr void tell_bad_signature(telling& t, bool parameter) {
   }
 }
 
-constexpr void tell_hook(telling& t) {
+constexpr void tell_hook(auto& t) {
   t.at_node();
   t.node();
   const auto hook = t.item().component->bad_hook;
@@ -124,7 +124,7 @@ constexpr void tell_hook(telling& t) {
           << "()`: make it a public function of that signature, or give it another name";
 }
 
-constexpr void tell_parameters(telling& t) {
+constexpr void tell_parameters(auto& t) {
   t.at_node();
   t.node();
   const auto& c = *t.item().component;
@@ -141,7 +141,7 @@ constexpr void tell_parameters(telling& t) {
                "vector of fixed size of these, or a struct with BOOST_HANA_DEFINE_STRUCT";
 }
 
-constexpr void tell_duplicate_axis(telling& t) {
+constexpr void tell_duplicate_axis(auto& t) {
   const auto one = [&](const auto& port) {
     t.at(port);
     const auto& space = t.space(port);
@@ -154,7 +154,7 @@ constexpr void tell_duplicate_axis(telling& t) {
   else one(t.g.inputs[t.found().a]);
 }
 
-constexpr void tell_unknown_trigger(telling& t) {
+constexpr void tell_unknown_trigger(auto& t) {
   t.at_node();
   t.node();
   t.say() << " is cca::port_triggered by `" << t.unknown_trigger << "`, but it has no such input";
@@ -172,7 +172,7 @@ constexpr void tell_unknown_trigger(telling& t) {
   else t.say() << ": it has none at all";
 }
 
-constexpr void tell_misplaced(telling& t) {
+constexpr void tell_misplaced(auto& t) {
   t.at_node();
   t.node();
   if (t.item().inner) t.say() << " is a graph, and a strategy stands on components: give it to the nodes inside";

@@ -63,7 +63,7 @@ constexpr const item_info* node_named(const graph_info& graph, std::string_view 
   return nullptr;
 }
 
-constexpr void tell_unknown_port(telling& t) {
+constexpr void tell_unknown_port(auto& t) {
   const auto& item = t.item();
   if (item.kind == item_kind::observe) {
     t.at_node();
@@ -112,7 +112,7 @@ constexpr void tell_unknown_port(telling& t) {
   if (best.size > 0) t.say() << "; did you mean `" << best.view() << "`?";
 }
 
-constexpr void tell_direction(telling& t) {
+constexpr void tell_direction(auto& t) {
   t.at_wire();
   const bool from_input = t.found().a == 0;
   t.say() << "a wire leads from an output to an input, but in ";
@@ -129,7 +129,7 @@ constexpr void tell_direction(telling& t) {
   }
 }
 
-constexpr void tell_two_writers(telling& t) {
+constexpr void tell_two_writers(auto& t) {
   const auto& in = t.g.inputs[t.found().a];
   t.at(in);
   t.port(in);
@@ -145,7 +145,7 @@ constexpr void tell_two_writers(telling& t) {
           << t.space(in).name << ", cca::by_priority<`first`, `second`>>, and wire each to an input of it";
 }
 
-constexpr void tell_bad_option(telling& t) {
+constexpr void tell_bad_option(auto& t) {
   t.at_wire();
   t.say() << "the wire ";
   t.wire();
@@ -163,7 +163,7 @@ constexpr void tell_bad_option(telling& t) {
                "and a cca::initial<...>";
 }
 
-constexpr void tell_bad_initial(telling& t) {
+constexpr void tell_bad_initial(auto& t) {
   t.at_wire();
   const auto& in = t.g.inputs[t.found().a];
   t.say() << "cca::initial of the wire ";
@@ -188,7 +188,7 @@ constexpr bool same_axes_in_another_order(const space_info& a, const space_info&
   return all;
 }
 
-constexpr void tell_mismatch(telling& t) {
+constexpr void tell_mismatch(auto& t) {
   const auto& from = t.g.outputs[t.found().a];
   const auto& to = t.g.inputs[t.found().b];
   const auto &a = t.space(from), &b = t.space(to);
@@ -212,7 +212,7 @@ constexpr void tell_mismatch(telling& t) {
 }
 
 // An input of an inner graph is wired where it is shown.
-constexpr void tell_unconnected(telling& t) {
+constexpr void tell_unconnected(auto& t) {
   const auto& in = t.g.inputs[t.found().a];
   t.at(in);
   t.port(in);
@@ -235,7 +235,7 @@ constexpr void tell_unconnected(telling& t) {
   t.say() << " to `" << shown.view() << "`, or expose it, or make it a cca::optional_in";
 }
 
-constexpr void tell_missing_limits(telling& t) {
+constexpr void tell_missing_limits(auto& t) {
   const auto& in = t.g.inputs[t.found().a];
   const auto& space = t.space(in);
   t.at(in);
@@ -246,7 +246,7 @@ constexpr void tell_missing_limits(telling& t) {
           << "{lower, upper}};` to it";
 }
 
-constexpr void tell_initial_beyond_limits(telling& t) {
+constexpr void tell_initial_beyond_limits(auto& t) {
   const auto& in = t.g.inputs[t.found().a];
   t.at_wire();
   t.port(in);
@@ -260,7 +260,7 @@ constexpr void tell_initial_beyond_limits(telling& t) {
   t.say() << ": give the wire a cca::initial<...> within them";
 }
 
-constexpr void tell_unlimited(telling& t) {
+constexpr void tell_unlimited(auto& t) {
   if (t.found().c >= 0) return tell_initial_beyond_limits(t);
   const auto& from = t.g.outputs[t.found().a];
   const auto& to = t.g.inputs[t.found().b];

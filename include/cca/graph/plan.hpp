@@ -76,6 +76,7 @@ inline constexpr flat_of<Graph> clocked_of = then<Graph>(ordered_of<Graph>, [](f
 template <class Graph>
 inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
   g.turns_in_part = turns_in_part<Graph>;
+  g.ends_locals = simplified_once<Graph>;
   remembering memory{g};
   memory.run();
   coordinating origins{memory.g};

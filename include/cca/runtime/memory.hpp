@@ -42,6 +42,12 @@ struct coordinates {
   std::int64_t origin;
 };
 
+// One that is surely written before it is read. To make it anew is to say that nobody reads what was there.
+template <int Size>
+struct sure_sample : coordinates<Size> {
+  sure_sample() noexcept {}
+};
+
 struct stamp { std::int64_t when = -1; };
 
 // The newest sample of an output, where a later beat may read it; its origin is `never` until there is one.
@@ -74,6 +80,8 @@ struct possible_sample : coordinates<Size> {
 
 template <storage_kind Kind, int Size, int Depth>
 struct stored { using type = coordinates<Size>; };
+template <int Size, int Depth>
+struct stored<storage_kind::local, Size, Depth> { using type = sure_sample<Size>; };
 template <int Size, int Depth>
 struct stored<storage_kind::local_if_published, Size, Depth> { using type = possible_sample<Size>; };
 template <int Size, int Depth>
