@@ -99,14 +99,20 @@ CCA_GLUE void take_parts(memory<Graph>& m, course& c, std::int64_t k, std::integ
 
 template <class Graph>
 struct is_first_alike { static constexpr bool holds(std::size_t t) { return layout_of<Graph>.like[t] == static_cast<int>(t); } };
+template <class Graph>
+inline constexpr auto& kinds_of = chosen_numbers<counts_of<Graph>.turn_count, is_first_alike<Graph>>;
 
 // Clang inlines in the order in which functions are first named: named here, before the beat that calls them, all that a function
-// consists of is one piece when it is inlined wherever it is alike.
-template <class Graph, class Turns = chosen<counts_of<Graph>.turn_count, is_first_alike<Graph>>>
+// consists of is one piece when it is inlined wherever it is alike. In parts, since clang folds at most 256.
+template <class Graph, int First = 0, class Numbers = std::make_integer_sequence<int, std::min(128, kinds_of<Graph>.second - First)>>
 struct in_advance;
-template <class Graph, int... Turn>
-struct in_advance<Graph, std::integer_sequence<int, Turn...>> {
-  static void name() { ((void)&function_like<Graph, Turn>::take_turn, ...); }
+template <class Graph, int First, int... Kind>
+struct in_advance<Graph, First, std::integer_sequence<int, Kind...>> {
+  static void name() {
+    ((void)&function_like<Graph, kinds_of<Graph>.first[First + Kind]>::take_turn, ...);
+    constexpr int next = First + static_cast<int>(sizeof...(Kind));
+    if constexpr (next < kinds_of<Graph>.second) (void)&in_advance<Graph, next>::name;
+  }
 };
 
 template <class Graph>
