@@ -90,7 +90,7 @@ struct clocking {
   }
 
   constexpr clock of_strategy(const turn& t) const {
-    const auto& strategy = *t.strategy;
+    const auto strategy = strategy_of_turn(g, t);
     switch (strategy.kind) {
       case strategy_kind::restless:
       case strategy_kind::port_triggered: return of_any(t, strategy);
@@ -121,7 +121,7 @@ struct clocking {
 
   constexpr void check_strategy(int turn_index) {
     const auto& t = g.turns[turn_index];
-    const auto& strategy = *t.strategy;
+    const auto strategy = strategy_of_turn(g, t);
     if (counts_no_beats(strategy)) return refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 2);
     if (waits_in_vain(t, strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
     if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);
@@ -151,7 +151,7 @@ struct clocking {
   }
 
   constexpr void run() {
-    for (int t = 0; t < g.turn_count; ++t) g.turns[t].fires = pure_clock(*g.turns[t].strategy);
+    for (int t = 0; t < g.turn_count; ++t) g.turns[t].fires = pure_clock(strategy_of_turn(g, g.turns[t]));
     for (int r = 0; r < g.turn_count; ++r) {
       auto& t = g.turns[g.order[r]];
       if (t.fires.dynamic()) t.fires = of_strategy(t);

@@ -103,7 +103,7 @@ struct coordinating {
 
   constexpr void run() {
     for (int t = 0; t < g.turn_count; ++t)
-      if (g.turns[t].strategy->kind == strategy_kind::coordinated) check(t);
+      if (strategy_of_turn(g, g.turns[t]).kind == strategy_kind::coordinated) check(t);
   }
 };
 

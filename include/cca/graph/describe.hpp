@@ -73,7 +73,7 @@ private:
   String when(int l) const {
     const auto& t = g.turns[g.leaves[l].first_turn];
     if (g.hz > 0 && t.fires.known()) return hertz(g.hz / static_cast<double>(t.fires.period));
-    return strategy_name(*t.strategy);
+    return strategy_name(strategy_of_turn(g, t));
   }
 
   static String strategy_name(const strategy_info& s) {

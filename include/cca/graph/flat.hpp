@@ -32,7 +32,6 @@ struct turn {
   int leaf = 0;
   phase_of_beat phase = phase_of_beat::process;
   const half_info* half = nullptr;
-  const strategy_info* strategy = nullptr;  // the default filled in
   int first_input = 0, first_output = 0;
   int rank = 0;        // place in the order of a beat
   clock fires{};
@@ -113,6 +112,14 @@ struct flat {
 constexpr const port_info& port_of(const flat_view& g, const input& i) { return g.turns[i.turn].half->inputs[i.port]; }
 constexpr const port_info& port_of(const flat_view& g, const output& o) { return g.turns[o.turn].half->outputs[o.port]; }
 constexpr const item_info& node_of(const flat_view& g, const turn& t) { return *g.leaves[t.leaf].item; }
+
+// The strategy of a component, the default filled in.
+constexpr strategy_info strategy_of_turn(const flat_view& g, const turn& t) {
+  const auto& item = node_of(g, t);
+  if (item.strategy->kind != strategy_kind::by_default) return *item.strategy;
+  if (item.component->resource() || t.half->input_count == 0) return {strategy_kind::timed, 1};
+  return {strategy_kind::restless};
+}
 
 constexpr int delay_of(const input& i) { return i.wire && i.wire->policy == policy_kind::delayed ? i.wire->number : 0; }
 

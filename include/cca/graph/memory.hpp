@@ -95,7 +95,7 @@ struct remembering {
   // It fires only when this input has just arrived: the only one, and no sample waits.
   constexpr bool fires_with(const input& i) const {
     const auto& t = g.turns[i.turn];
-    const auto kind = t.strategy->kind;
+    const auto kind = strategy_of_turn(g, t).kind;
     if (kind != strategy_kind::restless && kind != strategy_kind::moderate && kind != strategy_kind::port_triggered) return false;
     int wired = 0;
     for (int other = t.first_input; other < t.first_input + t.half->input_count; ++other) wired += g.inputs[other].wired;
@@ -171,7 +171,7 @@ struct remembering {
 
   constexpr void run() {
     find_loops();
-    for (int t = 0; t < g.turn_count; ++t) g.turns[t].stored_seen = uses_coordination(*g.turns[t].strategy);
+    for (int t = 0; t < g.turn_count; ++t) g.turns[t].stored_seen = uses_coordination(strategy_of_turn(g, g.turns[t]));
     for (int o = 0; o < g.output_count; ++o) place(o);
   }
 };
