@@ -1,5 +1,4 @@
 // A graph in which no two components are alike, of more kinds than clang folds at once.
-#include <cstddef>
 #include <utility>
 
 #include <cca/cca.hpp>
