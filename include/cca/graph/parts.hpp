@@ -22,7 +22,7 @@ inline constexpr int turns_in_part = graph_facts<Graph>::value.sizes.turns <= mo
 // A local then ends with the function that reads it last: to see for itself that a store is dead, g++ would look through all
 // that follows it, and give up after 256 questions.
 template <class Graph>
-inline constexpr bool simplified_once = graph_facts<Graph>::value.sizes.turns > 64 && !in_pieces;
+inline constexpr bool simplified_once = graph_facts<Graph>::value.sizes.turns > 64 && !inlines_through;
 
 constexpr bool in_one_part(const flat_view& g, int turn, int other) {
   return g.turns[turn].rank / g.turns_in_part == g.turns[other].rank / g.turns_in_part;

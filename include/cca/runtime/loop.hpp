@@ -23,8 +23,8 @@ CCA_GLUE void end(locals<Graph>&) {}
 template <int Size>
 CCA_GLUE void end(sure_sample<Size>& sample) { ::new (static_cast<void*>(&sample)) sure_sample<Size>; }
 
-// A function of the beat for all that are alike: one piece before it is inlined wherever it is alike. Where its locals lie is
-// found first: afterwards g++ would no longer see that they lie where the function read them.
+// A function of a long beat on g++, for all that are alike: put together once, then inlined wherever it is alike. Where its
+// locals lie is found first: afterwards g++ would no longer see that they lie where the function read them.
 template <class Graph, int Turn, class LikeInputs = inputs_like<Graph, Turn>, class Positions = input_positions<Graph, Turn>>
 struct in_one;
 template <class Graph, int Turn, int... Input, int... Position>
@@ -43,47 +43,38 @@ private:
 
 // The function whose turn comes at this rank, and where it reads and writes.
 template <class Graph, int Like>
-using one_function = std::conditional_t<in_pieces || simplified_once<Graph>, in_one<Graph, Like>, function_like<Graph, Like>>;
+using one_function = std::conditional_t<simplified_once<Graph>, in_one<Graph, Like>, function_like<Graph, Like>>;
 template <class Graph, int Rank>
 using function_at = one_function<Graph, layout_of<Graph>.like[plan_of<Graph>.order[Rank]]>;
 template <class Graph, int Rank>
 inline constexpr const turn_place& place_at = layout_of<Graph>.turns[plan_of<Graph>.order[Rank]];
 
+// Clang learns which function it is only while it inlines: by then it has simplified it, once for all that are alike.
+template <class Graph>
+inline void through(void (*take_turn)(memory<Graph>&, locals<Graph>&, course&, std::int64_t, const turn_place&), memory<Graph>& m, locals<Graph>& l, course& c,
+                    std::int64_t k, const turn_place& of) {
+  take_turn(m, l, c, k, of);
+}
+
 // The functions from rank `First` on, until one faults. Where a beat can end early it is one chain, so that g++ sees that no
 // later turn reads what an earlier one did not write.
 template <class Graph, int First, int... Rank>
 CCA_GLUE void take_turns(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Rank...>) {
-  if constexpr (counts_of<Graph>.may_fault) (void)((function_at<Graph, First + Rank>::take_turn(m, l, c, k, place_at<Graph, First + Rank>), !c.fault) && ...);
-  else (function_at<Graph, First + Rank>::take_turn(m, l, c, k, place_at<Graph, First + Rank>), ...);
-}
-
-template <class Graph, int First, int Count>
-CCA_PIECE void take_piece(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
-  if constexpr (Count == 1) function_at<Graph, First>::take_turn(m, l, c, k, place_at<Graph, First>);
-  else take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
-}
-
-// Nothing is asked in between where nothing can fault: clang would see too late that the answer is known. Where it is asked, clang
-// is told that the beat goes on: what it takes for seldom it does not inline.
-template <class Graph, int First, int Count, int Size, int... Piece>
-CCA_GLUE void take_pieces(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Piece...>) {
-  if constexpr (counts_of<Graph>.may_fault)
-    (void)((take_piece<Graph, First + Piece * Size, std::min(Size, Count - Piece * Size)>(m, l, c, k), __builtin_expect(!c.fault, true)) && ...);
+  if constexpr (inlines_through && counts_of<Graph>.may_fault)
+    (void)((through<Graph>(function_at<Graph, First + Rank>::take_turn, m, l, c, k, place_at<Graph, First + Rank>), !c.fault) && ...);
+  else if constexpr (inlines_through)
+    (through<Graph>(function_at<Graph, First + Rank>::take_turn, m, l, c, k, place_at<Graph, First + Rank>), ...);
+  else if constexpr (counts_of<Graph>.may_fault)
+    (void)((function_at<Graph, First + Rank>::take_turn(m, l, c, k, place_at<Graph, First + Rank>), !c.fault) && ...);
   else
-    (take_piece<Graph, First + Piece * Size, std::min(Size, Count - Piece * Size)>(m, l, c, k), ...);
+    (function_at<Graph, First + Rank>::take_turn(m, l, c, k, place_at<Graph, First + Rank>), ...);
 }
 
 template <class Graph, int First, int Count>
 struct part_of_beat {
-  // Each turn is a piece; in a long beat eight are, since each piece costs the compiler's front end something.
-  static constexpr int piece = turns_in_part<Graph> == most_in_one ? 1 : 8;
-
   CCA_GLUE static void take(memory<Graph>& m, course& c, std::int64_t k) {
     [[maybe_unused]] locals<Graph> l;
-    if constexpr (in_pieces)
-      take_pieces<Graph, First, Count, piece>(m, l, c, k, std::make_integer_sequence<int, (Count + piece - 1) / piece>{});
-    else
-      take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
+    take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
   }
   // A function of its own, where there are too many for one.
   [[gnu::noinline, gnu::flatten]] static void take_apart(memory<Graph>& m, course& c, std::int64_t k) { take(m, c, k); }
@@ -98,26 +89,7 @@ CCA_GLUE void take_parts(memory<Graph>& m, course& c, std::int64_t k, std::integ
 }
 
 template <class Graph>
-struct is_first_alike { static constexpr bool holds(std::size_t t) { return layout_of<Graph>.like[t] == static_cast<int>(t); } };
-template <class Graph>
-inline constexpr auto& kinds_of = chosen_numbers<counts_of<Graph>.turn_count, is_first_alike<Graph>>;
-
-// Clang inlines in the order in which functions are first named: named here, before the beat that calls them, all that a function
-// consists of is one piece when it is inlined wherever it is alike. In parts, since clang folds at most 256.
-template <class Graph, int First = 0, class Numbers = std::make_integer_sequence<int, std::min(128, kinds_of<Graph>.second - First)>>
-struct in_advance;
-template <class Graph, int First, int... Kind>
-struct in_advance<Graph, First, std::integer_sequence<int, Kind...>> {
-  static void name() {
-    ((void)&function_like<Graph, kinds_of<Graph>.first[First + Kind]>::take_turn, ...);
-    constexpr int next = First + static_cast<int>(sizeof...(Kind));
-    if constexpr (next < kinds_of<Graph>.second) (void)&in_advance<Graph, next>::name;
-  }
-};
-
-template <class Graph>
 CCA_GLUE void take_beat(memory<Graph>& m, course& c, std::int64_t k) {
-  if constexpr (in_pieces) (void)&in_advance<Graph>::name;
   constexpr int parts = (counts_of<Graph>.turn_count + turns_in_part<Graph> - 1) / turns_in_part<Graph>;
   if constexpr (parts <= 1) part_from<Graph, 0>::take(m, c, k);
   else take_parts(m, c, k, std::make_integer_sequence<int, parts>{});
