@@ -12,6 +12,8 @@ namespace cca::detail {
 struct flattening {
   flat_view g;
   name_table names;
+  std::uint64_t last_sound = 0;  // type of the last component without fault: others of it need no second look
+  bool is_sound = false;         // the component at hand is of it
 
   constexpr void refuse(rule broken, const item_info* item, int scope, int a = -1, int b = -1) {
     if (g.found.broken == rule::none) g.found = {broken, a, b, -1, item, scope};
@@ -21,31 +23,39 @@ struct flattening {
     auto& t = g.turns[turn_index];
     t.first_input = g.input_count;
     t.first_output = g.output_count;
-    const auto base = hash(".", node_hash);
+    const auto base = after_dot(node_hash);
     for (int p = 0; p < half.input_count; ++p) {
       const auto& port = half.inputs[p];
-      const auto key = hash(port.name, base) ^ as_input;
-      if (find(names.entries, names.mask, key) >= 0) refuse(rule::component_bad_parameter, &item, in_scope, p, 1);
-      if (port.space && !is_name(port.name)) refuse(rule::node_bad_name, &item, in_scope, 1);
-      if (port.space) names.insert(key, g.input_count);
-      if (port.space && port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, g.input_count, 0);
+      if (!is_sound) check_port(port, item, in_scope, 0);
+      if (port.space && !names.add(hash(port.name, base) ^ as_input, g.input_count)) refuse(rule::component_bad_parameter, &item, in_scope, p, 1);
       g.inputs[g.input_count++] = {.turn = turn_index, .port = p};
     }
     for (int p = 0; p < half.output_count; ++p) {
       const auto& port = half.outputs[p];
-      if (!is_name(port.name)) refuse(rule::node_bad_name, &item, in_scope, 1);
-      const auto key = hash(port.name, base) ^ as_output;
-      if (find(names.entries, names.mask, key) >= 0) refuse(rule::component_bad_result, &item, in_scope, p, 1);
-      names.insert(key, g.output_count);
-      if (port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, g.output_count, 1);
+      if (!is_sound) check_port(port, item, in_scope, 1);
+      if (!names.add(hash(port.name, base) ^ as_output, g.output_count)) refuse(rule::component_bad_result, &item, in_scope, p, 1);
       g.outputs[g.output_count++] = {.turn = turn_index, .port = p};
     }
+  }
+
+  constexpr void check_port(const port_info& port, const item_info& item, int in_scope, int is_output) {
+    if (!port.space) return;
+    if (!is_name(port.name)) refuse(rule::node_bad_name, &item, in_scope, 1);
+    if (port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, is_output ? g.output_count : g.input_count, is_output);
+  }
+
+  constexpr void add_half(const half_info& half, phase_of_beat phase, leaf& l, int leaf_index, const item_info& item, std::uint64_t node_hash) {
+    if (!is_sound) check_half(half, item, l.scope);
+    g.may_fault |= half.may_fault;
+    const int turn_index = g.turn_count++;
+    g.turns[turn_index] = {.leaf = leaf_index, .phase = phase, .half = &half};
+    ++l.turn_count;
+    add_ports(half, turn_index, item, l.scope, node_hash);
   }
 
   constexpr void check_half(const half_info& half, const item_info& item, int in_scope) {
     if (!half.bad_parameter.empty()) refuse(rule::component_bad_parameter, &item, in_scope);
     if (!half.bad_result.empty()) refuse(rule::component_bad_result, &item, in_scope);
-    g.may_fault |= half.may_fault;
   }
 
   constexpr bool has_input(const item_info& item, std::string_view name) const {
@@ -67,40 +77,39 @@ struct flattening {
   }
   std::string_view unknown_trigger{};
 
+  constexpr void check_kind(const component_info& component, const item_info& item, int in_scope) {
+    if (!component.wrong_arity.empty()) refuse(rule::skeleton_arity, &item, in_scope);
+    if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope, 0);
+    if (component.also_sense || component.also_act) refuse(rule::component_no_process, &item, in_scope, 1);
+    if (component.is_const) refuse(rule::component_no_process, &item, in_scope, 2);
+  }
+
   constexpr void add_leaf(const item_info& item, int in_scope, std::uint64_t node_hash) {
     const auto& component = *item.component;
     const int leaf_index = g.leaf_count++;
     auto& l = g.leaves[leaf_index];
     l = {.item = &item, .scope = in_scope, .first_turn = g.turn_count};
-    if (!component.wrong_arity.empty()) refuse(rule::skeleton_arity, &item, in_scope);
-    if (!component.process && !component.resource()) refuse(rule::component_no_process, &item, in_scope, 0);
-    if (component.also_sense || component.also_act) refuse(rule::component_no_process, &item, in_scope, 1);
-    if (component.is_const) refuse(rule::component_no_process, &item, in_scope, 2);
-    for (const auto& [half, phase] : {std::pair{component.sense, phase_of_beat::sense}, std::pair{component.process, phase_of_beat::process},
-                                     std::pair{component.act, phase_of_beat::act}}) {
-      if (!half) continue;
-      check_half(*half, item, in_scope);
-      const int turn_index = g.turn_count++;
-      g.turns[turn_index] = {.leaf = leaf_index, .phase = phase, .half = half};
-      ++l.turn_count;
-      add_ports(*half, turn_index, item, in_scope, node_hash);
-    }
-    if (!component.bad_hook.empty()) refuse(rule::component_hook_signature, &item, in_scope);
-    if (!component.bad_field.empty() || component.forgot_parameters) refuse(rule::parameters_unsupported_type, &item, in_scope);
+    is_sound = component.key == last_sound;
+    if (!is_sound) check_kind(component, item, in_scope);
+    if (component.sense) add_half(*component.sense, phase_of_beat::sense, l, leaf_index, item, node_hash);
+    if (component.process) add_half(*component.process, phase_of_beat::process, l, leaf_index, item, node_hash);
+    if (component.act) add_half(*component.act, phase_of_beat::act, l, leaf_index, item, node_hash);
+    if (!is_sound && !component.bad_hook.empty()) refuse(rule::component_hook_signature, &item, in_scope);
+    if (!is_sound && (!component.bad_field.empty() || component.forgot_parameters)) refuse(rule::parameters_unsupported_type, &item, in_scope);
+    if (g.found.broken == rule::none) last_sound = component.key;
+    const auto kind = item.strategy->kind;
+    if (kind == strategy_kind::by_default) return;
     if (!item.stranger.empty()) refuse(rule::strategy_no_fires, &item, in_scope);
     check_strategy(*item.strategy, item, in_scope);
-    if (component.resource()) {
-      const auto kind = item.strategy->kind;
-      if (kind != strategy_kind::by_default && kind != strategy_kind::timed && kind != strategy_kind::full_speed && kind != strategy_kind::inactive)
-        refuse(rule::strategy_misplaced, &item, in_scope);
-    }
+    if (component.resource() && kind != strategy_kind::timed && kind != strategy_kind::full_speed && kind != strategy_kind::inactive)
+      refuse(rule::strategy_misplaced, &item, in_scope);
   }
 
   // What a graph exposes is found under the graph's own name.
   constexpr void add_expose(const item_info& item, int in_scope) {
     const auto& from = g.scopes[in_scope];
-    const auto inner = from.parent < 0 ? hash(item.from) : hash(item.from, hash(".", from.hash));
-    const auto outer = from.parent < 0 ? hash(item.to, hash(".outside.")) : hash(item.to, hash(".", from.hash));
+    const auto inner = from.parent < 0 ? hash(item.from) : hash(item.from, after_dot(from.hash));
+    const auto outer = from.parent < 0 ? hash(item.to, hash(".outside.")) : hash(item.to, after_dot(from.hash));
     bool found = false;
     if (!is_name(item.to)) refuse(rule::node_bad_name, &item, in_scope, 2);
     if (names_port(item.from)) {
@@ -129,8 +138,7 @@ struct flattening {
       if (part.kind != item_kind::node && part.kind != item_kind::graph) continue;
       if (!is_name(part.from)) refuse(rule::node_bad_name, &part, index, 0);
       const auto node_hash = path_hash(g.scopes[index], part.from, part.from_hash);
-      if (find(names.entries, names.mask, node_hash ^ as_node) >= 0) refuse(rule::node_duplicate_name, &part, index, 0);
-      names.insert(node_hash ^ as_node, 0);
+      if (!names.add(node_hash ^ as_node, 0)) refuse(rule::node_duplicate_name, &part, index, 0);
       if (part.kind == item_kind::node) {
         add_leaf(part, index, node_hash);
       } else {

@@ -20,6 +20,14 @@ struct name_table {
     while (entries[at].index >= 0) at = (at + 1) & mask;
     entries[at] = {key, index};
   }
+  // False, and nothing is done, where there is one of this key.
+  constexpr bool add(std::uint64_t key, int index) {
+    auto at = key & mask;
+    for (; entries[at].index >= 0; at = (at + 1) & mask)
+      if (entries[at].hash == key) return false;
+    entries[at] = {key, index};
+    return true;
+  }
 };
 
 // Walks over all entries of one key.
@@ -52,7 +60,7 @@ constexpr std::uint64_t table_size(int entries) {
 
 // The hash of `name`, a path from the scope, as a path from the outermost graph.
 constexpr std::uint64_t path_hash(const scope& from, std::string_view name, std::uint64_t in_outermost) {
-  return from.parent < 0 ? in_outermost : hash(name, hash(".", from.hash));
+  return from.parent < 0 ? in_outermost : hash(name, after_dot(from.hash));
 }
 
 // Names are joined by dots to paths, and `*` stands for any of them.

@@ -31,18 +31,21 @@ struct wiring {
     if (item->policy == policy_kind::queue && item->full == full_kind::reject) g.may_fault = true;
   }
 
+  // In a graph without inner ones no other path has an entry.
+  constexpr bool is_port(std::string_view path) const { return g.scope_count == 1 || names_port(path); }
+
   constexpr void add_wire(const item_info& item, int in_scope) {
     if (!item.stranger.empty() || item.repeats_option) refuse(rule::wire_bad_option, &item, in_scope);
     const auto& from = g.scopes[in_scope];
     const auto a = path_hash(from, item.from, item.from_hash), b = path_hash(from, item.to, item.to_hash);
-    const int writer = names_port(item.from) ? find(names, mask, a ^ as_output) : -1;
+    const int writer = is_port(item.from) ? find(names, mask, a ^ as_output) : -1;
     if (writer < 0) {
-      const bool is_input = names_port(item.from) && find(names, mask, a ^ as_input) >= 0;
-      const bool reversed = is_input && names_port(item.to) && find(names, mask, b ^ as_output) >= 0;
+      const bool is_input = is_port(item.from) && find(names, mask, a ^ as_input) >= 0;
+      const bool reversed = is_input && is_port(item.to) && find(names, mask, b ^ as_output) >= 0;
       return refuse(is_input ? rule::wire_direction : rule::wire_unknown_port, &item, in_scope, 0, reversed);
     }
     bool found = false;
-    if (names_port(item.to)) {
+    if (is_port(item.to)) {
       name_search readers(names, mask, b ^ as_input);
       for (int i = readers.next(); i >= 0; i = readers.next()) {
         found = true;
@@ -50,7 +53,7 @@ struct wiring {
       }
     }
     if (!found) {
-      const bool is_output = names_port(item.to) && find(names, mask, b ^ as_output) >= 0;
+      const bool is_output = is_port(item.to) && find(names, mask, b ^ as_output) >= 0;
       refuse(is_output ? rule::wire_direction : rule::wire_unknown_port, &item, in_scope, 1);
     }
   }

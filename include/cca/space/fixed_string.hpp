@@ -26,6 +26,7 @@ constexpr std::uint64_t hash(std::string_view text, std::uint64_t seed = 1469598
   for (const char c : text) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211ull;
   return seed;
 }
+constexpr std::uint64_t after_dot(std::uint64_t seed) { return (seed ^ static_cast<unsigned char>('.')) * 1099511628211ull; }
 
 }  // namespace detail
 }  // namespace cca
