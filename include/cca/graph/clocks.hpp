@@ -90,7 +90,7 @@ struct clocking {
   }
 
   constexpr clock of_strategy(const turn& t) const {
-    const auto strategy = strategy_of_turn(g, t);
+    const auto& strategy = strategy_of_turn(g, t);
     switch (strategy.kind) {
       case strategy_kind::restless:
       case strategy_kind::port_triggered: return of_any(t, strategy);
@@ -121,7 +121,7 @@ struct clocking {
 
   constexpr void check_strategy(int turn_index) {
     const auto& t = g.turns[turn_index];
-    const auto strategy = strategy_of_turn(g, t);
+    const auto& strategy = strategy_of_turn(g, t);
     if (counts_no_beats(strategy)) return refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 2);
     if (waits_in_vain(t, strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
     if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);

@@ -114,11 +114,11 @@ constexpr const port_info& port_of(const flat_view& g, const output& o) { return
 constexpr const item_info& node_of(const flat_view& g, const turn& t) { return *g.leaves[t.leaf].item; }
 
 // The strategy of a component, the default filled in.
-constexpr strategy_info strategy_of_turn(const flat_view& g, const turn& t) {
+inline constexpr strategy_info each_beat{strategy_kind::timed, 1}, each_sample{strategy_kind::restless};
+constexpr const strategy_info& strategy_of_turn(const flat_view& g, const turn& t) {
   const auto& item = node_of(g, t);
   if (item.strategy->kind != strategy_kind::by_default) return *item.strategy;
-  if (item.component->resource() || t.half->input_count == 0) return {strategy_kind::timed, 1};
-  return {strategy_kind::restless};
+  return item.component->resource() || t.half->input_count == 0 ? each_beat : each_sample;
 }
 
 constexpr int delay_of(const input& i) { return i.wire && i.wire->policy == policy_kind::delayed ? i.wire->number : 0; }
