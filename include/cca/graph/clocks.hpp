@@ -46,7 +46,7 @@ struct clocking {
 
   constexpr clock arrivals(const input& i) const {
     if (i.writer < 0) return port_of(g, i).space ? never_clock : dynamic_clock;
-    return shifted(published(g, g.outputs[i.writer]), delay_of(i));
+    return shifted(published(g, g.outputs[i.writer]), i.delay);
   }
 
   // Fires when any of the inputs is fresh; an input's samples wait, so it suffices to look at arrivals.

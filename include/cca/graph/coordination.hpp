@@ -39,7 +39,7 @@ struct coordinating {
       if (!c.known()) continue;
       common = common / gcd(common, c.period) * c.period;
       first = c.first > first ? c.first : first;
-      for (int i = g.turns[t].first_input; i < g.turns[t].first_input + g.turns[t].half->input_count; ++i) first += delay_of(g.inputs[i]);
+      for (int i = g.turns[t].first_input; i < g.turns[t].first_input + g.turns[t].half->input_count; ++i) first += g.inputs[i].delay;
       if (common > 10'000) return 0;
     }
     const auto beats = first + 2 * common + 64;
@@ -60,7 +60,7 @@ struct coordinating {
       if (marked[g.outputs[o].turn] == 1) column[o] = columns++;
     scratch origins(columns * beats, -1);
     const auto seen = [&](const input& in, int k) {
-      const int from = k - delay_of(in);
+      const int from = k - in.delay;
       return in.writer < 0 || from < 0 ? -1 : origins[column[in.writer] * beats + from];
     };
     for (int k = 0; k < beats; ++k) {

@@ -17,7 +17,7 @@ struct wire_cycle {
 constexpr int waiting_input(const flat_view& g, int turn_index) {
   const auto& t = g.turns[turn_index];
   for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
-    if (g.inputs[i].writer >= 0 && delay_of(g.inputs[i]) == 0 && g.turns[g.outputs[g.inputs[i].writer].turn].rank < 0) return i;
+    if (g.inputs[i].writer >= 0 && g.inputs[i].delay == 0 && g.turns[g.outputs[g.inputs[i].writer].turn].rank < 0) return i;
   return -1;
 }
 
@@ -25,7 +25,7 @@ constexpr wire_cycle find_cycle(const flat_view& g) {
   wire_cycle found;
   for (int i = 0; i < g.input_count; ++i) {
     const auto& in = g.inputs[i];
-    if (in.writer < 0 || delay_of(in) > 0 || g.turns[in.turn].rank >= 0) continue;
+    if (in.writer < 0 || in.delay > 0 || g.turns[in.turn].rank >= 0) continue;
     if (g.turns[g.outputs[in.writer].turn].phase > g.turns[in.turn].phase) {
       found.inputs[0] = i;
       found.length = 1;

@@ -24,8 +24,8 @@ public:
     add_scope(0, 1, false);
     for (int i = 0; i < g.input_count; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
-        text += "  " + id(leaf_of_output(in.writer)) + (delay_of(in) > 0 ? " -. \"" : " -- \"") + label(in, "<br/>") +
-                (delay_of(in) > 0 ? "\" .-> " : "\" --> ") + id(g.turns[in.turn].leaf) + "\n";
+        text += "  " + id(leaf_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") + label(in, "<br/>") +
+                (in.delay > 0 ? "\" .-> " : "\" --> ") + id(g.turns[in.turn].leaf) + "\n";
     return text;
   }
 
@@ -36,7 +36,7 @@ public:
     for (int i = 0; i < g.input_count; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
         text += "  " + id(leaf_of_output(in.writer)) + " -> " + id(g.turns[in.turn].leaf) + " [label=\"" + label(in, "\\n") + "\"" +
-                (delay_of(in) > 0 ? ", style=dashed" : "") + "];\n";
+                (in.delay > 0 ? ", style=dashed" : "") + "];\n";
     text += "}\n";
     return text;
   }

@@ -42,6 +42,7 @@ struct input {
   int turn = 0, port = 0;
   int writer = -1;                  // an output, or -1
   ref<item_info> wire = nullptr;
+  int delay = 0;                    // of its wire, in beats
   int next_of_writer = -1;          // the next input of the same output
   bool wired = false;               // by a wire or shown outside
   bool counts = true;               // for the time of origin
@@ -121,14 +122,15 @@ constexpr const strategy_info& strategy_of_turn(const flat_view& g, const turn& 
   return item.component->resource() || t.half->input_count == 0 ? each_beat : each_sample;
 }
 
-constexpr int delay_of(const input& i) { return i.wire && i.wire->policy == policy_kind::delayed ? i.wire->number : 0; }
-
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }
 
 // When samples of an output are published, as far as it is known.
 constexpr clock published(const port_info& port, const turn& t) {
   return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;
 }
-constexpr clock published(const flat_view& g, const output& o) { return published(port_of(g, o), g.turns[o.turn]); }
+constexpr clock published(const flat_view& g, const output& o) {
+  const auto& t = g.turns[o.turn];
+  return t.half->outputs[o.port].maybe ? published(t.half->outputs[o.port], t) : t.fires;
+}
 
 }  // namespace cca::detail

@@ -21,7 +21,7 @@ struct ageing {
 
   // The newest beat, up to k, in which the writer of an input published what the input shows in beat k.
   constexpr std::int64_t published_by(const input& in, std::int64_t k, clock writer, clock reader) const {
-    const auto newest = k - delay_of(in);
+    const auto newest = k - in.delay;
     auto tick = newest - ((newest - writer.first) % writer.period);
     // A queue that is filled faster than it is read is full: the oldest waits for its turn.
     if (in.queue >= 0 && reader.known() && writer.period < reader.period) {
@@ -54,7 +54,7 @@ struct ageing {
         unbounded = true;
         return;
       }
-      start += c.first + 2 * c.period + delay_of(in);
+      start += c.first + 2 * c.period + in.delay;
       if (in.queue >= 0) start += in.wire->number * (c.period + 2 * g.turns[in.turn].fires.period);
       common = common / gcd(common, c.period) * c.period;
     }

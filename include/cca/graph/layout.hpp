@@ -80,8 +80,8 @@ constexpr double initial_coordinate(ref<item_info> wire, const space_info& space
 // All facts in one call: to call a function costs the compilers more than to compute.
 template <class... Facts>
 constexpr std::uint64_t mixed(std::uint64_t key, Facts... facts) {
-  ((key = (key ^ static_cast<std::uint64_t>(facts)) * 0x9e3779b97f4a7c15ull, key ^= key >> 29), ...);
-  return key;
+  ((key = key * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(facts)), ...);
+  return key ^ key >> 29;
 }
 
 template <class Layout>
@@ -136,7 +136,7 @@ struct laying_out {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];
       if (in.queue >= 0) to.sources[i] = place(storage_kind::queue, port_of(g, in).space->size, in.wire->number);
-      else if (in.writer >= 0) to.sources[i] = delay_of(in) > 0 && !in.is_kept ? to.past[in.writer] : to.newest[in.writer];
+      else if (in.writer >= 0) to.sources[i] = in.delay > 0 && !in.is_kept ? to.past[in.writer] : to.newest[in.writer];
     }
     for (int t = 0; t < g.turn_count; ++t) {
       const auto& one = g.turns[t];
@@ -146,18 +146,18 @@ struct laying_out {
 
   // Not from where the sample lies, but as it is for this input alone.
   constexpr bool shows_initial(const input& in) const {
-    return in.writer < 0 || in.queue >= 0 || in.own_initial || (delay_of(in) > 0 && !in.is_kept);
+    return in.writer < 0 || in.queue >= 0 || in.own_initial || (in.delay > 0 && !in.is_kept);
   }
 
   constexpr std::uint64_t key_of(const input& in, int source) const {
-    std::uint64_t key = mixed(0, source);
+    std::uint64_t key = static_cast<std::uint64_t>(source);
     if (in.writer >= 0) {
       const auto c = published(g, g.outputs[in.writer]);
-      key = mixed(key, c.period, c.first, delay_of(in), in.is_kept | in.in_beat << 1 | in.own_initial << 2 | in.counts << 3 | in.is_last << 4);
+      key = mixed(key, c.period, c.first, in.delay, in.is_kept | in.in_beat << 1 | in.own_initial << 2 | in.counts << 3 | in.is_last << 4);
     }
-    const auto space = port_of(g, in).space;
-    if (shows_initial(in) && space)
-      for (int c = 0; c < space->size; ++c) key = mixed(key, std::bit_cast<std::int64_t>(initial_coordinate(in.wire, *space, c)));
+    if (shows_initial(in))
+      if (const auto space = port_of(g, in).space)
+        for (int c = 0; c < space->size; ++c) key = mixed(key, std::bit_cast<std::int64_t>(initial_coordinate(in.wire, *space, c)));
     return key;
   }
 

@@ -73,7 +73,7 @@ struct remembering {
 
   constexpr bool has_delays() const {
     for (int i = 0; i < g.input_count; ++i)
-      if (delay_of(g.inputs[i]) > 0) return true;
+      if (g.inputs[i].delay > 0) return true;
     for (int l = 0; l < g.link_count; ++l)
       if (delay_of_link(g.links[l]) > 0) return true;
     return false;
@@ -84,7 +84,7 @@ struct remembering {
     const loop_search loops(g);
     for (int i = 0; i < g.input_count; ++i) {
       auto& in = g.inputs[i];
-      if (delay_of(in) > 0) in.counts = !loops.closes(in.turn, in.writer);
+      if (in.delay > 0) in.counts = !loops.closes(in.turn, in.writer);
     }
     for (int l = 0; l < g.link_count; ++l) {
       auto& link = g.links[l];
@@ -106,7 +106,7 @@ struct remembering {
   constexpr void find_last(const output& out) {
     int last = -1;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (!is_queued(g.inputs[i]) && delay_of(g.inputs[i]) == 0 && (last < 0 || g.turns[g.inputs[i].turn].rank > g.turns[g.inputs[last].turn].rank)) last = i;
+      if (!is_queued(g.inputs[i]) && g.inputs[i].delay == 0 && (last < 0 || g.turns[g.inputs[i].turn].rank > g.turns[g.inputs[last].turn].rank)) last = i;
     if (last >= 0) g.inputs[last].is_last = true;
   }
 
@@ -130,7 +130,7 @@ struct remembering {
     out.kept = out.watched;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
-      const int delay = delay_of(in);
+      const int delay = in.delay;
       if (delay > 0) {
         const int need = past(delay, in.turn, out.turn);
         deepest = need > deepest ? need : deepest;
@@ -158,7 +158,7 @@ struct remembering {
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
       if (in.queue >= 0) continue;
-      const bool delayed = delay_of(in) > 0;
+      const bool delayed = in.delay > 0;
       in.is_kept = out.kept && !(delayed && out.ring > 0);
       if (!delayed && !out.kept) out.local = true;
       if (!in.is_kept || in.in_beat) continue;

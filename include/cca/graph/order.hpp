@@ -30,7 +30,7 @@ constexpr void for_each_follower(const flat_view& g, int turn_index, F f) {
   const auto& t = g.turns[turn_index];
   for (int o = t.first_output; o < t.first_output + t.half->output_count; ++o) {
     for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (delay_of(g.inputs[i]) == 0) f(g.inputs[i].turn);
+      if (g.inputs[i].delay == 0) f(g.inputs[i].turn);
     for (int l = 0; l < g.link_count; ++l)
       if (g.links[l].output == o && port_of(g, g.inputs[g.links[l].input]).observed_delay == 0) f(g.inputs[g.links[l].input].turn);
   }
@@ -69,7 +69,7 @@ struct ordering {
   constexpr bool in_declared_order() const {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& to = g.inputs[i];
-      if (to.writer < 0 || delay_of(to) > 0) continue;
+      if (to.writer < 0 || to.delay > 0) continue;
       const auto& from = g.outputs[to.writer];
       if (g.turns[from.turn].phase == g.turns[to.turn].phase ? from.turn >= to.turn : g.turns[from.turn].phase > g.turns[to.turn].phase)
         return false;

@@ -20,6 +20,7 @@ struct wiring {
     i.writer = writer;
     i.wired = true;
     i.wire = item;
+    if (item->policy == policy_kind::delayed) i.delay = item->number;
     i.next_of_writer = g.outputs[writer].first_reader;
     g.outputs[writer].first_reader = reader;
     const auto& from = *port_of(g, g.outputs[writer]).space;

@@ -57,7 +57,7 @@ CCA_GLUE auto arrived_entry(const Past& past, std::int64_t k) {
 }
 
 template <class Graph, int Input>
-inline constexpr int delay_of_input = delay_of(input_of<Graph, Input>);
+inline constexpr int delay_of_input = input_of<Graph, Input>.delay;
 template <class Graph, int Input>
 inline constexpr bool reads_past = delay_of_input<Graph, Input> > 0 && !input_of<Graph, Input>.is_kept;
 
