@@ -45,12 +45,12 @@ inline std::string range_text(const schema& type) {
 
 // "flat, slope or steps"
 inline std::string names_text(const schema& type) {
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < type.count; ++i)
-    if (!type.names[i].empty()) names.push_back(type.names[i]);
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < type.count; ++i)
+    if (!type.names[i].empty()) last = i;
+  for (std::size_t i = 0; i < type.count; ++i)
+    if (!type.names[i].empty()) text.append(text.empty() ? "" : i == last ? " or " : ", ").append(type.names[i]);
   return text;
 }
 
@@ -104,7 +104,8 @@ inline std::string member_path(const std::string& table, std::string_view name) 
 inline std::string element_path(const std::string& array, std::size_t i) { return array + "[" + std::to_string(i) + "]"; }
 
 // A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN.
-inline void check(const schema& type, const void* value, const std::string& path, std::vector<complaint>& found) {
+template <class Complaints>
+void check(const schema& type, const void* value, const std::string& path, Complaints& found) {
   const std::size_t before = found.size();
   if (type.what == kind::table) {
     for (std::size_t i = 0; i < type.count; ++i)

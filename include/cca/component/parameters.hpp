@@ -98,10 +98,11 @@ constexpr field_problem bad_field_of<Component> = {.name = unsupported_field<typ
 template <ForgotParameters Component>
 constexpr field_problem bad_field_of<Component> = {.forgot_parameters = true};
 
-inline void refuse(const std::vector<complaint>& found) {
+template <class Complaints>
+void refuse(const Complaints& found) {
   if (found.empty()) return;
   std::string text;
-  for (const complaint& one : found)
+  for (const auto& one : found)
     text.append(text.empty() ? "" : "\n").append(one.path).append(one.path.empty() ? "" : ": ").append(one.what);
   throw refused(text);
 }

@@ -157,19 +157,20 @@ class observe {
 public:
   static constexpr std::string_view name = Scope.view();
 
-  constexpr observe(const observation* first, std::size_t count) : all(first, count) {}
+  constexpr observe(const observation* first, std::size_t count) : first(first), count(count) {}
 
-  constexpr auto begin() const { return all.begin(); }
-  constexpr auto end() const { return all.end(); }
-  constexpr std::size_t size() const { return all.size(); }
+  constexpr const observation* begin() const { return first; }
+  constexpr const observation* end() const { return first + count; }
+  constexpr std::size_t size() const { return count; }
   constexpr bool fresh() const {
-    for (const auto& one : all)
+    for (const auto& one : *this)
       if (one.fresh) return true;
     return false;
   }
 
 private:
-  std::span<const observation> all;
+  const observation* first;
+  std::size_t count;
 };
 
 }  // namespace cca

@@ -21,8 +21,9 @@ struct diagnosis_value {
 
 namespace detail {
 
+template <class Text>
 struct report {
-  text where{}, message{};
+  Text where{}, message{};
 };
 
 // The first broken rule. What is no graph at all is told so.
@@ -32,12 +33,12 @@ consteval rule broken_by() {
   else return rule::graph_unknown_item;
 }
 
-template <class Type>
-consteval report make_report() {
-  report r;
+template <class Type, class Telling, class Text>
+consteval report<Text> make_report() {
+  report<Text> r;
   if constexpr (Graph<Type>) {
     auto plan = plan_of<Type>;
-    telling t{plan.view(), flattened_of<Type>.unknown_trigger};
+    Telling t{plan.view(), flattened_of<Type>.unknown_trigger};
     tell(t);
     r = {t.where, t.message};
   } else {
@@ -46,10 +47,10 @@ consteval report make_report() {
               << "` is no graph: what runs is a struct derived from cca::graph<...>; a component is put into one as cca::node<`name`, "
               << type_name<Type>() << ">";
   }
-  return {as_written(r.where.view()), as_written(r.message.view())};
+  return {as_written(r.where), as_written(r.message)};
 }
 template <class Graph>
-inline constexpr report report_of = make_report<Graph>();
+inline constexpr auto report_of = make_report<Graph, telling, text>();
 
 template <class Graph>
 consteval diagnosis_value make_diagnosis() {

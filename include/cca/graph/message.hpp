@@ -9,11 +9,17 @@
 
 namespace cca::detail {
 
+struct spelling {
+  std::string_view from, to;
+};
+
 // Types as they were written rather than as the compilers spell them: in<angles, leg_angles>& and std::string.
-constexpr text as_written(std::string_view spelled) {
-  text t;
+template <class Text>
+constexpr Text as_written(const Text& whole) {
+  Text t;
+  std::string_view spelled = whole.view();
   constexpr std::string_view names[] = {"cca::fixed_string<", "fixed_string<"};
-  constexpr std::pair<std::string_view, std::string_view> others[] = {{"std::__cxx11::basic_string<char>", "std::string"},
+  constexpr spelling others[] = {{"std::__cxx11::basic_string<char>", "std::string"},
                                                                       {"std::basic_string<char>", "std::string"},
                                                                       {"(anonymous namespace)::", ""},
                                                                       {"{anonymous}::", ""},

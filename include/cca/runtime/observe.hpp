@@ -61,10 +61,15 @@ CCA_GLUE auto observe_one(const memory<Graph>& m, std::int64_t k) {
   return h;
 }
 
+struct written_path {
+  char letters[256]{};
+  std::size_t size = 0;
+};
+
 // The path of an output from the outermost graph, as static text.
 template <class Graph, int Output>
 inline constexpr auto output_path = [] {
-  std::array<char, 256> text{};
+  written_path path;
   std::array<std::string_view, 32> parts{};
   std::size_t count = 0;
   constexpr const auto& o = output_of<Graph, Output>;
@@ -74,17 +79,16 @@ inline constexpr auto output_path = [] {
   parts[count++] = t.half->outputs[o.port].name;
   parts[count++] = leaf.item->from;
   for (int s = leaf.scope; scopes[s].item; s = scopes[s].parent) parts[count++] = scopes[s].item->from;
-  std::size_t at = 0;
   while (count-- > 0) {
-    for (const char c : parts[count]) text[at++] = c;
-    if (count > 0) text[at++] = '.';
+    for (const char c : parts[count]) path.letters[path.size++] = c;
+    if (count > 0) path.letters[path.size++] = '.';
   }
-  return std::pair{text, at};
+  return path;
 }();
 
 template <class Graph, int Output>
 constexpr std::string_view path_of_output() {
-  return {output_path<Graph, Output>.first.data(), output_path<Graph, Output>.second};
+  return {output_path<Graph, Output>.letters, output_path<Graph, Output>.size};
 }
 
 // What one observer hears. The entries point into the values, so it is filled where it stays.
