@@ -157,7 +157,7 @@ class observe {
 public:
   static constexpr std::string_view name = Scope.view();
 
-  constexpr observe(const observation* first, std::size_t count) : first(first), count(count) {}
+  constexpr observe(const observation* all, std::size_t all_count) : first(all), count(all_count) {}
 
   constexpr const observation* begin() const { return first; }
   constexpr const observation* end() const { return first + count; }

@@ -21,9 +21,8 @@ struct diagnosis_value {
 
 namespace detail {
 
-template <class Text>
 struct report {
-  Text where{}, message{};
+  text where{}, message{};
 };
 
 // The first broken rule. What is no graph at all is told so.
@@ -33,9 +32,9 @@ consteval rule broken_by() {
   else return rule::graph_unknown_item;
 }
 
-template <class Type, class Telling, class Text>
-consteval report<Text> make_report() {
-  report<Text> r;
+template <class Type, class Telling, class Report>
+consteval Report make_report() {
+  Report r;
   if constexpr (Graph<Type>) {
     auto plan = plan_of<Type>;
     Telling t{plan.view(), flattened_of<Type>.unknown_trigger};
@@ -50,7 +49,7 @@ consteval report<Text> make_report() {
   return {as_written(r.where), as_written(r.message)};
 }
 template <class Graph>
-inline constexpr auto report_of = make_report<Graph, telling, text>();
+inline constexpr auto report_of = make_report<Graph, telling, report>();
 
 template <class Graph>
 consteval diagnosis_value make_diagnosis() {

@@ -46,6 +46,6 @@ struct text_of {
     return *this;
   }
 };
-using text = text_of<2048>;
+struct text : text_of<2048> {};
 
 }  // namespace cca::detail

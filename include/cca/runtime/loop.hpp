@@ -51,7 +51,7 @@ inline constexpr const turn_place& place_at = layout_of<Graph>.turns[plan_of<Gra
 
 // Clang learns which function it is only while it inlines: by then it has simplified it, once for all that are alike.
 template <class Graph>
-inline void through(void (*take_turn)(memory<Graph>&, locals<Graph>&, course&, std::int64_t, const turn_place&), memory<Graph>& m, locals<Graph>& l, course& c,
+inline void call_turn(void (*take_turn)(memory<Graph>&, locals<Graph>&, course&, std::int64_t, const turn_place&), memory<Graph>& m, locals<Graph>& l, course& c,
                     std::int64_t k, const turn_place& of) {
   take_turn(m, l, c, k, of);
 }
@@ -61,9 +61,9 @@ inline void through(void (*take_turn)(memory<Graph>&, locals<Graph>&, course&, s
 template <class Graph, int First, int... Rank>
 CCA_GLUE void take_turns(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Rank...>) {
   if constexpr (inlines_through && counts_of<Graph>.may_fault)
-    (void)((through<Graph>(function_at<Graph, First + Rank>::take_turn, m, l, c, k, place_at<Graph, First + Rank>), !c.fault) && ...);
+    (void)((call_turn<Graph>(function_at<Graph, First + Rank>::take_turn, m, l, c, k, place_at<Graph, First + Rank>), !c.fault) && ...);
   else if constexpr (inlines_through)
-    (through<Graph>(function_at<Graph, First + Rank>::take_turn, m, l, c, k, place_at<Graph, First + Rank>), ...);
+    (call_turn<Graph>(function_at<Graph, First + Rank>::take_turn, m, l, c, k, place_at<Graph, First + Rank>), ...);
   else if constexpr (counts_of<Graph>.may_fault)
     (void)((function_at<Graph, First + Rank>::take_turn(m, l, c, k, place_at<Graph, First + Rank>), !c.fault) && ...);
   else
