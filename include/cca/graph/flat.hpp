@@ -130,7 +130,8 @@ constexpr clock published(const port_info& port, const turn& t) {
 }
 constexpr clock published(const flat_view& g, const output& o) {
   const auto& t = g.turns[o.turn];
-  return t.half->outputs[o.port].maybe ? published(t.half->outputs[o.port], t) : t.fires;
+  const auto& port = t.half->outputs[o.port];
+  return port.maybe ? published(port, t) : t.fires;
 }
 
 }  // namespace cca::detail

@@ -9,7 +9,7 @@
 
 namespace cca::detail {
 
-struct spelling {
+struct respelling {
   std::string_view from, to;
 };
 
@@ -19,13 +19,13 @@ constexpr Text as_written(const Text& whole) {
   Text t;
   std::string_view spelled = whole.view();
   constexpr std::string_view names[] = {"cca::fixed_string<", "fixed_string<"};
-  constexpr spelling others[] = {{"std::__cxx11::basic_string<char>", "std::string"},
-                                                                      {"std::basic_string<char>", "std::string"},
-                                                                      {"(anonymous namespace)::", ""},
-                                                                      {"{anonymous}::", ""},
-                                                                      {" *", "*"},
-                                                                      {" &", "&"},
-                                                                      {" >", ">"}};
+  constexpr respelling others[] = {{"std::__cxx11::basic_string<char>", "std::string"},
+                                   {"std::basic_string<char>", "std::string"},
+                                   {"(anonymous namespace)::", ""},
+                                   {"{anonymous}::", ""},
+                                   {" *", "*"},
+                                   {" &", "&"},
+                                   {" >", ">"}};
   while (!spelled.empty()) {
     std::size_t used = 0;
     for (const auto name : names)
