@@ -103,7 +103,8 @@ inline std::string member_path(const std::string& table, std::string_view name) 
 
 inline std::string element_path(const std::string& array, std::size_t i) { return array + "[" + std::to_string(i) + "]"; }
 
-// A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN.
+// A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN. A template, as `refuse` is, so
+// that it costs only who has parameters checked.
 template <class Complaints>
 void check(const schema& type, const void* value, const std::string& path, Complaints& found) {
   const std::size_t before = found.size();

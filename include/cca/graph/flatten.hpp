@@ -116,8 +116,7 @@ struct flattening {
       name_search writers(names.entries, names.mask, inner ^ as_output);
       for (int o = writers.next(); o >= 0; o = writers.next()) {
         found = true;
-        if (find(names.entries, names.mask, outer ^ as_output) >= 0) refuse(rule::node_duplicate_name, &item, in_scope, 1);
-        names.insert(outer ^ as_output, o);
+        if (!names.add(outer ^ as_output, o)) refuse(rule::node_duplicate_name, &item, in_scope, 1);
       }
       name_search readers(names.entries, names.mask, inner ^ as_input);
       for (int i = readers.next(); i >= 0; i = readers.next()) {

@@ -1,8 +1,6 @@
 // What a refused graph is told: the rule's id, what is wrong and where, with both ends, why, and what to do.
 #pragma once
 
-#include <utility>
-
 #include <cca/graph/message_clocks.hpp>
 #include <cca/graph/message_components.hpp>
 #include <cca/graph/message_wires.hpp>

@@ -185,7 +185,7 @@ private:
 
     template <fixed_string Path>
     decltype(auto) get() const {
-      constexpr auto path = detail::hash(Path.view(), detail::hash(".", Scope));
+      constexpr auto path = detail::hash(Path.view(), detail::after_dot(Scope));
       return at<path, detail::leaf_with_hash<Graph>(path)>(of);
     }
   };

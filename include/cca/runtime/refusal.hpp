@@ -31,7 +31,7 @@ class controller {
   struct part<Scope, -1> {
     using type = part;
 
-    template <fixed_string Path, std::uint64_t Whole = detail::hash(Path.view(), detail::hash(".", Scope))>
+    template <fixed_string Path, std::uint64_t Whole = detail::hash(Path.view(), detail::after_dot(Scope))>
     auto get() const -> typename part<Whole, detail::leaf_with_hash<Graph>(Whole)>::type;
   };
 
