@@ -227,9 +227,7 @@ private:
     now = detail::after(what, now);
   }
 
-  // It is not noexcept, its callers are: each call that is inlined here would split the code in two, and clang would take
-  // quadratic time to put it together again.
-  [[gnu::flatten]] void advance() {
+  [[gnu::flatten]] void advance() noexcept {
     detail::course course;
     detail::take_beat(state_of_all, course, k);
     ++k;
