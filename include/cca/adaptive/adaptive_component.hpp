@@ -21,6 +21,9 @@
 // Errors: criterion.spaces; those of a graph. Cost: that of its parts. Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once
 
+// First: where this refuses something, the compilers tell of each file around it.
+#include <cca/component/port.hpp>
+
 #include <cca/adaptive/adaptive_items.hpp>
 
 namespace cca {

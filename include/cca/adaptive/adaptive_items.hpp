@@ -142,31 +142,38 @@ struct module_node { using type = node<"module", Module, Strategy>; };
 template <Graph Module, class Strategy>
 struct module_node<Module, Strategy> { using type = node<"module", Module>; };
 
-// Spaces, so that the compilers name the two; one that isn't known is left to the wires.
+// One that isn't known is left to the wires.
 template <class Takes, class Given>
 constexpr bool comparable = matching<Takes, Given>;
 template <class Takes>
 constexpr bool comparable<Takes, void> = true;
-template <class Takes, class Given>
-concept Compares = comparable<Takes, Given>;
 
 template <class Mapping>
 struct space_given { using type = typename mapped_outputs<Mapping>::first::space; };
 template <>
 struct space_given<void> { using type = void; };
 
+// Functions whose arguments the compilers name.
+template <class Criterions, class Modules, bool Meet = comparable<Criterions, Modules>>
+constexpr bool check_target() {
+  static_assert(Meet,
+                "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, frame, axes or rate) "
+                "than that in which its module has the target (the compiler names the two, the criterion's first); use the criterion over "
+                "the module's space, or let it measure against the other target: against<criterion_target::...>");
+  return Meet;
+}
+template <class Criterions, class Mapped, bool Meet = comparable<Criterions, Mapped>>
+constexpr bool check_feedback() {
+  static_assert(Meet,
+                "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, frame, axes or rate) "
+                "than that to which its feedback_through<...> maps (the compiler names the two, the criterion's first); map the feedback to "
+                "the criterion's space");
+  return Meet;
+}
 template <class CriterionsTarget, class ModulesTarget, class CriterionsFeedback, class MappedFeedback>
 constexpr bool check_criterion() {
-  static_assert(Compares<CriterionsTarget, ModulesTarget>,
-                "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, frame, axes or rate) "
-                "than that in which its module has the target (the two are named below, the criterion's first); use the criterion over "
-                "the module's space, or let it measure against the other target: against<criterion_target::...>");
-  constexpr bool targets = Compares<CriterionsTarget, ModulesTarget>;
-  static_assert(!targets || Compares<CriterionsFeedback, MappedFeedback>,
-                "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, frame, axes or rate) "
-                "than that to which its feedback_through<...> maps (the two are named below, the criterion's first); map the feedback to "
-                "the criterion's space");
-  return targets && Compares<CriterionsFeedback, MappedFeedback>;
+  if constexpr (check_target<CriterionsTarget, ModulesTarget>()) return check_feedback<CriterionsFeedback, MappedFeedback>();
+  else return false;
 }
 
 // Stands for a criterion that has been reported.

@@ -74,17 +74,14 @@ concept BatchLearner = Learner<Type> && requires(std::span<const example<typenam
 
 namespace detail {
 
-// A concept, so that the compilers name the two models.
-template <class LearnersModel, class ModulesModel>
-concept OneModel = std::is_same_v<LearnersModel, ModulesModel>;
-
-// True where a module may use a learner; else that has been reported.
-template <class Type, class Model>
-constexpr bool check_learner() {
-  static_assert(OneModel<typename Type::model, Model>,
+// True where a module may use a learner; else that has been reported, by a function whose arguments the compilers name: for a
+// concept they would name them twice.
+template <class LearnersModel, class ModulesModel, bool AreOne = std::is_same_v<LearnersModel, ModulesModel>>
+constexpr bool check_models() {
+  static_assert(AreOne,
                 "learner.model: the learner of this module adapts another model than the one that the module runs, so what it learns "
-                "would mean nothing to it (the two are named below, the learner's first); bind the learner to the module's model");
-  return OneModel<typename Type::model, Model>;
+                "would mean nothing to it (the compiler names the two, the learner's first); bind the learner to the module's model");
+  return AreOne;
 }
 
 }  // namespace detail

@@ -5,6 +5,9 @@
 // Works for graphs that break a rule as far as their parts are known, so that one can look at them too.
 #pragma once
 
+// First: where this refuses something, the compilers tell of each file around it.
+#include <cca/component/port.hpp>
+
 #include <string>
 
 #include <cca/graph/paths.hpp>

@@ -4,6 +4,9 @@
 //   static_assert(cca::diagnosis<broken>.rule == "space.mismatch");
 #pragma once
 
+// First: where this refuses something, the compilers tell of each file around it.
+#include <cca/component/port.hpp>
+
 #include <array>
 #include <string_view>
 #include <utility>

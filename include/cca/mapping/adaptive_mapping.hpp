@@ -29,22 +29,19 @@ namespace detail {
 template <class Model, class From, class To>
 constexpr bool leads_between = matching<typename Model::from, From> && matching<typename Model::to, To>;
 
-// A concept, so that the compilers name the model and the spaces.
-template <class Model, class From, class To>
-concept LeadsBetween = leads_between<Model, From, To>;
-
-template <class Rule, class From, class To>
-constexpr bool check_learner_of_mapping() {
-  static_assert(LeadsBetween<typename Rule::model, From, To>,
-                "learner.model: the learner of this adaptive mapping adapts a model between other spaces than those of the mapping (named "
-                "below: the model, then the space that the mapping takes and the one that it gives); bind the learner to a model between these");
-  return LeadsBetween<typename Rule::model, From, To>;
+// The compilers name its arguments.
+template <class Model, class From, class To, bool LeadsBetween = leads_between<Model, From, To>>
+constexpr bool check_model_of_mapping() {
+  static_assert(LeadsBetween,
+                "learner.model: the learner of this adaptive mapping adapts a model between other spaces than those of the mapping (the "
+                "compiler names the model, the space that the mapping takes and the one that it gives); bind the learner to a model between these");
+  return LeadsBetween;
 }
 
 // `Correction`: what is learned is added to the input.
 template <class From, class To, class Rule, int Capacity, bool Correction>
 struct learned_mapping {
-  static constexpr bool bound = check_learner_of_mapping<Rule, From, To>();
+  static constexpr bool bound = check_model_of_mapping<typename Rule::model, From, To>();
   using checked = std::bool_constant<bound>;  // where the class is named, not first where it runs
   using learner_settings = typename Rule::settings;
   struct parameters {

@@ -19,20 +19,22 @@
 namespace cca {
 namespace detail {
 
-// The space that each gives and the next one takes.
-template <class Before, class Next>
-concept Meets = matching<output_space<Before>, input_space<Next>>;
+// The compilers name its arguments: the space that one gives and the one that the next takes.
+template <class Given, class Taken, bool Meet = matching<Given, Taken>>
+constexpr auto check_link() {
+  static_assert(Meet,
+                "mapping.chain: a mapping of this chain takes samples of another space (domain type, frame, axes or rate) than the "
+                "mapping before it gives; put one between them that maps the first to the second, `cca::frame_change` where only "
+                "the frames differ");
+  return std::bool_constant<Meet>{};
+}
 
 // Only the first pair that doesn't meet is reported.
 template <class Before, class... Rest>
 constexpr auto check_chain() {
   if constexpr (sizeof...(Rest) > 0) {
     using next = std::tuple_element_t<0, std::tuple<Rest...>>;
-    static_assert(Meets<Before, next>,
-                  "mapping.chain: a mapping of this chain takes samples of another space (domain type, frame, axes or rate) than the "
-                  "mapping before it gives; put one between them that maps the first to the second, `cca::frame_change` where only "
-                  "the frames differ");
-    if constexpr (Meets<Before, next>) return check_chain<Rest...>();
+    if constexpr (decltype(check_link<output_space<Before>, input_space<next>>())::value) return check_chain<Rest...>();
     else return std::false_type{};
   } else {
     return std::true_type{};

@@ -50,7 +50,7 @@ template <detail::LinearSpace S, class Axis, int N, Learner Rule = locally_weigh
 struct dmp_rhythmic_module {
   using ode = dmp_rhythmic_ode<S::size, N>;
   using model = rhythmic_shape<S, N>;
-  static constexpr bool bound = detail::check_learner<Rule, model>();
+  static constexpr bool bound = detail::check_models<typename Rule::model, model>();
   using learner = std::conditional_t<bound, Rule, locally_weighted_regression<model>>;
   using learner_settings = typename learner::settings;
 

@@ -85,23 +85,28 @@ struct attachments {
   }();
 };
 
-// Concepts, so that the compilers name the part.
-template <class Part, class Attachments, std::size_t Index>
-concept HangsInTree = !Attachments::template closes_loop<Part, Index>;
-template <class Part, class Attachments, std::size_t Index>
-concept HangsOnSomething = Attachments::parent[Index] != Attachments::nothing;
-
-// In functions, for the reason that stands in mapping.hpp; each rule is reported for the first part that breaks it, and
-// a loop before what hangs on nothing.
+// In functions, for the reason that stands in mapping.hpp, whose arguments the compilers name; each rule is reported for the
+// first part that breaks it, and a loop before what hangs on nothing.
+template <class Part, bool HangsInTree>
+constexpr auto check_tree() {
+  static_assert(HangsInTree,
+                "body.cycle: the parts of this body close a loop: a part hangs, by way of others, on itself, or two chains end in "
+                "one frame (or one in the base); a body is a tree or a star, so let each chain end in a frame of its own, and leave "
+                "out the joint that closes the loop");
+  return std::bool_constant<HangsInTree>{};
+}
+template <class Part, bool HangsOnSomething>
+constexpr auto check_parent() {
+  static_assert(HangsOnSomething,
+                "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is neither the body's base "
+                "nor the end of another part; begin it in one of those, or add the part that leads there");
+  return std::bool_constant<HangsOnSomething>{};
+}
 template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_cycles() {
   if constexpr (Index < sizeof...(Parts)) {
     using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
-    static_assert(HangsInTree<part, Attachments, Index>,
-                  "body.cycle: the parts of this body close a loop: a part hangs, by way of others, on itself, or two chains end in "
-                  "one frame (or one in the base); a body is a tree or a star, so let each chain end in a frame of its own, and leave "
-                  "out the joint that closes the loop");
-    if constexpr (HangsInTree<part, Attachments, Index>) return check_cycles<Attachments, Index + 1, Parts...>();
+    if constexpr (decltype(check_tree<part, !Attachments::template closes_loop<part, Index>>())::value) return check_cycles<Attachments, Index + 1, Parts...>();
     else return std::false_type{};
   } else {
     return std::true_type{};
@@ -111,10 +116,7 @@ template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_attached() {
   if constexpr (Index < sizeof...(Parts)) {
     using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
-    static_assert(HangsOnSomething<part, Attachments, Index>,
-                  "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is neither the body's base "
-                  "nor the end of another part; begin it in one of those, or add the part that leads there");
-    if constexpr (HangsOnSomething<part, Attachments, Index>) return check_attached<Attachments, Index + 1, Parts...>();
+    if constexpr (decltype(check_parent<part, Attachments::parent[Index] != Attachments::nothing>())::value) return check_attached<Attachments, Index + 1, Parts...>();
     else return std::false_type{};
   } else {
     return std::true_type{};

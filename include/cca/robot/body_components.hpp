@@ -36,16 +36,16 @@ struct body_as_chain {
   using base = typename Type::base_frame;
 };
 
-template <class Body, class Domain, class Space>
+template <class Body, class Domain, class Space, bool HasAxes = MovedWithin<body_as_chain<Body>, Space>>
 constexpr auto check_moves() {
   static_assert(std::is_same_v<typename Space::domain, Domain>,
                 "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, accelerations and torques, in this order");
-  static_assert(MovedWithin<body_as_chain<Body>, Space>,
+  static_assert(HasAxes,
                 "space.mismatch: this space lacks an axis that the body moves about; its axes must hold all of the body's");
 }
-template <class Body, class Space>
+template <class Body, class Space, bool HasAxes = MovedBy<body_as_chain<Body>, Space>>
 constexpr auto check_torques() {
-  static_assert(MovedBy<body_as_chain<Body>, Space>,
+  static_assert(HasAxes,
                 "space.mismatch: the torques of a body are over the axes that it moves about, all of them and no others");
 }
 

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include <cca/graph/paths.hpp>
 #include <cca/runtime/observe.hpp>
 
 namespace cca::detail {
@@ -70,6 +71,26 @@ CCA_GLUE beat beat_of(std::int64_t k, const last_firing& self) {
   return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
 }
 
+// Its path, to be named by the compilers.
+template <class Graph, int Leaf>
+consteval auto path_of_leaf() {
+  constexpr text path = [] {
+    auto plan = plan_of<Graph>;
+    text t;
+    add_leaf_path(t, plan.view(), Leaf);
+    return t;
+  }();
+  char letters[path.size + 1]{};
+  for (std::size_t i = 0; i < path.size; ++i) letters[i] = path.letters[i];
+  return fixed_string<path.size + 1>(letters);
+}
+template <fixed_string Node, class Component, fixed_string Input, bool HasInput>
+constexpr auto check_input() {
+  static_assert(HasInput,
+                "strategy.unknown_port: the strategy of this node looks at an input by a name that its component has no input of (the compiler names "
+                "the node, the component and the input); look at one that the component has, or give the node another strategy");
+}
+
 // What a user's strategy looks at.
 template <class Graph, int Turn>
 struct inputs_view {
@@ -90,8 +111,7 @@ private:
         if (half.inputs[p].name == Name.view()) return p;
       return -1;
     }();
-    constexpr bool is_there = position >= 0;
-    static_assert(is_there, "strategy.unknown_port: the strategy of this node looks at an input by a name that its component has no input of");
+    if constexpr (position < 0) check_input<path_of_leaf<Graph, turn_of<Graph, Turn>.leaf>(), typename leaf_of<Graph, turn_of<Graph, Turn>.leaf>::component, Name, false>();
     constexpr int parameter = [] {
       const auto& positions = half_facts<list<Parameters...>, list<>>::input_of_parameter;
       for (std::size_t i = 0; i < sizeof...(Parameters); ++i)

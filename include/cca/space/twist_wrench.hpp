@@ -28,7 +28,7 @@ struct spatial_domain {
 
 // The vector from the old point to the new one, along the axes of In.
 template <class In, class Lever>
-vector3 lever_along(const Lever& lever) {
+typename spatial_types<Lever>::vector lever_along(const Lever& lever) {
   if constexpr (Sample<Lever>) {
     static_assert(SameFrame<In, typename Lever::space::domain::frame>,
                   "frame.mismatch: the lever arm is not expressed in the frame that the twist or wrench is expressed in; "
@@ -53,8 +53,10 @@ template <class At, class In>
 struct twist : detail::spatial_domain<At, In> {
   template <class Self>
   struct methods : detail::additive<Self> {
-    Eigen::Matrix<double, 3, 1> angular() const { return this->self().vector().template head<3>(); }
-    Eigen::Matrix<double, 3, 1> linear() const { return this->self().vector().template tail<3>(); }
+    using vector_3 = typename detail::spatial_types<Self>::vector;
+
+    vector_3 angular() const { return this->self().vector().template head<3>(); }
+    vector_3 linear() const { return this->self().vector().template tail<3>(); }
 
     // Of the same motion, at another point: v_P = v_O + w x OP. `lever` is OP: a position in In, or a vector.
     template <class Point, class Lever>
@@ -71,8 +73,10 @@ template <class At, class In>
 struct wrench : detail::spatial_domain<At, In> {
   template <class Self>
   struct methods : detail::additive<Self> {
-    Eigen::Matrix<double, 3, 1> torque() const { return this->self().vector().template head<3>(); }
-    Eigen::Matrix<double, 3, 1> force() const { return this->self().vector().template tail<3>(); }
+    using vector_3 = typename detail::spatial_types<Self>::vector;
+
+    vector_3 torque() const { return this->self().vector().template head<3>(); }
+    vector_3 force() const { return this->self().vector().template tail<3>(); }
 
     // The same load, about another point: n_P = n_O - OP x f. `lever` is OP: a position in In, or a vector.
     template <class Point, class Lever>

@@ -12,13 +12,22 @@
 // EXPECT transformation: transform\.leaves_space: the function of this transformation returns something that lies in another space
 // EXPECT kinematics: frame\.mismatch: kinematics say where a chain's tip is in the frame of the chain's base
 // EXPECT adaptive_mapping: learner\.model: the learner of this adaptive mapping adapts a model between other spaces
+// EXPECT cycle: body\.cycle: the parts of this body close a loop
+// EXPECT unattached: body\.unattached: a part of this body hangs on nothing
+// EXPECT tracker: learner\.model: the learner of this module adapts another model
+// EXPECT criterion: criterion\.spaces: the criterion of this adaptive component measures in another space
 // EXPECT no_space: component\.bad_parameter: a port is of a space, and this type is none
 // Rules that a template checks where it is named, each broken in one of fifty nodes; the graphs are templates, so that it is named only
-// in the one that is asked for. (Those of a body or of an adaptive component are told where that is defined, before there is a graph.)
+// in the one that is asked for.
+#include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/extreme_learning_machine.hpp>
+#include <cca/adaptive/tracking.hpp>
 #include <cca/mapping/adaptive_mapping.hpp>
 #include <cca/mapping/inverse_kinematics.hpp>
 #include <cca/mapping/mapping_chain.hpp>
+#include <cca/motor/dmp_rhythmic_module.hpp>
+#include <cca/motor/vite.hpp>
+#include <cca/robot/body_components.hpp>
 #include <cca/skeleton/farm_on_threads.hpp>
 
 #include "../parts.hpp"
@@ -34,6 +43,7 @@ struct of_pairs {
   auto process(cca::in<"x", pair_of_numbers> x) -> cca::out<"y", pair_of_numbers> { return x.vector(); }
 };
 struct paw : cca::frame<"paw"> {};
+struct head : cca::frame<"head"> {};
 template <class Frame> struct paw_in : cca::space<cca::cartesian_position<Frame>, xyz> {};
 struct slow : cca::space<cca::number, cca::axes<cca::x>, cca::rate<100>> {};
 struct odd : cca::space<cca::number, cca::axes<cca::x>, cca::rate<300>> {};
@@ -55,6 +65,7 @@ struct leg_chain : cca::serial_chain<Base, paw, cca::axes<hip, knee>> {
   static constexpr auto tip = cca::at(0, 0, -0.1);
 };
 template <class Frame> using to_torques = cca::extreme_learning_machine<cca::elm_function<paw_in<Frame>, leg_torques, 40>>;
+struct stride : cca::dimension<"stride"> {};
 template <class Space>
 struct takes {
   void process(cca::in<"x", Space>) {}
@@ -67,8 +78,8 @@ struct source_of {
 template <class Component, class... More>
 using with_extra = fifty_nodes_and<cca::rate<1000>, cca::node<"extra", Component>, More...>;
 
-template <class Component, cca::fixed_string Input, class Space>
-using fed = with_extra<Component, cca::node<"in", source_of<Space>>, cca::wire<"in.y", Input>>;
+template <class Component, cca::fixed_string Input, class Space, class... More>
+using fed = with_extra<Component, cca::node<"in", source_of<Space>>, cca::wire<"in.y", Input>, More...>;
 
 namespace broken {
 
@@ -89,6 +100,22 @@ template <class F> struct chain : fed<cca::mapping_chain<same<F>, cca::mapping<p
 template <class F> struct transformation : fed<cca::transformation<paw_in<F>, to_world>, "extra.input", paw_in<F>> {};
 template <class F> struct kinematics : fed<cca::inverse_kinematics<leg_chain<F>, leg_angles, paw_in<world>>, "extra.position", paw_in<world>> {};
 template <class F> struct adaptive_mapping : fed<cca::adaptive_mapping<paw_in<F>, leg_angles, to_torques<F>>, "extra.input", paw_in<F>> {};
+template <class Base, class Tip, class Joint> struct link : cca::serial_chain<Base, Tip, cca::axes<Joint>> {
+  static constexpr std::array joints{cca::revolute(cca::along_y)};
+  static constexpr auto tip = cca::at(0.3, 0, 0);
+};
+template <class Body, class F> using places = fed<cca::part_kinematics<Body, "second", leg_angles, paw_in<F>>, "extra.angles", leg_angles>;
+template <class F> struct ring : cca::body<F, cca::part<"first", link<paw, world, knee>>, cca::part<"second", link<world, paw, hip>>> {};
+template <class F> struct loose : cca::body<F, cca::part<"first", link<F, head, knee>>, cca::part<"second", link<world, paw, hip>>> {};
+template <class F> struct cycle : places<ring<F>, F> {};
+template <class F> struct unattached : places<loose<F>, F> {};
+
+template <class F> using discrete = cca::locally_weighted_regression<cca::discrete_shape<leg_angles, 25>>;
+template <class F> struct tracker : fed<cca::tracker<cca::dmp_rhythmic_module<leg_angles, stride, 25, discrete<F>>, cca::tracking<leg_angles>>, "extra.reference", leg_angles,
+                           cca::wire<"in.y", "extra.feedback">, cca::node<"phase", source_of<cca::over<cca::phase, stride>>>, cca::wire<"phase.y", "extra.phase">,
+                           cca::node<"amplitude", source_of<cca::over<cca::amplitude, stride>>>, cca::wire<"amplitude.y", "extra.amplitude">> {};
+template <class F> using follows_paw = cca::tracker<cca::vite<leg_angles>, cca::tracking<paw_in<F>>, cca::named<"target", "position", "status">>;
+template <class F> struct criterion : fed<follows_paw<F>, "extra.feedback", paw_in<F>, cca::node<"goal", source_of<leg_angles>>, cca::wire<"goal.y", "extra.reference">> {};
 template <class F> struct no_space : with_extra<takes<double>, cca::wire<"n7.y", "extra.x">> {};
 
 struct none : with_extra<step, cca::wire<"n7.y", "extra.x">> {};
