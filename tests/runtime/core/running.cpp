@@ -1,8 +1,14 @@
 // Running: for a time, in steps, at any pace, with the same results.
 #include <doctest/doctest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "counting.hpp"
@@ -14,6 +20,30 @@ namespace {
 struct counting : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"tenth", adder, cca::timed<10>>, cca::node<"log", journal>,
                              cca::wire<"counter.y", "tenth.x", cca::latest>, cca::wire<"tenth.y", "log.x">> {};
 struct odd_rate : cca::graph<cca::rate<3>, cca::node<"counter", counter>> {};
+struct thrower {
+  void process(cca::beat now) {
+    if (now.index() == 2) throw std::runtime_error("beat 2");
+  }
+};
+struct throwing : cca::graph<cca::rate<1000>, cca::node<"thrower", thrower>> {};
+
+// How a process ends in which f() is called: with 0 where it returns, 1 where it throws, 2 by std::terminate.
+template <class F>
+int end_of(F f) {
+  const pid_t child = fork();
+  if (child == 0) {
+    std::set_terminate([] { std::_Exit(2); });
+    try {
+      f();
+    } catch (const std::exception&) {
+      std::_Exit(1);
+    }
+    std::_Exit(0);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
 
 template <class F>
 double seconds_of(F f) {
@@ -94,6 +124,16 @@ TEST_CASE("before start() nothing fires") {
   CHECK_FALSE(c.step());
   CHECK_EQ(c.get<"counter">().value, 0);
   CHECK_EQ(c.beat_index(), 0);
+}
+
+TEST_CASE("an exception that leaves a component ends the program, whoever asked for the beat") {
+  CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<2>{}); }), 0);
+  CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<3>{}); }), 2);
+  CHECK_EQ(end_of([] {
+             auto c = started<throwing>();
+             for (int k = 0; k < 3; ++k) c.step();
+           }),
+           2);
 }
 
 }
