@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE)]
 LIBM = {"sin", "cos", "sincos", "tan", "atan", "atan2", "asin", "acos", "exp", "log", "pow", "sqrt", "fmod", "floor", "ceil", "round", "hypot"}
 # What a limiter does in its first beat and when it steps in, and the end of a program whose noexcept function lets an exception out: never in a beat as usual.
-SELDOM = re.compile(r"cca::limiter<.*>::(begin|corrected)\b|::limiter<.*(begin|corrected)|^__clang_call_terminate$")
+SELDOM = re.compile(r"cca::limiter<.*>::(begin|corrected)\b|::limiter<.*(begin|corrected)|^__clang_call_terminate$|^std::terminate\(\)$")
 # The engine, the one node that knows it, and what begins it in a thread.
 SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator)::|^__cxa_|^_Unwind_Resume$|^std::runtime_error::")
 # The functions that are the beat; clang at -O3 folds a small one into the step.
