@@ -58,8 +58,8 @@ The graph of `examples/trot` with a robot that plays stored angles back (`bench/
 by hand as one loop on Eigen vectors, and beside the classical way: virtual components, samples behind shared pointers, queues
 (`bench/classical.hpp`). The three give the same results to the last bit, which each run checks. Each figure reads
 graph / by hand / classical. The goal is at most 1.00 at -O2 and -O3: the largest there is {worst(True):.3f}; for newer processors it is
-{worst(False):.3f}. The graph has the question whether the controller runs, the loop by hand has not; in return the graph tells the compiler that
-a beat's number is never negative (`component/beat.hpp`), so that the modulo of the playback needs no sign: 4 to 6 instructions.
+{worst(False):.3f}. The graph has the question whether the controller runs, the loop by hand has not; in return the graph tells clang that
+a beat's number is never negative (`component/beat.hpp`), so that the modulo of the playback needs no sign: 4 instructions.
 
 {table(["compiler", "flags", "instructions a beat", "graph : by hand", "ns a beat", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
 Instructions are counted by callgrind, libm's included. Bytes are those on the heap with all that the form allocates.

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <cca/component/inlining.hpp>
+
 namespace cca {
 
 class beat {
@@ -12,7 +14,7 @@ public:
 
   // k = 0, 1, 2, ...; never negative, which the compiler is told, so that `index() % 64` needs no sign.
   constexpr std::int64_t index() const {
-    if (k < 0) __builtin_unreachable();
+    CCA_ASSUME(k >= 0);
     return k;
   }
 

@@ -4,16 +4,20 @@
 //
 // One is a function that many are alike, put together before it is inlined for each of them: on g++ by `flatten`; clang does so
 // with what it calls through a pointer that it comes to know while it inlines.
+//
+// What is assumed only clang is told: g++ would take it for code, and inline less.
 #pragma once
 
 #if defined(__clang__)
 #define CCA_GLUE [[gnu::always_inline]] inline
 #define CCA_INLINE_CALL [[clang::always_inline]]
 #define CCA_ONE CCA_GLUE
+#define CCA_ASSUME(condition) __builtin_assume(condition)
 namespace cca::detail { inline constexpr bool inlines_through = true; }
 #else
 #define CCA_GLUE inline
 #define CCA_INLINE_CALL
 #define CCA_ONE [[gnu::flatten]]
+#define CCA_ASSUME(condition)
 namespace cca::detail { inline constexpr bool inlines_through = false; }
 #endif

@@ -30,7 +30,7 @@ template <class Graph, int Turn, class LikeInputs = inputs_like<Graph, Turn>, cl
 struct in_one;
 template <class Graph, int Turn, int... Input, int... Position>
 struct in_one<Graph, Turn, std::integer_sequence<int, Input...>, std::integer_sequence<int, Position...>> {
-  CCA_ONE static void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, const turn_place& of) noexcept {
+  CCA_ONE static void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, const turn_place& of) {
     take_and_end(m, l, c, k, of, last_read<Graph, Input>(l, layout_of<Graph>.sources[of.first_input + Position].slot)...);
   }
 
@@ -50,17 +50,15 @@ using function_at = one_function<Graph, layout_of<Graph>.like[plan_of<Graph>.ord
 template <class Graph, int Rank>
 inline constexpr const turn_place& place_at = layout_of<Graph>.turns[plan_of<Graph>.order[Rank]];
 
-// Clang learns which function it is only while it inlines: by then it has simplified it, once for all that are alike. That all
-// here is noexcept tells clang where an exception ends; without it each function of the user would split the beat in two.
+// Clang learns which function it is only while it inlines: by then it has simplified it, once for all that are alike.
 template <class Graph>
-using turn_function = void(memory<Graph>&, locals<Graph>&, course&, std::int64_t, const turn_place&) noexcept;
-template <class Graph>
-inline void call_turn(turn_function<Graph>* take_turn, memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, const turn_place& of) noexcept {
+inline void call_turn(void (*take_turn)(memory<Graph>&, locals<Graph>&, course&, std::int64_t, const turn_place&), memory<Graph>& m, locals<Graph>& l, course& c,
+                    std::int64_t k, const turn_place& of) {
   take_turn(m, l, c, k, of);
 }
 
 template <class Graph, int Rank>
-CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) noexcept {
+CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
   if constexpr (inlines_through) call_turn<Graph>(function_at<Graph, Rank>::take_turn, m, l, c, k, place_at<Graph, Rank>);
   else function_at<Graph, Rank>::take_turn(m, l, c, k, place_at<Graph, Rank>);
   if constexpr (Rank % turns_between_fences == turns_between_fences - 1) std::atomic_signal_fence(std::memory_order_seq_cst);
@@ -69,31 +67,31 @@ CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int6
 // The functions from rank `First` on, until one faults. Where a beat can end early it is one chain, so that g++ sees that no
 // later turn reads what an earlier one did not write.
 template <class Graph, int First, int... Rank>
-CCA_GLUE void take_turns(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Rank...>) noexcept {
+CCA_GLUE void take_turns(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Rank...>) {
   if constexpr (counts_of<Graph>.may_fault) (void)((take_turn<Graph, First + Rank>(m, l, c, k), !c.fault) && ...);
   else (take_turn<Graph, First + Rank>(m, l, c, k), ...);
 }
 
 template <class Graph, int First, int Count>
 struct part_of_beat {
-  CCA_GLUE static void take(memory<Graph>& m, course& c, std::int64_t k) noexcept {
+  CCA_GLUE static void take(memory<Graph>& m, course& c, std::int64_t k) {
     [[maybe_unused]] locals<Graph> l;
     take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
   }
   // A function of its own, where there are too many for one.
-  [[gnu::noinline, gnu::flatten]] static void take_apart(memory<Graph>& m, course& c, std::int64_t k) noexcept { take(m, c, k); }
+  [[gnu::noinline, gnu::flatten]] static void take_apart(memory<Graph>& m, course& c, std::int64_t k) { take(m, c, k); }
 };
 
 template <class Graph, int First>
 using part_from = part_of_beat<Graph, First, std::min(turns_in_part<Graph>, counts_of<Graph>.turn_count - First)>;
 
 template <class Graph, int... Part>
-CCA_GLUE void take_parts(memory<Graph>& m, course& c, std::int64_t k, std::integer_sequence<int, Part...>) noexcept {
+CCA_GLUE void take_parts(memory<Graph>& m, course& c, std::int64_t k, std::integer_sequence<int, Part...>) {
   (void)((part_from<Graph, Part * turns_in_part<Graph>>::take_apart(m, c, k), !c.fault) && ...);
 }
 
 template <class Graph>
-CCA_GLUE void take_beat(memory<Graph>& m, course& c, std::int64_t k) noexcept {
+CCA_GLUE void take_beat(memory<Graph>& m, course& c, std::int64_t k) {
   constexpr int parts = (counts_of<Graph>.turn_count + turns_in_part<Graph> - 1) / turns_in_part<Graph>;
   if constexpr (parts <= 1) part_from<Graph, 0>::take(m, c, k);
   else take_parts(m, c, k, std::make_integer_sequence<int, parts>{});

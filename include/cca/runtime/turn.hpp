@@ -118,7 +118,7 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
   int leaf;
   seats<Graph, Turn> places;
 
-  CCA_GLUE static void take_turn(memory<Graph>& m, [[maybe_unused]] locals<Graph>& l, course& on, std::int64_t k, const turn_place& of) noexcept {
+  CCA_GLUE static void take_turn(memory<Graph>& m, [[maybe_unused]] locals<Graph>& l, course& on, std::int64_t k, const turn_place& of) {
     if constexpr (!t.fires.never()) {
       auto& self = cells_at<Graph, layout_of<Graph>.cells[t.leaf].group>(m).at(of.component);
       const function_in_beat one{m, on, k, of.leaf, {m, l, of}};
