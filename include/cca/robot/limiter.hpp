@@ -151,7 +151,7 @@ public:
 
 private:
   // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.
-  void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
+  void begin(vector_type command, vector_type measured, bool is_measured, bool now) noexcept {
     each_axis([&](auto axis) {
       const double there = measured[axis], wanted = command[axis];
       const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
@@ -166,7 +166,7 @@ private:
   }
 
   // The same once more, with what is to be told of it. Unrolled as well, else the command would have to lie in memory.
-  vector_type corrected(vector_type command, std::int64_t k, double dt) {
+  vector_type corrected(vector_type command, std::int64_t k, double dt) noexcept {
     vector_type value;
     each_axis([&](auto axis) {
       const double wanted = command[axis];
