@@ -16,9 +16,12 @@ inline constexpr int most_in_one = 128;
 template <class Graph>
 inline constexpr int turns_in_part = graph_facts<Graph>::value.sizes.turns <= most_in_one ? most_in_one : 64;
 
-// After so many functions comes a fence for the compiler alone, which is no instruction. A read from memory is looked for among the
-// writes before it, back to the last fence; to the beginning of the beat that was a sixth of g++'s time above Eigen at 100 nodes.
-// Each component's memory is used in one place of the beat, so that nothing is read twice for it.
+template <class Graph>
+inline constexpr bool is_long_beat = graph_facts<Graph>::value.sizes.turns > 64;
+
+// In a long beat a fence for the compiler alone, which is no instruction, comes after so many functions. A read from memory is looked for
+// among the writes before it, back to the last fence; to the beginning of the beat that was a sixth of g++'s time above Eigen at 100
+// nodes. A short beat has none: with eight drives, large components and few, it took g++ 8 % more instructions.
 inline constexpr int turns_between_fences = 16;
 
 // In a long beat g++ simplifies a function once for all that are alike and inlines it then, in a sixth less time. In a short one it inlines
@@ -27,7 +30,7 @@ inline constexpr int turns_between_fences = 16;
 // A local then ends with the function that reads it last: to see for itself that a store is dead, g++ would look through all
 // that follows it, and give up after 256 questions.
 template <class Graph>
-inline constexpr bool simplified_once = graph_facts<Graph>::value.sizes.turns > 64 && !inlines_through;
+inline constexpr bool simplified_once = is_long_beat<Graph> && !inlines_through;
 
 constexpr bool in_one_part(const flat_view& g, int turn, int other) {
   return g.turns[turn].rank / g.turns_in_part == g.turns[other].rank / g.turns_in_part;

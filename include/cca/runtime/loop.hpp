@@ -61,7 +61,7 @@ template <class Graph, int Rank>
 CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k) {
   if constexpr (inlines_through) call_turn<Graph>(function_at<Graph, Rank>::take_turn, m, l, c, k, place_at<Graph, Rank>);
   else function_at<Graph, Rank>::take_turn(m, l, c, k, place_at<Graph, Rank>);
-  if constexpr (Rank % turns_between_fences == turns_between_fences - 1) std::atomic_signal_fence(std::memory_order_seq_cst);
+  if constexpr (is_long_beat<Graph> && Rank % turns_between_fences == turns_between_fences - 1) std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 
 // The functions from rank `First` on, until one faults. Where a beat can end early it is one chain, so that g++ sees that no
