@@ -12,7 +12,7 @@ public:
   constexpr beat(std::int64_t index, std::int64_t period, std::int64_t beats_since)
       : k(index), T(period), since(beats_since) {}
 
-  // k = 0, 1, 2, ...; never negative, which the compiler is told, so that `index() % 64` needs no sign.
+  // k = 0, 1, 2, ...; never negative, which clang is told, so that `index() % 64` needs no sign.
   constexpr std::int64_t index() const {
     CCA_ASSUME(k >= 0);
     return k;

@@ -71,7 +71,7 @@ CCA_GLUE beat beat_of(std::int64_t k, const last_firing& self) {
   return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
 }
 
-// Its path, to be named by the compilers.
+// The path of a component, to be named by the compilers.
 template <class Graph, int Leaf>
 consteval auto path_of_leaf() {
   constexpr text path = [] {
