@@ -19,14 +19,10 @@ def three(row, what):
 
 
 def short(name):
-    """`sin`; what is seldom done: of a limiter its first beat and where it steps in, of a sequence its search for a path, a fault."""
-    seldom = re.search(r"cca::(limiter|sequence|controller)<.*::(begin|corrected|look_for|fail)\b", name)
+    """`sin`; what is seldom done: a sequence's search for a path, a fault."""
+    seldom = re.search(r"cca::(sequence|controller)<.*::(look_for|fail)\b", name)
     if "part_of_beat" in name:
         return "part_of_beat"
-    if name == "__clang_call_terminate":
-        return "__clang_call_terminate (where a noexcept function lets an exception out)"
-    if "take_piece" in name:
-        return "take_piece"
     return f"{seldom[1]}::{seldom[2]} (seldom)" if seldom else name.split("(")[0]
 
 
@@ -130,7 +126,7 @@ of the library in both, samples, ports, origins, strategies and the sequencer's 
 the last bit, which each run checks. Graph / by hand; the goal is a ratio of at most 1.05.
 
 {table(["compiler", "flags", "instructions a beat", "graph : by hand", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
-Seldom: a limiter's first beat and where it steps in; a sequence looks for the path of a condition once; a fault ends the run.
+Seldom: a sequence looks for the path of a condition once; a fault ends the run.
 {measured(part)}"""
 
 

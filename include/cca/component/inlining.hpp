@@ -13,11 +13,13 @@
 #define CCA_INLINE_CALL [[clang::always_inline]]
 #define CCA_ONE CCA_GLUE
 #define CCA_ASSUME(condition) __builtin_assume(condition)
+#define CCA_STAY_ROLLED _Pragma("clang loop unroll(disable) vectorize(disable)")
 namespace cca::detail { inline constexpr bool inlines_through = true; }
 #else
 #define CCA_GLUE inline
 #define CCA_INLINE_CALL
 #define CCA_ONE [[gnu::flatten]]
 #define CCA_ASSUME(condition)
+#define CCA_STAY_ROLLED
 namespace cca::detail { inline constexpr bool inlines_through = false; }
 #endif

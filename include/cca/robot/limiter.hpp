@@ -15,7 +15,7 @@
 // It starts from "measured", where that is wired and has come, and holds it until a first command has; else the first command
 // is taken as it is. Each number changed is counted, and the first cause kept: which axis, which check, in which beat.
 //
-// Cost: two comparisons an axis and one branch; two additions more where an axis limits the rate. The rest runs only when
+// Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest runs only when
 // a command is changed. Errors: space.missing_limits. Example: tests/runtime/robot/limiter.cpp; docs/robot.md.
 #pragma once
 
@@ -87,13 +87,10 @@ struct limits_of {
     return all;
   }();
 
-  static constexpr bool has_rate(std::size_t i) {
-    constexpr double all = std::numeric_limits<double>::infinity();
-    return rate[i].lower > -all || rate[i].upper < all;
-  }
   static constexpr bool has_any_rate = [] {
-    for (std::size_t i = 0; i < size; ++i)
-      if (has_rate(i)) return true;
+    constexpr double all = std::numeric_limits<double>::infinity();
+    for (const auto& r : rate)
+      if (r.lower > -all || r.upper < all) return true;
     return false;
   }();
   static constexpr bool may_rest = [] {
@@ -104,9 +101,10 @@ struct limits_of {
 
   static constexpr double in_range(std::size_t i, double value) { return at_most(range[i].upper, at_least(range[i].lower, value)); }
 
-  // The range, and of it what can be reached from the last number within dt.
+  // The range, and of it what can be reached from the last number within dt: all of it where the rate is infinite, also
+  // in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
   CCA_GLUE static constexpr bounds window(std::size_t i, double last, double dt) {
-    if (!has_rate(i)) return range[i];
+    if constexpr (!has_any_rate) return range[i];
     return {at_least(range[i].lower, last + rate[i].lower * dt), at_most(range[i].upper, last + rate[i].upper * dt)};
   }
 };
@@ -151,8 +149,8 @@ public:
 
 private:
   // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.
-  void begin(vector_type command, vector_type measured, bool is_measured, bool now) noexcept {
-    each_axis([&](auto axis) {
+  CCA_GLUE void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
+    each_axis_seldom([&](int axis) {
       const double there = measured[axis], wanted = command[axis];
       const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
       last[axis] = limits::in_range(axis, start);
@@ -165,16 +163,15 @@ private:
     else return now.dt();
   }
 
-  // The same once more, with what is to be told of it. Unrolled as well, else the command would have to lie in memory.
-  vector_type corrected(vector_type command, std::int64_t k, double dt) noexcept {
-    vector_type value;
-    each_axis([&](auto axis) {
-      const double wanted = command[axis];
-      const bool lost = !std::isfinite(wanted);
+  // The same once more, with what is to be told of it.
+  CCA_GLUE vector_type corrected(vector_type value, std::int64_t k, double dt) {
+    each_axis_seldom([&](int axis) {
+      const double wanted = value[axis];
       const auto [low, high] = limits::window(axis, last[axis], dt);
+      if (wanted >= low && wanted <= high) return;
+      const bool lost = !std::isfinite(wanted);
       const double goal = !lost ? wanted : detail::limiting<typename limits::quantity>::holds ? last[axis] : 0;
       value[axis] = detail::at_most(high, detail::at_least(low, goal));
-      if (value[axis] == wanted) return;
       ++count;
       if (first.cause == limited_by::nothing)
         first = {lost ? limited_by::finite : limits::in_range(axis, wanted) != wanted ? limited_by::range : limited_by::rate, axis, k};
@@ -187,6 +184,13 @@ private:
   CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) { CCA_INLINE_CALL (f(std::integral_constant<int, Axis>{}), ...); }
   template <class F>
   CCA_GLUE static void each_axis(F f) { at_each(f, std::make_integer_sequence<int, Space::size>{}); }
+
+  // In a loop that stays one: what is seldom done is to be short, not fast.
+  template <class F>
+  CCA_GLUE static void each_axis_seldom(F f) {
+    CCA_STAY_ROLLED
+    for (int axis = 0; axis < Space::size; ++axis) CCA_INLINE_CALL f(axis);
+  }
 
   static vector_type rest() {
     vector_type nearest_to_zero;

@@ -217,6 +217,14 @@ TEST_CASE("after a pause it goes on, and does not jump") {
   CHECK_EQ(unstated({0.8, -1}, 10)[0], 0.04);  // no rate is stated: the time since it last fired
 }
 
+TEST_CASE("in no time an axis with a rate stays, and one without goes where it likes") {
+  bench<leg_angles> limit;
+  limit({0.3, -1});
+  CHECK_EQ(limit({0.8, -1.5}, 0), Eigen::Vector2d(0.3, -1.5));
+  CHECK_EQ(limit({0.3, 1}, 0), Eigen::Vector2d(0.3, -0.2));
+  CHECK_EQ(limit({no_number, no_number}, 0), Eigen::Vector2d(0.3, -0.2));
+}
+
 TEST_CASE("in a loop") {
   cca::controller<careful> c;
   c.load();
