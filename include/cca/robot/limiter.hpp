@@ -174,7 +174,7 @@ private:
       value[axis] = detail::at_most(high, detail::at_least(low, goal));
       ++count;
       if (first.cause == limited_by::nothing)
-        first = {lost ? limited_by::finite : limits::in_range(axis, wanted) != wanted ? limited_by::range : limited_by::rate, axis, k};
+        first = {lost ? limited_by::finite : limits::has_any_rate && limits::in_range(axis, wanted) == wanted ? limited_by::rate : limited_by::range, axis, k};
     });
     return value;
   }
