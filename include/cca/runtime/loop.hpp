@@ -64,11 +64,17 @@ CCA_GLUE void take_turn(memory<Graph>& m, locals<Graph>& l, course& c, std::int6
   if constexpr (is_long_beat<Graph> && Rank % turns_between_fences == turns_between_fences - 1) std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 
+// A fault is rare: were it not said, g++ would take what lies behind a few of these questions for cold, and optimise it for size.
+CCA_GLUE bool goes_on(const course& c) {
+  if (c.fault) [[unlikely]] return false;
+  return true;
+}
+
 // The functions from rank `First` on, until one faults. Where a beat can end early it is one chain, so that g++ sees that no
 // later turn reads what an earlier one did not write.
 template <class Graph, int First, int... Rank>
 CCA_GLUE void take_turns(memory<Graph>& m, locals<Graph>& l, course& c, std::int64_t k, std::integer_sequence<int, Rank...>) {
-  if constexpr (counts_of<Graph>.may_fault) (void)((take_turn<Graph, First + Rank>(m, l, c, k), !c.fault) && ...);
+  if constexpr (counts_of<Graph>.may_fault) (void)((take_turn<Graph, First + Rank>(m, l, c, k), goes_on(c)) && ...);
   else (take_turn<Graph, First + Rank>(m, l, c, k), ...);
 }
 
@@ -87,7 +93,7 @@ using part_from = part_of_beat<Graph, First, std::min(turns_in_part<Graph>, coun
 
 template <class Graph, int... Part>
 CCA_GLUE void take_parts(memory<Graph>& m, course& c, std::int64_t k, std::integer_sequence<int, Part...>) {
-  (void)((part_from<Graph, Part * turns_in_part<Graph>>::take_apart(m, c, k), !c.fault) && ...);
+  (void)((part_from<Graph, Part * turns_in_part<Graph>>::take_apart(m, c, k), goes_on(c)) && ...);
 }
 
 template <class Graph>
