@@ -85,7 +85,7 @@ struct part_of_beat {
     take_turns<Graph, First>(m, l, c, k, std::make_integer_sequence<int, Count>{});
   }
   // A function of its own, where there are too many for one.
-  [[gnu::noinline, gnu::flatten]] static void take_apart(memory<Graph>& m, course& c, std::int64_t k) { take(m, c, k); }
+  [[gnu::noinline, gnu::flatten]] static void take_apart(memory<Graph>& m, course& c, std::int64_t k) noexcept { take(m, c, k); }
 };
 
 template <class Graph, int First>
