@@ -6,6 +6,7 @@
 // with what it calls through a pointer that it comes to know while it inlines.
 //
 // What is assumed only clang is told: g++ would take it for code, and inline less.
+// Likewise that a loop stays one: a seldom one, unrolled by clang, would cost the rest of the beat registers.
 #pragma once
 
 #if defined(__clang__)
