@@ -5,8 +5,8 @@
 // One is a function that many are alike, put together before it is inlined for each of them: on g++ by `flatten`; clang does so
 // with what it calls through a pointer that it comes to know while it inlines.
 //
-// What is assumed only clang is told: g++ would take it for code, and inline less.
-// Likewise that a loop stays one: a seldom one, unrolled by clang, would cost the rest of the beat registers.
+// What is assumed only clang is told: g++ would take it for code, and inline less. Nor need g++ be told that a loop stays one;
+// clang would unroll a seldom one, at the cost of registers in the rest of the beat.
 #pragma once
 
 #if defined(__clang__)

@@ -232,7 +232,7 @@ private:
     detail::take_beat(state_of_all, course, k);
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
-      if (course.fault) [[unlikely]] fail(course);
+      if (course.fault) fail(course);
   }
 
   // In the beat of the fault, instead of what would still have come.
