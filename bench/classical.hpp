@@ -1,8 +1,9 @@
-// The classical way to build a component architecture, as the seed does it: components behind virtual functions, found by
-// name at run time; samples on the heap behind shared pointers; a queue at each input; strategies as objects. The components
-// themselves are those of the graph, so the arithmetic is the same.
+// The classical way to build a component architecture, as the seed does it: components behind virtual
+// functions, found by name at run time; samples on the heap behind shared pointers; a queue at each input;
+// strategies as objects. The components themselves are those of the graph, so the arithmetic is the same.
 //
-// Meant to be good of its kind: ports are looked up once, when they are connected; samples are typed and of fixed size.
+// Meant to be good of its kind: ports are looked up once, when they are connected; samples are typed and of
+// fixed size.
 #pragma once
 
 #include <cstdint>
@@ -79,7 +80,9 @@ struct strategy {
 };
 struct every : strategy {
   explicit every(std::int64_t beats) : n(beats) {}
-  bool fires(std::int64_t k, const std::vector<std::unique_ptr<input_port>>&) const override { return k % n == 0; }
+  bool fires(std::int64_t k, const std::vector<std::unique_ptr<input_port>>&) const override {
+    return k % n == 0;
+  }
   std::int64_t n;
 };
 struct when_fresh : strategy {
@@ -91,7 +94,9 @@ struct when_fresh : strategy {
 };
 // If the first input is.
 struct when_first_is_fresh : strategy {
-  bool fires(std::int64_t, const std::vector<std::unique_ptr<input_port>>& inputs) const override { return inputs.front()->fresh(); }
+  bool fires(std::int64_t, const std::vector<std::unique_ptr<input_port>>& inputs) const override {
+    return inputs.front()->fresh();
+  }
 };
 
 class node {
@@ -122,9 +127,14 @@ public:
   }
 
 private:
-  template <class... P> static constexpr std::size_t count(cca::detail::list<P...>) { return sizeof...(P); }
+  template <class... P>
+  static constexpr std::size_t count(cca::detail::list<P...>) {
+    return sizeof...(P);
+  }
 
-  template <class Port> static constexpr bool is_port = cca::detail::parameter_facts<Port>::kind == cca::detail::parameter_kind::input;
+  template <class Port>
+  static constexpr bool is_port =
+      cca::detail::parameter_facts<Port>::kind == cca::detail::parameter_kind::input;
 
   template <class... P>
   void add_inputs(cca::detail::list<P...>) {
@@ -141,13 +151,16 @@ private:
   }
   template <class... R>
   void add_outputs(cca::detail::list<R...>) {
-    ((output_names.emplace(std::string(R::name), static_cast<int>(outputs.size())), outputs.push_back(std::make_unique<output_port>())), ...);
+    ((output_names.emplace(std::string(R::name), static_cast<int>(outputs.size())),
+      outputs.push_back(std::make_unique<output_port>())),
+     ...);
   }
 
   template <class Port>
   Port argument(std::size_t i, const cca::beat& now) {
     if constexpr (is_port<Port>) {
-      auto& input = static_cast<typed_input<typename Port::space>&>(*inputs[static_cast<std::size_t>(positions[i])]);
+      auto& input =
+          static_cast<typed_input<typename Port::space>&>(*inputs[static_cast<std::size_t>(positions[i])]);
       const bool fresh = input.update();
       Port port{cca::detail::to_be_filled{}};
       for (int c = 0; c < Port::space::size; ++c) port.set(c, input.newest().value[c]);
@@ -169,13 +182,17 @@ private:
 
   template <class... R>
   void publish(const std::tuple<R...>& results, const cca::beat& now) {
-    std::apply([&](const auto&... one) {
-      std::size_t i = 0;
-      (publish_one(one, i++, now), ...);
-    }, results);
+    std::apply(
+        [&](const auto&... one) {
+          std::size_t i = 0;
+          (publish_one(one, i++, now), ...);
+        },
+        results);
   }
   template <class R>
-  void publish(const R& result, const cca::beat& now) { publish_one(result, 0, now); }
+  void publish(const R& result, const cca::beat& now) {
+    publish_one(result, 0, now);
+  }
   template <class R>
   void publish_one(const R& result, std::size_t i, const cca::beat& now) {
     auto s = std::make_shared<sample<typename R::space>>();
@@ -194,7 +211,10 @@ public:
 
   // Components are asked in the order in which they are added.
   template <auto Function, class Component>
-  void add(const std::string& name, Component& component, std::unique_ptr<strategy> when, std::int64_t first_dt = 1) {
+  void add(const std::string& name,
+           Component& component,
+           std::unique_ptr<strategy> when,
+           std::int64_t first_dt = 1) {
     auto n = std::make_unique<wrapped<Component, Function>>(component);
     n->fires = std::move(when);
     n->first_dt = first_dt;

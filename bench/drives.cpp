@@ -3,9 +3,10 @@
 //   drives BEATS          so many beats (under callgrind); ends with 1 if anything tripped
 //   drives allocations    what 1000 beats allocate
 //
-// Each bus is a mirror: behind it stand drives that are at once where they are told to be, and the sensor board. What it does is
-// taken off, by a second count of its two functions alone (--toggle-collect), so the figure is that of reading and writing all
-// frames, of the safety chain and of the controller. On a real bus the kernel's work comes on top. docs/hardware.md.
+// Each bus is a mirror: behind it stand drives that are at once where they are told to be, and the sensor
+// board. What it does is taken off, by a second count of its two functions alone (--toggle-collect), so the
+// figure is that of reading and writing all frames, of the safety chain and of the controller. On a real bus
+// the kernel's work comes on top. docs/hardware.md.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -36,18 +37,20 @@ public:
       auto& where = at[f.id.number];
       const bool special = f.data[0] == 0xFF && f.data[1] == 0xFF && f.data[2] == 0xFF;
       const bool stiff = ((f.data[3] & 0xFu) << 8 | f.data[4]) != 0;
-      if (!special && stiff) where = {f.data[0], f.data[1], f.data[2], static_cast<std::uint8_t>((f.data[3] & 0xF0) | 7)};
-      answers[count++] = {
-          .id = answers_under,
-          .length = 8,
-          .data = {static_cast<std::uint8_t>(f.id.number | 0x10), where[0], where[1], where[2], where[3], 0xFF, 25, 25}};
+      if (!special && stiff)
+        where = {f.data[0], f.data[1], f.data[2], static_cast<std::uint8_t>((f.data[3] & 0xF0) | 7)};
+      answers[count++] = {.id = answers_under,
+                          .length = 8,
+                          .data = {static_cast<std::uint8_t>(f.id.number | 0x10), where[0], where[1],
+                                   where[2], where[3], 0xFF, 25, 25}};
     }
     return {frames.size(), hw::send_outcome::sent};
   }
   [[gnu::noinline]] std::size_t receive(std::span<hw::received_frame> into) noexcept {
     now += 1'000'000;
     if (has_board)
-      for (const hw::can_frame& f : hil::board::frames({.orientation = {0, 0, 0, 1}}, beat++)) answers[count++] = f;
+      for (const hw::can_frame& f : hil::board::frames({.orientation = {0, 0, 0, 1}}, beat++))
+        answers[count++] = f;
     const std::size_t n = std::exchange(count, 0);
     for (std::size_t i = 0; i < n; ++i) into[i] = {answers[i], now};
     return n;
@@ -60,7 +63,8 @@ public:
   template <class... J>
   void stand(hw::joint_list<J...>) {
     const auto one = [this]<class One>(One) {
-      const auto& d = One::drive::reply(One::drive_angle_of(0.5 * (One::angle.lower + One::angle.upper)), 0, 0).data;
+      const auto& d =
+          One::drive::reply(One::drive_angle_of(0.5 * (One::angle.lower + One::angle.upper)), 0, 0).data;
       at[One::drive::request_id.number] = {d[1], d[2], d[3], d[4]};
       answers_under = One::drive::reply_id;
     };
@@ -117,6 +121,7 @@ int main(int count, char** arguments) {
   if (r->trots()) return 0;
   const auto cause = r->controller.get<"robot.emergency_stop">().first_cause();
   std::fprintf(stderr, "drives: it does not trot: %s, joint %d, beat %lld\n",
-               std::string(cca::hardware::name_of(cause.rule)).c_str(), cause.joint, static_cast<long long>(cause.beat));
+               std::string(cca::hardware::name_of(cause.rule)).c_str(), cause.joint,
+               static_cast<long long>(cause.beat));
   return 1;
 }

@@ -1,8 +1,8 @@
 // One benchmark program: the same arithmetic as a graph, as a loop written by hand, and in the classical way.
 //
-//   program check [<beats>]          compares the three, bit for bit, beat by beat; exits with 1 where they differ
-//   program <form> <beats>           runs `graph`, `by_hand` or `classical` so many beats (under callgrind)
-//   program figures                  allocations a beat and bytes of state, one line a form
+//   program check [<beats>]          compares the three, bit for bit, beat by beat; exits with 1 where they
+//   differ program <form> <beats>           runs `graph`, `by_hand` or `classical` so many beats (under
+//   callgrind) program figures                  allocations a beat and bytes of state, one line a form
 //   program [--benchmark_...]        nanoseconds a beat (Google Benchmark)
 //
 // A form has step() and result(), an Eigen vector.
@@ -26,7 +26,8 @@ extern "C" long bench_allocations();
 
 namespace bench {
 
-// A beat is a call, as it is where a robot waits between two: nothing of one beat is kept in registers for the next.
+// A beat is a call, as it is where a robot waits between two: nothing of one beat is kept in registers for
+// the next.
 template <class Form>
 [[gnu::noinline]] void one_beat(Form& form) {
   form.step();
@@ -86,7 +87,9 @@ int check(int beats) {
   const auto others = std::make_tuple(std::make_unique<Others>()...);
   for (int k = 0; k < beats; ++k) {
     g->step();
-    const bool same = std::apply([&](const auto&... one) { return ((one->step(), same_bits(g->result(), one->result())) && ...); }, others);
+    const bool same = std::apply(
+        [&](const auto&... one) { return ((one->step(), same_bits(g->result(), one->result())) && ...); },
+        others);
     if (same) continue;
     std::fprintf(stderr, "beat %d: the forms differ: %.17g", k, g->result()[0]);
     std::apply([&](const auto&... one) { (std::fprintf(stderr, ", %.17g", one->result()[0]), ...); }, others);
@@ -107,7 +110,9 @@ int program(int argc, char** argv) {
   }
   if (argc == 3) {
     const int beats = std::atoi(argv[2]);
-    const auto run_if = [&]<class Form>(std::type_identity<Form>) { return what == Form::name && (run<Form>(beats), true); };
+    const auto run_if = [&]<class Form>(std::type_identity<Form>) {
+      return what == Form::name && (run<Form>(beats), true);
+    };
     return run_if(std::type_identity<Graph>{}) || (run_if(std::type_identity<Others>{}) || ...) ? 0 : 2;
   }
   benchmark::RegisterBenchmark(Graph::name, time<Graph>);

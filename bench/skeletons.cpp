@@ -1,9 +1,9 @@
 // Each skeleton in a graph, and what one would write by hand instead: how much of it is left after compiling.
 //
 //   skeletons list                       the names
-//   skeletons check                      compares the two forms of each, bit for bit, beat by beat; exits with 1 where they differ
-//   skeletons <name> <form> <beats>      runs `graph` or `by_hand` so many beats (under callgrind)
-//   skeletons <name> allocations         of a thousand beats
+//   skeletons check                      compares the two forms of each, bit for bit, beat by beat; exits
+//   with 1 where they differ skeletons <name> <form> <beats>      runs `graph` or `by_hand` so many beats
+//   (under callgrind) skeletons <name> allocations         of a thousand beats
 #include "skeletons.hpp"
 
 #include <cstdio>
@@ -29,7 +29,9 @@ struct as_graph {
   void step() { controller.step(); }
   void settle()
     requires requires { Graph::crew; }
-  { controller.template get<Graph::crew>().wait(); }
+  {
+    controller.template get<Graph::crew>().wait();
+  }
   Eigen::Vector2d result() const { return controller.template get<"end">().sum; }
 };
 
@@ -71,7 +73,8 @@ int use(const char* name, int argc, char** argv) {
     std::printf("%ld\n", bench_allocations() - before);
     return 0;
   }
-  return std::string_view(argv[2]) == "graph" ? run<as_graph<Graph>>(std::atoi(argv[3])) : run<ByHand>(std::atoi(argv[3]));
+  return std::string_view(argv[2]) == "graph" ? run<as_graph<Graph>>(std::atoi(argv[3]))
+                                              : run<ByHand>(std::atoi(argv[3]));
 }
 
 }  // namespace bench
@@ -80,11 +83,15 @@ int main(int argc, char** argv) {
   using namespace bench;
   if (argc < 2) return 2;
   return use<splitter_collector, splitter_collector_by_hand>("splitter, collector", argc, argv) +
-         use<pipeline, pipeline_by_hand>("pipeline", argc, argv) + use<pipeline_delayed, pipeline_delayed_by_hand>("pipeline over delays", argc, argv) +
-         use<farm, farm_by_hand>("farm", argc, argv) + use<farm_threads, farm_threads_by_hand>("farm on threads", argc, argv) +
+         use<pipeline, pipeline_by_hand>("pipeline", argc, argv) +
+         use<pipeline_delayed, pipeline_delayed_by_hand>("pipeline over delays", argc, argv) +
+         use<farm, farm_by_hand>("farm", argc, argv) +
+         use<farm_threads, farm_threads_by_hand>("farm on threads", argc, argv) +
          use<by_priority, by_priority_by_hand>("arbiter by priority", argc, argv) +
          use<by_freshness, by_freshness_by_hand>("arbiter by freshness", argc, argv) +
-         use<switched, switched_by_hand>("switch", argc, argv) + use<blended, blended_by_hand>("blend", argc, argv) +
-         use<held, held_by_hand>("hold", argc, argv) + use<decimated, decimated_by_hand>("decimate", argc, argv) +
-         use<averaged, averaged_by_hand>("decimate, averaged", argc, argv) + use<interpolated, interpolated_by_hand>("interpolate", argc, argv);
+         use<switched, switched_by_hand>("switch", argc, argv) +
+         use<blended, blended_by_hand>("blend", argc, argv) + use<held, held_by_hand>("hold", argc, argv) +
+         use<decimated, decimated_by_hand>("decimate", argc, argv) +
+         use<averaged, averaged_by_hand>("decimate, averaged", argc, argv) +
+         use<interpolated, interpolated_by_hand>("interpolate", argc, argv);
 }

@@ -1,4 +1,5 @@
-// Graphs of one skeleton each, of a ramp and low-pass filters, and the same by hand. What ends in `end` is summed up.
+// Graphs of one skeleton each, of a ramp and low-pass filters, and the same by hand. What ends in `end` is
+// summed up.
 #pragma once
 
 #include <atomic>
@@ -13,7 +14,8 @@
 
 namespace bench {
 
-template <int Hz> struct plane_at : cca::space<cca::number, cca::axes<cca::x, cca::y>, cca::rate<Hz>> {};
+template <int Hz>
+struct plane_at : cca::space<cca::number, cca::axes<cca::x, cca::y>, cca::rate<Hz>> {};
 struct q0 : cca::dimension<"q0"> {};
 struct q1 : cca::dimension<"q1"> {};
 struct q2 : cca::dimension<"q2"> {};
@@ -26,7 +28,9 @@ constexpr double dt = 1'000'000 / 1e9;
 template <class Space, int Number = 0>
 struct ramp {
   typename Space::vector_type value = Space::vector_type::Constant(Number);
-  auto process(cca::beat now) -> cca::out<"y", Space> { return value = (value.array() + now.dt()).matrix().eval(); }
+  auto process(cca::beat now) -> cca::out<"y", Space> {
+    return value = (value.array() + now.dt()).matrix().eval();
+  }
 };
 struct now_and_then {
   Eigen::Vector2d value{0, 0};
@@ -47,10 +51,15 @@ struct ending : sum_of {
 
 // ---- splitter and collector ----
 
-struct splitter_collector
-    : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"split", cca::splitter<"whole", plane>>,
-                 cca::node<"join", cca::collector<"whole", plane>, cca::moderate>, cca::node<"end", ending<plane>>,
-                 cca::wire<"source.y", "split.whole">, cca::wire<"split.x", "join.x">, cca::wire<"split.y", "join.y">, cca::wire<"join.whole", "end.x">> {};
+struct splitter_collector : cca::graph<cca::rate<1000>,
+                                       cca::node<"source", source>,
+                                       cca::node<"split", cca::splitter<"whole", plane>>,
+                                       cca::node<"join", cca::collector<"whole", plane>, cca::moderate>,
+                                       cca::node<"end", ending<plane>>,
+                                       cca::wire<"source.y", "split.whole">,
+                                       cca::wire<"split.x", "join.x">,
+                                       cca::wire<"split.y", "join.y">,
+                                       cca::wire<"join.whole", "end.x">> {};
 struct moving {  // the source by hand
   Eigen::Vector2d at{0, 1}, sum{0, 0};
   void move() { at[0] += dt, at[1] -= dt; }
@@ -62,9 +71,17 @@ struct splitter_collector_by_hand : moving {
 
 // ---- pipeline, farm ----
 
-template <class Skeleton, class Source, class In = plane, class When = cca::detail::by_default, class... Policy>
-struct through : cca::graph<cca::rate<1000>, Source, cca::node<"skeleton", Skeleton, When>, cca::node<"end", ending<In>>,
-                            cca::wire<"source.y", "skeleton.input", Policy...>, cca::wire<"skeleton.output", "end.x">> {};
+template <class Skeleton,
+          class Source,
+          class In = plane,
+          class When = cca::detail::by_default,
+          class... Policy>
+struct through : cca::graph<cca::rate<1000>,
+                            Source,
+                            cca::node<"skeleton", Skeleton, When>,
+                            cca::node<"end", ending<In>>,
+                            cca::wire<"source.y", "skeleton.input", Policy...>,
+                            cca::wire<"skeleton.output", "end.x">> {};
 
 struct pipeline : through<cca::pipeline<filter, filter, filter>, cca::node<"source", source>> {};
 struct pipeline_by_hand : moving {
@@ -77,7 +94,8 @@ struct pipeline_by_hand : moving {
   }
 };
 
-struct pipeline_delayed : through<cca::pipeline_over<cca::delayed<1>, filter, filter, filter>, cca::node<"source", source>> {};
+struct pipeline_delayed
+    : through<cca::pipeline_over<cca::delayed<1>, filter, filter, filter>, cca::node<"source", source>> {};
 struct pipeline_delayed_by_hand : moving {
   filter f[3];
   void step() {
@@ -99,8 +117,10 @@ struct farm_by_hand : sum_of {
   Eigen::Vector2d result() const { return sum; }
 };
 
-// A task a beat, of which the threads are done before the next one: what is counted is the loop's hand-over, not their work.
-struct farm_threads : through<cca::farm_on_threads<filter, quad, quad>, cca::node<"source", ramp<quad>>, quad> {
+// A task a beat, of which the threads are done before the next one: what is counted is the loop's hand-over,
+// not their work.
+struct farm_threads
+    : through<cca::farm_on_threads<filter, quad, quad>, cca::node<"source", ramp<quad>>, quad> {
   static constexpr cca::fixed_string crew = "skeleton.crew";
 };
 struct farm_threads_by_hand : sum_of {
@@ -113,7 +133,9 @@ struct farm_threads_by_hand : sum_of {
       values[n % 4] = v;
       written.store(n + 1, std::memory_order_release);
     }
-    bool empty() const { return taken.load(std::memory_order_relaxed) == written.load(std::memory_order_acquire); }
+    bool empty() const {
+      return taken.load(std::memory_order_relaxed) == written.load(std::memory_order_acquire);
+    }
     Eigen::Vector2d pop() {
       const auto n = taken.load(std::memory_order_relaxed);
       const Eigen::Vector2d v = values[n % 4];
@@ -158,7 +180,10 @@ struct farm_threads_by_hand : sum_of {
       sum += whole.head<2>();
     }
     bool room = true;
-    for (auto& l : lanes) room &= l.tasks.written.load(std::memory_order_relaxed) - l.results.taken.load(std::memory_order_relaxed) < 4;
+    for (auto& l : lanes)
+      room &=
+          l.tasks.written.load(std::memory_order_relaxed) - l.results.taken.load(std::memory_order_relaxed) <
+          4;
     if (!room) {
       ++lost;
       return;
@@ -167,7 +192,8 @@ struct farm_threads_by_hand : sum_of {
   }
   void settle() const {
     for (auto& l : lanes)
-      while (l.results.written.load() != l.tasks.written.load()) std::this_thread::sleep_for(std::chrono::microseconds(50));
+      while (l.results.written.load() != l.tasks.written.load())
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
   Eigen::Vector2d result() const { return sum; }
 };
@@ -175,9 +201,14 @@ struct farm_threads_by_hand : sum_of {
 // ---- arbiter ----
 
 template <class Policy>
-struct arbitrated : cca::graph<cca::rate<1000>, cca::node<"first", now_and_then>, cca::node<"second", source>,
-                               cca::node<"arbiter", cca::arbiter<"y", plane, Policy>>, cca::node<"end", ending<plane>>,
-                               cca::wire<"first.y", "arbiter.first">, cca::wire<"second.y", "arbiter.second">, cca::wire<"arbiter.y", "end.x">> {};
+struct arbitrated : cca::graph<cca::rate<1000>,
+                               cca::node<"first", now_and_then>,
+                               cca::node<"second", source>,
+                               cca::node<"arbiter", cca::arbiter<"y", plane, Policy>>,
+                               cca::node<"end", ending<plane>>,
+                               cca::wire<"first.y", "arbiter.first">,
+                               cca::wire<"second.y", "arbiter.second">,
+                               cca::wire<"arbiter.y", "end.x">> {};
 struct by_priority : arbitrated<cca::by_priority<"first", "second">> {};
 struct by_freshness : arbitrated<cca::by_freshness<"first", "second">> {};
 struct either : moving {
@@ -223,10 +254,19 @@ struct quick : Switch {
   quick() { this->p.duration = 0.05; }
 };
 template <class Skeleton, class Last, class... More>
-struct of_two : cca::graph<cca::rate<1000>, cca::node<"first", ramp<plane>>, cca::node<"second", ramp<plane, 5>>, cca::node<"skeleton", Skeleton>,
-                           cca::node<"last", Last>, cca::node<"end", ending<plane>>, cca::wire<"first.y", "skeleton.first">,
-                           cca::wire<"second.y", "skeleton.second">, cca::wire<"skeleton.y", "end.x">, More...> {};
-struct switched : of_two<quick<cca::switch_between<"y", plane, "first", "second">>, chooser, cca::wire<"last.y", "skeleton.choice">> {};
+struct of_two : cca::graph<cca::rate<1000>,
+                           cca::node<"first", ramp<plane>>,
+                           cca::node<"second", ramp<plane, 5>>,
+                           cca::node<"skeleton", Skeleton>,
+                           cca::node<"last", Last>,
+                           cca::node<"end", ending<plane>>,
+                           cca::wire<"first.y", "skeleton.first">,
+                           cca::wire<"second.y", "skeleton.second">,
+                           cca::wire<"skeleton.y", "end.x">,
+                           More...> {};
+struct switched : of_two<quick<cca::switch_between<"y", plane, "first", "second">>,
+                         chooser,
+                         cca::wire<"last.y", "skeleton.choice">> {};
 struct two : sum_of {
   Eigen::Vector2d a{0, 0}, b{5, 5};
   void move() { a = (a.array() + dt).matrix(), b = (b.array() + dt).matrix(); }
@@ -267,7 +307,9 @@ struct swinging {
   double at = 0;
   auto process(cca::beat now) -> cca::out<"y", gain> { return at = at > 1.2 ? -0.2 : at + now.dt(); }
 };
-struct blended : of_two<cca::blend<"y", plane, gain, "first", "second">, swinging, cca::wire<"last.y", "skeleton.weight">> {};
+struct blended : of_two<cca::blend<"y", plane, gain, "first", "second">,
+                        swinging,
+                        cca::wire<"last.y", "skeleton.weight">> {};
 struct blended_by_hand : two {
   double at = 0, none = 0, full = 1;
   void step() {
@@ -282,7 +324,11 @@ struct blended_by_hand : two {
 using slow = plane_at<100>;
 using fast = plane_at<1000>;
 
-struct held : through<cca::hold<slow, fast>, cca::node<"source", ramp<slow>, cca::timed<10>>, fast, cca::timed<1>, cca::latest> {};
+struct held : through<cca::hold<slow, fast>,
+                      cca::node<"source", ramp<slow>, cca::timed<10>>,
+                      fast,
+                      cca::timed<1>,
+                      cca::latest> {};
 struct slowly : sum_of {
   Eigen::Vector2d at{0, 0};
   std::int64_t k = 0;
@@ -328,7 +374,11 @@ struct averaged_by_hand : ramp_by_hand {
   }
 };
 
-struct interpolated : through<cca::interpolate<slow, fast>, cca::node<"source", ramp<slow>, cca::timed<10>>, fast, cca::timed<1>, cca::latest> {};
+struct interpolated : through<cca::interpolate<slow, fast>,
+                              cca::node<"source", ramp<slow>, cca::timed<10>>,
+                              fast,
+                              cca::timed<1>,
+                              cca::latest> {};
 struct interpolated_by_hand : slowly {
   Eigen::Vector2d from{0, 0}, last{0, 0};
   int step_ = 10;

@@ -1,7 +1,8 @@
-// The controller of the Combination of Skills, in two forms: the graph, and the same arithmetic as one loop written by hand.
+// The controller of the Combination of Skills, in two forms: the graph, and the same arithmetic as one loop
+// written by hand.
 //
-// The robot's joints are where they were commanded to, with a little noise; after two seconds it sees a ball, so that all skills
-// have their turn. `bench_skills check` compares the two bit for bit.
+// The robot's joints are where they were commanded to, with a little noise; after two seconds it sees a ball,
+// so that all skills have their turn. `bench_skills check` compares the two bit for bit.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +23,9 @@ struct echo {
   vector4 abduction = vector4::Zero(), stiffness = vector4::Zero();
   vector8 sum = vector8::Zero();
 
-  static double noise(std::int64_t k, int i) { return 1e-3 * static_cast<double>((k * 37 + i * 101) % 64 - 32) / 32; }
+  static double noise(std::int64_t k, int i) {
+    return 1e-3 * static_cast<double>((k * 37 + i * 101) % 64 - 32) / 32;
+  }
   vector8 angles(std::int64_t k) const {
     vector8 q = legs;
     for (int i = 0; i < 8; ++i) q[i] += noise(k, i);
@@ -48,12 +51,16 @@ struct echo {
 
 struct robot {
   echo body;
-  auto sense(cca::beat now) -> std::tuple<cca::out<"angles", cca::sim::leg_angles>, cca::out<"abducted", cca::sim::abduction_angles>,
-                                          cca::out<"orientation", cca::sim::trunk_orientation>, cca::out<"angular_velocity", cca::sim::trunk_angular_velocity>,
+  auto sense(cca::beat now) -> std::tuple<cca::out<"angles", cca::sim::leg_angles>,
+                                          cca::out<"abducted", cca::sim::abduction_angles>,
+                                          cca::out<"orientation", cca::sim::trunk_orientation>,
+                                          cca::out<"angular_velocity", cca::sim::trunk_angular_velocity>,
                                           cca::out<"contacts", cca::sim::foot_contacts>> {
-    return {body.angles(now.index()), body.abduction, body.orientation(now.index()), body.rates(now.index()), body.contacts()};
+    return {body.angles(now.index()), body.abduction, body.orientation(now.index()), body.rates(now.index()),
+            body.contacts()};
   }
-  void act(cca::in<"command", cca::sim::leg_angles> wanted, cca::in<"abduction", cca::sim::abduction_angles> sideways,
+  void act(cca::in<"command", cca::sim::leg_angles> wanted,
+           cca::in<"abduction", cca::sim::abduction_angles> sideways,
            cca::in<"stiffness", cca::sim::hip_stiffnesses> hips) {
     body.take(wanted.vector(), sideways.vector(), hips.vector());
   }
@@ -86,7 +93,8 @@ struct graph : as_graph<skills_graph, look_at_robot> {
   graph() { controller.get<"dmp.module">().learning.hand_over(some_shape()); }
 };
 
-// The same by hand: one function, no samples, no ports, no origins. Equations, kinematics and monitors are the library's functions.
+// The same by hand: one function, no samples, no ports, no origins. Equations, kinematics and monitors are
+// the library's functions.
 struct by_hand {
   static constexpr const char* name = "by_hand";
   static constexpr double dt = 1'000'000 / 1e9, dt10 = 10'000'000 / 1e9, pi = std::numbers::pi;
@@ -95,7 +103,8 @@ struct by_hand {
   using vite_knees = cca::vite_ode<4>;
   using shape = cca::dmp_rhythmic_ode<8, 40>;
   template <class Leg>
-  using inverse = cca::detail::pantograph_solver<Leg, typename Leg::joints_of, skills::point_in_trunk, cca::damped_least_squares>;
+  using inverse = cca::detail::
+      pantograph_solver<Leg, typename Leg::joints_of, skills::point_in_trunk, cca::damped_least_squares>;
 
   // Parameters, as in the components.
   skills::orders::parameters orders = skills::orders{}.p;
@@ -155,20 +164,32 @@ struct by_hand {
 
   // The plan: what has to hold for the step after this one.
   bool next_may_begin() const {
-    const bool rest = hips_rest.get() == cca::ode_status::converged && knees_rest.get() == cca::ode_status::converged;
-    const bool calm = stands_still.get() == cca::criterion_state::fulfilled, there = at_ball.get() == cca::criterion_state::fulfilled;
+    const bool rest =
+        hips_rest.get() == cca::ode_status::converged && knees_rest.get() == cca::ode_status::converged;
+    const bool calm = stands_still.get() == cca::criterion_state::fulfilled,
+               there = at_ball.get() == cca::criterion_state::fulfilled;
     const bool following = dmp_told == cca::component_status::reached;
     switch (now_on) {
-      case 0: return ball_told == skills::ball_state::near;
-      case 1: return cpg_rests.get() == cca::ode_status::converged && calm;
-      case 2: return rest && calm && following;
-      case 3: return rest && paw_told == skills::paw_state::raised;
-      case 4: return there;
-      case 5: return there;
-      case 6: return rest;
-      case 7: return rest && paw_told == skills::paw_state::grounded && calm;
-      case 8: return rest && calm && following;
-      default: return false;
+      case 0:
+        return ball_told == skills::ball_state::near;
+      case 1:
+        return cpg_rests.get() == cca::ode_status::converged && calm;
+      case 2:
+        return rest && calm && following;
+      case 3:
+        return rest && paw_told == skills::paw_state::raised;
+      case 4:
+        return there;
+      case 5:
+        return there;
+      case 6:
+        return rest;
+      case 7:
+        return rest && paw_told == skills::paw_state::grounded && calm;
+      case 8:
+        return rest && calm && following;
+      default:
+        return false;
     }
   }
   void go_on() {
@@ -199,22 +220,30 @@ struct by_hand {
     const cca::chain_pose<Leg> leg(joints);
     const Eigen::Matrix3d jacobian = leg.jacobian().template bottomRows<3>();
     const Vector3d rest = (point - leg.tip().at).cwiseMax(-steady.most).cwiseMin(+steady.most);
-    const Eigen::Matrix3d square = jacobian.transpose() * jacobian + steady.damping * steady.damping * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d square =
+        jacobian.transpose() * jacobian + steady.damping * steady.damping * Eigen::Matrix3d::Identity();
     return square.inverse() * (jacobian.transpose() * rest);
   }
 
   template <class Ode>
-  static double rate_of(const typename Ode::state& x, const typename Ode::input& u, const typename Ode::parameters& p) {
+  static double rate_of(const typename Ode::state& x,
+                        const typename Ode::input& u,
+                        const typename Ode::parameters& p) {
     return Ode::derivative(x, u, p).template head<Ode::state::RowsAtCompileTime - 1>().norm();
   }
   template <class Ode, class Goal>
-  void reach(typename Ode::state& x, cca::ode_monitor& rest, const Ode&, const typename Ode::parameters& p, const Goal& goal) {
+  void reach(typename Ode::state& x,
+             cca::ode_monitor& rest,
+             const Ode&,
+             const typename Ode::parameters& p,
+             const Goal& goal) {
     constexpr int D = Goal::RowsAtCompileTime;
     typename Ode::input u;
     u.template head<D>() = goal;
     u[D] = vite_speed * 1.0;
     const bool rested = rest.get() == cca::ode_status::converged;
-    if (rested && rest.update(rate_of<Ode>(x, u, p), reaching_settles) == cca::ode_status::transient) x[2 * D] = 0;
+    if (rested && rest.update(rate_of<Ode>(x, u, p), reaching_settles) == cca::ode_status::transient)
+      x[2 * D] = 0;
     cca::rk4::step<Ode>(x, u, p, dt);
     rest.update(rate_of<Ode>(x, u, p), reaching_settles);
   }
@@ -235,14 +264,18 @@ struct by_hand {
     }
     const int side = right ? 1 : 0;
     const Vector3d paw_joints(abducted[side], angles[side], angles[4 + side]);
-    const Vector3d paw = right ? cca::chain_pose<skills::right_front>(paw_joints).tip().at : cca::chain_pose<skills::left_front>(paw_joints).tip().at;
+    const Vector3d paw = right ? cca::chain_pose<skills::right_front>(paw_joints).tip().at
+                               : cca::chain_pose<skills::left_front>(paw_joints).tip().at;
     const Vector3d missing = ball - paw;
-    if (missing.norm() < aiming.near) correction = (correction + aiming.gain * dt * missing).cwiseMax(-aiming.most).cwiseMin(+aiming.most).eval();
+    if (missing.norm() < aiming.near)
+      correction =
+          (correction + aiming.gain * dt * missing).cwiseMax(-aiming.most).cwiseMin(+aiming.most).eval();
     else correction.setZero();
 
     // Orders and inverse kinematics.
     if (k % 10 == 0) {
-      const bool trots = now_on == 0 || now_on == 9, shifted = 2 <= now_on && now_on <= 7, raised = 3 <= now_on && now_on <= 6;
+      const bool trots = now_on == 0 || now_on == 9, shifted = 2 <= now_on && now_on <= 7,
+                 raised = 3 <= now_on && now_on <= 6;
       const std::size_t of_paw = right ? 1 : 0;
       std::array<Vector3d, 4> feet;
       for (std::size_t leg = 0; leg < 4; ++leg) {
@@ -256,9 +289,12 @@ struct by_hand {
       wanted = -1;
       if (trots && 1e-9 * static_cast<double>(k * 1'000'000) >= t.start) {
         wanted = t.intercept + t.slope * t.speed;
-        if (now_on == 0 && seen) wanted = std::max<double>(t.least, t.intercept + t.slope * std::clamp<double>(t.slowing * way, 0, t.speed));
+        if (now_on == 0 && seen)
+          wanted = std::max<double>(t.least,
+                                    t.intercept + t.slope * std::clamp<double>(t.slowing * way, 0, t.speed));
       }
-      hip_stiffness += std::min(1.0, dt10 / orders.stand.stiffening) * ((trots ? t.stiffness : orders.stand.stiffness) - hip_stiffness);
+      hip_stiffness += std::min(1.0, dt10 / orders.stand.stiffening) *
+                       ((trots ? t.stiffness : orders.stand.stiffness) - hip_stiffness);
       wanted_stiffness.setConstant(hip_stiffness);
       carrying.setConstant(shifted || now_on == 8 ? 1.0 : 0.0);
       if (raised) carrying[side] = 0;
@@ -290,7 +326,8 @@ struct by_hand {
     share = std::clamp(share + (at_ball_now ? +1 : -1) * dt / steady.onset, 0.0, 1.0);
     if (share > 0) {
       const Vector3d asked(sideways[side], goal[side], goal[4 + side]), aimed = ball + correction;
-      const Vector3d more = share * (right ? rest_of_way<skills::right_front>(asked, aimed) : rest_of_way<skills::left_front>(asked, aimed));
+      const Vector3d more = share * (right ? rest_of_way<skills::right_front>(asked, aimed)
+                                           : rest_of_way<skills::left_front>(asked, aimed));
       sideways[side] += more[0];
       goal[side] += more[1];
       goal[4 + side] += more[2];
@@ -304,7 +341,8 @@ struct by_hand {
       cpg = radius > 0 ? cca::hopf_ode::state(ember / radius * cpg) : cca::hopf_ode::state(ember, 0);
       radius = ember;
     }
-    cpg_rests.update(radius > ember ? cca::hopf_ode::derivative(cpg, drive, {convergence}).norm() : 0.0, cpg_settles);
+    cpg_rests.update(radius > ember ? cca::hopf_ode::derivative(cpg, drive, {convergence}).norm() : 0.0,
+                     cpg_settles);
     const double phase = std::atan2(cpg[1], cpg[0]);
 
     // DMP Transformation System.
@@ -328,8 +366,10 @@ struct by_hand {
     // Trunk: heading, steering, balance.
     if (k % 10 == 0) {
       const Vector3d hip = skills::hip_in_trunk(right ? 1 : 0);
-      const double ahead = ball[0] - hip[0], beside = ball[1] - hip[1] + cca::sim::side_of(right ? 1 : 0) * heading.inside;
-      const double off = seen && ahead > heading.near ? -std::atan2(beside, ahead) : cca::rotation::yaw(body.orientation(k));
+      const double ahead = ball[0] - hip[0],
+                   beside = ball[1] - hip[1] + cca::sim::side_of(right ? 1 : 0) * heading.inside;
+      const double off =
+          seen && ahead > heading.near ? -std::atan2(beside, ahead) : cca::rotation::yaw(body.orientation(k));
       if (radius > 0.1) {
         const double largest = heading.drift > 0 ? heading.most / heading.drift : 0.0;
         aside = std::clamp(aside + dt10 * off, -largest, largest);
@@ -339,16 +379,20 @@ struct by_hand {
       turn = std::clamp(-heading.gain * off - heading.drift * aside, -heading.most, +heading.most);
     }
     const vector8 around = command;
-    for (int leg = 0; leg < 4; ++leg) command[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn * (around[leg] - goal[leg]);
+    for (int leg = 0; leg < 4; ++leg)
+      command[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn * (around[leg] - goal[leg]);
     for (int leg = 0; leg < 4; ++leg) {
       const Vector3d hip = skills::hip_in_trunk(static_cast<std::size_t>(leg));
       const double rising = rates[0] * hip[1] - rates[1] * hip[0];
-      command[4 + leg] += carrying[leg] * std::clamp(balance.time / balance.lever * rising, -balance.most, +balance.most);
+      command[4 + leg] +=
+          carrying[leg] * std::clamp(balance.time / balance.lever * rising, -balance.most, +balance.most);
     }
 
     // What is told.
     if (seen) at_ball.update(std::sqrt(missing.dot(missing)), reaching, dt);
-    ball_told = !seen ? skills::ball_state::unseen : way < 0 ? skills::ball_state::near : skills::ball_state::ahead;
+    ball_told = !seen     ? skills::ball_state::unseen
+                : way < 0 ? skills::ball_state::near
+                          : skills::ball_state::ahead;
     paw_told = contacts[side] != 0 ? skills::paw_state::grounded : skills::paw_state::raised;
     smooth += dt / still.smoothing * (rates.norm() - smooth);
     stands_still.update(smooth, still.limits, dt);
@@ -356,19 +400,25 @@ struct by_hand {
     // Limits.
     constexpr const auto& m = cca::sim::oncilla_defaults;
     if (!begun) {
-      for (int i = 0; i < 8; ++i) last_legs[i] = at_most(i < 4 ? m.hip_range.high : m.knee_range.high, at_least(i < 4 ? m.hip_range.low : m.knee_range.low, angles[i]));
-      for (int i = 0; i < 4; ++i) last_sideways[i] = at_most(m.abduction_range.high, at_least(m.abduction_range.low, abducted[i]));
+      for (int i = 0; i < 8; ++i)
+        last_legs[i] = at_most(i < 4 ? m.hip_range.high : m.knee_range.high,
+                               at_least(i < 4 ? m.hip_range.low : m.knee_range.low, angles[i]));
+      for (int i = 0; i < 4; ++i)
+        last_sideways[i] = at_most(m.abduction_range.high, at_least(m.abduction_range.low, abducted[i]));
     }
     vector8 safe;
     vector4 safe_sideways, safe_stiffness;
     for (int i = 0; i < 8; ++i) {
       const auto range = i < 4 ? m.hip_range : m.knee_range;
       const double rate = i < 4 ? m.hip_motor.no_load_speed : m.knee_motor.no_load_speed;
-      safe[i] = at_most(at_most(range.high, last_legs[i] + rate * dt), at_least(at_least(range.low, last_legs[i] + -rate * dt), command[i]));
+      safe[i] = at_most(at_most(range.high, last_legs[i] + rate * dt),
+                        at_least(at_least(range.low, last_legs[i] + -rate * dt), command[i]));
     }
     for (int i = 0; i < 4; ++i) {
       const double rate = m.abduction_motor.no_load_speed;
-      safe_sideways[i] = at_most(at_most(m.abduction_range.high, last_sideways[i] + rate * dt), at_least(at_least(m.abduction_range.low, last_sideways[i] + -rate * dt), sideways[i]));
+      safe_sideways[i] =
+          at_most(at_most(m.abduction_range.high, last_sideways[i] + rate * dt),
+                  at_least(at_least(m.abduction_range.low, last_sideways[i] + -rate * dt), sideways[i]));
       safe_stiffness[i] = at_most(m.stiffest_hip, at_least(0.0, wanted_stiffness[i]));
     }
     last_legs = safe;

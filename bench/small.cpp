@@ -1,4 +1,5 @@
-// A small graph with a resource node, a limiter, two rates and functions of libm: what `calls.py` disassembles.
+// A small graph with a resource node, a limiter, two rates and functions of libm: what `calls.py`
+// disassembles.
 #include <cmath>
 #include <numbers>
 
@@ -6,8 +7,12 @@
 
 namespace small {
 
-struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}, cca::velocity{-5.0, 5.0}}; };
-struct knee : cca::dimension<"knee"> { static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}}; };
+struct hip : cca::dimension<"hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}, cca::velocity{-5.0, 5.0}};
+};
+struct knee : cca::dimension<"knee"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}};
+};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 struct amplitude : cca::space<cca::amplitude, cca::axes<cca::x>, cca::rate<100>> {};
 struct phase : cca::space<cca::phase, cca::axes<cca::x>> {};
@@ -18,7 +23,9 @@ struct robot {
   void act(cca::in<"command", leg_angles> to) { at += 0.1 * (to.vector() - at); }
 };
 struct posture {
-  auto process(cca::in<"angles", leg_angles> angles) -> cca::out<"amplitude", amplitude> { return 1 + 0.1 * angles[hip{}]; }
+  auto process(cca::in<"angles", leg_angles> angles) -> cca::out<"amplitude", amplitude> {
+    return 1 + 0.1 * angles[hip{}];
+  }
 };
 struct oscillator {
   double turned = 0;
@@ -33,11 +40,17 @@ struct gait {
   }
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>, cca::node<"posture", posture, cca::timed<10>>, cca::node<"cpg", oscillator, cca::timed<1>>,
-    cca::node<"gait", gait>, cca::node<"limits", cca::limiter<leg_angles>>, cca::node<"robot", robot>,
-    cca::wire<"robot.angles", "posture.angles", cca::latest>, cca::wire<"posture.amplitude", "cpg.amplitude", cca::latest>,
-    cca::wire<"cpg.phase", "gait.phase">, cca::wire<"gait.angles", "limits.command">, cca::wire<"limits.safe", "robot.command">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"posture", posture, cca::timed<10>>,
+                         cca::node<"cpg", oscillator, cca::timed<1>>,
+                         cca::node<"gait", gait>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::node<"robot", robot>,
+                         cca::wire<"robot.angles", "posture.angles", cca::latest>,
+                         cca::wire<"posture.amplitude", "cpg.amplitude", cca::latest>,
+                         cca::wire<"cpg.phase", "gait.phase">,
+                         cca::wire<"gait.angles", "limits.command">,
+                         cca::wire<"limits.safe", "robot.command">> {};
 
 }  // namespace small
 

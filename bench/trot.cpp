@@ -20,7 +20,8 @@ struct playback {
   std::array<Eigen::Vector4d, length> orientations;
   playback() {
     for (int i = 0; i < length; ++i) {
-      for (int a = 0; a < 8; ++a) stored[static_cast<std::size_t>(i)][a] = 0.8 + 0.2 * (a / 4) + 0.1 * std::sin(0.1 * i + a);
+      for (int a = 0; a < 8; ++a)
+        stored[static_cast<std::size_t>(i)][a] = 0.8 + 0.2 * (a / 4) + 0.1 * std::sin(0.1 * i + a);
       const double yaw = 0.1 * std::sin(0.1 * i);
       orientations[static_cast<std::size_t>(i)] = {0, 0, std::sin(yaw / 2), std::cos(yaw / 2)};
     }
@@ -30,7 +31,8 @@ const playback played;
 
 struct robot {
   vector8 sum = vector8::Zero();
-  std::tuple<cca::out<"angles", angles>, cca::out<"orientation", cca::sim::trunk_orientation>> sense(cca::beat now) {
+  std::tuple<cca::out<"angles", angles>, cca::out<"orientation", cca::sim::trunk_orientation>> sense(
+      cca::beat now) {
     const auto i = static_cast<std::size_t>(now.index() % playback::length);
     return {played.stored[i], played.orientations[i]};
   }
@@ -53,7 +55,9 @@ struct by_hand {
   double speed = 0.68, start = 0.2, intercept = 0.187, slope = 1.106;
   double heading = 1.2, drift = 0.4, most = 0.5;
   double frequency = 3.8, convergence = 10.0;
-  struct leg { double hip, knee, swing, lift; };
+  struct leg {
+    double hip, knee, swing, lift;
+  };
   leg front{trot::degrees(48.8), trot::degrees(92.5), trot::degrees(12.3), trot::degrees(32.5)};
   leg hind{trot::degrees(38.6), trot::degrees(80.3), trot::degrees(15.5), trot::degrees(30.3)};
   double duty = 0.585, give = trot::degrees(2.5), lead = -0.044;
@@ -83,15 +87,23 @@ struct by_hand {
   }
 
   // Of the hips, then of the knees.
-  static constexpr double low(int i) { return i < 4 ? cca::sim::oncilla_defaults.hip_range.low : cca::sim::oncilla_defaults.knee_range.low; }
-  static constexpr double high(int i) { return i < 4 ? cca::sim::oncilla_defaults.hip_range.high : cca::sim::oncilla_defaults.knee_range.high; }
-  static constexpr double rate(int i) { return i < 4 ? cca::sim::oncilla_defaults.hip_motor.no_load_speed : cca::sim::oncilla_defaults.knee_motor.no_load_speed; }
+  static constexpr double low(int i) {
+    return i < 4 ? cca::sim::oncilla_defaults.hip_range.low : cca::sim::oncilla_defaults.knee_range.low;
+  }
+  static constexpr double high(int i) {
+    return i < 4 ? cca::sim::oncilla_defaults.hip_range.high : cca::sim::oncilla_defaults.knee_range.high;
+  }
+  static constexpr double rate(int i) {
+    return i < 4 ? cca::sim::oncilla_defaults.hip_motor.no_load_speed
+                 : cca::sim::oncilla_defaults.knee_motor.no_load_speed;
+  }
 
   [[gnu::noinline, gnu::cold]] vector8 corrected(const vector8& command) {
     vector8 value;
     for (int i = 0; i < 8; ++i) {
       const double goal = std::isfinite(command[i]) ? command[i] : last[i];
-      value[i] = at_most(at_most(high(i), last[i] + rate(i) * dt), at_least(at_least(low(i), last[i] + -rate(i) * dt), goal));
+      value[i] = at_most(at_most(high(i), last[i] + rate(i) * dt),
+                         at_least(at_least(low(i), last[i] + -rate(i) * dt), goal));
       if (value[i] != command[i]) {
         ++interventions;
         if (first_intervention < 0) first_intervention = k;
@@ -117,15 +129,18 @@ struct by_hand {
     double growth = wanted > 0 ? std::max(-1.0, 1 - square / (wanted * wanted)) : -1.0;
     if (wanted <= 0 && square < 0.01 * 0.01) growth = 0;
     const double along = convergence * growth, around = 2 * pi * frequency;
-    oscillator += dt * Eigen::Vector2d(along * oscillator.x() - around * oscillator.y(), along * oscillator.y() + around * oscillator.x());
-    const double phase = std::atan2(oscillator.y(), oscillator.x()), amplitude = std::sqrt(oscillator.squaredNorm());
+    oscillator += dt * Eigen::Vector2d(along * oscillator.x() - around * oscillator.y(),
+                                       along * oscillator.y() + around * oscillator.x());
+    const double phase = std::atan2(oscillator.y(), oscillator.x()),
+                 amplitude = std::sqrt(oscillator.squaredNorm());
 
     vector8 command;
     for (int l = 0; l < 4; ++l) {
       const leg& shape = l < 2 ? front : hind;
       const double side = l % 2 == 0 ? 1.0 : -1.0;
       const double own = phase + whole * offsets[static_cast<std::size_t>(l)];
-      command[l] = shape.hip + amplitude * (1 - side * turn) * shape.swing * std::cos(warped(cca::wrap_turn(own)));
+      command[l] =
+          shape.hip + amplitude * (1 - side * turn) * shape.swing * std::cos(warped(cca::wrap_turn(own)));
       command[4 + l] = shape.knee + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
     }
 
@@ -136,7 +151,8 @@ struct by_hand {
     vector8 safe;
     bool changed = false;
     for (int i = 0; i < 8; ++i) {
-      safe[i] = at_most(at_most(high(i), last[i] + rate(i) * dt), at_least(at_least(low(i), last[i] + -rate(i) * dt), command[i]));
+      safe[i] = at_most(at_most(high(i), last[i] + rate(i) * dt),
+                        at_least(at_least(low(i), last[i] + -rate(i) * dt), command[i]));
       changed |= safe[i] != command[i];
     }
     if (changed) safe = corrected(command);
@@ -182,4 +198,6 @@ struct in_classical_way {
 
 }  // namespace bench
 
-int main(int argc, char** argv) { return bench::program<bench::graph, bench::by_hand, bench::in_classical_way>(argc, argv); }
+int main(int argc, char** argv) {
+  return bench::program<bench::graph, bench::by_hand, bench::in_classical_way>(argc, argv);
+}

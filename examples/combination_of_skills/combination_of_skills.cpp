@@ -1,4 +1,5 @@
-// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on: run, table, CSV, picture. --help lists the options.
+// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on: run, table, CSV, picture.
+// --help lists the options.
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -40,12 +41,15 @@ int run(const skills::options& o) {
   bar.done();
 
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+  if (o.summary)
+    trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
   if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
   if (o.svg)
     trot::write(*o.svg, [&](std::ostream& file) {
       char title[128];
-      std::snprintf(title, sizeof title, "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s", result.reach_error * 1e3, result.reach_time);
+      std::snprintf(title, sizeof title,
+                    "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s",
+                    result.reach_error * 1e3, result.reach_time);
       trot::write_svg(file, recorded, title);
     });
   return skills::succeeded(result) ? 0 : 1;
@@ -53,4 +57,6 @@ int run(const skills::options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) { return skills::program("combination_of_skills", count, arguments, run); }
+int main(int count, char** arguments) {
+  return skills::program("combination_of_skills", count, arguments, run);
+}

@@ -43,7 +43,9 @@ inline constexpr std::string_view usage =
 namespace detail {
 
 template <std::size_t Count>
-std::size_t one_of(const std::string& option, const std::string& text, const std::array<std::string_view, Count>& names) {
+std::size_t one_of(const std::string& option,
+                   const std::string& text,
+                   const std::array<std::string_view, Count>& names) {
   const auto found = std::find(names.begin(), names.end(), text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   std::string all = option + " " + text + ": expected one of";
@@ -71,7 +73,8 @@ inline options parse(const std::vector<std::string>& arguments) {
       const std::string& text = value();
       o.run.seed = text == "none" ? std::nullopt : std::optional(trot::detail::whole_number(name, text));
     } else if (name == "--paw") o.run.paw = static_cast<paw_side>(detail::one_of(name, value(), paw_names));
-    else if (name == "--target") o.run.where = static_cast<target>(detail::one_of(name, value(), target_names));
+    else if (name == "--target")
+      o.run.where = static_cast<target>(detail::one_of(name, value(), target_names));
     else if (name == "--push") o.run.push = trot::detail::number(name, value(), 0, 100);
     else if (name == "--seconds") set_seconds(o.run, trot::detail::number(name, value(), 1, 20));
     else if (name == "--shape") o.shape = value();
@@ -89,7 +92,8 @@ inline options parse(const std::vector<std::string>& arguments) {
 // A controller that is loaded: with parameters from a file, if there is one, and the shape that it trots by.
 template <class Controller>
 void load(Controller& controller, const std::string& shape, const std::optional<std::string>& config) {
-  if (!controller.template get<"dmp.module">().p.files.load.assign(shape)) throw command_line_error(shape + ": this name is too long");
+  if (!controller.template get<"dmp.module">().p.files.load.assign(shape))
+    throw command_line_error(shape + ": this name is too long");
   if (config) controller.load(*config);
   else controller.load();
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Where ball and paw are, and where it has to be sent to meet the ball: what is measured, no model of the world.
+// Where ball and paw are, and where it has to be sent to meet the ball: what is measured, no model of the
+// world.
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -22,7 +23,9 @@ struct camera {
 
 // How far it is to go until the ball is in reach of a front paw, m.
 inline constexpr double reach_ahead = 0.105;  // of the hip
-inline double way_left(const cca::sample<point_in_trunk>& ball) { return ball[cca::x{}] - hip_in_trunk(0)[0] - reach_ahead; }
+inline double way_left(const cca::sample<point_in_trunk>& ball) {
+  return ball[cca::x{}] - hip_in_trunk(0)[0] - reach_ahead;
+}
 
 // Whether the robot is near enough to a ball to stop.
 //
@@ -35,8 +38,8 @@ struct ball_watch {
   }
 };
 
-// The front paw that the ball is in front of, by forward kinematics of the angles measured. Which one is settled when the ball is
-// first seen: from afar a little yaw would make it the other.
+// The front paw that the ball is in front of, by forward kinematics of the angles measured. Which one is
+// settled when the ball is first seen: from afar a little yaw would make it the other.
 //
 //   in  "ball"                    point_in_trunk
 //   in  "angles", "abducted"      of the robot
@@ -45,16 +48,19 @@ struct ball_watch {
 //   out "side"                    side_port
 //   out "status"                  paw_status
 struct nearer_paw {
-  auto process(cca::in<"ball", point_in_trunk> ball, cca::in<"angles", cca::sim::leg_angles> angles,
-               cca::in<"abducted", cca::sim::abduction_angles> abducted, cca::in<"contacts", cca::sim::foot_contacts> contacts)
-      -> std::tuple<cca::out<"paw", point_in_trunk>, cca::out<"side", side_port>, cca::out<"status", paw_status>> {
+  auto process(cca::in<"ball", point_in_trunk> ball,
+               cca::in<"angles", cca::sim::leg_angles> angles,
+               cca::in<"abducted", cca::sim::abduction_angles> abducted,
+               cca::in<"contacts", cca::sim::foot_contacts> contacts) -> std::
+      tuple<cca::out<"paw", point_in_trunk>, cca::out<"side", side_port>, cca::out<"status", paw_status>> {
     if (!settled && ball.origin() != cca::never) {
       settled = true;
       right = ball[cca::y{}] < 0;
     }
     const int leg = right ? 1 : 0;
     const Eigen::Vector3d joints(abducted.vector()[leg], angles.vector()[leg], angles.vector()[4 + leg]);
-    const Eigen::Vector3d paw = right ? cca::chain_pose<right_front>(joints).tip().at : cca::chain_pose<left_front>(joints).tip().at;
+    const Eigen::Vector3d paw =
+        right ? cca::chain_pose<right_front>(joints).tip().at : cca::chain_pose<left_front>(joints).tip().at;
     return {paw, cca::status_of(right ? paw_side::right : paw_side::left),
             cca::status_of(contacts.vector()[leg] != 0 ? paw_state::grounded : paw_state::raised)};
   }
@@ -63,22 +69,25 @@ private:
   bool settled = false, right = false;
 };
 
-// Where to send the paw: to the ball, and beyond by what it has lagged behind so far (springs yield, gravity pulls). It adds
-// up only near the ball.
+// Where to send the paw: to the ball, and beyond by what it has lagged behind so far (springs yield, gravity
+// pulls). It adds up only near the ball.
 //
 //   in  "ball", "paw"   point_in_trunk
 //   out "aim"           point_in_trunk
 struct aim {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 20>, gain),  // 1/s
-                             (cca::quantity<cca::length, 0, 0.2>, near),     // adds up within this distance
-                             (cca::quantity<cca::length, 0, 0.1>, most));    // along each axis
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::bounded<double, 0, 20>, gain),          // 1/s
+                             (cca::quantity<cca::length, 0, 0.2>, near),   // adds up within this distance
+                             (cca::quantity<cca::length, 0, 0.1>, most));  // along each axis
   };
   parameters p{3.0, 0.03, 0.03};
 
-  auto process(cca::in<"ball", point_in_trunk> ball, cca::in<"paw", point_in_trunk> paw, cca::beat now) -> cca::out<"aim", point_in_trunk> {
+  auto process(cca::in<"ball", point_in_trunk> ball, cca::in<"paw", point_in_trunk> paw, cca::beat now)
+      -> cca::out<"aim", point_in_trunk> {
     const Eigen::Vector3d missing = ball.vector() - paw.vector();
-    if (missing.norm() < p.near) correction = (correction + p.gain * now.dt() * missing).cwiseMax(-p.most).cwiseMin(+p.most).eval();
+    if (missing.norm() < p.near)
+      correction = (correction + p.gain * now.dt() * missing).cwiseMax(-p.most).cwiseMin(+p.most).eval();
     else correction.setZero();
     return Eigen::Vector3d(ball.vector() + correction);
   }

@@ -1,9 +1,11 @@
-// Learns the shape of a trot from a recording of it, and writes it to a file: what the Combination of Skills trots by.
+// Learns the shape of a trot from a recording of it, and writes it to a file: what the Combination of Skills
+// trots by.
 //
 //   combination_of_skills_learn --out trot.shape
 //
-// The robot of examples/trot trots in the simulator. What its gait commands is recorded with the phase and the amplitude that it
-// belongs to, and shown to the module; that learns in a batch and is saved by its life-cycle.
+// The robot of examples/trot trots in the simulator. What its gait commands is recorded with the phase and
+// the amplitude that it belongs to, and shown to the module; that learns in a batch and is saved by its
+// life-cycle.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,11 +22,10 @@ namespace {
 using angles = cca::sim::leg_angles::vector_type;
 
 // [record]
-struct recorded_trot : cca::graph<
-    cca::rate<1000>,
-    cca::node<"trot", trot::simulated_trot>,
-    cca::observe<"trot.cpg.*">,
-    cca::observe<"trot.gait.*">> {};
+struct recorded_trot : cca::graph<cca::rate<1000>,
+                                  cca::node<"trot", trot::simulated_trot>,
+                                  cca::observe<"trot.cpg.*">,
+                                  cca::observe<"trot.gait.*">> {};
 // [record end]
 
 struct moment {
@@ -43,7 +44,8 @@ std::vector<moment> recorded(double seconds) {
   cca::controller<recorded_trot> c;
   c.load();
   c.get<"trot.robot.simulator">().put_down(
-      cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
+      cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(),
+                      trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
   c.start();
   std::vector<moment> all;
   const double settled = 2;  // s, then it trots
@@ -53,7 +55,8 @@ std::vector<moment> recorded(double seconds) {
     c.observed([&](const cca::observation& one) {
       if (one.path == "trot.cpg.phase") now.phase = one.values[0];
       if (one.path == "trot.cpg.amplitude") now.amplitude = one.values[0];
-      if (one.path == "trot.gait.angles") std::copy(one.values.begin(), one.values.end(), now.commanded.begin());
+      if (one.path == "trot.gait.angles")
+        std::copy(one.values.begin(), one.values.end(), now.commanded.begin());
     });
     if (1e-3 * static_cast<double>(c.beat_index()) > settled) all.push_back(now);
   }
@@ -63,8 +66,10 @@ std::vector<moment> recorded(double seconds) {
 // [teach]
 // Plays the recording back, beat by beat.
 struct playback {
-  auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, skills::stride>>, cca::out<"amplitude", cca::over<cca::amplitude, skills::stride>>,
-                                            cca::out<"angles", cca::sim::leg_angles>, cca::out<"neutral", cca::sim::leg_angles>> {
+  auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, skills::stride>>,
+                                            cca::out<"amplitude", cca::over<cca::amplitude, skills::stride>>,
+                                            cca::out<"angles", cca::sim::leg_angles>,
+                                            cca::out<"neutral", cca::sim::leg_angles>> {
     const moment& m = played[static_cast<std::size_t>(now.index()) % played.size()];
     return {m.phase, m.amplitude, m.commanded, around};
   }
@@ -72,15 +77,14 @@ struct playback {
   angles around = angles::Zero();
 };
 
-struct teaching : cca::graph<
-    cca::rate<1000>,
-    cca::node<"recording", playback>,
-    cca::node<"dmp", skills::shape_of_trot<20000>, cca::timed<1>>,
-    cca::wire<"recording.phase", "dmp.phase">,
-    cca::wire<"recording.amplitude", "dmp.amplitude">,
-    cca::wire<"recording.neutral", "dmp.reference">,
-    cca::wire<"recording.angles", "dmp.demonstration">,
-    cca::observe<"dmp.*">> {};
+struct teaching : cca::graph<cca::rate<1000>,
+                             cca::node<"recording", playback>,
+                             cca::node<"dmp", skills::shape_of_trot<20000>, cca::timed<1>>,
+                             cca::wire<"recording.phase", "dmp.phase">,
+                             cca::wire<"recording.amplitude", "dmp.amplitude">,
+                             cca::wire<"recording.neutral", "dmp.reference">,
+                             cca::wire<"recording.angles", "dmp.demonstration">,
+                             cca::observe<"dmp.*">> {};
 // [teach end]
 
 struct options {
@@ -105,7 +109,8 @@ options parse(const std::vector<std::string>& arguments) {
   return o;
 }
 
-// Largest distance of what the module makes of the recording's phases from the recording, rad, once it has begun.
+// Largest distance of what the module makes of the recording's phases from the recording, rad, once it has
+// begun.
 double greatest_error(cca::controller<teaching>& c) {
   double worst = 0;
   const auto& played = c.get<"recording">().played;
@@ -114,7 +119,8 @@ double greatest_error(cca::controller<teaching>& c) {
     const moment& m = played[static_cast<std::size_t>(c.beat_index() - 1) % played.size()];
     c.observed([&](const cca::observation& one) {
       if (one.path != "dmp.command" || i < 200) return;
-      for (std::size_t j = 0; j < 8; ++j) worst = std::max(worst, std::abs(one.values[j] - m.commanded[static_cast<int>(j)]));
+      for (std::size_t j = 0; j < 8; ++j)
+        worst = std::max(worst, std::abs(one.values[j] - m.commanded[static_cast<int>(j)]));
     });
   }
   return worst;
@@ -137,11 +143,13 @@ void run(const options& o) {
   c.stop();
   c.save();
   if (!o.quiet)
-    std::printf("learned from %zu beats of trot, written to %s; it follows the recording within %.4f rad\n", c.get<"recording">().played.size(), o.out.c_str(), error);
+    std::printf("learned from %zu beats of trot, written to %s; it follows the recording within %.4f rad\n",
+                c.get<"recording">().played.size(), o.out.c_str(), error);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_learn", [&] { return run(parse({arguments + 1, arguments + count})), 0; });
+  return trot::program("combination_of_skills_learn",
+                       [&] { return run(parse({arguments + 1, arguments + count})), 0; });
 }

@@ -13,8 +13,12 @@ namespace skills {
 constexpr cca::pantograph leg_geometry(std::size_t leg) {
   constexpr const cca::sim::oncilla_model& m = cca::sim::oncilla_defaults;
   const double side = cca::sim::side_of(leg);
-  return {.upper = m.upper_length, .middle = m.middle_length, .lower = m.foot_lever(), .side = side,
-          .hip = cca::at((cca::sim::is_front(leg) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips, side * m.hip_y, -m.trunk_above_hips)};
+  return {.upper = m.upper_length,
+          .middle = m.middle_length,
+          .lower = m.foot_lever(),
+          .side = side,
+          .hip = cca::at((cca::sim::is_front(leg) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips,
+                         side * m.hip_y, -m.trunk_above_hips)};
 }
 
 template <std::size_t Leg, class Joints>

@@ -23,35 +23,49 @@ namespace skills {
 
 struct orders {
   struct foot_place {
-    BOOST_HANA_DEFINE_STRUCT(foot_place, (cca::quantity<cca::length, -0.2, 0.2>, ahead),  // of the hip
+    BOOST_HANA_DEFINE_STRUCT(foot_place,
+                             (cca::quantity<cca::length, -0.2, 0.2>, ahead),  // of the hip
                              (cca::quantity<cca::length, 0.05, 0.25>, below));
   };
   struct trotting {
-    BOOST_HANA_DEFINE_STRUCT(trotting, (cca::quantity<cca::speed, 0, 1>, speed),
-                             (double, intercept), (double, slope),                 // amplitude = intercept + slope * speed
-                             (cca::quantity<cca::duration, 0, 3600>, start),       // stand so long first
-                             (cca::bounded<double, 0, 10>, slowing),               // speed per way that is left to the ball, 1/s
-                             (cca::bounded<double, 0, 1>, least),                  // amplitude on that way
-                             (foot_place, front), (foot_place, hind),              // what feet swing around
+    BOOST_HANA_DEFINE_STRUCT(trotting,
+                             (cca::quantity<cca::speed, 0, 1>, speed),
+                             (double, intercept),
+                             (double, slope),  // amplitude = intercept + slope * speed
+                             (cca::quantity<cca::duration, 0, 3600>, start),  // stand so long first
+                             (cca::bounded<double, 0, 10>,
+                              slowing),  // speed per way that is left to the ball, 1/s
+                             (cca::bounded<double, 0, 1>, least),  // amplitude on that way
+                             (foot_place, front),
+                             (foot_place, hind),  // what feet swing around
                              (cca::quantity<cca::stiffness, 0, 200>, stiffness));
   };
   struct standing {
-    BOOST_HANA_DEFINE_STRUCT(standing, (foot_place, feet),                         // the trunk moves back, and crouches
-                             (cca::quantity<cca::length, 0, 0.1>, aside),          // feet towards the paw: the trunk leans away from it
-                             (cca::quantity<cca::length, 0, 0.1>, lift), (cca::quantity<cca::stiffness, 0, 200>, stiffness),
+    BOOST_HANA_DEFINE_STRUCT(standing,
+                             (foot_place, feet),  // the trunk moves back, and crouches
+                             (cca::quantity<cca::length, 0, 0.1>,
+                              aside),  // feet towards the paw: the trunk leans away from it
+                             (cca::quantity<cca::length, 0, 0.1>, lift),
+                             (cca::quantity<cca::stiffness, 0, 200>, stiffness),
                              (cca::quantity<cca::duration, 0.01, 2>, stiffening));
   };
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (trotting, trot), (standing, stand));
   };
-  parameters p{{0.68, 0.187, 1.106, 0.2, 3.0, 0.45, {0.0382, 0.1596}, {0.0229, 0.1787}, 30}, {{0.065, 0.130}, 0.014, 0.030, 120, 0.2}};
+  parameters p{{0.68, 0.187, 1.106, 0.2, 3.0, 0.45, {0.0382, 0.1596}, {0.0229, 0.1787}, 30},
+               {{0.065, 0.130}, 0.014, 0.030, 120, 0.2}};
 
-  auto process(cca::in<"step", cca::step_port> step, cca::in<"ball", point_in_trunk> ball, cca::in<"aim", point_in_trunk> aim,
-               cca::in<"side", side_port> side, cca::beat now)
-      -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
-                    cca::out<"left_front", point_in_trunk>, cca::out<"right_front", point_in_trunk>,
-                    cca::out<"left_hind", point_in_trunk>, cca::out<"right_hind", point_in_trunk>,
-                    cca::out<"stiffness", wanted_stiffness>, cca::out<"supports", supports>> {
+  auto process(cca::in<"step", cca::step_port> step,
+               cca::in<"ball", point_in_trunk> ball,
+               cca::in<"aim", point_in_trunk> aim,
+               cca::in<"side", side_port> side,
+               cca::beat now) -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                            cca::out<"left_front", point_in_trunk>,
+                                            cca::out<"right_front", point_in_trunk>,
+                                            cca::out<"left_hind", point_in_trunk>,
+                                            cca::out<"right_hind", point_in_trunk>,
+                                            cca::out<"stiffness", wanted_stiffness>,
+                                            cca::out<"supports", supports>> {
     const int now_on = static_cast<int>(step[cca::step_axis{}]);
     const auto from_to = [&](int first, int last) { return first <= now_on && now_on <= last; };
     const bool trots = now_on == plan::at<"trot"> || now_on == plan::at<"trot on">;
@@ -72,18 +86,25 @@ struct orders {
     double amplitude = -1;
     if (trots && 1e-9 * static_cast<double>(now.time()) >= p.trot.start) {
       amplitude = p.trot.intercept + p.trot.slope * p.trot.speed;
-      if (now_on == plan::at<"trot"> && ball.origin() != cca::never) amplitude = std::max<double>(p.trot.least, slowed(way_left(ball)));
+      if (now_on == plan::at<"trot"> && ball.origin() != cca::never)
+        amplitude = std::max<double>(p.trot.least, slowed(way_left(ball)));
     }
-    stiffness += std::min(1.0, now.dt() / p.stand.stiffening) * ((trots ? p.trot.stiffness : p.stand.stiffness) - stiffness);
-    supports::vector_type carrying = supports::vector_type::Constant(shifted || now_on == plan::at<"stand"> ? 1.0 : 0.0);
+    stiffness += std::min(1.0, now.dt() / p.stand.stiffening) *
+                 ((trots ? p.trot.stiffness : p.stand.stiffness) - stiffness);
+    supports::vector_type carrying =
+        supports::vector_type::Constant(shifted || now_on == plan::at<"stand"> ? 1.0 : 0.0);
     if (raised) carrying[static_cast<int>(paw)] = 0;
-    return {amplitude, feet[0], feet[1], feet[2], feet[3], wanted_stiffness::vector_type::Constant(stiffness).eval(), carrying};
+    return {amplitude, feet[0], feet[1],
+            feet[2],   feet[3], wanted_stiffness::vector_type::Constant(stiffness).eval(),
+            carrying};
   }
 
   void on_start() { stiffness = p.trot.stiffness; }
 
 private:
-  double slowed(double way) const { return p.trot.intercept + p.trot.slope * std::clamp<double>(p.trot.slowing * way, 0, p.trot.speed); }
+  double slowed(double way) const {
+    return p.trot.intercept + p.trot.slope * std::clamp<double>(p.trot.slowing * way, 0, p.trot.speed);
+  }
 
   double stiffness = 30;
 };

@@ -1,8 +1,9 @@
 #pragma once
-// The sequence of skills: which one comes next, what its precondition is, and where it leads when that takes too long.
+// The sequence of skills: which one comes next, what its precondition is, and where it leads when that takes
+// too long.
 //
-// A condition stands with the step that it starts. It is about what the skills tell of themselves, not about time; the paw is
-// held at the ball for a second.
+// A condition stands with the step that it starts. It is about what the skills tell of themselves, not about
+// time; the paw is held at the ball for a second.
 #include <cca/adaptive/component_status.hpp>
 #include <cca/adaptive/sequence.hpp>
 
@@ -10,23 +11,34 @@
 
 namespace skills {
 
-struct arrived : cca::all<cca::is<"hip_reaching.status", cca::ode_status::converged>, cca::is<"knee_reaching.status", cca::ode_status::converged>> {};
+struct arrived : cca::all<cca::is<"hip_reaching.status", cca::ode_status::converged>,
+                          cca::is<"knee_reaching.status", cca::ode_status::converged>> {};
 struct still : cca::is<"trunk.status", cca::criterion_state::fulfilled> {};
 struct follows : cca::is<"dmp.status.component", cca::component_status::reached> {};
 struct at_ball : cca::is<"reaching.status.state", cca::criterion_state::fulfilled> {};
 
 // [plan]
-struct plan : cca::steps<
-    cca::step<"trot">,
-    cca::step<"stop",         cca::is<"ball.status", ball_state::near>>,
-    cca::step<"shift weight", cca::is<"cpg.status", cca::ode_status::converged>, still,       cca::or_after<6000, "trot on">>,
-    cca::step<"lift paw",     arrived, still, follows,                                        cca::or_after<6000, "stand">>,
-    cca::step<"reach",        arrived, cca::is<"paw.status", paw_state::raised>,              cca::or_after<6000, "put down">>,
-    cca::step<"touch",        at_ball,                                                        cca::or_after<6000, "draw back">>,
-    cca::step<"draw back",    at_ball, cca::held_for<1000>,                                   cca::or_after<6000, "draw back">>,
-    cca::step<"put down",     arrived,                                                        cca::or_after<6000, "put down">>,
-    cca::step<"stand",        arrived, cca::is<"paw.status", paw_state::grounded>, still,     cca::or_after<6000, "stand">>,
-    cca::step<"trot on",      arrived, still, follows,                                        cca::or_after<6000, "trot on">>> {};
+struct plan
+    : cca::steps<cca::step<"trot">,
+                 cca::step<"stop", cca::is<"ball.status", ball_state::near>>,
+                 cca::step<"shift weight",
+                           cca::is<"cpg.status", cca::ode_status::converged>,
+                           still,
+                           cca::or_after<6000, "trot on">>,
+                 cca::step<"lift paw", arrived, still, follows, cca::or_after<6000, "stand">>,
+                 cca::step<"reach",
+                           arrived,
+                           cca::is<"paw.status", paw_state::raised>,
+                           cca::or_after<6000, "put down">>,
+                 cca::step<"touch", at_ball, cca::or_after<6000, "draw back">>,
+                 cca::step<"draw back", at_ball, cca::held_for<1000>, cca::or_after<6000, "draw back">>,
+                 cca::step<"put down", arrived, cca::or_after<6000, "put down">>,
+                 cca::step<"stand",
+                           arrived,
+                           cca::is<"paw.status", paw_state::grounded>,
+                           still,
+                           cca::or_after<6000, "stand">>,
+                 cca::step<"trot on", arrived, still, follows, cca::or_after<6000, "trot on">>> {};
 // [plan end]
 
 }  // namespace skills

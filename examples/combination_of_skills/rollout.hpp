@@ -1,7 +1,8 @@
 #pragma once
-// One run of the Combination of Skills in a simulated world, and what came of it. The robot is the simulator's, or one on virtual
-// drives around it (examples/hardware_in_the_loop): a stage has a `controller`, loaded and not yet started, `step()`, a `world()`, and
-// can `put_down(world, disturbance)` and `disturb(disturbance)`.
+// One run of the Combination of Skills in a simulated world, and what came of it. The robot is the
+// simulator's, or one on virtual drives around it (examples/hardware_in_the_loop): a stage has a
+// `controller`, loaded and not yet started, `step()`, a `world()`, and can `put_down(world, disturbance)` and
+// `disturb(disturbance)`.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,18 +44,20 @@ struct episode {
 
 struct result {
   bool fell = false;
-  int last = 0;                             // the step of the plan that was on
+  int last = 0;  // the step of the plan that was on
   double seconds = 0;
-  double reach_error = std::nan("");        // m, mean while the paw is at the ball, before the push
-  double worst_error = std::nan("");        // m, greatest in that time
-  double error_after_push = std::nan("");   // m, mean of the end of that skill
-  double worst_after_push = std::nan("");   // m, greatest then
-  double reach_time = std::nan("");         // s
-  double speed_after = 0;                   // m/s
+  double reach_error = std::nan("");       // m, mean while the paw is at the ball, before the push
+  double worst_error = std::nan("");       // m, greatest in that time
+  double error_after_push = std::nan("");  // m, mean of the end of that skill
+  double worst_after_push = std::nan("");  // m, greatest then
+  double reach_time = std::nan("");        // s
+  double speed_after = 0;                  // m/s
   std::array<episode, plan::count> skills{};
 
   template <cca::fixed_string Name>
-  const episode& of() const { return skills[static_cast<std::size_t>(plan::at<Name>)]; }
+  const episode& of() const {
+    return skills[static_cast<std::size_t>(plan::at<Name>)];
+  }
   bool touched() const { return of<"reach">().how == outcome::done; }
 };
 
@@ -83,11 +86,13 @@ double tracking_error(const Controller& controller) {
 template <class Stage, class Between>
 result act(Stage& stage, const circumstances& c, Between between) {
   constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
-  auto disturbance = c.seed ? cca::sim::disturbance::from_seed(*c.seed, c.trot_seconds + 15 + c.after_seconds) : cca::sim::disturbance::none();
+  auto disturbance = c.seed ? cca::sim::disturbance::from_seed(*c.seed, c.trot_seconds + 15 + c.after_seconds)
+                            : cca::sim::disturbance::none();
   auto& controller = stage.controller;
   auto& camera = controller.template get<"camera">();
   const auto& sequencer = controller.template get<"sequencer">().steps;
-  stage.put_down(cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat().with_friction(disturbance.friction),
+  stage.put_down(cca::sim::world(cca::sim::oncilla_defaults,
+                                 cca::sim::terrain::flat().with_friction(disturbance.friction),
                                  put_down(controller.template get<"orders">().p, disturbance)),
                  disturbance);
   scene around(c.where, c.paw, c.trot_seconds);
@@ -153,7 +158,9 @@ result act(Stage& stage, const circumstances& c, Between between) {
 struct simulated_stage {
   combined& controller;
   const cca::sim::world& world() const { return controller.get<"robot.simulator">().world(); }
-  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) { controller.get<"robot.simulator">().put_down(std::move(w), d); }
+  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
+    controller.get<"robot.simulator">().put_down(std::move(w), d);
+  }
   void disturb(const cca::sim::disturbance& d) { controller.get<"robot.simulator">().disturb(d); }
   void step() { controller.step(); }
 };

@@ -1,5 +1,5 @@
-// The Combination of Skills from many disturbance seeds, with either paw, for each ball, on all cores: how often it falls, how
-// near the paw comes, how long that takes.
+// The Combination of Skills from many disturbance seeds, with either paw, for each ball, on all cores: how
+// often it falls, how near the paw comes, how long that takes.
 //
 //   combination_of_skills_runs --shape trot.shape --count 10 --summary summary.json
 #include <algorithm>
@@ -45,7 +45,9 @@ options parse(const std::vector<std::string>& arguments) {
     else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
     else if (name == "--push") o.run.push = trot::detail::number(name, value, 0, 100);
     else if (name == "--seconds") skills::set_seconds(o.run, trot::detail::number(name, value, 1, 20));
-    else throw skills::command_line_error(name + ": expected --shape, --config, --summary, --first, --count, --push or --seconds");
+    else
+      throw skills::command_line_error(
+          name + ": expected --shape, --config, --summary, --first, --count, --push or --seconds");
   }
   return o;
 }
@@ -62,7 +64,8 @@ struct seen {
   }
 };
 
-// A row of a table in Markdown: of the runs with this ball and this paw; of its figures, those of runs that did what they should.
+// A row of a table in Markdown: of the runs with this ball and this paw; of its figures, those of runs that
+// did what they should.
 void print(const std::vector<skills::told_run>& runs, skills::target where, skills::paw_side paw) {
   int count = 0, fell = 0, good = 0;
   seen off, worst, pushed, time, speed;
@@ -78,26 +81,40 @@ void print(const std::vector<skills::told_run>& runs, skills::target where, skil
     time.add(r.reach_time);
     speed.add(r.speed_after);
   }
-  std::printf("| %-8s | %-5s | %2d of %-12d | %5d |", quoted(skills::target_names[static_cast<std::size_t>(where)]).c_str(),
+  std::printf("| %-8s | %-5s | %2d of %-12d | %5d |",
+              quoted(skills::target_names[static_cast<std::size_t>(where)]).c_str(),
               std::string(skills::paw_names[static_cast<std::size_t>(paw)]).c_str(), good, count, fell);
-  if (good > 0) std::printf(" %.2f, %.2f mm       | %5.2f mm       | %.2f to %.2f s | %.2f to %.2f m/s |\n", off.sum / good, worst.high, pushed.high, time.low, time.high, speed.low, speed.high);
+  if (good > 0)
+    std::printf(" %.2f, %.2f mm       | %5.2f mm       | %.2f to %.2f s | %.2f to %.2f m/s |\n",
+                off.sum / good, worst.high, pushed.high, time.low, time.high, speed.low, speed.high);
   else std::printf("                     |                |                |                  |\n");
 }
 
 void print(const std::vector<skills::told_run>& runs) {
-  std::printf("\n| ball     | paw   | within 5 mm in 3 s | falls | off: mean, greatest | after the push | reached in     | then trots at    |\n"
-              "|----------|-------|--------------------|-------|---------------------|----------------|----------------|------------------|\n");
+  std::printf(
+      "\n| ball     | paw   | within 5 mm in 3 s | falls | off: mean, greatest | after the push | reached in "
+      "    | then trots at    |\n"
+      "|----------|-------|--------------------|-------|---------------------|----------------|--------------"
+      "--|------------------|\n");
   for (std::size_t where = 0; where < skills::target_names.size(); ++where)
-    for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw) print(runs, static_cast<skills::target>(where), static_cast<skills::paw_side>(paw));
+    for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw)
+      print(runs, static_cast<skills::target>(where), static_cast<skills::paw_side>(paw));
   for (const auto& [c, r] : runs)
     if (!skills::succeeded(r))
-      std::printf("not so: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, reached in %.2f s\n", static_cast<int>(c.seed.value_or(0)),
-                  std::string(skills::paw_names[static_cast<std::size_t>(c.paw)]).c_str(), std::string(skills::target_names[static_cast<std::size_t>(c.where)]).c_str(),
-                  r.fell ? "fell" : "ended", std::string(skills::plan::table[static_cast<std::size_t>(r.last)].name).c_str(), r.worst_error * 1e3, r.reach_time);
-  const auto good = std::count_if(runs.begin(), runs.end(), [](const skills::told_run& one) { return skills::succeeded(one.what); });
-  std::printf("\n%d of %d runs did it: no fall, the ball reached in 3 s, the paw within 5 mm of it, and trotted on.\n"
-              "Off: from the paw to the ball, in the 0.4 s after it was reached; after the push: greatest in the time from then on.\n",
-              static_cast<int>(good), static_cast<int>(runs.size()));
+      std::printf("not so: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, reached in %.2f s\n",
+                  static_cast<int>(c.seed.value_or(0)),
+                  std::string(skills::paw_names[static_cast<std::size_t>(c.paw)]).c_str(),
+                  std::string(skills::target_names[static_cast<std::size_t>(c.where)]).c_str(),
+                  r.fell ? "fell" : "ended",
+                  std::string(skills::plan::table[static_cast<std::size_t>(r.last)].name).c_str(),
+                  r.worst_error * 1e3, r.reach_time);
+  const auto good = std::count_if(runs.begin(), runs.end(),
+                                  [](const skills::told_run& one) { return skills::succeeded(one.what); });
+  std::printf(
+      "\n%d of %d runs did it: no fall, the ball reached in 3 s, the paw within 5 mm of it, and trotted on.\n"
+      "Off: from the paw to the ball, in the 0.4 s after it was reached; after the push: greatest in the "
+      "time from then on.\n",
+      static_cast<int>(good), static_cast<int>(runs.size()));
 }
 
 int run(const options& o) {
@@ -122,16 +139,22 @@ int run(const options& o) {
         skills::combined controller = start;
         runs[i].what = skills::roll_out(controller, runs[i].where, [](const skills::combined&) {});
       },
-      [&](std::size_t finished) { bar.show(static_cast<double>(finished) / static_cast<double>(runs.size())); });
+      [&](std::size_t finished) {
+        bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
+      });
   bar.done();
 
   print(runs);
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });
-  return std::all_of(runs.begin(), runs.end(), [](const skills::told_run& one) { return skills::succeeded(one.what); }) ? 0 : 1;
+  return std::all_of(runs.begin(), runs.end(),
+                     [](const skills::told_run& one) { return skills::succeeded(one.what); })
+             ? 0
+             : 1;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_runs", [&] { return run(parse({arguments + 1, arguments + count})); });
+  return trot::program("combination_of_skills_runs",
+                       [&] { return run(parse({arguments + 1, arguments + count})); });
 }

@@ -23,14 +23,17 @@ inline constexpr std::array<std::string_view, 2> paw_names{"left", "right"};
 
 class scene {
 public:
-  scene(target where, paw_side paw, double trot_seconds) : where_(where), leg_(paw == paw_side::right ? 1 : 0), shown_at_(trot_seconds) {
-    if (where == target::world) ball_ = Eigen::Vector3d(fixed_ahead, cca::sim::side_of(leg_) * cca::sim::oncilla_defaults.hip_y, fixed_height);
+  scene(target where, paw_side paw, double trot_seconds)
+      : where_(where), leg_(paw == paw_side::right ? 1 : 0), shown_at_(trot_seconds) {
+    if (where == target::world)
+      ball_ = Eigen::Vector3d(fixed_ahead, cca::sim::side_of(leg_) * cca::sim::oncilla_defaults.hip_y,
+                              fixed_height);
   }
 
   std::size_t leg() const { return leg_; }
 
-  // What a camera on the trunk sees now, if anything. A ball that isn't fixed in the world is held in front of the robot, once it
-  // has trotted for long enough, until it stands.
+  // What a camera on the trunk sees now, if anything. A ball that isn't fixed in the world is held in front
+  // of the robot, once it has trotted for long enough, until it stands.
   std::optional<Eigen::Vector3d> seen(const cca::sim::world& world, bool stopped) {
     const Eigen::Vector3d trunk = vector(world.trunk_position());
     const cca::sim::quaternion& q = world.reading().trunk.orientation;
@@ -52,10 +55,13 @@ public:
 
 private:
   // Ahead of the hip, outward, up; m.
-  static constexpr std::array<std::array<double, 3>, 3> places{{{0.095, 0, -0.115}, {0.085, 0, -0.090}, {0.070, -0.015, -0.130}}};
+  static constexpr std::array<std::array<double, 3>, 3> places{
+      {{0.095, 0, -0.115}, {0.085, 0, -0.090}, {0.070, -0.015, -0.130}}};
   static constexpr double fixed_ahead = 4.15, fixed_height = 0.062;  // m
 
-  Eigen::Vector3d beside(const std::array<double, 3>& p) const { return {p[0], cca::sim::side_of(leg_) * p[1], p[2]}; }
+  Eigen::Vector3d beside(const std::array<double, 3>& p) const {
+    return {p[0], cca::sim::side_of(leg_) * p[1], p[2]};
+  }
   static Eigen::Vector3d vector(const cca::sim::vector3& v) { return {v[0], v[1], v[2]}; }
 
   target where_;

@@ -1,7 +1,8 @@
 #pragma once
 // What flows between the components, besides the robot's own spaces.
 //
-// Positions are given in the frame of the trunk (x forward, y left, z up, from its centre). A foot is where its sphere's centre is.
+// Positions are given in the frame of the trunk (x forward, y left, z up, from its centre). A foot is where
+// its sphere's centre is.
 #include <cstdint>
 
 #include <cca/motor/spaces.hpp>
@@ -18,25 +19,48 @@ struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator, a s
 struct yaw : cca::dimension<"yaw"> {};
 
 // A point that a foot is at, or shall come to; also where the ball is.
-struct point_in_trunk : cca::space<cca::cartesian_position<trunk_frame>, cca::axes<cca::x, cca::y, cca::z>> {};
+struct point_in_trunk : cca::space<cca::cartesian_position<trunk_frame>, cca::axes<cca::x, cca::y, cca::z>> {
+};
 
 // A hip has two axes, abduction and swing.
-struct hip_angles : cca::space<cca::joint_angles, cca::axes<cca::sim::left_front_abduction, cca::sim::right_front_abduction,
-                                                            cca::sim::left_hind_abduction, cca::sim::right_hind_abduction,
-                                                            cca::sim::left_front_hip, cca::sim::right_front_hip,
-                                                            cca::sim::left_hind_hip, cca::sim::right_hind_hip>> {};
-struct knee_angles : cca::space<cca::joint_angles, cca::axes<cca::sim::left_front_knee, cca::sim::right_front_knee,
-                                                             cca::sim::left_hind_knee, cca::sim::right_hind_knee>> {};
+struct hip_angles : cca::space<cca::joint_angles,
+                               cca::axes<cca::sim::left_front_abduction,
+                                         cca::sim::right_front_abduction,
+                                         cca::sim::left_hind_abduction,
+                                         cca::sim::right_hind_abduction,
+                                         cca::sim::left_front_hip,
+                                         cca::sim::right_front_hip,
+                                         cca::sim::left_hind_hip,
+                                         cca::sim::right_hind_hip>> {};
+struct knee_angles : cca::space<cca::joint_angles,
+                                cca::axes<cca::sim::left_front_knee,
+                                          cca::sim::right_front_knee,
+                                          cca::sim::left_hind_knee,
+                                          cca::sim::right_hind_knee>> {};
 
 // The joints of a leg.
-struct left_front_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::left_front_abduction, cca::sim::left_front_hip, cca::sim::left_front_knee>> {};
-struct right_front_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::right_front_abduction, cca::sim::right_front_hip, cca::sim::right_front_knee>> {};
-struct left_hind_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::left_hind_abduction, cca::sim::left_hind_hip, cca::sim::left_hind_knee>> {};
-struct right_hind_joints : cca::space<cca::joint_angles, cca::axes<cca::sim::right_hind_abduction, cca::sim::right_hind_hip, cca::sim::right_hind_knee>> {};
+struct left_front_joints
+    : cca::space<
+          cca::joint_angles,
+          cca::axes<cca::sim::left_front_abduction, cca::sim::left_front_hip, cca::sim::left_front_knee>> {};
+struct right_front_joints
+    : cca::space<
+          cca::joint_angles,
+          cca::axes<cca::sim::right_front_abduction, cca::sim::right_front_hip, cca::sim::right_front_knee>> {
+};
+struct left_hind_joints
+    : cca::space<
+          cca::joint_angles,
+          cca::axes<cca::sim::left_hind_abduction, cca::sim::left_hind_hip, cca::sim::left_hind_knee>> {};
+struct right_hind_joints
+    : cca::space<
+          cca::joint_angles,
+          cca::axes<cca::sim::right_hind_abduction, cca::sim::right_hind_hip, cca::sim::right_hind_knee>> {};
 
 struct turning : cca::space<cca::number, cca::axes<yaw>> {};  // > 0 to the left: right legs swing farther
 struct wanted_stiffness : cca::space<cca::joint_stiffness, cca::sim::hip_axes> {};
-struct supports : cca::space<cca::number, cca::sim::foot_axes> {};  // 1: the leg stands and carries, 0: it swings
+struct supports : cca::space<cca::number, cca::sim::foot_axes> {
+};  // 1: the leg stands and carries, 0: it swings
 
 // Which front leg the ball is in front of.
 enum class paw_side : std::uint8_t { left, right };

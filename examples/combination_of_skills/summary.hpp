@@ -18,7 +18,10 @@ struct told_run {
 
 // Within 5 mm, in 3 s, without a fall.
 inline constexpr double allowed_error = 0.005, allowed_time = 3.0;
-inline bool succeeded(const result& r) { return !r.fell && r.last == plan::at<"trot on"> && r.touched() && r.worst_error <= allowed_error && r.reach_time <= allowed_time; }
+inline bool succeeded(const result& r) {
+  return !r.fell && r.last == plan::at<"trot on"> && r.touched() && r.worst_error <= allowed_error &&
+         r.reach_time <= allowed_time;
+}
 
 namespace detail {
 
@@ -48,12 +51,19 @@ inline void write_table(std::ostream& out, const circumstances& c, const result&
     out << "  " << name << std::string(15 - name.size(), ' ') << formatted("%6.2f s", s.begin)
         << formatted("  %6.2f s", (open ? r.seconds : s.end) - s.begin)
         << (std::isfinite(s.error) ? formatted("   %6.3f rad", s.error) : std::string(13, ' ')) << "   "
-        << (open && r.fell ? "fell" : open && i + 1 == r.skills.size() ? "done" : std::string(to_string(s.how))) << '\n';
+        << (open && r.fell                     ? "fell"
+            : open && i + 1 == r.skills.size() ? "done"
+                                               : std::string(to_string(s.how)))
+        << '\n';
   }
-  out << "  ball (" << target_names[static_cast<std::size_t>(c.where)] << ", " << paw_names[static_cast<std::size_t>(c.paw)] << " paw): ";
+  out << "  ball (" << target_names[static_cast<std::size_t>(c.where)] << ", "
+      << paw_names[static_cast<std::size_t>(c.paw)] << " paw): ";
   if (r.touched())
-    out << formatted("%.2f mm", r.reach_error * 1e3) << formatted(" off (at most %.2f mm)", r.worst_error * 1e3) << formatted(", reached in %.2f s", r.reach_time)
-        << formatted("; after a push of %.0f N ", c.push) << formatted("%.2f mm off", r.error_after_push * 1e3) << formatted(" (at most %.2f mm)\n", r.worst_after_push * 1e3);
+    out << formatted("%.2f mm", r.reach_error * 1e3)
+        << formatted(" off (at most %.2f mm)", r.worst_error * 1e3)
+        << formatted(", reached in %.2f s", r.reach_time) << formatted("; after a push of %.0f N ", c.push)
+        << formatted("%.2f mm off", r.error_after_push * 1e3)
+        << formatted(" (at most %.2f mm)\n", r.worst_after_push * 1e3);
   else out << "not reached\n";
   out << formatted("  trotted on at %.3f m/s", r.speed_after) << (r.fell ? "; FELL\n" : "\n");
 }
@@ -63,12 +73,16 @@ inline void write_json(std::ostream& out, const std::vector<told_run>& runs) {
   out << "[";
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto& [c, r] = runs[i];
-    out << (i ? ",\n " : "\n ") << "{\"seed\": " << (c.seed ? std::to_string(*c.seed) : "null") << ", \"paw\": \"" << paw_names[static_cast<std::size_t>(c.paw)]
-        << "\", \"target\": \"" << target_names[static_cast<std::size_t>(c.where)] << "\", \"reach_error_mm\": " << number(r.reach_error * 1e3)
-        << ", \"worst_reach_error_mm\": " << number(r.worst_error * 1e3) << ", \"reach_time_s\": " << number(r.reach_time) << ", \"push_n\": " << number(c.push)
+    out << (i ? ",\n " : "\n ") << "{\"seed\": " << (c.seed ? std::to_string(*c.seed) : "null")
+        << ", \"paw\": \"" << paw_names[static_cast<std::size_t>(c.paw)] << "\", \"target\": \""
+        << target_names[static_cast<std::size_t>(c.where)]
+        << "\", \"reach_error_mm\": " << number(r.reach_error * 1e3)
+        << ", \"worst_reach_error_mm\": " << number(r.worst_error * 1e3)
+        << ", \"reach_time_s\": " << number(r.reach_time) << ", \"push_n\": " << number(c.push)
         << ", \"worst_error_after_push_mm\": " << number(r.worst_after_push * 1e3)
-        << ", \"fell\": " << (r.fell ? "true" : "false") << ", \"speed_after_m_s\": " << number(r.speed_after) << ", \"seconds\": " << number(r.seconds)
-        << ", \"last_skill\": \"" << plan::table[static_cast<std::size_t>(r.last)].name << "\"}";
+        << ", \"fell\": " << (r.fell ? "true" : "false") << ", \"speed_after_m_s\": " << number(r.speed_after)
+        << ", \"seconds\": " << number(r.seconds) << ", \"last_skill\": \""
+        << plan::table[static_cast<std::size_t>(r.last)].name << "\"}";
   }
   out << "\n]\n";
 }

@@ -17,12 +17,14 @@ namespace skills {
 //   out "status"             trunk_status: a criterion_state
 struct stillness {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::error_limits<cca::velocity>, limits),  // rad/s
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::error_limits<cca::velocity>, limits),  // rad/s
                              (cca::quantity<cca::duration, 0.001, 1>, smoothing));
   };
   parameters p{{0.15, 0.15, cca::infinity, 0.1}, 0.05};
 
-  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning, cca::beat now) -> cca::out<"status", trunk_status> {
+  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning, cca::beat now)
+      -> cca::out<"status", trunk_status> {
     smooth += now.dt() / p.smoothing * (turning.vector().norm() - smooth);
     return cca::status_of(monitor.update(smooth, p.limits, now.dt()));
   }
@@ -32,7 +34,8 @@ private:
   cca::error_monitor monitor;
 };
 
-// Heads for the ball while it is ahead, so that it comes in front of its paw; else in the direction that it started in.
+// Heads for the ball while it is ahead, so that it comes in front of its paw; else in the direction that it
+// started in.
 //
 //   in  "orientation"   trunk_orientation
 //   in  "ball"          point_in_trunk
@@ -41,21 +44,28 @@ private:
 //   out "turn"          turning, -most to most
 struct heading {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 10>, gain),   // turn per rad
-                             (cca::bounded<double, 0, 10>, drift),              // turn per rad s
-                             (cca::bounded<double, 0, 1>, most),                // turn
-                             (cca::quantity<cca::length, 0, 10>, near),         // a ball nearer than this is not headed for
-                             (cca::quantity<cca::length, 0, 0.1>, inside));     // of the hip: there the paw reaches as far to both sides
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::bounded<double, 0, 10>, gain),   // turn per rad
+                             (cca::bounded<double, 0, 10>, drift),  // turn per rad s
+                             (cca::bounded<double, 0, 1>, most),    // turn
+                             (cca::quantity<cca::length, 0, 10>,
+                              near),  // a ball nearer than this is not headed for
+                             (cca::quantity<cca::length, 0, 0.1>,
+                              inside));  // of the hip: there the paw reaches as far to both sides
   };
   parameters p{1.2, 0.4, 0.5, 0.3, 0.014};
 
-  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk, cca::in<"ball", point_in_trunk> ball,
-               cca::in<"side", side_port> side, cca::in<"amplitude", cca::over<cca::amplitude, stride>> amplitude, cca::beat now)
-      -> cca::out<"turn", turning> {
+  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk,
+               cca::in<"ball", point_in_trunk> ball,
+               cca::in<"side", side_port> side,
+               cca::in<"amplitude", cca::over<cca::amplitude, stride>> amplitude,
+               cca::beat now) -> cca::out<"turn", turning> {
     const std::size_t leg = side.is(paw_side::right) ? 1 : 0;
     const Eigen::Vector3d hip = hip_in_trunk(leg);
-    const double ahead = ball[cca::x{}] - hip[0], beside = ball[cca::y{}] - hip[1] + cca::sim::side_of(leg) * p.inside;
-    const double off = ball.origin() != cca::never && ahead > p.near ? -std::atan2(beside, ahead) : trunk.yaw();
+    const double ahead = ball[cca::x{}] - hip[0],
+                 beside = ball[cca::y{}] - hip[1] + cca::sim::side_of(leg) * p.inside;
+    const double off =
+        ball.origin() != cca::never && ahead > p.near ? -std::atan2(beside, ahead) : trunk.yaw();
     constexpr double swinging = 0.1;
     if (amplitude[stride{}] > swinging) {
       const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more could not be acted on
@@ -77,11 +87,13 @@ private:
 //   in  "command"  leg_angles
 //   out "angles"   leg_angles
 struct steering {
-  auto process(cca::in<"goal", cca::sim::leg_angles> goal, cca::in<"turn", turning> turn, cca::in<"command", cca::sim::leg_angles> command)
-      -> cca::out<"angles", cca::sim::leg_angles> {
+  auto process(cca::in<"goal", cca::sim::leg_angles> goal,
+               cca::in<"turn", turning> turn,
+               cca::in<"command", cca::sim::leg_angles> command) -> cca::out<"angles", cca::sim::leg_angles> {
     cca::sim::leg_angles::vector_type angles = command.vector();
     for (int leg = 0; leg < 4; ++leg)
-      angles[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] * (command.vector()[leg] - goal.vector()[leg]);
+      angles[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] *
+                     (command.vector()[leg] - goal.vector()[leg]);
     return angles;
   }
 };
@@ -93,16 +105,20 @@ struct steering {
 //   in  "command"            leg_angles
 //   out "angles"             leg_angles
 //
-// The rate at which a hip sinks is taken from the trunk's rates of turn; the knee gives `time` times that, as far as `most`.
+// The rate at which a hip sinks is taken from the trunk's rates of turn; the knee gives `time` times that, as
+// far as `most`.
 struct balance {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::duration, 0, 0.2>, time),
-                             (cca::quantity<cca::length, 0.01, 0.2>, lever),  // of the foot's height about the knee
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::quantity<cca::duration, 0, 0.2>, time),
+                             (cca::quantity<cca::length, 0.01, 0.2>,
+                              lever),  // of the foot's height about the knee
                              (cca::quantity<cca::angle, 0, 0.5>, most));
   };
   parameters p{0.03, 0.09, 0.1};
 
-  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning, cca::in<"supports", supports> standing,
+  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning,
+               cca::in<"supports", supports> standing,
                cca::in<"command", cca::sim::leg_angles> command) -> cca::out<"angles", cca::sim::leg_angles> {
     cca::sim::leg_angles::vector_type angles = command.vector();
     const auto& w = turning.vector();

@@ -1,5 +1,6 @@
 #pragma once
-// One run of the fault campaign: the trot on virtual drives, a fault after 1.5 s, what the robot does, and a deliberate restart.
+// One run of the fault campaign: the trot on virtual drives, a fault after 1.5 s, what the robot does, and a
+// deliberate restart.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +13,8 @@
 
 namespace hil {
 
-// What goes wrong in the controller: numbers that are none, or commands made again and again from the same old data.
+// What goes wrong in the controller: numbers that are none, or commands made again and again from the same
+// old data.
 struct saboteur {
   auto process(cca::in<"angles", sim::leg_angles> wanted) -> cca::out<"angles", sim::leg_angles> {
     if (!stuck) origin = wanted.origin(), angles = wanted.vector();
@@ -28,24 +30,23 @@ private:
 };
 
 template <class Limiter>
-struct sabotaged : cca::graph<
-    cca::rate<1000>,
-    cca::node<"throttle", trot::throttle, cca::timed<10>>,
-    cca::node<"posture", trot::posture, cca::timed<10>>,
-    cca::node<"cpg", trot::hopf, cca::timed<1>>,
-    cca::node<"gait", trot::gait, cca::port_triggered<"phase">>,
-    cca::node<"saboteur", saboteur>,
-    cca::node<"limits", Limiter>,
-    cca::node<"robot", oncilla<memory_end>>,
+struct sabotaged : cca::graph<cca::rate<1000>,
+                              cca::node<"throttle", trot::throttle, cca::timed<10>>,
+                              cca::node<"posture", trot::posture, cca::timed<10>>,
+                              cca::node<"cpg", trot::hopf, cca::timed<1>>,
+                              cca::node<"gait", trot::gait, cca::port_triggered<"phase">>,
+                              cca::node<"saboteur", saboteur>,
+                              cca::node<"limits", Limiter>,
+                              cca::node<"robot", oncilla<memory_end>>,
 
-    cca::wire<"robot.orientation", "posture.orientation", cca::latest>,
-    cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
-    cca::wire<"posture.turn", "gait.turn", cca::latest>,
-    cca::wire<"cpg.phase", "gait.phase">,
-    cca::wire<"cpg.amplitude", "gait.amplitude">,
-    cca::wire<"gait.angles", "saboteur.angles">,
-    cca::wire<"saboteur.angles", "limits.command">,
-    cca::wire<"limits.safe", "robot.command">> {};
+                              cca::wire<"robot.orientation", "posture.orientation", cca::latest>,
+                              cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
+                              cca::wire<"posture.turn", "gait.turn", cca::latest>,
+                              cca::wire<"cpg.phase", "gait.phase">,
+                              cca::wire<"cpg.amplitude", "gait.amplitude">,
+                              cca::wire<"gait.angles", "saboteur.angles">,
+                              cca::wire<"saboteur.angles", "limits.command">,
+                              cca::wire<"limits.safe", "robot.command">> {};
 
 // One with the limiter that every architecture has, one where it is switched off.
 struct limited : sabotaged<cca::limiter<sim::leg_angles>> {};
@@ -68,7 +69,8 @@ struct result {
   std::int64_t beats_to_detect = -1;  // -1: nothing had to be done about it
   std::int64_t beats_to_safe = 0;     // from the detection
   std::string detected_by = "-";
-  double max_excursion = 0;  // rad, from where a joint was at the detection; where nothing was, from a run without the fault
+  double max_excursion =
+      0;  // rad, from where a joint was at the detection; where nothing was, from a run without the fault
   double max_torque = 0;
   std::int64_t sent = 0, sent_outside_limits = 0;
   bool recovered = false, fell = false;
@@ -84,7 +86,8 @@ public:
     for (std::size_t b = 0; b < buses; ++b) {
       auto end = run.wires[b].end(2);
       const std::size_t n = end.receive(frames);
-      for (std::size_t k = 0; k < n; ++k) check(frames[k].frame, run.controller.template get<"robot.synchronizer">());
+      for (std::size_t k = 0; k < n; ++k)
+        check(frames[k].frame, run.controller.template get<"robot.synchronizer">());
     }
   }
   std::int64_t sent = 0, outside = 0;
@@ -97,16 +100,22 @@ private:
       using format = typename J::drive::wire;
       if (f.id == J::drive::request_id && !(f.data[0] == 0xFF && f.data[1] == 0xFF && f.data[2] == 0xFF)) {
         ++sent;
-        const auto c = J::from_drive(format::from_wire(format::read(std::span<const std::uint8_t, 8>(f.data.data(), 8))));
-        const double angle = J::angle_of(known.report(i).position), speed = J::speed_of(known.report(i).velocity);
-        const auto within = [](double x, hw::joint_bounds b, double step) { return b.lower - step <= x && x <= b.upper + step; };
-        constexpr double torque_steps = 0.1;  // what the steps of position, velocity and gains in a frame make of a torque
+        const auto c = J::from_drive(
+            format::from_wire(format::read(std::span<const std::uint8_t, 8>(f.data.data(), 8))));
+        const double angle = J::angle_of(known.report(i).position),
+                     speed = J::speed_of(known.report(i).velocity);
+        const auto within = [](double x, hw::joint_bounds b, double step) {
+          return b.lower - step <= x && x <= b.upper + step;
+        };
+        constexpr double torque_steps =
+            0.1;  // what the steps of position, velocity and gains in a frame make of a torque
         bool good = c.stiffness <= J::servo.most_stiff + 0.2 && c.damping <= 5.01;
         if (c.stiffness > 0.2) good = good && within(c.position, J::angle, 0.001);
         if (c.damping > 0.01) good = good && within(c.velocity, J::speed, 0.02);
         if (std::isfinite(angle) && (c.stiffness > 0.2 || c.damping > 0.01))
-          good = good && within(c.stiffness * (c.position - angle) + c.damping * (c.velocity - speed) + c.torque,
-                                hw::limit_guard<joints>::window(i, {angle, speed}), torque_steps);
+          good =
+              good && within(c.stiffness * (c.position - angle) + c.damping * (c.velocity - speed) + c.torque,
+                             hw::limit_guard<joints>::window(i, {angle, speed}), torque_steps);
         outside += !good;
       }
       ++i;
@@ -195,7 +204,8 @@ result run(const scenario<Architecture>& s) {
     bool moving = false, unfed = true;
     for (std::size_t i = 0; i < 8; ++i) {
       const auto& c = r.laws[i];
-      moving = moving || std::abs(c.velocity) > 0.03 || (c.stiffness > 0.2 && std::abs(c.position - former[i].position) > 0.002);
+      moving = moving || std::abs(c.velocity) > 0.03 ||
+               (c.stiffness > 0.2 && std::abs(c.position - former[i].position) > 0.002);
       unfed = unfed && c.stiffness == 0 && c.damping == 0;
     }
     former = r.laws;
@@ -247,7 +257,8 @@ result run(const scenario<Architecture>& s) {
   found.recovered = now.template get<"robot.emergency_stop">().mode() == hw::motion_mode::run &&
                     !now.template get<"robot.rate">().approaching();
   if (!found.recovered && found.first_cause.empty())
-    found.first_cause = std::string(hw::name_of(now.template get<"robot.emergency_stop">().first_cause().rule));
+    found.first_cause =
+        std::string(hw::name_of(now.template get<"robot.emergency_stop">().first_cause().rule));
   found.sent = watcher.sent;
   found.sent_outside_limits = watcher.outside;
   return found;

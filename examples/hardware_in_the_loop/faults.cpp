@@ -1,5 +1,5 @@
-// The fault campaign: every fault of the list below, in a run of its own; a table, with a file name the same as JSON, and with
-// the name of a page the same in place of its table.
+// The fault campaign: every fault of the list below, in a run of its own; a table, with a file name the same
+// as JSON, and with the name of a page the same in place of its table.
 //
 // usage: hardware_in_the_loop_faults [faults.json [docs/hardware.md]]
 #include <exception>
@@ -39,11 +39,16 @@ std::vector<result> campaign() {
   with(s{.fault = "frames late, one in ten by 1 ms",
          .beats = 1000,
          .script = {{.what = t::delay, .chance = 0.1, .delay = 1'000'000}}});
-  with(s{.fault = "frames late, all by 3 ms", .beats = 300, .script = {{.what = t::delay, .delay = 3'000'000}}});
+  with(s{
+      .fault = "frames late, all by 3 ms", .beats = 300, .script = {{.what = t::delay, .delay = 3'000'000}}});
   with(s{.fault = "frames duplicated", .beats = 1000, .script = {{.what = t::duplicate, .chance = 0.5}}});
   with(s{.fault = "frames reordered", .beats = 1000, .script = {{.what = t::reorder, .chance = 0.2}}});
-  with(s{.fault = "answers corrupted, 2 %", .beats = 1000, .script = {{.what = t::corrupt, .end = robot, .chance = 0.02}}});
-  with(s{.fault = "set-points corrupted, 1 %", .beats = 1000, .script = {{.what = t::corrupt, .end = drives, .chance = 0.01}}});
+  with(s{.fault = "answers corrupted, 2 %",
+         .beats = 1000,
+         .script = {{.what = t::corrupt, .end = robot, .chance = 0.02}}});
+  with(s{.fault = "set-points corrupted, 1 %",
+         .beats = 1000,
+         .script = {{.what = t::corrupt, .end = drives, .chance = 0.01}}});
   with(s{.fault = "drive silent",
          .each = [](limited_run& r, std::int64_t) { drive<2>(r).go_silent(true); },
          .mend = [](limited_run& r) { drive<2>(r).clear(); }});
@@ -74,7 +79,8 @@ std::vector<result> campaign() {
          .mend = [](limited_run& r) { r.controller.get<"saboteur">().not_a_number = false; }});
   with(scenario<unlimited>{
       .fault = "NaN in the controller, limiter switched off",
-      .each = [](in_memory<unlimited>& r, std::int64_t) { r.controller.get<"saboteur">().not_a_number = true; },
+      .each = [](in_memory<unlimited>& r,
+                 std::int64_t) { r.controller.get<"saboteur">().not_a_number = true; },
       .mend = [](in_memory<unlimited>& r) { r.controller.get<"saboteur">().not_a_number = false; }});
   with(s{.fault = "controller stuck on old data",
          .each = [](limited_run& r, std::int64_t) { r.controller.get<"saboteur">().stuck = true; },
@@ -95,7 +101,8 @@ std::vector<result> campaign() {
 }
 
 constexpr std::string_view head =
-    "| fault | first cause | found by, after beats | safe after | joint moves, rad | torque, N m | outside limits | restarts |\n";
+    "| fault | first cause | found by, after beats | safe after | joint moves, rad | torque, N m | outside "
+    "limits | restarts |\n";
 
 std::string table_of(const std::vector<result>& all) {
   std::ostringstream out;
@@ -107,9 +114,9 @@ std::string table_of(const std::vector<result>& all) {
             : r.first_cause.empty() ? "-"
                                     : r.first_cause)
         << " | " << r.detected_by << (found ? ", " + std::to_string(r.beats_to_detect) : "") << " | "
-        << (found ? std::to_string(r.beats_to_safe) : "-") << " | " << std::setprecision(2) << r.max_excursion << " | "
-        << std::setprecision(1) << r.max_torque << " | " << r.sent_outside_limits << " of " << r.sent << " | "
-        << (r.recovered ? "yes" : "no") << " |\n";
+        << (found ? std::to_string(r.beats_to_safe) : "-") << " | " << std::setprecision(2) << r.max_excursion
+        << " | " << std::setprecision(1) << r.max_torque << " | " << r.sent_outside_limits << " of " << r.sent
+        << " | " << (r.recovered ? "yes" : "no") << " |\n";
   }
   return out.str();
 }
@@ -119,14 +126,14 @@ std::string json_of(const std::vector<result>& all) {
   out << "[";
   const char* between = "\n";
   for (const result& r : all) {
-    out << between << "  {\"fault\": \"" << r.fault << "\", \"first_cause\": \"" << r.first_cause << "\", \"detected_by\": \""
-        << r.detected_by << "\", \"beats_to_detect\": ";
+    out << between << "  {\"fault\": \"" << r.fault << "\", \"first_cause\": \"" << r.first_cause
+        << "\", \"detected_by\": \"" << r.detected_by << "\", \"beats_to_detect\": ";
     if (r.beats_to_detect < 0) out << "null";
     else out << r.beats_to_detect;
     out << ", \"beats_to_safe\": " << r.beats_to_safe << ", \"max_excursion_rad\": " << r.max_excursion
         << ", \"max_torque_nm\": " << r.max_torque << ", \"set_points_sent\": " << r.sent
-        << ", \"sent_outside_limits\": " << r.sent_outside_limits << ", \"recovered\": " << (r.recovered ? "true" : "false")
-        << "}";
+        << ", \"sent_outside_limits\": " << r.sent_outside_limits
+        << ", \"recovered\": " << (r.recovered ? "true" : "false") << "}";
     between = ",\n";
   }
   out << "\n]\n";

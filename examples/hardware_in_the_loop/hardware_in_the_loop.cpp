@@ -1,12 +1,15 @@
 // The trot's controller drives virtual drives around the simulated Oncilla, at the other end of CAN buses.
 //
-//   hardware_in_the_loop [--seconds N]                                 both ends in this process, on buses in memory
-//   hardware_in_the_loop --role drives --buses vcan0,...,vcan4         the far end: drives, sensor board, mechanics
-//   hardware_in_the_loop --role robot  --buses vcan0,...,vcan4         the controller, in a second process
-//   ... --pace lock-step                                               of both: for a machine too slow for real time
+//   hardware_in_the_loop [--seconds N]                                 both ends in this process, on buses in
+//   memory hardware_in_the_loop --role drives --buses vcan0,...,vcan4         the far end: drives, sensor
+//   board, mechanics hardware_in_the_loop --role robot  --buses vcan0,...,vcan4         the controller, in a
+//   second process
+//   ... --pace lock-step                                               of both: for a machine too slow for
+//   real time
 //
-// The role `robot` is the program that drives the real robot: it can't tell the difference. Ends with 0 if nothing tripped and,
-// where it sees it, the robot came forward and has not fallen; the role `drives` with 2 if all drives stopped by their watchdogs.
+// The role `robot` is the program that drives the real robot: it can't tell the difference. Ends with 0 if
+// nothing tripped and, where it sees it, the robot came forward and has not fallen; the role `drives` with 2
+// if all drives stopped by their watchdogs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,7 +51,8 @@ options parse(int count, char** words) {
     } else if (key == "--role") {
       o.role = value;
     } else if (key == "--pace") {
-      if (value != "wall-clock" && value != "lock-step") throw std::runtime_error("--pace is wall-clock or lock-step");
+      if (value != "wall-clock" && value != "lock-step")
+        throw std::runtime_error("--pace is wall-clock or lock-step");
       o.lock_step = value == "lock-step";
     } else if (key == "--buses") {
       for (std::size_t from = 0; from <= value.size();) {
@@ -72,10 +76,11 @@ int told(Controller& c) {
   const bool runs = stop.mode() == hw::motion_mode::run;
   if (runs) std::printf("robot: runs, nothing tripped\n");
   else
-    std::printf("robot: stopped; first cause: %s%s%s, beat %lld\n", std::string(hw::name_of(cause.rule)).c_str(),
-                cause.joint < 0 ? "" : " of ",
-                cause.joint < 0 ? "" : std::string(joints::names[static_cast<std::size_t>(cause.joint)]).c_str(),
-                static_cast<long long>(cause.beat));
+    std::printf(
+        "robot: stopped; first cause: %s%s%s, beat %lld\n", std::string(hw::name_of(cause.rule)).c_str(),
+        cause.joint < 0 ? "" : " of ",
+        cause.joint < 0 ? "" : std::string(joints::names[static_cast<std::size_t>(cause.joint)]).c_str(),
+        static_cast<long long>(cause.beat));
   return runs ? 0 : 1;
 }
 
@@ -86,7 +91,8 @@ int in_one_process(std::int64_t beats) {
   run.controller.start();
   for (std::int64_t k = 1; k <= beats; ++k) {
     run.step();
-    if (k % 1000 == 0) std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
+    if (k % 1000 == 0)
+      std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
   }
   if (run.robot.world.fallen()) std::printf("the robot fell\n");
   return told(run.controller) + (run.robot.world.fallen() ? 1 : 0);
@@ -99,7 +105,8 @@ using bus_array = std::array<paced_can, buses>;
 template <std::size_t... Bus>
 bus_array open(const options& o, std::index_sequence<Bus...>) {
   using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
-  const auto bus = [&o](std::size_t i, std::span<const hw::can_filter> asked, std::span<const hw::can_filter> told) {
+  const auto bus = [&o](std::size_t i, std::span<const hw::can_filter> asked,
+                        std::span<const hw::can_filter> told) {
     if (o.role == "drives") std::swap(asked, told);
     return paced_can(o.names[i], {.replies = told, .ours = asked, .gives_up_after = 800'000}, o.lock_step);
   };
@@ -151,13 +158,15 @@ int as_drives(const options& o) {
     else clock.wait(now);
     far.listen(now);
     const auto laws = far.laws(now);
-    free = std::none_of(laws.begin(), laws.end(), [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
+    free = std::none_of(laws.begin(), laws.end(),
+                        [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
     unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
     driven = driven || !free;
     robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
     if (k % 1000 == 0)
-      std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000), robot.world.trunk_position()[0]);
+      std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000),
+                  robot.world.trunk_position()[0]);
   }
   const double way = robot.world.trunk_position()[0];
   std::printf("drives: %s, after %.2f m\n",

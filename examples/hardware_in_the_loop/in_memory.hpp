@@ -1,6 +1,6 @@
 #pragma once
-// Robot and far side in one process, on five buses in memory: the trot's controller at one end, virtual drives around the
-// simulated Oncilla at the other, a node of somebody else at a third.
+// Robot and far side in one process, on five buses in memory: the trot's controller at one end, virtual
+// drives around the simulated Oncilla at the other, a node of somebody else at a third.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -39,10 +39,14 @@ class in_memory {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
-  // `one_shot`: a frame is tried once, as docs/hardware.md asks for. `answering`: when in a beat the far side answers, ns.
-  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {}, bool one_shot = true, std::int64_t answering = beat / 2)
-      : answers_at(answering), wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3), made(script, one_shot, 4),
-              made(script, one_shot, 5)} {
+  // `one_shot`: a frame is tried once, as docs/hardware.md asks for. `answering`: when in a beat the far side
+  // answers, ns.
+  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
+                     bool one_shot = true,
+                     std::int64_t answering = beat / 2)
+      : answers_at(answering),
+        wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3),
+              made(script, one_shot, 4), made(script, one_shot, 5)} {
     connect();
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
   }
@@ -86,15 +90,19 @@ public:
   std::int64_t now = 0;
 
 private:
-  void connect() { controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]); }
+  void connect() {
+    controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
+  }
   static wire made(std::span<const cca::hardware::bus_fault> script, bool one_shot, std::uint64_t seed) {
     return wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = seed, .script = script});
   }
   void go_to(std::int64_t time) {
     for (auto& w : wires) w.advance(time);
   }
-  std::array<memory_end, buses> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0), wires[4].end(0)};
-  std::array<memory_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1), wires[4].end(1)};
+  std::array<memory_end, buses> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0),
+                                     wires[4].end(0)};
+  std::array<memory_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
+                                     wires[4].end(1)};
 };
 
 }  // namespace hil

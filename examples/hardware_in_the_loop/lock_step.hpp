@@ -1,8 +1,10 @@
 #pragma once
-// Two processes in lock step: a beat of one, a beat of the other, in virtual time, however slow the machine or long a pause.
+// Two processes in lock step: a beat of one, a beat of the other, in virtual time, however slow the machine
+// or long a pause.
 //
-// Each waits until the other has told all of its beat. Who hears nothing for `patience` goes on all the same, and a millisecond
-// has passed: so drives whose controller is dead find out, by their watchdog, after some beats.
+// Each waits until the other has told all of its beat. Who hears nothing for `patience` goes on all the same,
+// and a millisecond has passed: so drives whose controller is dead find out, by their watchdog, after some
+// beats.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -19,9 +21,12 @@ namespace hil {
 // SocketCAN; in lock step what has come is kept until the beat, and has come at the beat's time.
 class paced_can {
 public:
-  paced_can(std::string_view name, const cca::hardware::socket_can_options& o, bool in_lock_step) : bus(name, o), kept(in_lock_step) {}
+  paced_can(std::string_view name, const cca::hardware::socket_can_options& o, bool in_lock_step)
+      : bus(name, o), kept(in_lock_step) {}
 
-  cca::hardware::send_result send(std::span<const cca::hardware::can_frame> frames) noexcept { return bus.send(frames); }
+  cca::hardware::send_result send(std::span<const cca::hardware::can_frame> frames) noexcept {
+    return bus.send(frames);
+  }
   std::size_t receive(std::span<cca::hardware::received_frame> into) noexcept {
     if (!kept) return bus.receive(into);
     std::size_t n = 0;
@@ -49,7 +54,9 @@ inline constexpr std::chrono::milliseconds patience(500);
 
 // Until as many frames wait on each bus as it has to have, or patience is over.
 template <std::size_t Buses>
-void wait_for(std::span<paced_can, Buses> all, const std::array<std::size_t, Buses>& enough, std::int64_t now) {
+void wait_for(std::span<paced_can, Buses> all,
+              const std::array<std::size_t, Buses>& enough,
+              std::int64_t now) {
   const auto end = std::chrono::steady_clock::now() + patience;
   for (;;) {
     std::array<pollfd, Buses> files;
@@ -60,7 +67,8 @@ void wait_for(std::span<paced_can, Buses> all, const std::array<std::size_t, Bus
       complete = complete && !waits;
       files[b] = {waits ? all[b].file() : -1, POLLIN, 0};
     }
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
     if (complete || left <= 0) return;
     ::poll(files.data(), files.size(), static_cast<int>(left));
   }

@@ -14,12 +14,14 @@ public:
   explicit mechanics(cca::sim::world&& w) : world(std::move(w)) {}
 
   // One millisecond.
-  void advance(const std::array<cca::hardware::drive_command, 8>& drives, const std::array<double, 4>& abduction) {
+  void advance(const std::array<cca::hardware::drive_command, 8>& drives,
+               const std::array<double, 4>& abduction) {
     const auto law = [](const cca::hardware::drive_command& c) {
       return cca::sim::joint_law{c.position, c.velocity, c.torque, c.stiffness, c.damping};
     };
     cca::sim::robot_laws laws;
-    for (std::size_t leg = 0; leg < 4; ++leg) laws[leg] = {law(drives[leg]), law(drives[4 + leg]), abduction[leg]};
+    for (std::size_t leg = 0; leg < 4; ++leg)
+      laws[leg] = {law(drives[leg]), law(drives[4 + leg]), abduction[leg]};
     world.push(disturbance.push_at(world.time()));
     world.follow(laws);
   }
@@ -39,7 +41,8 @@ public:
     const auto& r = world.reading();
     const auto& q = r.trunk.orientation;
     b.orientation = {q.x, q.y, q.z, q.w};
-    b.angular_velocity = {r.trunk.angular_velocity[0], r.trunk.angular_velocity[1], r.trunk.angular_velocity[2]};
+    b.angular_velocity = {r.trunk.angular_velocity[0], r.trunk.angular_velocity[1],
+                          r.trunk.angular_velocity[2]};
     b.specific_force = {r.trunk.specific_force[0], r.trunk.specific_force[1], r.trunk.specific_force[2]};
     for (std::size_t leg = 0; leg < 4; ++leg) {
       b.foot_load[leg] = r.legs[leg].foot_force[2];

@@ -1,12 +1,13 @@
 #pragma once
-// The Oncilla on eight Damiao DM8006, which speak the MIT protocol: which drive moves which joint, on which bus, mounted how.
-// Their watchdog is a fault that they keep: a set-point that was stuck somewhere moves nothing when it comes at last.
+// The Oncilla on eight Damiao DM8006, which speak the MIT protocol: which drive moves which joint, on which
+// bus, mounted how. Their watchdog is a fault that they keep: a set-point that was stuck somewhere moves
+// nothing when it comes at last.
 //
-// They answer under an id behind those of the set-points: where frames are tried once, an answer that goes before a set-point
-// would be the end of it.
+// They answer under an id behind those of the set-points: where frames are tried once, an answer that goes
+// before a set-point would be the end of it.
 //
-// Four classic buses of 1 Mbit/s, one a leg, for 1 kHz: a bus has room for two such drives and no more. The sensor board has a
-// fifth. Another robot is another file like this one.
+// Four classic buses of 1 Mbit/s, one a leg, for 1 kHz: a bus has room for two such drives and no more. The
+// sensor board has a fifth. Another robot is another file like this one.
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/oncilla.hpp>
 #include <cca/hardware/virtual_mit.hpp>
@@ -27,17 +28,20 @@ inline constexpr hw::joint_servo knee_servo{.stiffness = sim::oncilla_defaults.c
                                             .damping = sim::oncilla_defaults.cable_damping,
                                             .safe_damping = 0.4,
                                             .most_stiff = 100};
-inline constexpr hw::mounting left_hip{.sign = -1, .offset = 0.1}, right_hip{.offset = -0.1}, knee{.offset = 1.0};
+inline constexpr hw::mounting left_hip{.sign = -1, .offset = 0.1}, right_hip{.offset = -0.1},
+    knee{.offset = 1.0};
 
 // [joints]
 struct dm8006 {  // the ranges as they are set in the drives' own registers
   static constexpr std::string_view name = "DM8006";
-  static constexpr auto limits = cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
-                                             cca::stiffness{0, 500}, cca::damping{0, 5}};
+  static constexpr auto limits =
+      cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
+                  cca::stiffness{0, 500}, cca::damping{0, 5}};
 };
 constexpr std::uint32_t answers = 0x10;  // their master id: behind all set-points
 template <class Axis, std::uint32_t Number, hw::mounting Mounting, hw::joint_servo Servo, std::size_t Bus>
-using leg_joint = hw::joint<Axis, hw::mit_drive<dm8006, Number, answers, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
+using leg_joint =
+    hw::joint<Axis, hw::mit_drive<dm8006, Number, answers, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
 
 struct left_front_hip : leg_joint<sim::left_front_hip, 1, left_hip, hip_servo, 0> {};
 struct right_front_hip : leg_joint<sim::right_front_hip, 2, right_hip, hip_servo, 1> {};
@@ -50,14 +54,28 @@ struct right_hind_knee : leg_joint<sim::right_hind_knee, 8, knee, knee_servo, 3>
 struct board : hw::sensor_board<0x40, 4> {};  // ids 0x40 to 0x45, on bus 4
 // [joints end]
 
-using joints = hw::joint_list<left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee, right_front_knee,
-                              left_hind_knee, right_hind_knee>;
+using joints = hw::joint_list<left_front_hip,
+                              right_front_hip,
+                              left_hind_hip,
+                              right_hind_hip,
+                              left_front_knee,
+                              right_front_knee,
+                              left_hind_knee,
+                              right_hind_knee>;
 inline constexpr std::size_t buses = 5;
 
 // The robot on a kind of bus. [robot]
 template <class Bus>
-struct oncilla : hw::oncilla<Bus, left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee,
-                             right_front_knee, left_hind_knee, right_hind_knee, board> {};
+struct oncilla : hw::oncilla<Bus,
+                             left_front_hip,
+                             right_front_hip,
+                             left_hind_hip,
+                             right_hind_hip,
+                             left_front_knee,
+                             right_front_knee,
+                             left_hind_knee,
+                             right_hind_knee,
+                             board> {};
 // [robot end]
 
 // What stands in for it: drives whose firmware stops after 4 ms without a set-point.

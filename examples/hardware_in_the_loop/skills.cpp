@@ -1,5 +1,5 @@
-// The Combination of Skills on drives: the Oncilla trots, stops, reaches for a ball and trots on, over five buses in memory. Options are
-// those of combination_of_skills, without its recordings; --help lists them.
+// The Combination of Skills on drives: the Oncilla trots, stops, reaches for a ball and trots on, over five
+// buses in memory. Options are those of combination_of_skills, without its recordings; --help lists them.
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -19,13 +19,17 @@ int run(const skills::options& o) {
   hil::load(robot, o.shape, o.config);
   const auto result = skills::act(robot, o.run, [](const auto&) {});
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+  if (o.summary)
+    trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
   const auto& stop = robot.controller.get<"robot.emergency_stop">();
   if (stop.mode() != cca::hardware::motion_mode::run)
-    std::printf("stopped; first cause: %s\n", std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
+    std::printf("stopped; first cause: %s\n",
+                std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
   return skills::succeeded(result) ? 0 : 1;
 }
 
 }  // namespace
 
-int main(int count, char** arguments) { return skills::program("hardware_in_the_loop_skills", count, arguments, run); }
+int main(int count, char** arguments) {
+  return skills::program("hardware_in_the_loop_skills", count, arguments, run);
+}

@@ -5,8 +5,12 @@
 // [quickstart]
 #include <cca/cca.hpp>
 
-struct hip  : cca::dimension<"hip">  { static constexpr auto limits = cca::limits{cca::angle{-0.5, 0.5}}; };
-struct knee : cca::dimension<"knee"> { static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}}; };
+struct hip : cca::dimension<"hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-0.5, 0.5}};
+};
+struct knee : cca::dimension<"knee"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}};
+};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 
 struct swing {
@@ -22,12 +26,11 @@ struct leg {  // stands for a robot: it is at once where it is told to be
   leg_angles::vector_type at{0, -0.9};
 };
 
-struct swinging : cca::graph<
-    cca::node<"swing",  swing>,
-    cca::node<"limits", cca::limiter<leg_angles>>,
-    cca::node<"leg",    leg>,
-    cca::wire<"swing.angles", "limits.command">,
-    cca::wire<"limits.safe",  "leg.command">> {};
+struct swinging : cca::graph<cca::node<"swing", swing>,
+                             cca::node<"limits", cca::limiter<leg_angles>>,
+                             cca::node<"leg", leg>,
+                             cca::wire<"swing.angles", "limits.command">,
+                             cca::wire<"limits.safe", "leg.command">> {};
 
 int main() {
   cca::controller<swinging> c;

@@ -1,5 +1,6 @@
 #pragma once
-// The trot as an architecture, for any robot that has the Oncilla's ports: the simulated one, the real one, one of a test.
+// The trot as an architecture, for any robot that has the Oncilla's ports: the simulated one, the real one,
+// one of a test.
 #include <cca/cca.hpp>
 #include <cca/sim/oncilla_spaces.hpp>
 
@@ -11,22 +12,22 @@
 namespace trot {
 
 template <class Robot>
-struct architecture : cca::graph<
-    cca::rate<1000>,
-    cca::node<"throttle", throttle, cca::timed<10>>,
-    cca::node<"posture", posture, cca::timed<10>>,
-    cca::node<"cpg", hopf, cca::timed<1>>,
-    cca::node<"gait", gait, cca::port_triggered<"phase">>,
-    cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
-    cca::node<"robot", Robot>,
+struct architecture
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"throttle", throttle, cca::timed<10>>,
+                 cca::node<"posture", posture, cca::timed<10>>,
+                 cca::node<"cpg", hopf, cca::timed<1>>,
+                 cca::node<"gait", gait, cca::port_triggered<"phase">>,
+                 cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
+                 cca::node<"robot", Robot>,
 
-    cca::wire<"robot.orientation", "posture.orientation", cca::latest>,  // 1 kHz, read at 100 Hz
-    cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,       // 100 Hz, read at 1 kHz
-    cca::wire<"posture.turn", "gait.turn", cca::latest>,
-    cca::wire<"cpg.phase", "gait.phase">,
-    cca::wire<"cpg.amplitude", "gait.amplitude">,
-    cca::wire<"gait.angles", "limits.command">,
-    cca::wire<"robot.angles", "limits.measured">,
-    cca::wire<"limits.safe", "robot.command">> {};
+                 cca::wire<"robot.orientation", "posture.orientation", cca::latest>,  // 1 kHz, read at 100 Hz
+                 cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,       // 100 Hz, read at 1 kHz
+                 cca::wire<"posture.turn", "gait.turn", cca::latest>,
+                 cca::wire<"cpg.phase", "gait.phase">,
+                 cca::wire<"cpg.amplitude", "gait.amplitude">,
+                 cca::wire<"gait.angles", "limits.command">,
+                 cca::wire<"robot.angles", "limits.measured">,
+                 cca::wire<"limits.safe", "robot.command">> {};
 
 }  // namespace trot

@@ -1,9 +1,10 @@
 #pragma once
 // Covariance matrix adaptation: a search for the best of a function of which only the values are known.
 //
-// Ask for a generation of points, say how good each was, and so on. Points live in the unit cube of the caller's parameters but
-// may be asked for outside of it; the caller decides what such a point is worth. Maximises.
-// Hansen, "The CMA evolution strategy: a tutorial", arXiv:1604.00772; equation numbers are that paper's.
+// Ask for a generation of points, say how good each was, and so on. Points live in the unit cube of the
+// caller's parameters but may be asked for outside of it; the caller decides what such a point is worth.
+// Maximises. Hansen, "The CMA evolution strategy: a tutorial", arXiv:1604.00772; equation numbers are that
+// paper's.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,18 +17,22 @@
 namespace trot {
 
 class cma_es {
- public:
+public:
   cma_es(Eigen::VectorXd start, double step, int population, std::uint64_t seed)
-      : n_(static_cast<double>(start.size())), mean_(std::move(start)), step_(step), random_(seed), points_(static_cast<std::size_t>(population)) {
+      : n_(static_cast<double>(start.size())),
+        mean_(std::move(start)),
+        step_(step),
+        random_(seed),
+        points_(static_cast<std::size_t>(population)) {
     const int parents = population / 2;
     weights_.resize(parents);
     for (int i = 0; i < parents; ++i) weights_[i] = std::log(parents + 0.5) - std::log(i + 1.0);  // (49)
     weights_ /= weights_.sum();
-    mass_ = 1 / weights_.squaredNorm();                                                          // (8)
-    step_rate_ = (mass_ + 2) / (n_ + mass_ + 5);                                                 // (55)
-    step_damping_ = 1 + step_rate_ + 2 * std::max(0.0, std::sqrt((mass_ - 1) / (n_ + 1)) - 1);   // (55)
-    path_rate_ = (4 + mass_ / n_) / (n_ + 4 + 2 * mass_ / n_);                                   // (56)
-    rank_one_ = 2 / ((n_ + 1.3) * (n_ + 1.3) + mass_);                                           // (57)
+    mass_ = 1 / weights_.squaredNorm();                                                               // (8)
+    step_rate_ = (mass_ + 2) / (n_ + mass_ + 5);                                                      // (55)
+    step_damping_ = 1 + step_rate_ + 2 * std::max(0.0, std::sqrt((mass_ - 1) / (n_ + 1)) - 1);        // (55)
+    path_rate_ = (4 + mass_ / n_) / (n_ + 4 + 2 * mass_ / n_);                                        // (56)
+    rank_one_ = 2 / ((n_ + 1.3) * (n_ + 1.3) + mass_);                                                // (57)
     rank_mu_ = std::min(1 - rank_one_, 2 * (mass_ - 2 + 1 / mass_) / ((n_ + 2) * (n_ + 2) + mass_));  // (58)
     expected_length_ = std::sqrt(n_) * (1 - 1 / (4 * n_) + 1 / (21 * n_ * n_));
     const auto size = mean_.size();
@@ -49,15 +54,19 @@ class cma_es {
   void tell(const std::vector<double>& values) {
     std::vector<std::size_t> order(points_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] != values[b] ? values[a] > values[b] : a < b; });
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return values[a] != values[b] ? values[a] > values[b] : a < b;
+    });
 
     const Eigen::VectorXd former = mean_;
     mean_.setZero();
-    for (Eigen::Index i = 0; i < weights_.size(); ++i) mean_ += weights_[i] * points_[order[static_cast<std::size_t>(i)]];
+    for (Eigen::Index i = 0; i < weights_.size(); ++i)
+      mean_ += weights_[i] * points_[order[static_cast<std::size_t>(i)]];
     const Eigen::VectorXd moved = (mean_ - former) / step_;  // (41, 42)
 
     const Eigen::VectorXd whitened = axes_ * (axes_.transpose() * moved).cwiseQuotient(lengths_);
-    step_path_ = (1 - step_rate_) * step_path_ + std::sqrt(step_rate_ * (2 - step_rate_) * mass_) * whitened;  // (43)
+    step_path_ =
+        (1 - step_rate_) * step_path_ + std::sqrt(step_rate_ * (2 - step_rate_) * mass_) * whitened;  // (43)
     ++generation_;
     const double unbiased = std::sqrt(1 - std::pow(1 - step_rate_, 2.0 * generation_));
     const bool calm = step_path_.norm() / unbiased < (1.4 + 2 / (n_ + 1)) * expected_length_;
@@ -69,10 +78,13 @@ class cma_es {
       const Eigen::VectorXd y = (points_[order[static_cast<std::size_t>(i)]] - former) / step_;
       spread += weights_[i] * y * y.transpose();
     }
-    covariance_ = (1 - rank_one_ - rank_mu_) * covariance_ + rank_one_ * path_ * path_.transpose() + rank_mu_ * spread;  // (47)
-    step_ = std::min(largest_step, step_ * std::exp(step_rate_ / step_damping_ * (step_path_.norm() / expected_length_ - 1)));  // (44)
+    covariance_ = (1 - rank_one_ - rank_mu_) * covariance_ + rank_one_ * path_ * path_.transpose() +
+                  rank_mu_ * spread;  // (47)
+    step_ = std::min(largest_step, step_ * std::exp(step_rate_ / step_damping_ *
+                                                    (step_path_.norm() / expected_length_ - 1)));  // (44)
 
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> decomposed((covariance_ + covariance_.transpose()) / 2);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> decomposed((covariance_ + covariance_.transpose()) /
+                                                                    2);
     axes_ = decomposed.eigenvectors();
     lengths_ = decomposed.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   }
@@ -81,7 +93,7 @@ class cma_es {
   double step() const { return step_; }
   int generation() const { return generation_; }
 
- private:
+private:
   static constexpr double largest_step = 0.4;  // of the unit cube
 
   // Box and Muller, by hand: std::normal_distribution differs from library to library.

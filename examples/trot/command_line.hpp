@@ -48,12 +48,10 @@ inline double number(const std::string& option, const std::string& text, double 
   double value = 0;
   try {
     value = std::stod(text, &read);
-  } catch (const std::exception&) {
-    read = 0;
-  }
+  } catch (const std::exception&) { read = 0; }
   if (read == 0 || read != text.size() || !(value >= low && value <= high))
-    throw command_line_error(option + " " + text + ": expected a number from " + std::to_string(low) + " to " +
-                             std::to_string(high));
+    throw command_line_error(option + " " + text + ": expected a number from " + std::to_string(low) +
+                             " to " + std::to_string(high));
   return value;
 }
 
@@ -66,9 +64,7 @@ inline std::uint64_t whole_number(const std::string& option, const std::string& 
 inline cca::sim::terrain ground(const std::string& text) {
   try {
     return cca::sim::terrain::named(text);
-  } catch (const std::invalid_argument& e) {
-    throw command_line_error(e.what());
-  }
+  } catch (const std::invalid_argument& e) { throw command_line_error(e.what()); }
 }
 
 }  // namespace detail

@@ -6,8 +6,9 @@
 //   in  "turn"        turning: legs on one side swing farther, on the other less
 //   out "angles"      leg_angles of the robot
 //
-// A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. A knee flexes as a squared sine: much in
-// swing, so that the foot clears the ground, a little in stance, so that the cable gives way to the spring.
+// A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. A knee flexes as a
+// squared sine: much in swing, so that the foot clears the ground, a little in stance, so that the cable
+// gives way to the spring.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,34 +25,45 @@ namespace trot {
 using cca::sim::degrees;
 
 struct leg_shape {
-  BOOST_HANA_DEFINE_STRUCT(leg_shape, (cca::quantity<cca::angle, -1.2, 1.2>, hip),  // where it stands
+  BOOST_HANA_DEFINE_STRUCT(leg_shape,
+                           (cca::quantity<cca::angle, -1.2, 1.2>, hip),  // where it stands
                            (cca::quantity<cca::angle, 0.6, 2.6>, knee),
-                           (cca::quantity<cca::angle, 0, 1>, swing),                // of the hip, to each side
-                           (cca::quantity<cca::angle, 0, 2>, lift));                // of the knee, in swing
+                           (cca::quantity<cca::angle, 0, 1>, swing),  // of the hip, to each side
+                           (cca::quantity<cca::angle, 0, 2>, lift));  // of the knee, in swing
 };
 
 struct gait {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (leg_shape, front), (leg_shape, hind),
-                             (cca::bounded<double, 0.2, 0.8>, duty),              // part of the stride that is stance
-                             (cca::quantity<cca::angle, -0.5, 0.5>, give),        // flexion of the knee in stance
-                             (cca::bounded<double, -0.5, 0.5>, lead),             // of the knee before the hip, in strides
-                             (std::array<double, 4>, offsets));                   // left and right front, left and right hind, in strides
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (leg_shape, front),
+                             (leg_shape, hind),
+                             (cca::bounded<double, 0.2, 0.8>, duty),  // part of the stride that is stance
+                             (cca::quantity<cca::angle, -0.5, 0.5>, give),  // flexion of the knee in stance
+                             (cca::bounded<double, -0.5, 0.5>,
+                              lead),  // of the knee before the hip, in strides
+                             (std::array<double, 4>,
+                              offsets));  // left and right front, left and right hind, in strides
   };
   parameters p{{degrees(48.8), degrees(92.5), degrees(12.3), degrees(32.5)},
                {degrees(38.6), degrees(80.3), degrees(15.5), degrees(30.3)},
-               0.585, degrees(2.5), -0.044, {0.0, 0.5, 0.374, -0.126}};
+               0.585,
+               degrees(2.5),
+               -0.044,
+               {0.0, 0.5, 0.374, -0.126}};
 
-  auto process(cca::in<"phase", gait_phase> phase, cca::in<"amplitude", gait_amplitude> amplitude, cca::in<"turn", turning> turn)
-      -> cca::out<"angles", cca::sim::leg_angles> {
+  auto process(cca::in<"phase", gait_phase> phase,
+               cca::in<"amplitude", gait_amplitude> amplitude,
+               cca::in<"turn", turning> turn) -> cca::out<"angles", cca::sim::leg_angles> {
     cca::sim::leg_angles::vector_type angles;
     for (int leg = 0; leg < 4; ++leg) {
       const leg_shape& shape = leg < 2 ? p.front : p.hind;
       const double side = leg % 2 == 0 ? 1.0 : -1.0;
       const double own = phase[stride{}] + whole * p.offsets[static_cast<std::size_t>(leg)];
       const double farther = 1 - side * turn[yaw{}];
-      angles[leg] = shape.hip + amplitude[stride{}] * farther * shape.swing * std::cos(warped(cca::wrap_turn(own)));
-      angles[4 + leg] = shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
+      angles[leg] =
+          shape.hip + amplitude[stride{}] * farther * shape.swing * std::cos(warped(cca::wrap_turn(own)));
+      angles[4 + leg] =
+          shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
     }
     return angles;
   }

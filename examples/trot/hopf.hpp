@@ -1,13 +1,15 @@
 #pragma once
-// A Hopf oscillator: a point that runs around the origin, on a circle of the wanted radius. Where the wanted amplitude is
-// negative the circle shrinks to a point (the Hopf bifurcation; seed, section 6.3): the legs come to rest where they stand.
+// A Hopf oscillator: a point that runs around the origin, on a circle of the wanted radius. Where the wanted
+// amplitude is negative the circle shrinks to a point (the Hopf bifurcation; seed, section 6.3): the legs
+// come to rest where they stand.
 //
 //   in  "amplitude"   wanted_amplitude, the radius of the circle
 //   out "phase"       gait_phase
 //   out "amplitude"   gait_amplitude, the radius now
 //
-// x' = g x - w y, y' = g y + w x with w = 2 pi f and g = c (1 - r^2 / a^2): the normal form, in units of the circle, so that
-// a small circle is approached as fast as a large one. Euler's method; at 1 ms the radius errs by 1 %, the frequency by 0.01 %.
+// x' = g x - w y, y' = g y + w x with w = 2 pi f and g = c (1 - r^2 / a^2): the normal form, in units of the
+// circle, so that a small circle is approached as fast as a large one. Euler's method; at 1 ms the radius
+// errs by 1 %, the frequency by 0.01 %.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,8 +25,9 @@ namespace trot {
 
 struct hopf {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::frequency, 0, 10>, frequency),  // Hz
-                             (cca::bounded<double, 0, 100>, convergence));                  // 1/s
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::quantity<cca::frequency, 0, 10>, frequency),  // Hz
+                             (cca::bounded<double, 0, 100>, convergence));       // 1/s
   };
   parameters p{3.8, 10.0};
 
@@ -35,7 +38,8 @@ struct hopf {
     double growth = amplitude > 0 ? std::max(-1.0, 1 - square / (amplitude * amplitude)) : -1.0;
     if (amplitude <= 0 && square < rest * rest) growth = 0;  // so that it can wake up again
     const double along = p.convergence * growth, around = 2 * std::numbers::pi * p.frequency;
-    state += now.dt() * Eigen::Vector2d(along * state.x() - around * state.y(), along * state.y() + around * state.x());
+    state += now.dt() *
+             Eigen::Vector2d(along * state.x() - around * state.y(), along * state.y() + around * state.x());
     return {std::atan2(state.y(), state.x()), std::sqrt(state.squaredNorm())};
   }
 

@@ -8,7 +8,8 @@
 namespace trot {
 
 struct idle_robot {
-  auto sense() -> std::tuple<cca::out<"angles", cca::sim::leg_angles>, cca::out<"orientation", cca::sim::trunk_orientation>> {
+  auto sense() -> std::tuple<cca::out<"angles", cca::sim::leg_angles>,
+                             cca::out<"orientation", cca::sim::trunk_orientation>> {
     return {command, Eigen::Vector4d(0, 0, 0, 1)};
   }
   void act(cca::in<"command", cca::sim::leg_angles> wanted) { command = wanted.vector(); }

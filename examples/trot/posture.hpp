@@ -1,5 +1,6 @@
 #pragma once
-// Holds the heading: turns against the trunk's yaw, and against what the yaw has added up to, since that is a way walked aside.
+// Holds the heading: turns against the trunk's yaw, and against what the yaw has added up to, since that is a
+// way walked aside.
 //
 //   in  "orientation"   trunk_orientation
 //   out "turn"          turning, -most to most
@@ -14,13 +15,15 @@ namespace trot {
 
 struct posture {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 10>, heading),  // turn per rad of yaw
-                             (cca::bounded<double, 0, 10>, drift),                // turn per rad s of yaw
-                             (cca::bounded<double, 0, 1>, most));                 // turn
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::bounded<double, 0, 10>, heading),  // turn per rad of yaw
+                             (cca::bounded<double, 0, 10>, drift),    // turn per rad s of yaw
+                             (cca::bounded<double, 0, 1>, most));     // turn
   };
   parameters p{1.2, 0.4, 0.5};
 
-  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk, cca::beat now) -> cca::out<"turn", turning> {
+  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk, cca::beat now)
+      -> cca::out<"turn", turning> {
     const double yaw = trunk.yaw();
     const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more could not be acted on
     aside = std::clamp(aside + now.dt() * yaw, -largest, largest);

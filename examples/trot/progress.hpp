@@ -10,7 +10,7 @@
 namespace trot {
 
 class progress_bar {
- public:
+public:
   explicit progress_bar(std::string label, bool shown = true)
       : label_(std::move(label)), shown_(shown), terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -23,7 +23,8 @@ class progress_bar {
       const int filled = static_cast<int>(part * width);
       std::string bar(static_cast<std::size_t>(filled), '#');
       bar.resize(width, '.');
-      std::fprintf(stderr, "\r%s [%s] %3.0f %%  %s\033[K", label_.c_str(), bar.c_str(), 100 * part, note.c_str());
+      std::fprintf(stderr, "\r%s [%s] %3.0f %%  %s\033[K", label_.c_str(), bar.c_str(), 100 * part,
+                   note.c_str());
     } else if (const int quarter = static_cast<int>(part * 4); quarter > quarter_) {
       quarter_ = quarter;
       std::fprintf(stderr, "%s %3.0f %%  %s\n", label_.c_str(), 100 * part, note.c_str());
@@ -35,7 +36,7 @@ class progress_bar {
     if (shown_ && terminal_) std::fputc('\n', stderr);
   }
 
- private:
+private:
   static constexpr std::size_t width = 40;
   std::string label_;
   bool shown_, terminal_;

@@ -10,7 +10,8 @@
 
 namespace trot {
 
-inline constexpr std::array<std::string_view, 4> leg_names{"left front", "right front", "left hind", "right hind"};
+inline constexpr std::array<std::string_view, 4> leg_names{"left front", "right front", "left hind",
+                                                           "right hind"};
 inline constexpr std::array<std::string_view, 4> leg_keys{"lf", "rf", "lh", "rh"};
 
 struct moment {

@@ -1,5 +1,6 @@
 #pragma once
-// One run of the trot in the simulator: put the robot down as a disturbance says, step until the time is over or it falls.
+// One run of the trot in the simulator: put the robot down as a disturbance says, step until the time is over
+// or it falls.
 #include <cmath>
 #include <cstddef>
 
@@ -30,15 +31,19 @@ inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::
 
 // Calls between(world, part of the run) after each beat. The controller is loaded, not yet started.
 template <class Between>
-recording roll_out(trotting& controller, const cca::sim::terrain& ground, const cca::sim::disturbance& disturbance,
-                   double seconds, Between between) {
+recording roll_out(trotting& controller,
+                   const cca::sim::terrain& ground,
+                   const cca::sim::disturbance& disturbance,
+                   double seconds,
+                   Between between) {
   // Where it stands, on what, and what will disturb it: [put down]
   auto& simulator = controller.get<"robot.simulator">();
   simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
                                      put_down(controller.get<"gait">().p, disturbance)),
                      disturbance);
   // [put down end]
-  const auto beats = static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
+  const auto beats =
+      static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
   recording run;
   run.begin(simulator.world(), beats);
   controller.start();

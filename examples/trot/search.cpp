@@ -1,10 +1,12 @@
-// Searches gait parameters in the simulator, on all cores, and writes the best as a TOML file for `trot --config`.
+// Searches gait parameters in the simulator, on all cores, and writes the best as a TOML file for `trot
+// --config`.
 //
 //   trot_search --config trot.toml --generations 40 --out found.toml
 //
-// A gait is worth how fast it goes without falling, drifting, rolling and pitching: on flat ground, over steps and up a slope,
-// with disturbances that are others in each generation; the worst of the three counts as much as all together. So a gait that
-// lives on luck doesn't last. Change the robot (oncilla_model.hpp) and search again to adapt the trot to it.
+// A gait is worth how fast it goes without falling, drifting, rolling and pitching: on flat ground, over
+// steps and up a slope, with disturbances that are others in each generation; the worst of the three counts
+// as much as all together. So a gait that lives on luck doesn't last. Change the robot (oncilla_model.hpp)
+// and search again to adapt the trot to it.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -62,11 +64,15 @@ Eigen::VectorXd to_point(searched s) {
 }
 
 searched at_point(searched s, const Eigen::VectorXd& point) {
-  s.each([&](int i, auto& value, double low, double high) { value = low + (high - low) * std::clamp(point[i], 0.0, 1.0); });
+  s.each([&](int i, auto& value, double low, double high) {
+    value = low + (high - low) * std::clamp(point[i], 0.0, 1.0);
+  });
   return s;
 }
 
-double outside(const Eigen::VectorXd& point) { return (point - point.cwiseMax(0.0).cwiseMin(1.0)).squaredNorm(); }
+double outside(const Eigen::VectorXd& point) {
+  return (point - point.cwiseMax(0.0).cwiseMin(1.0)).squaredNorm();
+}
 
 struct trial {
   cca::sim::terrain ground;
@@ -75,12 +81,15 @@ struct trial {
 
 double worth(const trot::statistics& s, const trial& t) {
   if (s.fell) return s.seconds / t.seconds - 2;
-  return 1.5 * std::min(s.cruise, t.fast_enough) - 0.3 * std::abs(s.drift) / s.seconds - 0.4 * (s.max_roll + s.max_pitch) -
-         0.05 * s.cost_of_transport;
+  return 1.5 * std::min(s.cruise, t.fast_enough) - 0.3 * std::abs(s.drift) / s.seconds -
+         0.4 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
 }
 
 // `start` is a controller that was loaded and not started; its copy is a robot of its own.
-double worth(const trot::trotting& start, const searched& what, const std::vector<trial>& trials, int generation) {
+double worth(const trot::trotting& start,
+             const searched& what,
+             const std::vector<trial>& trials,
+             int generation) {
   double sum = 0, worst = 1e9;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trot::trotting controller = start;
@@ -88,8 +97,8 @@ double worth(const trot::trotting& start, const searched& what, const std::vecto
     controller.set<"gait">(what.gait);
     const auto seed = 1000 + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
     const trial& t = trials[i];
-    const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds), t.seconds,
-                                    [](const cca::sim::world&, double) {});
+    const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
+                                    t.seconds, [](const cca::sim::world&, double) {});
     const double value = worth(trot::evaluate(run), t);
     sum += value;
     worst = std::min(worst, value);
@@ -123,8 +132,10 @@ options parse(const std::vector<std::string>& arguments) {
     const std::string& value = arguments[i + 1];
     if (name == "--config") o.config = value;
     else if (name == "--out") o.out = value;
-    else if (name == "--generations") o.generations = static_cast<int>(trot::detail::number(name, value, 1, 1e5));
-    else if (name == "--population") o.population = static_cast<int>(trot::detail::number(name, value, 4, 1e4));
+    else if (name == "--generations")
+      o.generations = static_cast<int>(trot::detail::number(name, value, 1, 1e5));
+    else if (name == "--population")
+      o.population = static_cast<int>(trot::detail::number(name, value, 4, 1e4));
     else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 3, 1000);
     else if (name == "--seed") o.seed = trot::detail::whole_number(name, value);
     else throw trot::command_line_error(name + ": no such option; --help lists them");
@@ -154,13 +165,16 @@ void search(const options& o) {
     trot::on_all_cores(
         points.size(),
         [&](std::size_t i) {
-          const int draw = i + 1 == points.size() ? 0 : generation;  // the middles are compared on equal terms
+          const int draw =
+              i + 1 == points.size() ? 0 : generation;  // the middles are compared on equal terms
           values[i] = worth(start, at_point(first, points[i]), trials, draw) - outside(points[i]);
         },
         [&](std::size_t finished) {
           char note[80];
-          std::snprintf(note, sizeof note, "generation %d, best %.3f, step %.3f", generation + 1, best_worth, evolution.step());
-          bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(finished)) / total, note);
+          std::snprintf(note, sizeof note, "generation %d, best %.3f, step %.3f", generation + 1, best_worth,
+                        evolution.step());
+          bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(finished)) / total,
+                   note);
         });
     if (values.back() > best_worth) {
       best_worth = values.back();

@@ -68,10 +68,12 @@ void run(const options& o) {
       [&](std::size_t i) {
         trot::trotting controller = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
-        all[i] = trot::evaluate(
-            trot::roll_out(controller, o.ground, disturbance, o.seconds, [](const cca::sim::world&, double) {}));
+        all[i] = trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
+                                               [](const cca::sim::world&, double) {}));
       },
-      [&](std::size_t finished) { bar.show(static_cast<double>(finished) / static_cast<double>(all.size())); });
+      [&](std::size_t finished) {
+        bar.show(static_cast<double>(finished) / static_cast<double>(all.size()));
+      });
   bar.done();
 
   std::size_t falls = 0;
@@ -79,8 +81,9 @@ void run(const options& o) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const trot::statistics& s = all[i];
     if (all.size() <= 20 || s.fell)
-      std::printf("  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg%s\n", static_cast<std::size_t>(o.first) + i,
-                  s.speed, s.drift, s.max_roll * 57.2958, s.max_pitch * 57.2958, s.fell ? "  FELL" : "");
+      std::printf("  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg%s\n",
+                  static_cast<std::size_t>(o.first) + i, s.speed, s.drift, s.max_roll * 57.2958,
+                  s.max_pitch * 57.2958, s.fell ? "  FELL" : "");
     roll = std::max(roll, s.max_roll);
     pitch = std::max(pitch, s.max_pitch);
     if (s.fell) {
@@ -91,17 +94,21 @@ void run(const options& o) {
     slowest = std::min(slowest, s.speed);
     aside = std::max(aside, std::abs(s.drift) / s.distance);
   }
-  const double stood = static_cast<double>(all.size() - falls), rate = static_cast<double>(falls) / static_cast<double>(all.size());
+  const double stood = static_cast<double>(all.size() - falls),
+               rate = static_cast<double>(falls) / static_cast<double>(all.size());
   const double mean = stood > 0 ? sum / stood : 0;
   if (falls == all.size()) slowest = 0;
-  std::printf("%zu seeds, %.0f s each, %s: %zu fell (%.1f %%); speed %.3f m/s on average, %.3f at least; drift up to %.1f %%; "
-              "roll up to %.1f, pitch up to %.1f deg\n",
-              all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, mean, slowest, 100 * aside, roll * 57.2958,
-              pitch * 57.2958);
+  std::printf(
+      "%zu seeds, %.0f s each, %s: %zu fell (%.1f %%); speed %.3f m/s on average, %.3f at least; drift up to "
+      "%.1f %%; "
+      "roll up to %.1f, pitch up to %.1f deg\n",
+      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, mean, slowest, 100 * aside,
+      roll * 57.2958, pitch * 57.2958);
   if (o.summary.empty()) return;
   char text[256];
   std::snprintf(text, sizeof text,
-                "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, \"least_speed_m_s\": %.6g, "
+                "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, "
+                "\"least_speed_m_s\": %.6g, "
                 "\"greatest_drift_share\": %.6g}\n",
                 all.size(), falls, rate, mean, slowest, aside);
   trot::write(o.summary, [&](std::ostream& file) { file << text; });

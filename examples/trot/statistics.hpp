@@ -68,7 +68,8 @@ inline statistics evaluate(const recording& run) {
     s.max_roll = std::max(s.max_roll, std::abs(m.attitude.roll));
     s.max_pitch = std::max(s.max_pitch, std::abs(m.attitude.pitch));
   }
-  const auto cruising = std::find_if(run.moments.begin(), run.moments.end(), [&](const moment& m) { return m.time >= settled; });
+  const auto cruising = std::find_if(run.moments.begin(), run.moments.end(),
+                                     [&](const moment& m) { return m.time >= settled; });
   if (cruising != run.moments.end() && cruising->time < last.time)
     s.cruise = (last.position[0] - cruising->position[0]) / (last.time - cruising->time);
   for (std::size_t leg = 0; leg < 4; ++leg) {

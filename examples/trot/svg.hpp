@@ -21,7 +21,7 @@ struct range {
 
 // A rectangle of the page with axes: values to points, and what is drawn with them.
 class panel {
- public:
+public:
   panel(std::ostream& out, double top, double height, range x, range y)
       : out_(out), top_(top), height_(height), x_(x), y_(y) {
     out_ << "<rect x='" << left << "' y='" << top_ << "' width='" << width << "' height='" << height_
@@ -41,14 +41,20 @@ class panel {
       label(left - 6, at_y(v) + 4, number(v) + unit, "text-anchor='end'");
     }
   }
-  void row_name(double y, std::string_view text) { label(left - 6, at_y(y) + 4, std::string(text), "text-anchor='end'"); }
-
-  void bar(double from, double to, double low, double high, const char* colour) {
-    out_ << "<rect x='" << number(at_x(from)) << "' y='" << number(at_y(high)) << "' width='" << number(at_x(to) - at_x(from))
-         << "' height='" << number(at_y(low) - at_y(high)) << "' fill='" << colour << "'/>\n";
+  void row_name(double y, std::string_view text) {
+    label(left - 6, at_y(y) + 4, std::string(text), "text-anchor='end'");
   }
 
-  void curve(const recording& run, std::size_t first, std::size_t every, const char* style,
+  void bar(double from, double to, double low, double high, const char* colour) {
+    out_ << "<rect x='" << number(at_x(from)) << "' y='" << number(at_y(high)) << "' width='"
+         << number(at_x(to) - at_x(from)) << "' height='" << number(at_y(low) - at_y(high)) << "' fill='"
+         << colour << "'/>\n";
+  }
+
+  void curve(const recording& run,
+             std::size_t first,
+             std::size_t every,
+             const char* style,
              const std::function<std::pair<double, double>(const moment&)>& point) {
     out_ << "<polyline fill='none' " << style << " points='";
     for (std::size_t i = first; i < run.moments.size(); i += every) {
@@ -62,7 +68,7 @@ class panel {
     label(left + part * width, top_ - 8, text, std::string("fill='") + colour + "'");
   }
 
- private:
+private:
   static constexpr double left = 110, width = 820;
 
   static std::string number(double x) {
@@ -73,8 +79,8 @@ class panel {
   double at_x(double x) const { return left + width * x_.part(x); }
   double at_y(double y) const { return top_ + height_ * (1 - y_.part(y)); }
   void line_at(double x1, double y1, double x2, double y2) {
-    out_ << "<line x1='" << number(x1) << "' y1='" << number(y1) << "' x2='" << number(x2) << "' y2='" << number(y2)
-         << "' stroke='#e4e4e4'/>\n";
+    out_ << "<line x1='" << number(x1) << "' y1='" << number(y1) << "' x2='" << number(x2) << "' y2='"
+         << number(y2) << "' stroke='#e4e4e4'/>\n";
   }
   void label(double x, double y, const std::string& text, const std::string& style) {
     out_ << "<text x='" << number(x) << "' y='" << number(y) << "' " << style << ">" << text << "</text>\n";
@@ -95,10 +101,14 @@ inline double tick(double span) { return span > 8 ? 2 : (span > 3 ? 1 : (span > 
 
 }  // namespace detail
 
-inline void write_svg(std::ostream& out, const recording& run, const std::string& title, double window = 2.0) {
+inline void write_svg(std::ostream& out,
+                      const recording& run,
+                      const std::string& title,
+                      double window = 2.0) {
   if (run.moments.empty()) return;
   constexpr const char* colours[] = {"#1b6ca8", "#d1495b", "#66a182", "#edae49"};
-  out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 960 800' font-family='sans-serif' font-size='12'>\n"
+  out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 960 800' font-family='sans-serif' "
+         "font-size='12'>\n"
          "<rect width='960' height='800' fill='white'/>\n<text x='110' y='28' font-size='16'>"
       << title << "</text>\n";
   const double end = run.moments.back().time, begin = std::max(0.0, end - window);
@@ -121,8 +131,9 @@ inline void write_svg(std::ostream& out, const recording& run, const std::string
   path.title("path of the trunk, from above (y is stretched)");
   path.x_ticks(detail::tick(farthest), " m");
   path.y_ticks(detail::tick(2 * sideways.high) / 2, " m");
-  path.curve(run, 0, 20, "stroke='#333' stroke-width='2'",
-             [&](const moment& m) { return std::pair(m.position[0] - run.start[0], m.position[1] - run.start[1]); });
+  path.curve(run, 0, 20, "stroke='#333' stroke-width='2'", [&](const moment& m) {
+    return std::pair(m.position[0] - run.start[0], m.position[1] - run.start[1]);
+  });
 
   detail::panel angles(out, 520, 220, {begin, end}, {-40, 140});
   angles.title("joint angles, left front: measured, and commanded (thin)");
@@ -133,10 +144,14 @@ inline void write_svg(std::ostream& out, const recording& run, const std::string
   constexpr double degree = 57.29577951308232;
   constexpr std::size_t leg = 0;
   using point = std::pair<double, double>;
-  angles.curve(run, first, 4, "stroke='#1b6ca8' stroke-width='2'", [](const moment& m) { return point(m.time, degree * m.hip[leg]); });
-  angles.curve(run, first, 4, "stroke='#1b6ca8' stroke-width='0.7'", [](const moment& m) { return point(m.time, degree * m.hip_command[leg]); });
-  angles.curve(run, first, 4, "stroke='#d1495b' stroke-width='2'", [](const moment& m) { return point(m.time, degree * m.knee[leg]); });
-  angles.curve(run, first, 4, "stroke='#d1495b' stroke-width='0.7'", [](const moment& m) { return point(m.time, degree * m.knee_command[leg]); });
+  angles.curve(run, first, 4, "stroke='#1b6ca8' stroke-width='2'",
+               [](const moment& m) { return point(m.time, degree * m.hip[leg]); });
+  angles.curve(run, first, 4, "stroke='#1b6ca8' stroke-width='0.7'",
+               [](const moment& m) { return point(m.time, degree * m.hip_command[leg]); });
+  angles.curve(run, first, 4, "stroke='#d1495b' stroke-width='2'",
+               [](const moment& m) { return point(m.time, degree * m.knee[leg]); });
+  angles.curve(run, first, 4, "stroke='#d1495b' stroke-width='0.7'",
+               [](const moment& m) { return point(m.time, degree * m.knee_command[leg]); });
   out << "</svg>\n";
 }
 

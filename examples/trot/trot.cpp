@@ -21,7 +21,9 @@ namespace {
 
 using clock_type = std::chrono::steady_clock;
 
-double seconds_since(clock_type::time_point start) { return std::chrono::duration<double>(clock_type::now() - start).count(); }
+double seconds_since(clock_type::time_point start) {
+  return std::chrono::duration<double>(clock_type::now() - start).count();
+}
 
 struct idle_trot : trot::architecture<trot::idle_robot> {};
 
@@ -51,8 +53,8 @@ int run(const trot::options& o) {
   trot::progress_bar bar("trot", !o.quiet);
   double in_between = 0;
   const auto start = clock_type::now();
-  const trot::recording recorded =
-      trot::roll_out(controller, o.ground, disturbance, o.seconds, [&](const cca::sim::world& world, double part) {
+  const trot::recording recorded = trot::roll_out(
+      controller, o.ground, disturbance, o.seconds, [&](const cca::sim::world& world, double part) {
         if (controller.beat_index() % 20 != 0) return;
         const auto drawing = clock_type::now();
         char note[64];
@@ -67,16 +69,19 @@ int run(const trot::options& o) {
   trot::costs costs;
   costs.real_time_factor = figures.seconds / taken;
   costs.controller_ns_per_beat = controller_nanoseconds();
-  costs.physics_ns_per_beat = taken * 1e9 / static_cast<double>(recorded.moments.size()) - costs.controller_ns_per_beat;
+  costs.physics_ns_per_beat =
+      taken * 1e9 / static_cast<double>(recorded.moments.size()) - costs.controller_ns_per_beat;
 
   const std::string seed = o.seed ? std::to_string(*o.seed) : "null";
   if (!o.quiet) trot::write_table(std::cout, figures, costs);
-  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { trot::write_json(file, figures, costs, {seed, o.ground.name()}); });
+  if (o.summary)
+    trot::write(*o.summary,
+                [&](std::ostream& file) { trot::write_json(file, figures, costs, {seed, o.ground.name()}); });
   if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
   if (o.svg) {
     char title[128];
-    std::snprintf(title, sizeof title, "Oncilla, trot on %s ground: %.2f m in %.1f s, %.2f m/s", o.ground.name().c_str(),
-                  figures.distance, figures.seconds, figures.speed);
+    std::snprintf(title, sizeof title, "Oncilla, trot on %s ground: %.2f m in %.1f s, %.2f m/s",
+                  o.ground.name().c_str(), figures.distance, figures.seconds, figures.speed);
     trot::write(*o.svg, [&](std::ostream& file) { trot::write_svg(file, recorded, title); });
   }
   return figures.fell ? 1 : 0;

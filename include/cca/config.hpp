@@ -1,8 +1,8 @@
-// Parameters from a TOML file and back: with this header a controller's `load("trot.toml")` and `save("trot.toml")` work.
-// It's the only one that needs toml++, and costs about a second to compile, so it is apart from <cca/cca.hpp>.
-// A file has a table for each component that has parameters, `[cpg]`, `[dmp.ode]`. Keys that it lacks keep their values.
-// Errors: `cca::refused`, with all that is wrong, a line each; then nothing has been changed.
-// Example: docs/parameters.md.
+// Parameters from a TOML file and back: with this header a controller's `load("trot.toml")` and
+// `save("trot.toml")` work. It's the only one that needs toml++, and costs about a second to compile, so it
+// is apart from <cca/cca.hpp>. A file has a table for each component that has parameters, `[cpg]`,
+// `[dmp.ode]`. Keys that it lacks keep their values. Errors: `cca::refused`, with all that is wrong, a line
+// each; then nothing has been changed. Example: docs/parameters.md.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 #include <toml++/toml.h>
 
-#include <cca/component/file.hpp>
+#include <cca/base/file.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/config/read.hpp>
 #include <cca/config/write.hpp>
@@ -27,11 +27,13 @@ inline toml::table parse(std::string_view text, const problems& found) {
     return toml::parse(text, found.file());
   } catch (const toml::parse_error& error) {
     const auto at = error.source().begin;
-    for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    for (unsigned line = 1; line < at.line; ++line)
+      text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
     const auto line = text.substr(0, text.find_first_of("\r\n"));
     const char saw = at.column >= 1 && at.column <= line.size() ? line[at.column - 1] : ' ';
-    throw refused(found.file() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": not TOML: " + std::string(error.description()) +
-                  ", in `" + shortened(line) + "`" + (is_letter(saw) ? " (a text, or a number with its unit, stands in quotes)" : ""));
+    throw refused(found.file() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
+                  ": not TOML: " + std::string(error.description()) + ", in `" + shortened(line) + "`" +
+                  (is_letter(saw) ? " (a text, or a number with its unit, stands in quotes)" : ""));
   }
 }
 
@@ -49,7 +51,10 @@ inline const toml::node* node_at(const toml::table& root, std::string_view path)
 }
 
 // Every key must lead to a component: to one of `paths`.
-inline void unknown_nodes(const toml::table& table, const std::string& scope, const std::vector<std::string>& paths, problems& found) {
+inline void unknown_nodes(const toml::table& table,
+                          const std::string& scope,
+                          const std::vector<std::string>& paths,
+                          problems& found) {
   for (auto&& [key, node] : table) {
     const std::string path = member_path(scope, key.str());
     if (std::ranges::find(paths, path) != paths.end()) continue;
@@ -71,7 +76,8 @@ inline void unknown_nodes(const toml::table& table, const std::string& scope, co
 
 inline constexpr schema no_parameters{.what = kind::table};
 
-inline void read_component(const toml::table& root, std::string_view path, const schema& type, void* values, problems& found) {
+inline void read_component(
+    const toml::table& root, std::string_view path, const schema& type, void* values, problems& found) {
   const toml::node* node = node_at(root, path);
   if (node && !node->is_table()) found.add(*node, path, "expected a table, got " + got(*node));
   else read_table(type, values, node ? node->as_table() : nullptr, std::string(path), found);
@@ -79,7 +85,9 @@ inline void read_component(const toml::table& root, std::string_view path, const
 
 template <HasParameters Component>
 constexpr const schema& parameters_schema() {
-  static_assert(unsupported_field<typename Component::parameters>().empty(), "parameters.unsupported_type: a field of this component's parameters has a type that no file can hold");
+  static_assert(
+      unsupported_field<typename Component::parameters>().empty(),
+      "parameters.unsupported_type: a field of this component's parameters has a type that no file can hold");
   return schema_of<typename Component::parameters>;
 }
 
@@ -101,7 +109,8 @@ void load_parameters_from_text(Controller& controller, std::string_view text, st
   unknown_nodes(root, {}, paths, found);
   found.refuse();
   controller.for_each_component([&]<class Component>(std::string_view path, Component& component) {
-    if constexpr (HasParameters<Component>) read_component(root, path, parameters_schema<Component>(), &component.p, found);
+    if constexpr (HasParameters<Component>)
+      read_component(root, path, parameters_schema<Component>(), &component.p, found);
   });
 }
 

@@ -1,14 +1,18 @@
-// What a frame costs: socket_can beside a plain program that does the same by one call a frame, and beside cangen and candump.
+// What a frame costs: socket_can beside a plain program that does the same by one call a frame, and beside
+// cangen and candump.
 //
-//   cost [FRAMES [MOST]]   on vcan0, with cangen and candump in the folder where it runs; prints a table. More than MOST times
+//   cost [FRAMES [MOST]]   on vcan0, with cangen and candump in the folder where it runs; prints a table.
+//   More than MOST times
 //                          the plain program's cost, whatever is asked of both: exit code 1
 //
-// All send the same: classic frames of 8 bytes under one id, in beats of eight, as to eight drives, from one socket, and receive
-// them at another, in each beat all that has come. What can be asked of socket_can is asked of the plain program too: `times`,
-// when a frame arrived (recvmsg with SO_TIMESTAMPNS); `confirmations`, which of its frames went over the bus (it receives its
-// own). Beside these socket_can has exact filters, error frames and the count of lost frames, and the plain program has none.
-// CPU: that of the thread, the kernel's work in its calls with it; of cangen and candump that of their processes, of which the
-// time to begin has been taken off. In a machine whose clock counts instructions (QEMU's -icount) these are instructions.
+// All send the same: classic frames of 8 bytes under one id, in beats of eight, as to eight drives, from one
+// socket, and receive them at another, in each beat all that has come. What can be asked of socket_can is
+// asked of the plain program too: `times`, when a frame arrived (recvmsg with SO_TIMESTAMPNS);
+// `confirmations`, which of its frames went over the bus (it receives its own). Beside these socket_can has
+// exact filters, error frames and the count of lost frames, and the plain program has none. CPU: that of the
+// thread, the kernel's work in its calls with it; of cangen and candump that of their processes, of which the
+// time to begin has been taken off. In a machine whose clock counts instructions (QEMU's -icount) these are
+// instructions.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -121,7 +125,8 @@ public:
       const bool own = (head.msg_flags & MSG_CONFIRM) != 0;
       all.own += own, all.others += !own;
       for (cmsghdr* c = CMSG_FIRSTHDR(&head); c; c = CMSG_NXTHDR(&head, c))
-        if (c->cmsg_level == SOL_SOCKET && c->cmsg_type == SO_TIMESTAMPNS) std::memcpy(&last, CMSG_DATA(c), sizeof last);
+        if (c->cmsg_level == SOL_SOCKET && c->cmsg_type == SO_TIMESTAMPNS)
+          std::memcpy(&last, CMSG_DATA(c), sizeof last);
     }
   }
 
@@ -146,10 +151,14 @@ cost of_plain(int frames, const duty& d) {
 }
 
 cost of_socket_can(int frames, const duty& d) {
-  const std::array set_points{hw::can_filter{hw::standard(0x123)}}, answers{hw::can_filter{hw::standard(0x124)}};
+  const std::array set_points{hw::can_filter{hw::standard(0x123)}},
+      answers{hw::can_filter{hw::standard(0x124)}};
   const auto options = [&d](const auto& replies, const auto& ours) {
-    return hw::socket_can_options{
-        .replies = replies, .ours = ours, .most_in_flight = 64, .confirmations = d.confirmations, .times = d.times};
+    return hw::socket_can_options{.replies = replies,
+                                  .ours = ours,
+                                  .most_in_flight = 64,
+                                  .confirmations = d.confirmations,
+                                  .times = d.times};
   };
   hw::socket_can from(bus_name, options(answers, set_points)), to(bus_name, options(set_points, answers));
   std::array<hw::can_frame, beat> frames_of_beat;
@@ -180,13 +189,16 @@ double cpu_of(const std::vector<std::string>& words, const std::function<void()>
   int how = 0;
   rusage used{};
   check(wait4(child, &how, 0, &used) == child && WIFEXITED(how) && WEXITSTATUS(how) == 0, line[0]);
-  const auto s = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto s = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return s(used.ru_utime) + s(used.ru_stime);
 }
 
 cost of_can_utils(int frames) {
   const auto cangen = [](int n) {
-    return cpu_of({"./cangen", bus_name, "-g", "0", "-n", std::to_string(n), "-I", "123", "-L", "8", "-D", "1122334455667788"});
+    return cpu_of({"./cangen", bus_name, "-g", "0", "-n", std::to_string(n), "-I", "123", "-L", "8", "-D",
+                   "1122334455667788"});
   };
   const auto candump = [](int n) {
     return cpu_of({"./candump", "-s", "2", "-n", std::to_string(n), bus_name}, [n] {
@@ -232,16 +244,19 @@ int main(int count, char** arguments) {
   const cost utils = of_can_utils(frames / 4);
   const auto both = [](const cost& c) { return 1e6 * (c.send + c.receive); };
   double worst = 0;
-  std::puts("| asked of both | plain program | socket_can | ratio | plain, frames a second | socket_can, frames a second |");
+  std::puts(
+      "| asked of both | plain program | socket_can | ratio | plain, frames a second | socket_can, frames a "
+      "second |");
   std::puts("|---|---|---|---|---|---|");
   for (std::size_t i = 0; i < duties.size(); ++i) {
     const double ratio = both(ours[i]) / both(plain[i]);
     worst = std::max(worst, ratio);
-    std::printf("| %s | %.2f + %.2f = %.2f | %.2f + %.2f = %.2f | %.3f | %.0f | %.0f |\n", duties[i].what, 1e6 * plain[i].send,
-                1e6 * plain[i].receive, both(plain[i]), 1e6 * ours[i].send, 1e6 * ours[i].receive, both(ours[i]), ratio,
-                plain[i].rate, ours[i].rate);
+    std::printf("| %s | %.2f + %.2f = %.2f | %.2f + %.2f = %.2f | %.3f | %.0f | %.0f |\n", duties[i].what,
+                1e6 * plain[i].send, 1e6 * plain[i].receive, both(plain[i]), 1e6 * ours[i].send,
+                1e6 * ours[i].receive, both(ours[i]), ratio, plain[i].rate, ours[i].rate);
   }
-  std::printf("| cangen, candump -s 2 | | %.2f + %.2f = %.2f | | | |\n", 1e6 * utils.send, 1e6 * utils.receive, both(utils));
+  std::printf("| cangen, candump -s 2 | | %.2f + %.2f = %.2f | | | |\n", 1e6 * utils.send,
+              1e6 * utils.receive, both(utils));
   std::puts("Sending + receiving, us of CPU a frame.");
   if (most == 0 || worst <= most) return 0;
   std::printf("more than %.3f times the plain program's\n", most);

@@ -1,5 +1,5 @@
-// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a step,
-// a drive is told something over a bus in memory.
+// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a
+// step, a drive is told something over a bus in memory.
 #include <array>
 #include <fstream>
 
@@ -25,8 +25,11 @@ struct joint {
   void act(cca::in<"command", hip_angle> to) { at = to[hip{}]; }
   double at = 0;
 };
-struct moving : cca::graph<cca::node<"goal", goal>, cca::node<"limits", cca::limiter<hip_angle>>, cca::node<"joint", joint>,
-                           cca::wire<"goal.angle", "limits.command">, cca::wire<"limits.safe", "joint.command">> {};
+struct moving : cca::graph<cca::node<"goal", goal>,
+                           cca::node<"limits", cca::limiter<hip_angle>>,
+                           cca::node<"joint", joint>,
+                           cca::wire<"goal.angle", "limits.command">,
+                           cca::wire<"limits.safe", "joint.command">> {};
 
 int main() {
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";

@@ -13,8 +13,11 @@ struct joint {
   void act(cca::in<"command", hip_angle> to) { at = to[hip{}]; }
   double at = 0;
 };
-struct moving : cca::graph<cca::node<"goal", goal>, cca::node<"limits", cca::limiter<hip_angle>>, cca::node<"joint", joint>,
-                           cca::wire<"goal.angle", "limits.command">, cca::wire<"limits.safe", "joint.command">> {};
+struct moving : cca::graph<cca::node<"goal", goal>,
+                           cca::node<"limits", cca::limiter<hip_angle>>,
+                           cca::node<"joint", joint>,
+                           cca::wire<"goal.angle", "limits.command">,
+                           cca::wire<"limits.safe", "joint.command">> {};
 
 int main() {
   cca::controller<moving> c;

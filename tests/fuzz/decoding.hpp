@@ -1,5 +1,6 @@
-// Bytes as a frame, and what must hold of a drive that hears it: what it does not take changes nothing, what it takes are numbers
-// or NaN, and no frame that it is given moves a motor: a command made of what it reported is finite, or is refused.
+// Bytes as a frame, and what must hold of a drive that hears it: what it does not take changes nothing, what
+// it takes are numbers or NaN, and no frame that it is given moves a motor: a command made of what it
+// reported is finite, or is refused.
 #pragma once
 
 #include <cmath>
@@ -18,8 +19,8 @@ inline void must(bool holds) {
   if (!holds) std::abort();
 }
 
-// Bytes: four of the id, one of the length, one of kinds, then the payload, which is in memory of its own and no longer than
-// there is.
+// Bytes: four of the id, one of the length, one of kinds, then the payload, which is in memory of its own and
+// no longer than there is.
 struct bytes_of_frame {
   const std::uint8_t* data;
   std::size_t size;

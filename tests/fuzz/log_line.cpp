@@ -1,5 +1,5 @@
-// A line of a log of candump: what is refused is refused in words, what is taken is a frame that can be on a bus, and is the same
-// when it is written and read again.
+// A line of a log of candump: what is refused is refused in words, what is taken is a frame that can be on a
+// bus, and is the same when it is written and read again.
 #include <string>
 
 #include "../../tools/cca_can/log_line.hpp"

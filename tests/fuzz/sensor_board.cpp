@@ -1,5 +1,5 @@
-// Bytes as a frame of the sensor board: what it does not take changes nothing, what it takes are numbers within its ranges, which
-// come back when they are said again.
+// Bytes as a frame of the sensor board: what it does not take changes nothing, what it takes are numbers
+// within its ranges, which come back when they are said again.
 #include <cca/hardware/sensor_board.hpp>
 
 #include "decoding.hpp"
@@ -24,7 +24,8 @@ void must_be_within(const std::array<double, N>& numbers, double step) {
 void says_again(const board_reading& r) {
   board_reading again;
   for (const can_frame& f : board::frames(r, 7)) fuzz::must(f.valid() && board::decode(f, again));
-  // The most negative number is not said, so a step; of an orientation half a step, and what its length is off by.
+  // The most negative number is not said, so a step; of an orientation half a step, and what its length is
+  // off by.
   fuzz::must(near(again.orientation, r.orientation, 2e-4));
   fuzz::must(near(again.angular_velocity, r.angular_velocity, 1.001 * board::speed_step));
   fuzz::must(near(again.specific_force, r.specific_force, 1.001 * board::force_step));
@@ -60,7 +61,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!board::abducted(bytes.frame(board::requests), targets)) fuzz::must(targets == targets_before);
     must_be_within(targets, board::angle_step);
     auto again = targets;
-    fuzz::must(board::abducted(board::abduct(targets), again) && near(again, targets, 1.001 * board::angle_step));
+    fuzz::must(board::abducted(board::abduct(targets), again) &&
+               near(again, targets, 1.001 * board::angle_step));
   }
   return 0;
 }

@@ -1,7 +1,8 @@
 // The laws of an Adaptive Component, stated once and run over every one of them.
 //
-// A case is a graph in which it is the node "skill", its feedback comes from the node "robot", and `observe<"skill.*">` stands. After
-// `Case::beats` beats it has been what `Case::expected()` says, at some time.
+// A case is a graph in which it is the node "skill", its feedback comes from the node "robot", and
+// `observe<"skill.*">` stands. After `Case::beats` beats it has been what `Case::expected()` says, at some
+// time.
 #pragma once
 
 #include <cstring>
@@ -20,7 +21,9 @@ namespace laws {
 template <class Graph>
 std::map<std::string, std::vector<double>> told(const cca::controller<Graph>& c) {
   std::map<std::string, std::vector<double>> all;
-  c.observed([&](const cca::observation& one) { all[std::string(one.path)] = {one.values.begin(), one.values.end()}; });
+  c.observed([&](const cca::observation& one) {
+    all[std::string(one.path)] = {one.values.begin(), one.values.end()};
+  });
   return all;
 }
 
@@ -46,8 +49,10 @@ void adaptive_component() {
     const auto state = static_cast<cca::criterion_state>(now.at("skill.criterion.state")[0]);
     const auto component = static_cast<cca::component_status>(now.at("skill.status.component")[0]);
     const auto& module = now.at("skill.status.module");
-    const bool rests = !Case::at_rest || now.at("skill.status.ode")[0] == cca::status_of(cca::ode_status::converged);
-    true_status &= component == cca::component_status_from(state, static_cast<cca::trained_region>(module[1]), rests);
+    const bool rests =
+        !Case::at_rest || now.at("skill.status.ode")[0] == cca::status_of(cca::ode_status::converged);
+    true_status &=
+        component == cca::component_status_from(state, static_cast<cca::trained_region>(module[1]), rests);
     const double error = now.at("skill.criterion.error")[0];
     true_state &= state != cca::criterion_state::fulfilled || error <= limits.until;
     true_state &= state != cca::criterion_state::lost || !(error <= limits.until);

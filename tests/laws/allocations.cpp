@@ -1,5 +1,5 @@
-// Counts every allocation of the process, for the laws: at the C library's door, so that nothing gets around it. A sanitizer has a
-// malloc of its own, which tells a hook.
+// Counts every allocation of the process, for the laws: at the C library's door, so that nothing gets around
+// it. A sanitizer has a malloc of its own, which tells a hook.
 #include <atomic>
 #include <cstddef>
 

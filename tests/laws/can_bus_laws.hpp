@@ -1,9 +1,10 @@
 // The laws of a CanBus, stated once and run over every model of it.
 //
-// A rig says of a model: `end(i)`, two ends at least of one bus; `settle()`, after which what was sent has arrived; `has_fd`;
-// and, where it can, `away(i)` and `back(i)`, which take an end from the bus (by a link that goes down, or by bus-off) and return
-// it, and `blocked(i)`, after which nobody acknowledges what the end i sends, and `unblocked(i)`; `asks_for_bytes`, where its
-// remote frames have length 0 only; `rounds`, where it is slow. A rig is made anew for each law.
+// A rig says of a model: `end(i)`, two ends at least of one bus; `settle()`, after which what was sent has
+// arrived; `has_fd`; and, where it can, `away(i)` and `back(i)`, which take an end from the bus (by a link
+// that goes down, or by bus-off) and return it, and `blocked(i)`, after which nobody acknowledges what the
+// end i sends, and `unblocked(i)`; `asks_for_bytes`, where its remote frames have length 0 only; `rounds`,
+// where it is slow. A rig is made anew for each law.
 #pragma once
 
 #include <array>
@@ -104,7 +105,8 @@ void does_not_wait() {
       {{.id = standard(1), .length = 1}, {.id = standard(1), .length = 2}, {.id = standard(1), .length = 3}}};
   rig.end(1).send(three);
   rig.settle();
-  CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>(in.data(), 2)) == 2, "no more than there is room for");
+  CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>(in.data(), 2)) == 2,
+                "no more than there is room for");
   CHECK_MESSAGE(rig.end(0).receive(in) == 1, "the rest comes later");
   CHECK_MESSAGE(in[0].frame.length == 3, "and is the rest");
 }
@@ -122,7 +124,8 @@ void refuses_what_is_no_frame() {
                                         {.id = standard(1), .fast = true}}};
   for (const auto& bad : wrong) {
     Rig rig;
-    const std::array<can_frame, 3> batch{{{.id = standard(5), .length = 1}, bad, {.id = standard(5), .length = 2}}};
+    const std::array<can_frame, 3> batch{
+        {{.id = standard(5), .length = 1}, bad, {.id = standard(5), .length = 2}}};
     const auto result = rig.end(0).send(batch);
     CHECK_MESSAGE((result.sent == 2 && result.outcome == send_outcome::invalid), "the others are taken");
     CHECK_MESSAGE(rig.end(0).counters().invalid == 1, "it is counted");
@@ -133,12 +136,14 @@ void refuses_what_is_no_frame() {
   }
   if (!Rig::has_fd) {
     Rig rig;
-    CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(1), .fd = true}}).outcome == send_outcome::invalid,
+    CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(1), .fd = true}}).outcome ==
+                      send_outcome::invalid,
                   "no FD on a classic bus");
   }
 }
 
-// Away: nothing is taken, it is counted, and what was tried meanwhile never arrives. Back: it works as before.
+// Away: nothing is taken, it is counted, and what was tried meanwhile never arrives. Back: it works as
+// before.
 template <class Rig>
 void sends_nothing_stale() {
   if constexpr (requires(Rig r) { r.away(0), r.back(0); }) {
@@ -180,8 +185,8 @@ void drops_when_full() {
     std::size_t taken = 0, tried = 0;
     send_result result{};
     for (; tried < 10000 && result.outcome == send_outcome::sent; ++tried) {
-      result =
-          rig.end(0).send(std::array{can_frame{.id = standard(0x20), .length = 8, .data = {static_cast<std::uint8_t>(tried)}}});
+      result = rig.end(0).send(std::array{
+          can_frame{.id = standard(0x20), .length = 8, .data = {static_cast<std::uint8_t>(tried)}}});
       taken += result.sent;
       all_from(rig.end(0));
     }
@@ -195,7 +200,8 @@ void drops_when_full() {
     const auto got = all_from(rig.end(1));
     CHECK_MESSAGE(got.size() == taken, "what was taken arrives, what was dropped does not");
     CHECK_MESSAGE(rig.end(0).in_flight() == 0, "and no more is in flight");
-    CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(0x21)}}).sent == 1, "there is room again");
+    CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(0x21)}}).sent == 1,
+                  "there is room again");
   }
 }
 

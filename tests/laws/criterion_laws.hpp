@@ -1,7 +1,9 @@
-// The laws of a Criterion, stated once and run over every one of them: those of any, and those of one that measures a distance.
+// The laws of a Criterion, stated once and run over every one of them: those of any, and those of one that
+// measures a distance.
 //
-// Of any, a case says: `Case::made()`, a criterion that is to hold for 10 beats of a millisecond; `Case::feel(criterion, what, k)`, its
-// state in beat k. Of a distance: `Case::criterion`; `Case::at(error)`, target and feedback that are so far apart.
+// Of any, a case says: `Case::made()`, a criterion that is to hold for 10 beats of a millisecond;
+// `Case::feel(criterion, what, k)`, its state in beat k. Of a distance: `Case::criterion`; `Case::at(error)`,
+// target and feedback that are so far apart.
 #pragma once
 
 #include <cmath>
@@ -59,9 +61,13 @@ struct by_distance {
   static cca::criterion_state feel(typename Case::criterion& c, circumstance what, std::int64_t k) {
     using in_target = cca::in<"target", typename Case::space>;
     using in_feedback = cca::in<"feedback", typename Case::space>;
-    const auto [target, feedback] = Case::at(what == circumstance::as_wanted ? 0.05 : what == circumstance::not_yet ? 0.3 : std::nan(""));
-    const auto [e, s] = what == circumstance::nothing ? c.process(in_target(), in_feedback(), cca::beat(k, 1'000'000, 1))
-                                                      : c.process(in_target(target, k, true), in_feedback(feedback, k, true), cca::beat(k, 1'000'000, 1));
+    const auto [target, feedback] = Case::at(what == circumstance::as_wanted ? 0.05
+                                             : what == circumstance::not_yet ? 0.3
+                                                                             : std::nan(""));
+    const auto [e, s] = what == circumstance::nothing
+                            ? c.process(in_target(), in_feedback(), cca::beat(k, 1'000'000, 1))
+                            : c.process(in_target(target, k, true), in_feedback(feedback, k, true),
+                                        cca::beat(k, 1'000'000, 1));
     return static_cast<cca::criterion_state>(s.vector()[0]);
   }
 };
@@ -79,8 +85,10 @@ public:
       const auto [target, feedback] = Case::at(error);
       using in_target = cca::in<"target", typename Case::space>;
       using in_feedback = cca::in<"feedback", typename Case::space>;
-      const auto [e, s] = c.process(in_target(target, k, true), in_feedback(feedback, k, true), cca::beat(k, 1'000'000, 1));
-      if (std::isfinite(error)) CHECK_MESSAGE(std::abs(e.vector()[0] - error) < 1e-9, "its error is the distance");
+      const auto [e, s] =
+          c.process(in_target(target, k, true), in_feedback(feedback, k, true), cca::beat(k, 1'000'000, 1));
+      if (std::isfinite(error))
+        CHECK_MESSAGE(std::abs(e.vector()[0] - error) < 1e-9, "its error is the distance");
       state = s.vector()[0];
     }
     return static_cast<cca::criterion_state>(state);
@@ -120,7 +128,8 @@ void criterion() {
   CHECK_MESSAGE(one.feel(0.15) == open, "below `until` it is open again");
   CHECK_MESSAGE(one.feel(0.6, 9) == open, "it has to be far off anew");
   one.feel(0.15);
-  CHECK_MESSAGE(one.feel(std::numeric_limits<double>::quiet_NaN()) == lost, "what is no number is lost, at once");
+  CHECK_MESSAGE(one.feel(std::numeric_limits<double>::quiet_NaN()) == lost,
+                "what is no number is lost, at once");
   for (const double error : {0.05, 0.05, 0.6, 0.6}) {
     one.c.on_start();
     CHECK_MESSAGE(one.feel(error, 9) == open, "after a start it has to hold anew");

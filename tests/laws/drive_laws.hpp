@@ -19,10 +19,11 @@ namespace drives {
 
 using namespace cca::hardware;
 
-inline constexpr std::array<double drive_command::*, 5> numbers{&drive_command::position, &drive_command::velocity,
-                                                                &drive_command::torque, &drive_command::stiffness,
-                                                                &drive_command::damping};
-inline constexpr std::array<drive_quantity, 5> quantities{of_position, of_velocity, of_torque, of_stiffness, of_damping};
+inline constexpr std::array<double drive_command::*, 5> numbers{
+    &drive_command::position, &drive_command::velocity, &drive_command::torque, &drive_command::stiffness,
+    &drive_command::damping};
+inline constexpr std::array<drive_quantity, 5> quantities{of_position, of_velocity, of_torque, of_stiffness,
+                                                          of_damping};
 
 inline bool among(std::span<const can_filter> filters, can_id id) {
   return std::any_of(filters.begin(), filters.end(), [id](const can_filter& f) { return f.matches(id); });
@@ -33,7 +34,8 @@ template <Drive D>
 void check_frames(const drive_frames& frames) {
   for (const can_frame& f : frames) {
     CHECK_MESSAGE(f.valid(), "can be on a bus");
-    CHECK_MESSAGE((among(D::requests, f.id) || among(broadcasts_of<D>, f.id)), "is one of those that it listens to");
+    CHECK_MESSAGE((among(D::requests, f.id) || among(broadcasts_of<D>, f.id)),
+                  "is one of those that it listens to");
   }
 }
 
@@ -71,25 +73,30 @@ void asks() {
       const bool used = (D::uses & quantities[i]) != 0;
       CHECK_MESSAGE(((a.cut & quantities[i]) != 0) == used, "it says what it cut");
       REQUIRE(a.frames.size() == b.frames.size());
-      for (std::size_t f = 0; f < a.frames.size(); ++f) CHECK_MESSAGE(a.frames[f] == b.frames[f], "to the end of the range");
+      for (std::size_t f = 0; f < a.frames.size(); ++f)
+        CHECK_MESSAGE(a.frames[f] == b.frames[f], "to the end of the range");
     }
   CHECK_MESSAGE(D::set_point({}).cut == 0, "zero is within all ranges");
 }
 
-// Whatever the bytes: what is not its own changes nothing; what it takes are numbers or NaN, and says what it told.
+// Whatever the bytes: what is not its own changes nothing; what it takes are numbers or NaN, and says what it
+// told.
 template <Drive D>
 void hears_anything() {
   std::mt19937_64 bits(2);
   drive_report r;
   std::uint64_t taken = 0;
   for (int i = 0; i < 200'000; ++i) {
-    can_frame f{
-        .length = static_cast<std::uint8_t>(bits()), .fd = bits() % 4 == 0, .fast = bits() % 2 == 0, .remote = bits() % 16 == 0};
+    can_frame f{.length = static_cast<std::uint8_t>(bits()),
+                .fd = bits() % 4 == 0,
+                .fast = bits() % 2 == 0,
+                .remote = bits() % 16 == 0};
     const auto& mine = D::replies[bits() % D::replies.size()];
-    f.id = bits() % 16 ? can_id{(mine.id.number & mine.mask) |
-                                    (static_cast<std::uint32_t>(bits()) & ~mine.mask & (mine.id.extended ? 0x1FFFFFFFu : 0x7FFu)),
-                                mine.id.extended}
-                       : can_id{static_cast<std::uint32_t>(bits()), bits() % 2 == 0};
+    f.id = bits() % 16
+               ? can_id{(mine.id.number & mine.mask) | (static_cast<std::uint32_t>(bits()) & ~mine.mask &
+                                                        (mine.id.extended ? 0x1FFFFFFFu : 0x7FFu)),
+                        mine.id.extended}
+               : can_id{static_cast<std::uint32_t>(bits()), bits() % 2 == 0};
     if (bits() % 2) f.length = static_cast<std::uint8_t>(bits() % 9);
     for (auto& byte : f.data) byte = static_cast<std::uint8_t>(bits());
     if (bits() % 2) f.data[0] = D::set_point({}).frames[0].data[0];  // a byte that may mean something
@@ -103,7 +110,8 @@ void hears_anything() {
     REQUIRE_MESSAGE(r.frames == before.frames + 1, "it is counted");
     REQUIRE_MESSAGE(r.told != 0, "it told something");
     if (!(r.told & of_position))
-      REQUIRE_MESSAGE(std::memcmp(&r.position, &before.position, sizeof r.position) == 0, "a position that isn't told stays");
+      REQUIRE_MESSAGE(std::memcmp(&r.position, &before.position, sizeof r.position) == 0,
+                      "a position that isn't told stays");
   }
   (void)taken;
 }
@@ -125,7 +133,8 @@ void starts_and_stops() {
 template <Drive D>
 void is_stated_soundly() {
   for (const can_filter& a : D::requests)
-    for (const can_filter& b : D::replies) CHECK_MESSAGE(!overlap(a, b), "requests and replies have ids of their own");
+    for (const can_filter& b : D::replies)
+      CHECK_MESSAGE(!overlap(a, b), "requests and replies have ids of their own");
   for (const frame_traffic& t : D::traffic) {
     CHECK(fd_length(t.shape.length) == t.shape.length);
     CHECK((t.shape.fd || t.shape.length <= 8));

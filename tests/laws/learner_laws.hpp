@@ -1,8 +1,9 @@
 // The laws of a Learner, stated once and run over every one of them.
 //
-// A case says of a learner: `Case::learner`; `Case::input(source)`, a random one of where it is trained; `Case::truth(x)`, what it shall
-// learn; `Case::far()`, an input far from all of them; `Case::left`, what part of the error at most is left of it.
-// `laws::allocations()` counts calls of malloc; the test program defines it.
+// A case says of a learner: `Case::learner`; `Case::input(source)`, a random one of where it is trained;
+// `Case::truth(x)`, what it shall learn; `Case::far()`, an input far from all of them; `Case::left`, what
+// part of the error at most is left of it. `laws::allocations()` counts calls of malloc; the test program
+// defines it.
 #pragma once
 
 #include <cmath>
@@ -35,17 +36,20 @@ template <class Case>
 double rms_error(const typename Case::learner::learned& known) {
   double sum = 0;
   const auto fresh = examples<Case>(500, 99);
-  for (const auto& one : fresh) sum += (Case::learner::model::answer(known.function, one.x) - one.y).squaredNorm();
+  for (const auto& one : fresh)
+    sum += (Case::learner::model::answer(known.function, one.x) - one.y).squaredNorm();
   return std::sqrt(sum / 500);
 }
 
 template <class Case>
 std::string as_text(const typename Case::learner::learned& known) {
-  return cca::detail::learned_text({std::string(Case::learner::model::title()), std::string(Case::learner::name)},
-                                   cca::detail::schema_of<typename Case::learner::learned>, &known);
+  return cca::detail::learned_text(
+      {std::string(Case::learner::model::title()), std::string(Case::learner::name)},
+      cca::detail::schema_of<typename Case::learner::learned>, &known);
 }
 
-// An error, on inputs that it has not seen, falls to what the case says; whatever is given, all is finite; the same gives the same.
+// An error, on inputs that it has not seen, falls to what the case says; whatever is given, all is finite;
+// the same gives the same.
 template <class Case>
 void learns_in_batch() {
   using learner = typename Case::learner;
@@ -54,10 +58,12 @@ void learns_in_batch() {
   const auto nothing = std::make_unique<typename learner::learned>();
   const double before = rms_error<Case>(*nothing), left = rms_error<Case>(*known);
   CHECK_MESSAGE(left < Case::left * before, "error in batch: " << before << " before, " << left << " left");
-  CHECK_MESSAGE(as_text<Case>(learner::batch(all, {})) == as_text<Case>(*known), "the same examples, the same to the bit");
+  CHECK_MESSAGE(as_text<Case>(learner::batch(all, {})) == as_text<Case>(*known),
+                "the same examples, the same to the bit");
 }
 
-// Example by example the error falls, from one decade to the next; to within a hundredth, where it has come to its floor.
+// Example by example the error falls, from one decade to the next; to within a hundredth, where it has come
+// to its floor.
 template <class Case>
 void learns_online() {
   using learner = typename Case::learner;
@@ -69,7 +75,8 @@ void learns_online() {
     learner::step(*known, all[i].x, all[i].y, {});
     if (i != 99 && i != 999) continue;
     const double now = rms_error<Case>(*known);
-    CHECK_MESSAGE(now <= last + 0.01 * before, "after " << i + 1 << " examples: " << now << ", before: " << last);
+    CHECK_MESSAGE(now <= last + 0.01 * before,
+                  "after " << i + 1 << " examples: " << now << ", before: " << last);
     last = now;
   }
   CHECK_MESSAGE(last < Case::left * before, "error online: " << before << " before, " << last << " left");
@@ -86,7 +93,9 @@ void keeps() {
                             cca::detail::schema_of<typename learner::learned>, again.get());
   CHECK_MESSAGE(as_text<Case>(*again) == text, "written again as it was");
   for (const auto& one : examples<Case>(50, 4))
-    CHECK_MESSAGE(learner::model::answer(known->function, one.x) == learner::model::answer(again->function, one.x), "the same answers");
+    CHECK_MESSAGE(
+        learner::model::answer(known->function, one.x) == learner::model::answer(again->function, one.x),
+        "the same answers");
 }
 
 // Its status is true, and nothing in a beat allocates.
@@ -140,7 +149,8 @@ void tells() {
   }
   side->forget();
   CHECK(side->state() == cca::learning::idle);
-  CHECK_MESSAGE(side->region(all[200].x, s) == cca::trained_region::outside, "what is forgotten is not known");
+  CHECK_MESSAGE(side->region(all[200].x, s) == cca::trained_region::outside,
+                "what is forgotten is not known");
   const auto fresh = std::make_unique<cca::training<learner, 200>>();
   CHECK_MESSAGE(side->answer(all[200].x) == fresh->answer(all[200].x), "nor answered");
   CHECK_MESSAGE(side->example_count() == 0, "nor are its examples there");

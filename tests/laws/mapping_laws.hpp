@@ -1,7 +1,7 @@
 // The laws of mappings, each stated once and run over every model that claims them.
 //
-// A model has the two mappings, `Forward` and `Inverse`, `Model::random(source)`, a point where both are defined, and
-// `Model::close(a, b)` for vectors of the space that Forward maps from.
+// A model has the two mappings, `Forward` and `Inverse`, `Model::random(source)`, a point where both are
+// defined, and `Model::close(a, b)` for vectors of the space that Forward maps from.
 #pragma once
 
 #include <cca/cca.hpp>
@@ -30,8 +30,10 @@ void inverse() {
   typename Model::forward there;
   typename Model::inverse back;
   static_assert(cca::Mapping<typename Model::forward> && cca::Mapping<typename Model::inverse>);
-  static_assert(cca::SameSpace<cca::output_space<typename Model::forward>, cca::input_space<typename Model::inverse>>);
-  static_assert(cca::SameSpace<cca::input_space<typename Model::forward>, cca::output_space<typename Model::inverse>>);
+  static_assert(
+      cca::SameSpace<cca::output_space<typename Model::forward>, cca::input_space<typename Model::inverse>>);
+  static_assert(
+      cca::SameSpace<cca::input_space<typename Model::forward>, cca::output_space<typename Model::inverse>>);
   for (int i = 0; i < rounds; ++i) {
     const auto x = Model::random(random);
     const std::size_t before = allocations();
@@ -39,7 +41,8 @@ void inverse() {
     const auto again = map(back, y);
     const std::size_t allocated = allocations() - before;  // before a check, which allocates itself
     CHECK_MESSAGE(allocated == 0, "nothing allocates");
-    CHECK_MESSAGE(Model::close(again, x), "the inverse takes back: ", x.transpose(), " became ", again.transpose());
+    CHECK_MESSAGE(Model::close(again, x), "the inverse takes back: ", x.transpose(), " became ",
+                  again.transpose());
     CHECK_MESSAGE((map(there, again) - y).norm() < 1e-9, "and the mapping takes there again");
     CHECK_MESSAGE(map(there, x) == y, "the same answer twice");
   }

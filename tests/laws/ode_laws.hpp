@@ -1,9 +1,9 @@
 // The laws of an Ode, stated once and run over every model of it.
 //
-// A case says of a model: `Case::ode`; `Case::state(source)` and `Case::input(source)`, random ones of what it is made for;
-// `Case::parameters()`; `Case::rate`, an upper bound of how fast anything in it decays or turns, per second; and, where it
-// has one, `Case::equilibrium(source)`, a state and an input under which it rests.
-// `laws::allocations()` counts calls of malloc; the test program defines it.
+// A case says of a model: `Case::ode`; `Case::state(source)` and `Case::input(source)`, random ones of what
+// it is made for; `Case::parameters()`; `Case::rate`, an upper bound of how fast anything in it decays or
+// turns, per second; and, where it has one, `Case::equilibrium(source)`, a state and an input under which it
+// rests. `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,9 @@ std::size_t allocations();
 
 struct ode_source {
   std::mt19937_64 bits;
-  double operator()(double from, double to) { return from + (to - from) * static_cast<double>(bits() >> 11) * 0x1p-53; }
+  double operator()(double from, double to) {
+    return from + (to - from) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  }
   template <class Vector>
   Vector vector(double from, double to) {
     Vector v;
@@ -31,14 +33,18 @@ struct ode_source {
 };
 
 template <class Case, class Integrator>
-auto after(const cca::ode_state<typename Case::ode>& x, const cca::ode_input<typename Case::ode>& u, double seconds, int steps) {
+auto after(const cca::ode_state<typename Case::ode>& x,
+           const cca::ode_input<typename Case::ode>& u,
+           double seconds,
+           int steps) {
   const auto p = Case::parameters();
   cca::ode_solver<typename Case::ode, Integrator> solver(x);
   for (int i = 0; i < steps; ++i) solver.advance(u, p, seconds / steps);
   return solver.get();
 }
 
-// Whatever the state and the input, a second of it is finite; the same start ends at the same place, bit for bit; nothing allocates.
+// Whatever the state and the input, a second of it is finite; the same start ends at the same place, bit for
+// bit; nothing allocates.
 template <class Case, class Integrator>
 void runs() {
   ode_source random{std::mt19937_64{1}};
@@ -64,14 +70,17 @@ void follows_the_derivative() {
   for (int i = 0; i < 20; ++i) {
     const auto u = Case::input(random);
     const auto x = after<Case, Integrator>(Case::state(random), u, 0.0, 1);  // projected
-    CHECK_MESSAGE((after<Case, Integrator>(x, u, 0.0, 1) - x).norm() <= 1e-15 * x.norm(), "no time, no change");
+    CHECK_MESSAGE((after<Case, Integrator>(x, u, 0.0, 1) - x).norm() <= 1e-15 * x.norm(),
+                  "no time, no change");
     const auto rate = Case::ode::derivative(x, u, p);
     const auto moved = ((after<Case, Integrator>(x, u, dt, 1) - x) / dt).eval();
-    CHECK_MESSAGE((moved - rate).norm() <= 1e-3 * (1 + rate.norm() + Case::rate * x.norm()), "along the derivative");
+    CHECK_MESSAGE((moved - rate).norm() <= 1e-3 * (1 + rate.norm() + Case::rate * x.norm()),
+                  "along the derivative");
   }
 }
 
-// Half the step, error divided by 2^order: seen in the changes from one halving to the next, over random starts together.
+// Half the step, error divided by 2^order: seen in the changes from one halving to the next, over random
+// starts together.
 template <class Case, class Integrator>
 void order(int expected) {
   ode_source random{std::mt19937_64{3}};
@@ -81,7 +90,8 @@ void order(int expected) {
     const auto u = Case::input(random);
     const double seconds = 1 / Case::rate;
     const int steps = expected == 1 ? 128 : 16;
-    const auto a = after<Case, Integrator>(x, u, seconds, steps), b = after<Case, Integrator>(x, u, seconds, 2 * steps),
+    const auto a = after<Case, Integrator>(x, u, seconds, steps),
+               b = after<Case, Integrator>(x, u, seconds, 2 * steps),
                c = after<Case, Integrator>(x, u, seconds, 4 * steps);
     first += (a - b).norm();
     second += (b - c).norm();

@@ -1,11 +1,11 @@
 // The laws of a skeleton, stated once and run over every one of them.
 //
 // A case is a graph of one skeleton between sources and an end:
-//   Case::graph              with a node "end" that notes `values`, `beats` (when it heard them) and `origins`
-//   Case::value              what each source says along each axis, always
-//   Case::feed(controller)   moves the sources before a beat; called before each
-//   Case::settle(controller) if it takes a while until what went in has come out: outside of a beat
-//   Case::oldest(beat)       the oldest origin, in beats, that a sample heard in that beat may have
+//   Case::graph              with a node "end" that notes `values`, `beats` (when it heard them) and
+//   `origins` Case::value              what each source says along each axis, always Case::feed(controller)
+//   moves the sources before a beat; called before each Case::settle(controller) if it takes a while until
+//   what went in has come out: outside of a beat Case::oldest(beat)       the oldest origin, in beats, that a
+//   sample heard in that beat may have
 // `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
@@ -63,9 +63,11 @@ void keeps_origin_and_order() {
   REQUIRE_MESSAGE(end.origins.size() > 5, Case::name << ": something came out");
   for (std::size_t i = 0; i < end.origins.size(); ++i) {
     const auto origin = end.origins[i] / c.period();
-    CHECK_MESSAGE(origin * c.period() == end.origins[i], Case::name << ": an origin is that of a beat in which something was made");
+    CHECK_MESSAGE(origin * c.period() == end.origins[i],
+                  Case::name << ": an origin is that of a beat in which something was made");
     CHECK_MESSAGE(origin <= end.beats[i], Case::name << ": nothing comes from the future");
-    CHECK_MESSAGE(origin >= Case::oldest(end.beats[i]), Case::name << ": no older than its sources, in beat " << end.beats[i] << " of " << origin);
+    CHECK_MESSAGE(origin >= Case::oldest(end.beats[i]),
+                  Case::name << ": no older than its sources, in beat " << end.beats[i] << " of " << origin);
     if (i > 0) CHECK_MESSAGE(end.origins[i] >= end.origins[i - 1], Case::name << ": order is kept");
   }
 }
@@ -77,7 +79,8 @@ void adds_nothing() {
   beats<Case>(c, 200);
   const auto& end = c.template get<"end">();
   for (std::size_t i = 0; i < end.values.size(); ++i)
-    CHECK_MESSAGE((end.values[i].array() - Case::value).abs().maxCoeff() < 1e-12, Case::name << ": what goes in is what comes out");
+    CHECK_MESSAGE((end.values[i].array() - Case::value).abs().maxCoeff() < 1e-12,
+                  Case::name << ": what goes in is what comes out");
 }
 
 // Run twice, and a copy from the middle on: the same, bit for bit.
@@ -91,8 +94,10 @@ void is_deterministic() {
   beats<Case>(b, 70);
   beats<Case>(copy, 70);
   const auto &x = a.template get<"end">(), &y = b.template get<"end">(), &z = copy.template get<"end">();
-  CHECK_MESSAGE((x.values == y.values && x.beats == y.beats && x.origins == y.origins), Case::name << ": the same again");
-  CHECK_MESSAGE((x.values == z.values && x.beats == z.beats && x.origins == z.origins), Case::name << ": a copy goes on alike");
+  CHECK_MESSAGE((x.values == y.values && x.beats == y.beats && x.origins == y.origins),
+                Case::name << ": the same again");
+  CHECK_MESSAGE((x.values == z.values && x.beats == z.beats && x.origins == z.origins),
+                Case::name << ": a copy goes on alike");
 }
 
 // All of them.

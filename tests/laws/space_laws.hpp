@@ -1,7 +1,7 @@
 // The laws of spaces, each stated once and run over every model that claims them.
 //
-// A model says how its samples are made and compared: `Model::random(source)` and `Model::close(a, b)`, the latter equality
-// up to rounding (and up to what is the same thing: q and -q, 0 and 2 pi).
+// A model says how its samples are made and compared: `Model::random(source)` and `Model::close(a, b)`, the
+// latter equality up to rounding (and up to what is the same thing: q and -q, 0 and 2 pi).
 #pragma once
 
 #include <cmath>
@@ -19,8 +19,12 @@ inline constexpr int rounds = 200;
 
 struct source {
   std::mt19937_64 bits;
-  double operator()(double from, double to) { return from + (to - from) * static_cast<double>(bits() >> 11) * 0x1p-53; }
-  Eigen::Vector3d vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
+  double operator()(double from, double to) {
+    return from + (to - from) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  }
+  Eigen::Vector3d vector(double size) {
+    return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)};
+  }
 };
 
 // a * b, a.inverse(), the zero of the space is the identity.
@@ -46,8 +50,11 @@ void action() {
   for (int i = 0; i < rounds; ++i) {
     const auto a = Model::random(random), b = Model::random(random);
     const auto x = Model::point(random), y = Model::point(random);
-    CHECK_MESSAGE(Model::act(a * b, x).distance(Model::act(a, Model::act(b, x))) < 1e-12, "a product acts as its factors");
-    CHECK_MESSAGE(Model::act(a, x).distance(Model::act(a, y)) == doctest::Approx(x.distance(y)).epsilon(1e-12), "distances stay");
+    CHECK_MESSAGE(Model::act(a * b, x).distance(Model::act(a, Model::act(b, x))) < 1e-12,
+                  "a product acts as its factors");
+    CHECK_MESSAGE(
+        Model::act(a, x).distance(Model::act(a, y)) == doctest::Approx(x.distance(y)).epsilon(1e-12),
+        "distances stay");
     CHECK_MESSAGE(Model::act(a.inverse(), Model::act(a, x)).distance(x) < 1e-12, "the inverse takes back");
   }
 }
@@ -60,7 +67,8 @@ void differences() {
     const auto a = Model::random(random), b = Model::random(random);
     CHECK_MESSAGE(Model::close(Model::plus(b, a.difference(b)), a), "what lies between leads there");
     CHECK_MESSAGE(a.difference(a).norm() < 1e-12, "nothing lies between a and a");
-    CHECK_MESSAGE((a.difference(b).norm() == doctest::Approx(b.difference(a).norm()).epsilon(1e-12)), "as far there as back");
+    CHECK_MESSAGE((a.difference(b).norm() == doctest::Approx(b.difference(a).norm()).epsilon(1e-12)),
+                  "as far there as back");
   }
 }
 

@@ -1,9 +1,9 @@
-// The laws of a VirtualDrive, stated once and run over every model of it: the codec at one end of a bus in memory, the virtual
-// drive with a motor at the other.
+// The laws of a VirtualDrive, stated once and run over every model of it: the codec at one end of a bus in
+// memory, the virtual drive with a motor at the other.
 //
-// A rig says of a model: `drive`, the VirtualDrive; `code` and `fault`, a fault of its own and what it is reported as; `unfed`,
-// what is reported once its watchdog has run out; `no_number()`, frames that hold NaN where a set-point has numbers (none where
-// its frames can't).
+// A rig says of a model: `drive`, the VirtualDrive; `code` and `fault`, a fault of its own and what it is
+// reported as; `unfed`, what is reported once its watchdog has run out; `no_number()`, frames that hold NaN
+// where a set-point has numbers (none where its frames can't).
 #pragma once
 
 #include <array>
@@ -27,12 +27,16 @@ using namespace cca::hardware;
 
 inline constexpr double stands = 0.2;  // where a motor is before anything happens
 
-inline bool finite(const drive_command& c) { return (c.position + c.velocity + c.torque + c.stiffness + c.damping) * 0 == 0; }
+inline bool finite(const drive_command& c) {
+  return (c.position + c.velocity + c.torque + c.stiffness + c.damping) * 0 == 0;
+}
 // At most it damps.
 inline bool gives_way(const drive_command& c) {
   return finite(c) && c.stiffness == 0 && c.torque == 0 && (c.damping == 0 || c.velocity == 0);
 }
-inline bool same(const drive_command& a, const drive_command& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool same(const drive_command& a, const drive_command& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 template <VirtualDrive V>
 struct bench {
@@ -72,7 +76,8 @@ struct bench {
 
   // A set-point that is somewhere else, by what the drive takes.
   static drive_frames go(double where = 0.5) {
-    if constexpr ((D::uses & of_position) != 0) return D::set_point({.position = where, .stiffness = 20, .damping = 0.8}).frames;
+    if constexpr ((D::uses & of_position) != 0)
+      return D::set_point({.position = where, .stiffness = 20, .damping = 0.8}).frames;
     else if constexpr ((D::uses & of_velocity) != 0) return D::set_point({.velocity = where}).frames;
     else return D::set_point({.torque = 0.1 * where}).frames;
   }
@@ -105,10 +110,13 @@ void follows_once_enabled() {
   REQUIRE_MESSAGE(b.enable(), "its codec enables it");
   CHECK_MESSAGE(std::fabs(b.motor.now.position - stands) < 0.002, "without a kick");
   b.beats(1500, b.go());
-  if constexpr ((D::uses & of_position) != 0) CHECK(b.motor.now.position == doctest::Approx(0.5).epsilon(0.02));
-  else if constexpr ((D::uses & of_velocity) != 0) CHECK(b.motor.now.velocity == doctest::Approx(0.5).epsilon(0.05));
+  if constexpr ((D::uses & of_position) != 0)
+    CHECK(b.motor.now.position == doctest::Approx(0.5).epsilon(0.02));
+  else if constexpr ((D::uses & of_velocity) != 0)
+    CHECK(b.motor.now.velocity == doctest::Approx(0.5).epsilon(0.05));
   else CHECK(b.motor.now.position > 1);
-  CHECK_MESSAGE(b.report.position == doctest::Approx(b.motor.now.position).epsilon(0.02), "and tells where that is");
+  CHECK_MESSAGE(b.report.position == doctest::Approx(b.motor.now.position).epsilon(0.02),
+                "and tells where that is");
   CHECK(b.report.fault == drive_fault::none);
   b.beats(3, D::disable());
   CHECK_MESSAGE(gives_way(b.law), "until it is disabled");
@@ -205,7 +213,8 @@ void reboots() {
   }
   CHECK(b.motor.now.position == stood);
   CHECK_FALSE(b.v.enabled());
-  if (Rig::drive::waits) CHECK_MESSAGE(b.report.activity != drive_activity::enabled, "and it does not say that it was");
+  if (Rig::drive::waits)
+    CHECK_MESSAGE(b.report.activity != drive_activity::enabled, "and it does not say that it was");
   REQUIRE(b.enable());
   CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.002, "without a kick");
   CHECK(b.follows());
@@ -218,7 +227,8 @@ void hears_anything() {
   using D = typename V::drive;
   std::mt19937_64 bits(3);
   const auto noise = [&] {
-    can_frame f{.id = D::requests[bits() % D::requests.size()].id, .fd = bits() % 2 == 0, .remote = bits() % 16 == 0};
+    can_frame f{
+        .id = D::requests[bits() % D::requests.size()].id, .fd = bits() % 2 == 0, .remote = bits() % 16 == 0};
     f.length = f.fd ? fd_length(bits() % 65) : static_cast<std::uint8_t>(bits() % 9);
     for (auto& byte : f.data) byte = static_cast<std::uint8_t>(bits());
     return f;

@@ -24,13 +24,33 @@ struct heavy {
   }
 };
 
-struct twelve : cca::graph<
-    cca::node<"s", source>, cca::node<"a", careful>, cca::node<"b", careful>, cca::node<"c", careful>, cca::node<"d", careful>,
-    cca::node<"e", careful>, cca::node<"f", careful>, cca::node<"g", careful>, cca::node<"h", careful>, cca::node<"i", careful>,
-    cca::node<"j", careful>, cca::node<"k", careful>, cca::node<"l", careful>, cca::node<"end", heavy>,
-    cca::wire<"s.x", "a.x">, cca::wire<"a.x", "b.x">, cca::wire<"b.x", "c.x">, cca::wire<"c.x", "d.x">, cca::wire<"d.x", "e.x">,
-    cca::wire<"e.x", "f.x">, cca::wire<"f.x", "g.x">, cca::wire<"g.x", "h.x">, cca::wire<"h.x", "i.x">, cca::wire<"i.x", "j.x">,
-    cca::wire<"j.x", "k.x">, cca::wire<"k.x", "l.x">, cca::wire<"l.x", "end.x">> {};
+struct twelve : cca::graph<cca::node<"s", source>,
+                           cca::node<"a", careful>,
+                           cca::node<"b", careful>,
+                           cca::node<"c", careful>,
+                           cca::node<"d", careful>,
+                           cca::node<"e", careful>,
+                           cca::node<"f", careful>,
+                           cca::node<"g", careful>,
+                           cca::node<"h", careful>,
+                           cca::node<"i", careful>,
+                           cca::node<"j", careful>,
+                           cca::node<"k", careful>,
+                           cca::node<"l", careful>,
+                           cca::node<"end", heavy>,
+                           cca::wire<"s.x", "a.x">,
+                           cca::wire<"a.x", "b.x">,
+                           cca::wire<"b.x", "c.x">,
+                           cca::wire<"c.x", "d.x">,
+                           cca::wire<"d.x", "e.x">,
+                           cca::wire<"e.x", "f.x">,
+                           cca::wire<"f.x", "g.x">,
+                           cca::wire<"g.x", "h.x">,
+                           cca::wire<"h.x", "i.x">,
+                           cca::wire<"i.x", "j.x">,
+                           cca::wire<"j.x", "k.x">,
+                           cca::wire<"k.x", "l.x">,
+                           cca::wire<"l.x", "end.x">> {};
 
 }  // namespace
 

@@ -19,4 +19,5 @@ using ends_in = plate;
 #else
 using ends_in = other_plate;
 #endif
-struct robot : cca::body<trunk, cca::part<"left", leg<left, plate>>, cca::part<"right", leg<right, ends_in>>> {};
+struct robot
+    : cca::body<trunk, cca::part<"left", leg<left, plate>>, cca::part<"right", leg<right, ends_in>>> {};

@@ -29,7 +29,8 @@ struct finger_place : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::
 struct joints {
   auto process(cca::beat) -> cca::out<"angles", angles> { return {}; }
 };
-struct reach : cca::graph<cca::rate<1000>, cca::node<"joints", joints>,
+struct reach : cca::graph<cca::rate<1000>,
+                          cca::node<"joints", joints>,
                           cca::node<"finger", cca::part_kinematics<robot, "thumb", angles, finger_place>>,
                           cca::wire<"joints.angles", "finger.angles">> {};
 

@@ -1,17 +1,25 @@
-// EXPECT: component\.bad_parameter: a port is of a space, and this type is none: make one of it, as in `struct leg_angles : cca::space<
-// A port says of which space its samples are: a bare number has neither axes nor limits.
+// EXPECT: component\.bad_parameter: a port is of a space, and this type is none: make one of it, as in
+// `struct leg_angles : cca::space< A port says of which space its samples are: a bare number has neither axes
+// nor limits.
 #include "parts.hpp"
 
 struct elbow_angle : cca::space<cca::joint_angles, cca::axes<knee>> {};
 
 struct halving {
 #if CCA_REJECT
-  auto process(cca::in<"angle", double> angle) -> cca::out<"half", elbow_angle> { return 0.5 * angle.vector(); }
+  auto process(cca::in<"angle", double> angle) -> cca::out<"half", elbow_angle> {
+    return 0.5 * angle.vector();
+  }
 #else
-  auto process(cca::in<"angle", elbow_angle> angle) -> cca::out<"half", elbow_angle> { return 0.5 * angle.vector(); }
+  auto process(cca::in<"angle", elbow_angle> angle) -> cca::out<"half", elbow_angle> {
+    return 0.5 * angle.vector();
+  }
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"half", halving>, cca::expose<"half.angle", "angle">, cca::expose<"half.half", "half">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"half", halving>,
+                         cca::expose<"half.angle", "angle">,
+                         cca::expose<"half.half", "half">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `out<torques, leg_torques>`, but it may take only ports \(cca::in, cca::optional_in,
-// Outputs are returned, not filled in.
+// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `out<torques, leg_torques>`, but
+// it may take only ports \(cca::in, cca::optional_in, Outputs are returned, not filled in.
 #include "parts.hpp"
 
 struct balance {
@@ -10,6 +10,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `in<angles, leg_angles>&`, but it may take only ports \(cca::in, cca::optional_in,
-// What a component sees it can't change: others read it, too.
+// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `in<angles, leg_angles>&`, but it
+// may take only ports \(cca::in, cca::optional_in, What a component sees it can't change: others read it,
+// too.
 #include "parts.hpp"
 
 struct balance {
@@ -10,6 +11,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

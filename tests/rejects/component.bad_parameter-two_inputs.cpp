@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\) has two inputs named `angles`, so a wire to it would have two meanings: give one of them another name
-// The inputs of a component have names of their own.
+// EXPECT: component\.bad_parameter: `balance` \(balance\) has two inputs named `angles`, so a wire to it
+// would have two meanings: give one of them another name The inputs of a component have names of their own.
 #include "parts.hpp"
 
 struct balance {
@@ -10,6 +10,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and the
-// `process` takes what the loop can give it: ports and the beat.
+// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `double`, but it may take only
+// ports \(cca::in, cca::optional_in, cca::observe\) and the `process` takes what the loop can give it: ports
+// and the beat.
 #include "parts.hpp"
 
 struct balance {
@@ -16,6 +17,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

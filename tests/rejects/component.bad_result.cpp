@@ -1,15 +1,20 @@
-// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may return only ports \(cca::out, cca::maybe\) and a
-// `process` returns what it publishes: ports, or a fault.
+// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may
+// return only ports \(cca::out, cca::maybe\) and a `process` returns what it publishes: ports, or a fault.
 #include "parts.hpp"
 
 struct balance {
 #if CCA_REJECT
   Eigen::Vector2d process(cca::in<"angles", leg_angles> angles) { return angles.vector(); }
 #else
-  auto process(cca::in<"angles", leg_angles> angles) -> cca::out<"torques", leg_torques> { return angles.vector(); }
+  auto process(cca::in<"angles", leg_angles> angles) -> cca::out<"torques", leg_torques> {
+    return angles.vector();
+  }
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,5 @@
-// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_load` that would never be called, for it is not `void on_load\(\)`: make it a public
-// What a hook returns nobody would look at.
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_load` that would never be called,
+// for it is not `void on_load\(\)`: make it a public What a hook returns nobody would look at.
 #include "parts.hpp"
 
 struct balance {
@@ -11,6 +11,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

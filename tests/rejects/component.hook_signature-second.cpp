@@ -1,5 +1,5 @@
-// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_fault` that would never be called, for it is not `void on_fault\(\)`: make it a public
-// One sound hook does not hide another one.
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_fault` that would never be called,
+// for it is not `void on_fault\(\)`: make it a public One sound hook does not hide another one.
 #include "parts.hpp"
 
 struct balance {
@@ -12,6 +12,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

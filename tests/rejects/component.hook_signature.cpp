@@ -1,5 +1,6 @@
-// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_start` that would never be called, for it is not `void on_start\(\)`: make it a public
-// A hook of the right name and another signature would be passed over in silence.
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_start` that would never be called,
+// for it is not `void on_start\(\)`: make it a public A hook of the right name and another signature would be
+// passed over in silence.
 #include "parts.hpp"
 
 struct balance {
@@ -11,6 +12,9 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

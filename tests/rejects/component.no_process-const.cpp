@@ -1,14 +1,15 @@
-// EXPECT: component\.no_process: `stance` \(const stance\) is const, and what a component holds changes as it runs: leave the `const` out
-// A component is not const: its parameters are loaded, its state changes, and a snapshot is assigned to it.
+// EXPECT: component\.no_process: `stance` \(const stance\) is const, and what a component holds changes as it
+// runs: leave the `const` out A component is not const: its parameters are loaded, its state changes, and a
+// snapshot is assigned to it.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
+struct walk : cca::graph<cca::rate<1000>,
 #if CCA_REJECT
-    cca::node<"stance", const stance>
+                         cca::node<"stance", const stance>
 #else
-    cca::node<"stance", stance>
+                         cca::node<"stance", stance>
 #endif
-    > {};
+                         > {
+};
 
 void beat(cca::controller<walk>& c) { c.step(); }

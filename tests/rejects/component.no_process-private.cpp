@@ -1,16 +1,19 @@
-// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
-// `process` is called from outside.
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read:
+// give it one, public, neither overloaded nor a template `process` is called from outside.
 #include "parts.hpp"
 
 class balance {
 #if CCA_REJECT
   void process(cca::in<"angles", leg_angles>) {}
 #else
-  public:
+public:
   void process(cca::in<"angles", leg_angles>) {}
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

@@ -16,12 +16,19 @@ using counted = cca::mapping<encoder, leg_torques, radians>;
 #else
 using counted = cca::mapping<encoder, leg_angles, radians>;
 #endif
-struct reach : cca::tracker<cca::vite<leg_angles>, cca::tracking<leg_angles>, cca::named<"target", "position", "status">, cca::feedback_through<counted>> {};
+struct reach : cca::tracker<cca::vite<leg_angles>,
+                            cca::tracking<leg_angles>,
+                            cca::named<"target", "position", "status">,
+                            cca::feedback_through<counted>> {};
 
 struct counter {
   auto process(cca::beat) -> cca::out<"counts", encoder> { return {}; }
 };
-struct walk : cca::graph<cca::rate<1000>, cca::node<"stance", stance>, cca::node<"counter", counter>, cca::node<"reach", reach>,
-                         cca::wire<"stance.angles", "reach.reference">, cca::wire<"counter.counts", "reach.feedback">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"counter", counter>,
+                         cca::node<"reach", reach>,
+                         cca::wire<"stance.angles", "reach.reference">,
+                         cca::wire<"counter.counts", "reach.feedback">> {};
 
 cca::controller<walk> c;

@@ -21,7 +21,11 @@ struct camera {
   auto process(cca::beat) -> cca::out<"seen", leg_angles> { return {}; }
 #endif
 };
-struct walk : cca::graph<cca::rate<1000>, cca::node<"stance", stance>, cca::node<"camera", camera>, cca::node<"reach", reach>, cca::wire<"stance.angles", "reach.reference">,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"camera", camera>,
+                         cca::node<"reach", reach>,
+                         cca::wire<"stance.angles", "reach.reference">,
                          cca::wire<"camera.seen", "reach.feedback">> {};
 
 cca::controller<walk> c;

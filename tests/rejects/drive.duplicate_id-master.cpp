@@ -1,6 +1,7 @@
-// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 2 \(DM4310\) both use the id 0x000: what one answers
-// Drives may answer under one id if their first byte tells them apart. A Damiao's number is in half of it: 15h, which is the AK's
-// number here, is also the Damiao 5 that says that it is enabled.
+// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 2 \(DM4310\) both use the id
+// 0x000: what one answers Drives may answer under one id if their first byte tells them apart. A Damiao's
+// number is in half of it: 15h, which is the AK's number here, is also the Damiao 5 that says that it is
+// enabled.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 
@@ -15,6 +16,7 @@ using hip = cca::hardware::mit_drive<cca::hardware::ak80_9, 0x16>;
 #endif
 using knee = cca::hardware::mit_drive<dm4310, 5, 0, cca::hardware::mit_firmware::damiao>;
 
-struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, hip, knee> {};
+struct left
+    : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, hip, knee> {};
 
 double used = left::load;

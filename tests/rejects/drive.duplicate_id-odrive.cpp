@@ -1,5 +1,6 @@
-// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(ODrive 0\.6\) and 2 \(AK80-9\) both use the id 0x036
-// All 32 ids of an ODrive's node are its own, those that no set-point uses as well: 0x36 would reboot node 1.
+// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(ODrive 0\.6\) and 2 \(AK80-9\) both use the
+// id 0x036 All 32 ids of an ODrive's node are its own, those that no set-point uses as well: 0x36 would
+// reboot node 1.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/odrive.hpp>
@@ -11,6 +12,7 @@ using knee = cca::hardware::mit_drive<cca::hardware::ak80_9, 0x36>;
 using knee = cca::hardware::mit_drive<cca::hardware::ak80_9, 0x46>;
 #endif
 
-struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, hip, knee> {};
+struct left
+    : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, hip, knee> {};
 
 double used = left::load;

@@ -1,5 +1,6 @@
-// EXPECT: drive\.duplicate_id: on the bus `0` the drives 1 \(left_front_hip\) and 2 \(left_front_knee\) both use the id 0x001
-// A robot knows which drives share a bus: on one bus each has an id of its own, on another it may be used again.
+// EXPECT: drive\.duplicate_id: on the bus `0` the drives 1 \(left_front_hip\) and 2 \(left_front_knee\) both
+// use the id 0x001 A robot knows which drives share a bus: on one bus each has an id of its own, on another
+// it may be used again.
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/oncilla.hpp>
@@ -14,7 +15,8 @@ constexpr std::uint32_t knee = 2;
 #endif
 
 template <class Axis, std::uint32_t Number, std::size_t Bus>
-using joint = hw::joint<Axis, hw::mit_drive<hw::ak60_6, Number>, hw::mounting{}, hw::joint_servo{.stiffness = 30}, Bus>;
+using joint =
+    hw::joint<Axis, hw::mit_drive<hw::ak60_6, Number>, hw::mounting{}, hw::joint_servo{.stiffness = 30}, Bus>;
 
 struct a : joint<sim::left_front_hip, 1, 0> {};
 struct b : joint<sim::right_front_hip, 1, 1> {};

@@ -1,5 +1,6 @@
 // EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(n1\) and 2 \(n1\) both use the id 0x00008003
-// A moteus hears all frames to its number, whoever sends them: another source doesn't make another servo of it.
+// A moteus hears all frames to its number, whoever sends them: another source doesn't make another servo of
+// it.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/moteus.hpp>
 
@@ -14,6 +15,7 @@ using knee = cca::hardware::moteus<motor, 3, 1>;
 using knee = cca::hardware::moteus<motor, 4, 1>;
 #endif
 
-struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, hip, knee> {};
+struct left
+    : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, hip, knee> {};
 
 double used = left::load;

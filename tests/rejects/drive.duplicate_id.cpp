@@ -1,5 +1,6 @@
-// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 3 \(AK60-6\) both use the id 0x001
-// Each drive of a bus listens to ids of its own: two that share one would both follow what is meant for one of them.
+// EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 3 \(AK60-6\) both use the id
+// 0x001 Each drive of a bus listens to ids of its own: two that share one would both follow what is meant for
+// one of them.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 
@@ -11,6 +12,8 @@ using ankle = cca::hardware::mit_drive<cca::hardware::ak60_6, 1>;
 using ankle = cca::hardware::mit_drive<cca::hardware::ak60_6, 3>;
 #endif
 
-struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<1000>, hip, knee, ankle> {};
+struct left
+    : cca::hardware::
+          can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<1000>, hip, knee, ankle> {};
 
 double used = left::load;

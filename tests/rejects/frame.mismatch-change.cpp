@@ -8,7 +8,9 @@ using xyz = cca::axes<cca::x, cca::y, cca::z>;
 struct paw_in_hip : cca::space<cca::cartesian_position<hip>, xyz> {};
 struct paw_in_trunk : cca::space<cca::cartesian_position<trunk>, xyz> {};
 
-struct hip_in_trunk : cca::placed<hip, trunk> { static constexpr auto where = cca::at(0.12, 0.07, 0); };
+struct hip_in_trunk : cca::placed<hip, trunk> {
+  static constexpr auto where = cca::at(0.12, 0.07, 0);
+};
 
 #if CCA_REJECT
 cca::frame_change<hip_in_trunk, paw_in_trunk, paw_in_hip> change;

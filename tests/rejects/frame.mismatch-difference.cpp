@@ -10,7 +10,8 @@ struct foot_in_world : cca::space<cca::cartesian_position<world>, xyz> {};
 struct foot_in_hip : cca::space<cca::cartesian_position<hip>, xyz> {};
 struct hip_pose : cca::space<cca::pose<world>, xyz> {};
 
-double step_length(const cca::sample<foot_in_world>& from, const cca::sample<foot_in_hip>& to,
+double step_length(const cca::sample<foot_in_world>& from,
+                   const cca::sample<foot_in_hip>& to,
                    [[maybe_unused]] const cca::sample<hip_pose>& hip_in_world) {
 #if CCA_REJECT
   return from.distance(to);

@@ -7,7 +7,8 @@
 struct paw : cca::frame<"paw"> {};
 
 struct leg_chain : cca::serial_chain<trunk, paw, cca::axes<hip, knee>> {
-  static constexpr std::array joints{cca::revolute(cca::along_y), cca::revolute(cca::along_y, cca::at(0, 0, -0.1))};
+  static constexpr std::array joints{cca::revolute(cca::along_y),
+                                     cca::revolute(cca::along_y, cca::at(0, 0, -0.1))};
   static constexpr auto tip = cca::at(0, 0, -0.1);
 };
 
@@ -20,7 +21,9 @@ struct paw_place : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, 
 struct ball {
   auto process(cca::beat) -> cca::out<"place", paw_place> { return {}; }
 };
-struct reach : cca::graph<cca::rate<1000>, cca::node<"ball", ball>, cca::node<"ik", cca::inverse_kinematics<leg_chain, leg_angles, paw_place>>,
+struct reach : cca::graph<cca::rate<1000>,
+                          cca::node<"ball", ball>,
+                          cca::node<"ik", cca::inverse_kinematics<leg_chain, leg_angles, paw_place>>,
                           cca::wire<"ball.place", "ik.position">> {};
 
 cca::controller<reach> c;

@@ -11,7 +11,9 @@ struct trunk_twist : cca::space<cca::twist<trunk, world>, xyz> {};
 struct ground_force : cca::space<cca::wrench<foot, world>, xyz> {};
 struct lever : cca::space<cca::cartesian_position<world>, xyz> {};
 
-double power(const cca::sample<ground_force>& f, const cca::sample<trunk_twist>& v, [[maybe_unused]] const cca::sample<lever>& foot_to_trunk) {
+double power(const cca::sample<ground_force>& f,
+             const cca::sample<trunk_twist>& v,
+             [[maybe_unused]] const cca::sample<lever>& foot_to_trunk) {
 #if CCA_REJECT
   return f.power(v);
 #else

@@ -10,7 +10,9 @@ struct left_force : cca::space<cca::wrench<world, world>, xyz> {};
 struct right_force : cca::space<cca::wrench<world, foot>, xyz> {};
 struct foot_attitude : cca::space<cca::orientation<world>, xyz> {};
 
-auto total(const cca::sample<left_force>& a, const cca::sample<right_force>& b, [[maybe_unused]] const cca::sample<foot_attitude>& o) {
+auto total(const cca::sample<left_force>& a,
+           const cca::sample<right_force>& b,
+           [[maybe_unused]] const cca::sample<foot_attitude>& o) {
 #if CCA_REJECT
   return a + b;
 #else

@@ -1,15 +1,16 @@
-// EXPECT: graph\.algebraic_loop: `memory\.angles` -> `memory\.angles` is a loop without delay, so its component would have to come before itself; say where it may
-// A component that hears itself hears what it said before.
+// EXPECT: graph\.algebraic_loop: `memory\.angles` -> `memory\.angles` is a loop without delay, so its
+// component would have to come before itself; say where it may A component that hears itself hears what it
+// said before.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"memory", posture>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"memory", posture>,
 #if CCA_REJECT
-    cca::wire<"memory.angles", "memory.angles">
+                         cca::wire<"memory.angles", "memory.angles">
 #else
-    cca::wire<"memory.angles", "memory.angles", cca::delayed<1>>
+                         cca::wire<"memory.angles", "memory.angles", cca::delayed<1>>
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

@@ -1,17 +1,18 @@
-// EXPECT: graph\.algebraic_loop: `wish\.angles` -> `reality\.angles`, `reality\.angles` -> `wish\.angles` are a loop without delay, so none of their components can
-// In a loop of wires without delay no component could come first.
+// EXPECT: graph\.algebraic_loop: `wish\.angles` -> `reality\.angles`, `reality\.angles` -> `wish\.angles` are
+// a loop without delay, so none of their components can In a loop of wires without delay no component could
+// come first.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"wish", posture>,
-    cca::node<"reality", posture>,
-    cca::wire<"wish.angles", "reality.angles">,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"wish", posture>,
+                         cca::node<"reality", posture>,
+                         cca::wire<"wish.angles", "reality.angles">,
 #if CCA_REJECT
-    cca::wire<"reality.angles", "wish.angles">
+                         cca::wire<"reality.angles", "wish.angles">
 #else
-    cca::wire<"reality.angles", "wish.angles", cca::delayed<1>>
+                         cca::wire<"reality.angles", "wish.angles", cca::delayed<1>>
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

@@ -1,17 +1,17 @@
-// EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a graph, so it would be passed over: write
-// An item is written in full.
+// EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a
+// graph, so it would be passed over: write An item is written in full.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"cpg", oscillator>,
-    cca::node<"gait", gait>,
-    cca::wire<"cpg.phase", "gait.phase">,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"cpg", oscillator>,
+                         cca::node<"gait", gait>,
+                         cca::wire<"cpg.phase", "gait.phase">,
 #if CCA_REJECT
-    cca::require<cca::latency<"cpg.phase", "gait.phase">, cca::timed<2>>
+                         cca::require<cca::latency<"cpg.phase", "gait.phase">, cca::timed<2>>
 #else
-    cca::require<cca::latency<"cpg.phase", "gait.phase">, cca::beats<2>>
+                         cca::require<cca::latency<"cpg.phase", "gait.phase">, cca::beats<2>>
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

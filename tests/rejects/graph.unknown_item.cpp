@@ -1,15 +1,16 @@
-// EXPECT: graph\.unknown_item: `gait` in walk is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a component or graph; the
-// A graph is made of items; what is none would be passed over.
+// EXPECT: graph\.unknown_item: `gait` in walk is no item of a graph, so it would be passed over: write
+// cca::node<`name`, type> for a component or graph; the A graph is made of items; what is none would be
+// passed over.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"cpg", oscillator>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"cpg", oscillator>,
 #if CCA_REJECT
-    gait,
+                         gait,
 #else
-    cca::node<"gait", gait>,
+                         cca::node<"gait", gait>,
 #endif
-    cca::wire<"cpg.phase", "gait.phase">> {};
+                         cca::wire<"cpg.phase", "gait.phase">> {
+};
 
 cca::controller<walk> c;

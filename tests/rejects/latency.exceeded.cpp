@@ -1,19 +1,20 @@
-// EXPECT: latency\.exceeded: a sample of `leg\.angles` can be 3 beats old when `leg\.command` is read, but walk requires at most 2: shorten a delay or a queue on
-// A graph may say how old a sample may be when it is used.
+// EXPECT: latency\.exceeded: a sample of `leg\.angles` can be 3 beats old when `leg\.command` is read, but
+// walk requires at most 2: shorten a delay or a queue on A graph may say how old a sample may be when it is
+// used.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"leg", leg>,
-    cca::node<"posture", posture>,
-    cca::node<"limits", cca::limiter<leg_angles>>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"leg", leg>,
+                         cca::node<"posture", posture>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
 #if CCA_REJECT
-    cca::wire<"leg.angles", "posture.angles", cca::delayed<3>>,
+                         cca::wire<"leg.angles", "posture.angles", cca::delayed<3>>,
 #else
-    cca::wire<"leg.angles", "posture.angles", cca::delayed<2>>,
+                         cca::wire<"leg.angles", "posture.angles", cca::delayed<2>>,
 #endif
-    cca::wire<"posture.angles", "limits.command">,
-    cca::wire<"limits.safe", "leg.command">,
-    cca::require<cca::latency<"leg.angles", "leg.command">, cca::beats<2>>> {};
+                         cca::wire<"posture.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command">,
+                         cca::require<cca::latency<"leg.angles", "leg.command">, cca::beats<2>>> {
+};
 
 cca::controller<walk> c;

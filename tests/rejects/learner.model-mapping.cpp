@@ -16,7 +16,9 @@ using learner = cca::extreme_learning_machine<cca::elm_function<paw, leg_angles,
 struct ball {
   auto process(cca::beat) -> cca::out<"position", paw> { return {}; }
 };
-struct walk : cca::graph<cca::rate<1000>, cca::node<"ball", ball>, cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, learner>>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"ball", ball>,
+                         cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, learner>>,
                          cca::wire<"ball.position", "ik.input">> {};
 
 cca::controller<walk> c;

@@ -2,14 +2,14 @@
 // And so are the names under which a graph shows them.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
 #if CCA_REJECT
-    cca::expose<"stance.angles", "">
+                         cca::expose<"stance.angles", "">
 #else
-    cca::expose<"stance.angles", "angles">
+                         cca::expose<"stance.angles", "angles">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

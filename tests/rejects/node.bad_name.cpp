@@ -1,17 +1,17 @@
-// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but names are joined by dots to paths, and `\*` stands for any of them: use neither in a name
-// Names are joined by dots to paths.
+// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but names are joined by dots to paths, and
+// `\*` stands for any of them: use neither in a name Names are joined by dots to paths.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"cpg", oscillator>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"cpg", oscillator>,
 #if CCA_REJECT
-    cca::node<"leg.front", gait>,
-    cca::wire<"cpg.phase", "leg.front.phase">
+                         cca::node<"leg.front", gait>,
+                         cca::wire<"cpg.phase", "leg.front.phase">
 #else
-    cca::node<"leg_front", gait>,
-    cca::wire<"cpg.phase", "leg_front.phase">
+                         cca::node<"leg_front", gait>,
+                         cca::wire<"cpg.phase", "leg_front.phase">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

@@ -2,16 +2,16 @@
 // What a graph shows outside has a name of its own, too.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"left", stance>,
-    cca::node<"right", stance>,
-    cca::expose<"left.angles", "angles">,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"left", stance>,
+                         cca::node<"right", stance>,
+                         cca::expose<"left.angles", "angles">,
 #if CCA_REJECT
-    cca::expose<"right.angles", "angles">
+                         cca::expose<"right.angles", "angles">
 #else
-    cca::expose<"right.angles", "right_angles">
+                         cca::expose<"right.angles", "right_angles">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

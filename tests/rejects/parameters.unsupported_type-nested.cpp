@@ -1,5 +1,6 @@
-// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `hip_spring` is a `balance::spring`, which no file can hold: use a number, bool, enum
-// A struct within the parameters names its fields, too.
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `hip_spring` is a
+// `balance::spring`, which no file can hold: use a number, bool, enum A struct within the parameters names
+// its fields, too.
 #include "parts.hpp"
 
 struct balance {
@@ -17,6 +18,9 @@ struct balance {
   void process(cca::in<"angles", leg_angles>) {}
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

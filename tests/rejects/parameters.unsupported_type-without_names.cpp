@@ -1,5 +1,6 @@
-// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`, of which nothing is known: name its fields in it with
-// What a struct of parameters holds is known by the names of its fields.
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`,
+// of which nothing is known: name its fields in it with What a struct of parameters holds is known by the
+// names of its fields.
 #include "parts.hpp"
 
 struct balance {
@@ -14,6 +15,9 @@ struct balance {
   void process(cca::in<"angles", leg_angles>) {}
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,5 @@
-// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `model` is a `std::string`, which no file can hold: use a number, bool, enum class,
-// Parameters are what a file can hold.
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `model` is a `std::string`,
+// which no file can hold: use a number, bool, enum class, Parameters are what a file can hold.
 #include <string>
 
 #include "parts.hpp"
@@ -16,6 +16,9 @@ struct balance {
   void process(cca::in<"angles", leg_angles>) {}
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

@@ -1,4 +1,5 @@
-// What the files of this folder make their architectures of: a leg, what moves it, and places and attitudes in the world.
+// What the files of this folder make their architectures of: a leg, what moves it, and places and attitudes
+// in the world.
 #pragma once
 
 #include <cca/cca.hpp>
@@ -21,11 +22,15 @@ struct attitude : cca::space<cca::orientation<world>, xyz> {};
 struct place : cca::space<cca::cartesian_position<world>, xyz> {};
 
 struct oscillator {
-  auto process(cca::beat now) -> cca::out<"phase", gait_phase> { return 1e-9 * static_cast<double>(now.time()); }
+  auto process(cca::beat now) -> cca::out<"phase", gait_phase> {
+    return 1e-9 * static_cast<double>(now.time());
+  }
 };
 
 struct gait {
-  auto process(cca::in<"phase", gait_phase> phase) -> cca::out<"angles", leg_angles> { return 0.2 * phase.vector().replicate<2, 1>(); }
+  auto process(cca::in<"phase", gait_phase> phase) -> cca::out<"angles", leg_angles> {
+    return 0.2 * phase.vector().replicate<2, 1>();
+  }
 };
 
 struct stance {

@@ -2,13 +2,13 @@
 // A graph has one rate.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
+struct walk : cca::graph<cca::rate<1000>,
 #if CCA_REJECT
-    cca::rate<500>,
+                         cca::rate<500>,
 #else
-    cca::rate<1e3>,
+                         cca::rate<1e3>,
 #endif
-    cca::node<"stance", stance>> {};
+                         cca::node<"stance", stance>> {
+};
 
 cca::controller<walk> c;

@@ -1,22 +1,23 @@
-// EXPECT: robot\.unlimited_command: `posture\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
-// What comes after the limiter and may change the command undoes it.
+// EXPECT: robot\.unlimited_command: `posture\.angles` reaches the actuator `leg\.command` without passing a
+// limiter: put a cca::limiter<leg_angles> between them What comes after the limiter and may change the
+// command undoes it.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
-    cca::node<"limits", cca::limiter<leg_angles>>,
-    cca::node<"posture", posture>,
-    cca::node<"leg", leg>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::node<"posture", posture>,
+                         cca::node<"leg", leg>,
 #if CCA_REJECT
-    cca::wire<"stance.angles", "limits.command">,
-    cca::wire<"limits.safe", "posture.angles">,
-    cca::wire<"posture.angles", "leg.command">
+                         cca::wire<"stance.angles", "limits.command">,
+                         cca::wire<"limits.safe", "posture.angles">,
+                         cca::wire<"posture.angles", "leg.command">
 #else
-    cca::wire<"stance.angles", "posture.angles">,
-    cca::wire<"posture.angles", "limits.command">,
-    cca::wire<"limits.safe", "leg.command">
+                         cca::wire<"stance.angles", "posture.angles">,
+                         cca::wire<"posture.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

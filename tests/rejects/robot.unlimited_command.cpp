@@ -1,18 +1,18 @@
-// EXPECT: robot\.unlimited_command: `stance\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
-// No command reaches an actuator but through a limiter.
+// EXPECT: robot\.unlimited_command: `stance\.angles` reaches the actuator `leg\.command` without passing a
+// limiter: put a cca::limiter<leg_angles> between them No command reaches an actuator but through a limiter.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
-    cca::node<"leg", leg>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"leg", leg>,
 #if CCA_REJECT
-    cca::wire<"stance.angles", "leg.command">
+                         cca::wire<"stance.angles", "leg.command">
 #else
-    cca::node<"limits", cca::limiter<leg_angles>>,
-    cca::wire<"stance.angles", "limits.command">,
-    cca::wire<"limits.safe", "leg.command">
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::wire<"stance.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: skeleton\.arity: `posture` \(farm<.*>\) cannot be shared out: what comes in, three_angles \(joint_angles over 3 axes\) is no whole number of leg_angles \(joint_angles over 2\)
-// Three joints among workers that take two each.
+// EXPECT: skeleton\.arity: `posture` \(farm<.*>\) cannot be shared out: what comes in, three_angles
+// \(joint_angles over 3 axes\) is no whole number of leg_angles \(joint_angles over 2\) Three joints among
+// workers that take two each.
 #include "parts.hpp"
 
 struct ankle : cca::dimension<"ankle"> {};
@@ -20,12 +21,11 @@ struct whole {
   void process(cca::in<"angles", body_angles>) {}
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"measured", measured>,
-    cca::node<"posture", cca::farm<posture, body_angles, body_angles>>,
-    cca::node<"whole", whole>,
-    cca::wire<"measured.angles", "posture.input">,
-    cca::wire<"posture.output", "whole.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"measured", measured>,
+                         cca::node<"posture", cca::farm<posture, body_angles, body_angles>>,
+                         cca::node<"whole", whole>,
+                         cca::wire<"measured.angles", "posture.input">,
+                         cca::wire<"posture.output", "whole.angles">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: skeleton\.arity: `slow` \(decimate<.*>\) leads from fast_angles \(1000 Hz\) to slow_angles \(300 Hz\), but the first must have a rate that is a whole multiple of that of the second
-// 1000 Hz are not a whole number of 300.
+// EXPECT: skeleton\.arity: `slow` \(decimate<.*>\) leads from fast_angles \(1000 Hz\) to slow_angles \(300
+// Hz\), but the first must have a rate that is a whole multiple of that of the second 1000 Hz are not a whole
+// number of 300.
 #include "parts.hpp"
 
 struct fast_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
@@ -9,12 +10,11 @@ struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::ra
 struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<250>> {};
 #endif
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
-    cca::node<"slow", cca::decimate<fast_angles, slow_angles>>,
-    cca::node<"recorder", recorder>,
-    cca::wire<"stance.angles", "slow.input">,
-    cca::wire<"slow.output", "recorder.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"slow", cca::decimate<fast_angles, slow_angles>>,
+                         cca::node<"recorder", recorder>,
+                         cca::wire<"stance.angles", "slow.input">,
+                         cca::wire<"slow.output", "recorder.angles">> {};
 
 cca::controller<walk> c;

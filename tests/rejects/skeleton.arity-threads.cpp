@@ -1,5 +1,6 @@
-// EXPECT: skeleton\.arity: `plan` \(farm_on_threads<.*>\) is to have pipeline<posture, posture> on threads, but that is a graph, whose nodes run in the loop: put what it does into one component
-// A graph belongs to the loop, so it can't be a worker on a thread.
+// EXPECT: skeleton\.arity: `plan` \(farm_on_threads<.*>\) is to have pipeline<posture, posture> on threads,
+// but that is a graph, whose nodes run in the loop: put what it does into one component A graph belongs to
+// the loop, so it can't be a worker on a thread.
 #include <cca/skeleton/farm_on_threads.hpp>
 
 #include "parts.hpp"
@@ -18,10 +19,9 @@ struct all_legs {
   auto process(cca::beat) -> cca::out<"angles", legs> { return {}; }
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"legs", all_legs>,
-    cca::node<"plan", cca::farm_on_threads<worker, legs, legs>>,
-    cca::wire<"legs.angles", "plan.input">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"legs", all_legs>,
+                         cca::node<"plan", cca::farm_on_threads<worker, legs, legs>>,
+                         cca::wire<"legs.angles", "plan.input">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: skeleton\.arity: `blend` \(blend<.*>\) blends 3 sources by 2 weights, but it takes one for each source, or of two sources one: give it a space of weights with 3 axes
-// A blend of three needs a weight for each.
+// EXPECT: skeleton\.arity: `blend` \(blend<.*>\) blends 3 sources by 2 weights, but it takes one for each
+// source, or of two sources one: give it a space of weights with 3 axes A blend of three needs a weight for
+// each.
 #include "parts.hpp"
 
 struct two_weights : cca::space<cca::amplitude, cca::axes<cca::x, cca::y>> {};
@@ -14,16 +15,18 @@ struct mood {
   auto process(cca::beat) -> cca::out<"mood", weights> { return {}; }
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>, cca::node<"swing", stance>, cca::node<"reach", stance>,
-    cca::node<"mood", mood>,
-    cca::node<"recorder", recorder>,
-    cca::node<"blend", cca::blend<"angles", leg_angles, weights, "stance", "swing", "reach">>,
-    cca::wire<"mood.mood", "blend.weight">,
-    cca::wire<"stance.angles", "blend.stance">,
-    cca::wire<"swing.angles", "blend.swing">,
-    cca::wire<"reach.angles", "blend.reach">,
-    cca::wire<"blend.angles", "recorder.angles">> {};
+struct walk
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"stance", stance>,
+                 cca::node<"swing", stance>,
+                 cca::node<"reach", stance>,
+                 cca::node<"mood", mood>,
+                 cca::node<"recorder", recorder>,
+                 cca::node<"blend", cca::blend<"angles", leg_angles, weights, "stance", "swing", "reach">>,
+                 cca::wire<"mood.mood", "blend.weight">,
+                 cca::wire<"stance.angles", "blend.stance">,
+                 cca::wire<"swing.angles", "blend.swing">,
+                 cca::wire<"reach.angles", "blend.reach">,
+                 cca::wire<"blend.angles", "recorder.angles">> {};
 
 cca::controller<walk> c;

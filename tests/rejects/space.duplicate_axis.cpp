@@ -1,5 +1,5 @@
-// EXPECT: space\.duplicate_axis: the space spread of `balance\.spread` has the axis `hip` twice, so reading along it has two meanings: name each axis once in
-// An axis stands for one coordinate of a space.
+// EXPECT: space\.duplicate_axis: the space spread of `balance\.spread` has the axis `hip` twice, so reading
+// along it has two meanings: name each axis once in An axis stands for one coordinate of a space.
 #include "parts.hpp"
 
 #if CCA_REJECT
@@ -11,6 +11,9 @@ struct balance {
   auto process(cca::in<"angles", leg_angles>) -> cca::out<"spread", spread> { return {}; }
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>, cca::node<"stance", stance>, cca::wire<"stance.angles", "balance.angles">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"balance", balance>,
+                         cca::node<"stance", stance>,
+                         cca::wire<"stance.angles", "balance.angles">> {};
 
 cca::controller<walk> c;

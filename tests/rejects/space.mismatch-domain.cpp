@@ -1,5 +1,5 @@
-// EXPECT: space\.mismatch: `source\.y` publishes leg_angles \(joint_angles over hip, knee\) but `target\.x` expects expected \(joint_torques over hip, knee\): the
-// Angles are no torques, though both are two numbers.
+// EXPECT: space\.mismatch: `source\.y` publishes leg_angles \(joint_angles over hip, knee\) but `target\.x`
+// expects expected \(joint_torques over hip, knee\): the Angles are no torques, though both are two numbers.
 #include "parts.hpp"
 
 struct source {
@@ -14,6 +14,9 @@ struct target {
   void process(cca::in<"x", expected>) {}
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"target", target>, cca::wire<"source.y", "target.x">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"source", source>,
+                         cca::node<"target", target>,
+                         cca::wire<"source.y", "target.x">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: space\.mismatch: `source\.y` publishes foot \(cartesian_position<hip_frame> over x, z\) but `target\.x` expects expected \(cartesian_position<world> over
-// The frame belongs to the domain type: where a foot is seen from the hip is not where it is in the world.
+// EXPECT: space\.mismatch: `source\.y` publishes foot \(cartesian_position<hip_frame> over x, z\) but
+// `target\.x` expects expected \(cartesian_position<world> over The frame belongs to the domain type: where a
+// foot is seen from the hip is not where it is in the world.
 #include "parts.hpp"
 
 struct hip_frame : cca::frame<"hip"> {};
@@ -17,6 +18,9 @@ struct target {
   void process(cca::in<"x", expected>) {}
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"target", target>, cca::wire<"source.y", "target.x">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"source", source>,
+                         cca::node<"target", target>,
+                         cca::wire<"source.y", "target.x">> {};
 
 cca::controller<walk> c;

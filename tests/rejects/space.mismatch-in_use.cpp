@@ -1,12 +1,12 @@
-// EXPECT: space\.mismatch: `legs\.gait\.angles` \(exposed as `legs\.angles`\) publishes leg_angles \(joint_angles over hip, knee\) but `drive\.torques` expects leg_torques
-// However much is done with the controller, the graph is all that is told of.
+// EXPECT: space\.mismatch: `legs\.gait\.angles` \(exposed as `legs\.angles`\) publishes leg_angles
+// \(joint_angles over hip, knee\) but `drive\.torques` expects leg_torques However much is done with the
+// controller, the graph is all that is told of.
 #include "parts.hpp"
 
-struct legs : cca::graph<
-    cca::node<"cpg", oscillator>,
-    cca::node<"gait", gait>,
-    cca::wire<"cpg.phase", "gait.phase">,
-    cca::expose<"gait.angles", "angles">> {};
+struct legs : cca::graph<cca::node<"cpg", oscillator>,
+                         cca::node<"gait", gait>,
+                         cca::wire<"cpg.phase", "gait.phase">,
+                         cca::expose<"gait.angles", "angles">> {};
 
 struct drive {
   struct parameters {
@@ -20,14 +20,18 @@ struct drive {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"legs", legs>, cca::node<"drive", drive>, cca::wire<"legs.angles", "drive.torques">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"legs", legs>,
+                         cca::node<"drive", drive>,
+                         cca::wire<"legs.angles", "drive.torques">> {};
 
 double walked(cca::controller<walk>& c) {
   c.load();
   c.start();
   c.set<"drive">({2, 7});
   c.set<"drive">(drive::parameters{3, 7});
-  c.run(cca::for_beats<10>{}, cca::as_fast_as_possible{}, [](auto& running) { running.template get<"drive">().p.gain *= 2; });
+  c.run(cca::for_beats<10>{}, cca::as_fast_as_possible{},
+        [](auto& running) { running.template get<"drive">().p.gain *= 2; });
   const auto snapshot = c;
   snapshot.for_each_component([](std::string_view, const auto&) {});
   c.for_each_component([](std::string_view, auto&) {});

@@ -1,5 +1,6 @@
-// EXPECT: space\.mismatch: `source\.y` publishes fast_angles \(joint_angles over hip, knee at 1000 Hz\) but `target\.x` expects expected \(joint_angles over hip,
-// Two rates that are stated agree; a rate that only one end states does not count.
+// EXPECT: space\.mismatch: `source\.y` publishes fast_angles \(joint_angles over hip, knee at 1000 Hz\) but
+// `target\.x` expects expected \(joint_angles over hip, Two rates that are stated agree; a rate that only one
+// end states does not count.
 #include "parts.hpp"
 
 struct fast_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
@@ -16,6 +17,9 @@ struct target {
   void process(cca::in<"x", expected>) {}
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"source", source>, cca::node<"target", target>, cca::wire<"source.y", "target.x">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"source", source>,
+                         cca::node<"target", target>,
+                         cca::wire<"source.y", "target.x">> {};
 
 cca::controller<walk> c;

@@ -1,5 +1,6 @@
-// EXPECT: space\.mismatch: `limits\.safe` publishes leg_angles \(joint_angles over hip, knee at 1000 Hz\) but `leg\.command` expects foot_angles \(joint_angles over
-// A wire joins two ports of one space: domain type, axes in their order, rate. The README quotes this message.
+// EXPECT: space\.mismatch: `limits\.safe` publishes leg_angles \(joint_angles over hip, knee at 1000 Hz\) but
+// `leg\.command` expects foot_angles \(joint_angles over A wire joins two ports of one space: domain type,
+// axes in their order, rate. The README quotes this message.
 #include <cca/cca.hpp>
 
 struct hip : cca::dimension<"hip"> {
@@ -23,7 +24,10 @@ struct swing {
 struct leg {
   void act(cca::in<"command", expected>) {}
 };
-struct swinging : cca::graph<cca::node<"swing", swing>, cca::node<"limits", cca::limiter<leg_angles>>, cca::node<"leg", leg>,
-                             cca::wire<"swing.angles", "limits.command">, cca::wire<"limits.safe", "leg.command">> {};
+struct swinging : cca::graph<cca::node<"swing", swing>,
+                             cca::node<"limits", cca::limiter<leg_angles>>,
+                             cca::node<"leg", leg>,
+                             cca::wire<"swing.angles", "limits.command">,
+                             cca::wire<"limits.safe", "leg.command">> {};
 
 cca::controller<swinging> c;

@@ -1,5 +1,6 @@
-// EXPECT: space\.missing_limits: `limits\.command` takes commands of toe_angle, but its axis `toe` states no limits of angle to keep them within: add `static
-// What commands an actuator is kept within limits, and those are stated by the axes.
+// EXPECT: space\.missing_limits: `limits\.command` takes commands of toe_angle, but its axis `toe` states no
+// limits of angle to keep them within: add `static What commands an actuator is kept within limits, and those
+// are stated by the axes.
 #include "parts.hpp"
 
 #if CCA_REJECT
@@ -18,12 +19,11 @@ struct toe_motor {
   void act(cca::in<"command", toe_angle>) {}
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"lift", lift>,
-    cca::node<"limits", cca::limiter<toe_angle>>,
-    cca::node<"motor", toe_motor>,
-    cca::wire<"lift.angle", "limits.command">,
-    cca::wire<"limits.safe", "motor.command">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"lift", lift>,
+                         cca::node<"limits", cca::limiter<toe_angle>>,
+                         cca::node<"motor", toe_motor>,
+                         cca::wire<"lift.angle", "limits.command">,
+                         cca::wire<"limits.safe", "motor.command">> {};
 
 cca::controller<walk> c;

@@ -1,17 +1,18 @@
-// EXPECT: strategy\.coordination: `compare` \(comparison\) is cca::coordinated, but `compare\.wanted` \(from `wanted\.angles`, every 2 beats\) and `compare\.actual`
-// What compares samples of one time needs sources that make some at one time.
+// EXPECT: strategy\.coordination: `compare` \(comparison\) is cca::coordinated, but `compare\.wanted` \(from
+// `wanted\.angles`, every 2 beats\) and `compare\.actual` What compares samples of one time needs sources
+// that make some at one time.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"wanted", stance, cca::timed<2, 0>>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"wanted", stance, cca::timed<2, 0>>,
 #if CCA_REJECT
-    cca::node<"actual", stance, cca::timed<2, 1>>,
+                         cca::node<"actual", stance, cca::timed<2, 1>>,
 #else
-    cca::node<"actual", stance, cca::timed<2, 0>>,
+                         cca::node<"actual", stance, cca::timed<2, 0>>,
 #endif
-    cca::node<"compare", comparison, cca::coordinated>,
-    cca::wire<"wanted.angles", "compare.wanted">,
-    cca::wire<"actual.angles", "compare.actual">> {};
+                         cca::node<"compare", comparison, cca::coordinated>,
+                         cca::wire<"wanted.angles", "compare.wanted">,
+                         cca::wire<"actual.angles", "compare.actual">> {
+};
 
 cca::controller<walk> c;

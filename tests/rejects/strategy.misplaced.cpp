@@ -1,17 +1,18 @@
-// EXPECT: strategy\.misplaced: `leg` \(leg\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
-// A resource node begins and ends beats, so it can't wait for its inputs.
+// EXPECT: strategy\.misplaced: `leg` \(leg\) is a resource node, which runs at fixed beats: it may be
+// cca::timed, cca::full_speed or cca::inactive A resource node begins and ends beats, so it can't wait for
+// its inputs.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
-    cca::node<"limits", cca::limiter<leg_angles>>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
 #if CCA_REJECT
-    cca::node<"leg", leg, cca::moderate>,
+                         cca::node<"leg", leg, cca::moderate>,
 #else
-    cca::node<"leg", leg, cca::timed<2>>,
+                         cca::node<"leg", leg, cca::timed<2>>,
 #endif
-    cca::wire<"stance.angles", "limits.command">,
-    cca::wire<"limits.safe", "leg.command", cca::latest>> {};
+                         cca::wire<"stance.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command", cca::latest>> {
+};
 
 cca::controller<walk> c;

@@ -1,14 +1,14 @@
-// EXPECT: strategy\.never_fires: `stance` \(stance\) counts beats by a number below 1: in cca::timed<N> and cca::timeout<N> it is at least 1
-// Nor does a clock tick every no beats.
+// EXPECT: strategy\.never_fires: `stance` \(stance\) counts beats by a number below 1: in cca::timed<N> and
+// cca::timeout<N> it is at least 1 Nor does a clock tick every no beats.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
+struct walk : cca::graph<cca::rate<1000>,
 #if CCA_REJECT
-    cca::node<"stance", stance, cca::timed<0>>
+                         cca::node<"stance", stance, cca::timed<0>>
 #else
-    cca::node<"stance", stance, cca::timed<1>>
+                         cca::node<"stance", stance, cca::timed<1>>
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

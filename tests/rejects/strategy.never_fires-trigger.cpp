@@ -1,19 +1,19 @@
-// EXPECT: strategy\.never_fires: `watch` \(watch\) fires when an input is fresh, but none of those that it waits for is wired: wire one, or make it cca::timed
-// The input that it waits for is the one to wire.
+// EXPECT: strategy\.never_fires: `watch` \(watch\) fires when an input is fresh, but none of those that it
+// waits for is wired: wire one, or make it cca::timed The input that it waits for is the one to wire.
 #include "parts.hpp"
 
 struct watch {
   void process(cca::in<"angles", leg_angles>, cca::optional_in<"torques", leg_torques>) {}
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
 #if CCA_REJECT
-    cca::node<"watch", watch, cca::port_triggered<"torques">>,
+                         cca::node<"watch", watch, cca::port_triggered<"torques">>,
 #else
-    cca::node<"watch", watch, cca::port_triggered<"angles">>,
+                         cca::node<"watch", watch, cca::port_triggered<"angles">>,
 #endif
-    cca::wire<"stance.angles", "watch.angles">> {};
+                         cca::wire<"stance.angles", "watch.angles">> {
+};
 
 cca::controller<walk> c;

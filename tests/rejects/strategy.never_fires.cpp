@@ -1,18 +1,18 @@
-// EXPECT: strategy\.never_fires: `watch` \(watch\) fires when an input is fresh, but none of those that it waits for is wired: wire one, or make it cca::timed
-// What waits for its inputs needs one that is wired.
+// EXPECT: strategy\.never_fires: `watch` \(watch\) fires when an input is fresh, but none of those that it
+// waits for is wired: wire one, or make it cca::timed What waits for its inputs needs one that is wired.
 #include "parts.hpp"
 
 struct watch {
   void process(cca::optional_in<"angles", leg_angles>) {}
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
+struct walk : cca::graph<cca::rate<1000>,
 #if CCA_REJECT
-    cca::node<"watch", watch>
+                         cca::node<"watch", watch>
 #else
-    cca::node<"watch", watch, cca::timed<10>>
+                         cca::node<"watch", watch, cca::timed<10>>
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

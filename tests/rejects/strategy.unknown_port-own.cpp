@@ -1,5 +1,5 @@
-// EXPECT: strategy\.unknown_port: the strategy of this node looks at an input by a name that its component has no input of
-// A strategy of the user's own looks at inputs that the component has.
+// EXPECT: strategy\.unknown_port: the strategy of this node looks at an input by a name that its component
+// has no input of A strategy of the user's own looks at inputs that the component has.
 #include "parts.hpp"
 
 struct when_far {
@@ -13,10 +13,9 @@ struct when_far {
   }
 };
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
-    cca::node<"recorder", recorder, when_far>,
-    cca::wire<"stance.angles", "recorder.angles", cca::latest>> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"recorder", recorder, when_far>,
+                         cca::wire<"stance.angles", "recorder.angles", cca::latest>> {};
 
 void beat(cca::controller<walk>& c) { c.step(); }

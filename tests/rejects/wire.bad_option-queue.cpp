@@ -1,16 +1,16 @@
-// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has a queue that does `latest` when it is full: say what is lost, cca::drop_oldest or
-// A queue says what it does when it is full.
+// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has a queue that does `latest`
+// when it is full: say what is lost, cca::drop_oldest or A queue says what it does when it is full.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"stance", stance>,
-    cca::node<"recorder", recorder, cca::timed<10>>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"recorder", recorder, cca::timed<10>>,
 #if CCA_REJECT
-    cca::wire<"stance.angles", "recorder.angles", cca::queue<8, cca::latest>>
+                         cca::wire<"stance.angles", "recorder.angles", cca::queue<8, cca::latest>>
 #else
-    cca::wire<"stance.angles", "recorder.angles", cca::queue<8, cca::drop_oldest>>
+                         cca::wire<"stance.angles", "recorder.angles", cca::queue<8, cca::drop_oldest>>
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

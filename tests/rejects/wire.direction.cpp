@@ -1,16 +1,16 @@
-// EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in walk `gait\.phase` is an input and `cpg\.phase` an
-// A wire leads from an output to an input.
+// EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in
+// walk `gait\.phase` is an input and `cpg\.phase` an A wire leads from an output to an input.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"cpg", oscillator>,
-    cca::node<"gait", gait>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"cpg", oscillator>,
+                         cca::node<"gait", gait>,
 #if CCA_REJECT
-    cca::wire<"gait.phase", "cpg.phase">
+                         cca::wire<"gait.phase", "cpg.phase">
 #else
-    cca::wire<"cpg.phase", "gait.phase">
+                         cca::wire<"cpg.phase", "gait.phase">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

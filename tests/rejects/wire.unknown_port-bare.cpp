@@ -1,16 +1,16 @@
-// EXPECT: wire\.unknown_port: the wire `cpg` -> `gait\.phase` in walk names `cpg`, but a port is named with its node: `node\.port`
-// A port is named with its node.
+// EXPECT: wire\.unknown_port: the wire `cpg` -> `gait\.phase` in walk names `cpg`, but a port is named with
+// its node: `node\.port` A port is named with its node.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"cpg", oscillator>,
-    cca::node<"gait", gait>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"cpg", oscillator>,
+                         cca::node<"gait", gait>,
 #if CCA_REJECT
-    cca::wire<"cpg", "gait.phase">
+                         cca::wire<"cpg", "gait.phase">
 #else
-    cca::wire<"cpg.phase", "gait.phase">
+                         cca::wire<"cpg.phase", "gait.phase">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

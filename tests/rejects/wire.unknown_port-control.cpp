@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input that its module or its criterion has
-// A mapping stands on an input that is there.
+// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input
+// that its module or its criterion has A mapping stands on an input that is there.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/motor/vite.hpp>
@@ -15,13 +15,20 @@ using on_its_speed = cca::control_through<"Go", slower>;
 #else
 using on_its_speed = cca::control_through<"go", slower>;
 #endif
-struct reach : cca::tracker<cca::vite<leg_angles>, cca::tracking<leg_angles>, cca::named<"target", "position", "status">, on_its_speed> {};
+struct reach : cca::tracker<cca::vite<leg_angles>,
+                            cca::tracking<leg_angles>,
+                            cca::named<"target", "position", "status">,
+                            on_its_speed> {};
 
 struct panel {
   auto process(cca::beat) -> cca::out<"go", go> { return 1.0; }
 };
-struct walk : cca::graph<cca::rate<1000>, cca::node<"stance", stance>, cca::node<"panel", panel>, cca::node<"reach", reach>,
-                         cca::wire<"stance.angles", "reach.reference">, cca::wire<"stance.angles", "reach.feedback">,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"stance", stance>,
+                         cca::node<"panel", panel>,
+                         cca::node<"reach", reach>,
+                         cca::wire<"stance.angles", "reach.reference">,
+                         cca::wire<"stance.angles", "reach.feedback">,
                          cca::wire<"panel.go", "reach.go">> {};
 
 cca::controller<walk> c;

@@ -1,22 +1,22 @@
-// EXPECT: wire\.unknown_port: the wire `walking\.gait\.angles` -> `recorder\.angles` in robot names `walking\.gait\.angles`, but a path into an inner graph cannot be
-// Ports of an inner graph are known by the names under which it shows them.
+// EXPECT: wire\.unknown_port: the wire `walking\.gait\.angles` -> `recorder\.angles` in robot names
+// `walking\.gait\.angles`, but a path into an inner graph cannot be Ports of an inner graph are known by the
+// names under which it shows them.
 #include "parts.hpp"
 
-struct walking : cca::graph<
-    cca::node<"cpg", oscillator>,
-    cca::node<"gait", gait>,
-    cca::wire<"cpg.phase", "gait.phase">,
-    cca::expose<"gait.angles", "angles">> {};
+struct walking : cca::graph<cca::node<"cpg", oscillator>,
+                            cca::node<"gait", gait>,
+                            cca::wire<"cpg.phase", "gait.phase">,
+                            cca::expose<"gait.angles", "angles">> {};
 
-struct robot : cca::graph<
-    cca::rate<1000>,
-    cca::node<"walking", walking>,
-    cca::node<"recorder", recorder>,
+struct robot : cca::graph<cca::rate<1000>,
+                          cca::node<"walking", walking>,
+                          cca::node<"recorder", recorder>,
 #if CCA_REJECT
-    cca::wire<"walking.gait.angles", "recorder.angles">
+                          cca::wire<"walking.gait.angles", "recorder.angles">
 #else
-    cca::wire<"walking.angles", "recorder.angles">
+                          cca::wire<"walking.angles", "recorder.angles">
 #endif
-    > {};
+                          > {
+};
 
 cca::controller<robot> c;

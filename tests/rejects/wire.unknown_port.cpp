@@ -1,16 +1,17 @@
-// EXPECT: wire\.unknown_port: the wire `cpg\.phase` -> `gait\.phsae` in walk names `gait\.phsae`, but `gait` \(gait\) has no such input; did you mean `gait\.phase`\?
-// A wire names ports that exist; the nearest one is offered.
+// EXPECT: wire\.unknown_port: the wire `cpg\.phase` -> `gait\.phsae` in walk names `gait\.phsae`, but `gait`
+// \(gait\) has no such input; did you mean `gait\.phase`\? A wire names ports that exist; the nearest one is
+// offered.
 #include "parts.hpp"
 
-struct walk : cca::graph<
-    cca::rate<1000>,
-    cca::node<"cpg", oscillator>,
-    cca::node<"gait", gait>,
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"cpg", oscillator>,
+                         cca::node<"gait", gait>,
 #if CCA_REJECT
-    cca::wire<"cpg.phase", "gait.phsae">
+                         cca::wire<"cpg.phase", "gait.phsae">
 #else
-    cca::wire<"cpg.phase", "gait.phase">
+                         cca::wire<"cpg.phase", "gait.phase">
 #endif
-    > {};
+                         > {
+};
 
 cca::controller<walk> c;

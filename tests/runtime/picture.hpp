@@ -1,4 +1,5 @@
-// What `describe` draws of a graph against the picture on its page: a raw string that begins with the mark by which the page finds it.
+// What `describe` draws of a graph against the picture on its page: a raw string that begins with the mark by
+// which the page finds it.
 #pragma once
 
 #include <string>
@@ -10,9 +11,13 @@
 
 namespace test {
 
-inline std::string on_page(std::string_view picture) { return std::string(picture.substr(picture.find('\n') + 1)); }
+inline std::string on_page(std::string_view picture) {
+  return std::string(picture.substr(picture.find('\n') + 1));
+}
 
 template <class Graph>
-void check_picture(std::string_view picture) { CHECK_EQ(cca::describe<Graph>::mermaid(), on_page(picture)); }
+void check_picture(std::string_view picture) {
+  CHECK_EQ(cca::describe<Graph>::mermaid(), on_page(picture));
+}
 
 }  // namespace test

@@ -12,8 +12,8 @@ import re
 import sys
 
 MOST_LINES = 300
-FOLDERS = ["space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
-APART = {"runtime": ["space", "component", "graph"], "config": ["space", "component"]}
+FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
+APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"]}
 TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"]}  # directly in cca/: what each may include
 SHARED = ["sim/oncilla_model.hpp", "sim/oncilla_spaces.hpp"]  # of the simulator, but without the engine: the real robot's, too
 FREE = ["version.hpp"]  # needs nothing, so anything may include it

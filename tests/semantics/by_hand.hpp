@@ -27,7 +27,8 @@ inline std::ostream& operator<<(std::ostream& to, const sights& all) {
   to << '{';
   for (const auto& s : all) {
     to << "{" << s.beat << ", " << s.value << ", ";
-    if (s.origin == cca::never) to << "never"; else to << s.origin;
+    if (s.origin == cca::never) to << "never";
+    else to << s.origin;
     to << (s.fresh ? ", fresh} " : "} ");
   }
   return to << '}';
@@ -50,7 +51,9 @@ struct sometimes {
 // Writes down what it sees.
 struct look {
   sights log;
-  void process(cca::in<"x", value> x, cca::beat now) { log.push_back({now.index(), x[axis{}], x.origin(), x.fresh()}); }
+  void process(cca::in<"x", value> x, cca::beat now) {
+    log.push_back({now.index(), x[axis{}], x.origin(), x.fresh()});
+  }
 };
 
 struct look_at_two {
@@ -67,7 +70,9 @@ struct relay {
 };
 
 struct sum {
-  auto process(cca::in<"x", value> x, cca::in<"z", value> z) -> cca::out<"y", value> { return x[axis{}] + z[axis{}]; }
+  auto process(cca::in<"x", value> x, cca::in<"z", value> z) -> cca::out<"y", value> {
+    return x[axis{}] + z[axis{}];
+  }
 };
 
 template <class Graph>

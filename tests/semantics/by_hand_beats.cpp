@@ -65,9 +65,10 @@ TEST_SUITE("semantics by hand: time and beats") {
   }
 
   TEST_CASE("dt: since it last fired; the first time N beats for timed<N>, else one beat") {
-    struct g : cca::graph<ms1, cca::node<"three", clock_reader, cca::timed<3, 1>>, cca::node<"each", clock_reader>,
-                          cca::node<"late", clock_reader, cca::timeout<2>>,
-                          cca::node<"mixed", clock_reader, cca::any_of<cca::timed<4, 1>, cca::timed<4, 2>>>> {};
+    struct g : cca::graph<ms1, cca::node<"three", clock_reader, cca::timed<3, 1>>,
+                          cca::node<"each", clock_reader>, cca::node<"late", clock_reader, cca::timeout<2>>,
+                          cca::node<"mixed", clock_reader, cca::any_of<cca::timed<4, 1>, cca::timed<4, 2>>>> {
+    };
     const auto c = after<g>(7);
     CHECK(c.get<"three">().dts == std::vector{0.003, 0.003});
     CHECK(c.get<"each">().dts == std::vector{0.001, 0.001, 0.001, 0.001, 0.001, 0.001, 0.001});
@@ -78,8 +79,9 @@ TEST_SUITE("semantics by hand: time and beats") {
   }
 
   TEST_CASE("every sense, then every component, then every act") {
-    struct g : cca::graph<ms1, cca::node<"a", body<'a', 'A'>>, cca::node<"c", writes_name<'c'>, cca::timed<1>>,
-                          cca::node<"b", body<'b', 'B'>>, cca::wire<"b.y", "c.x">, cca::wire<"c.y", "a.u">> {};
+    struct g
+        : cca::graph<ms1, cca::node<"a", body<'a', 'A'>>, cca::node<"c", writes_name<'c'>, cca::timed<1>>,
+                     cca::node<"b", body<'b', 'B'>>, cca::wire<"b.y", "c.x">, cca::wire<"c.y", "a.u">> {};
     cca::controller<g> c;
     std::string order;
     c.get<"a">().to = c.get<"b">().to = c.get<"c">().to = &order;
@@ -91,11 +93,13 @@ TEST_SUITE("semantics by hand: time and beats") {
   }
 
   TEST_CASE("the schedule: again and again the first declared whose predecessors have all had their turn") {
-    // d waits for a, c for b: b is the first that is ready; then c, declared before a; then a, then d. The delayed wire doesn't
-    // count.
-    struct g : cca::graph<ms1, cca::node<"d", writes_name<'d'>, cca::timed<1>>, cca::node<"c", writes_name<'c'>, cca::timed<1>>,
-                          cca::node<"b", writes_name<'b'>, cca::timed<1>>, cca::node<"a", writes_name<'a'>, cca::timed<1>>,
-                          cca::wire<"a.y", "d.x">, cca::wire<"b.y", "c.x">, cca::wire<"d.y", "b.z", cca::delayed<1>>> {};
+    // d waits for a, c for b: b is the first that is ready; then c, declared before a; then a, then d. The
+    // delayed wire doesn't count.
+    struct g : cca::graph<ms1, cca::node<"d", writes_name<'d'>, cca::timed<1>>,
+                          cca::node<"c", writes_name<'c'>, cca::timed<1>>,
+                          cca::node<"b", writes_name<'b'>, cca::timed<1>>,
+                          cca::node<"a", writes_name<'a'>, cca::timed<1>>, cca::wire<"a.y", "d.x">,
+                          cca::wire<"b.y", "c.x">, cca::wire<"d.y", "b.z", cca::delayed<1>>> {};
     cca::controller<g> c;
     std::string order;
     c.get<"a">().to = c.get<"b">().to = c.get<"c">().to = c.get<"d">().to = &order;
@@ -106,11 +110,13 @@ TEST_SUITE("semantics by hand: time and beats") {
   }
 
   TEST_CASE("the nodes of inner graphs are declared where their graph is, depth first") {
-    struct inner : cca::graph<cca::node<"p", writes_name<'p'>, cca::timed<1>>, cca::node<"q", writes_name<'q'>, cca::timed<1>>,
-                              cca::expose<"p.x", "x">, cca::expose<"q.y", "y">> {};
+    struct inner : cca::graph<cca::node<"p", writes_name<'p'>, cca::timed<1>>,
+                              cca::node<"q", writes_name<'q'>, cca::timed<1>>, cca::expose<"p.x", "x">,
+                              cca::expose<"q.y", "y">> {};
     struct g : cca::graph<ms1, cca::node<"a", writes_name<'a'>, cca::timed<1>>, cca::node<"i", inner>,
-                          cca::node<"b", writes_name<'b'>, cca::timed<1>>, cca::node<"c", writes_name<'c'>, cca::timed<1>>,
-                          cca::wire<"c.y", "i.x">, cca::wire<"i.y", "a.x">> {};
+                          cca::node<"b", writes_name<'b'>, cca::timed<1>>,
+                          cca::node<"c", writes_name<'c'>, cca::timed<1>>, cca::wire<"c.y", "i.x">,
+                          cca::wire<"i.y", "a.x">> {};
     cca::controller<g> c;
     std::string order;
     c.get<"a">().to = c.get<"b">().to = c.get<"c">().to = c.get<"i.p">().to = c.get<"i.q">().to = &order;
@@ -121,7 +127,8 @@ TEST_SUITE("semantics by hand: time and beats") {
   }
 
   TEST_CASE("an inactive resource node has no turn, a slow one its own") {
-    struct g : cca::graph<ms1, cca::node<"a", body<'a', 'A'>, cca::inactive>, cca::node<"b", body<'b', 'B'>, cca::timed<2, 1>>,
+    struct g : cca::graph<ms1, cca::node<"a", body<'a', 'A'>, cca::inactive>,
+                          cca::node<"b", body<'b', 'B'>, cca::timed<2, 1>>,
                           cca::node<"c", body<'c', 'C'>, cca::full_speed>, cca::node<"d", body<'d', 'D'>>> {};
     cca::controller<g> c;
     std::string order;

@@ -9,7 +9,9 @@ using ms1 = cca::rate<1000>;
 
 // What a source with this strategy does; it is read by a component that is restless.
 template <class Strategy>
-struct alone : cca::graph<ms1, cca::node<"s", count, Strategy>, cca::node<"r", look, cca::restless>,
+struct alone : cca::graph<ms1,
+                          cca::node<"s", count, Strategy>,
+                          cca::node<"r", look, cca::restless>,
                           cca::wire<"s.y", "r.x", cca::latest>> {};
 
 template <class Strategy>
@@ -19,8 +21,11 @@ beats fired(int count) {
 
 // A reader with two inputs: x from a source in beats 1, 4, 7, ..., z from one in beats 0, 2, 4, ...
 template <class Strategy>
-struct of_two : cca::graph<ms1, cca::node<"a", count, cca::timed<3, 1>>, cca::node<"b", count, cca::timed<2>>,
-                           cca::node<"r", look_at_two, Strategy>, cca::wire<"a.y", "r.x", cca::latest>,
+struct of_two : cca::graph<ms1,
+                           cca::node<"a", count, cca::timed<3, 1>>,
+                           cca::node<"b", count, cca::timed<2>>,
+                           cca::node<"r", look_at_two, Strategy>,
+                           cca::wire<"a.y", "r.x", cca::latest>,
                            cca::wire<"b.y", "r.z", cca::latest>> {};
 
 // The same, with sources whose clocks are known only at run time.
@@ -31,8 +36,12 @@ struct at_1_4_7 {
   }
 };
 template <class Strategy>
-struct of_two_unknown : cca::graph<ms1, cca::node<"a", at_1_4_7>, cca::node<"b", sometimes<2>>,
-                                   cca::node<"r", look_at_two, Strategy>, cca::wire<"a.y", "r.x">, cca::wire<"b.y", "r.z">> {};
+struct of_two_unknown : cca::graph<ms1,
+                                   cca::node<"a", at_1_4_7>,
+                                   cca::node<"b", sometimes<2>>,
+                                   cca::node<"r", look_at_two, Strategy>,
+                                   cca::wire<"a.y", "r.x">,
+                                   cca::wire<"b.y", "r.z">> {};
 
 template <class Strategy>
 void check(const beats& expected, int count = 9) {
@@ -103,7 +112,8 @@ TEST_SUITE("semantics by hand: when a component fires") {
 
   TEST_CASE("restless, the default with inputs: any input is fresh") {
     check<cca::restless>({0, 1, 2, 4, 6, 7, 8});
-    struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<3, 1>>, cca::node<"r", look>, cca::wire<"s.y", "r.x">> {};
+    struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<3, 1>>, cca::node<"r", look>,
+                          cca::wire<"s.y", "r.x">> {};
     CHECK(beats_of(after<g>(9).get<"r">().log) == beats{1, 4, 7});
     struct d : cca::graph<ms1, cca::node<"s", count, cca::timed<3, 1>>, cca::node<"r", look>,
                           cca::wire<"s.y", "r.x", cca::delayed<2>>> {};
@@ -118,21 +128,23 @@ TEST_SUITE("semantics by hand: when a component fires") {
   TEST_CASE("moderate: an input that is not wired counts nowhere") {
     struct reader {
       beats log;
-      void process(cca::in<"x", value>, cca::optional_in<"z", value>, cca::beat now) { log.push_back(now.index()); }
+      void process(cca::in<"x", value>, cca::optional_in<"z", value>, cca::beat now) {
+        log.push_back(now.index());
+      }
     };
-    struct g
-        : cca::graph<ms1, cca::node<"s", count, cca::timed<2>>, cca::node<"r", reader, cca::moderate>, cca::wire<"s.y", "r.x">> {
-    };
+    struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<2>>, cca::node<"r", reader, cca::moderate>,
+                          cca::wire<"s.y", "r.x">> {};
     CHECK(after<g>(5).get<"r">().log == beats{0, 2, 4});
   }
 
   TEST_CASE("timeout<N>: N beats since it last fired, since beat 0 if never") {
     CHECK(fired<cca::timeout<3>>(10) == beats{3, 6, 9});
     CHECK(fired<cca::any_of<cca::timed<5>, cca::timeout<2>>>(11) == beats{0, 2, 4, 5, 7, 9, 10});
-    check<cca::any_of<cca::moderate, cca::timeout<2>>>({1, 3, 4, 6}, 8);  // 6 takes z of 6, so that x of 7 finds none
-    struct g
-        : cca::graph<ms1, cca::node<"s", count, cca::timed<20, 6>>,
-                     cca::node<"r", look, cca::any_of<cca::moderate, cca::timeout<4>>>, cca::wire<"s.y", "r.x", cca::latest>> {};
+    check<cca::any_of<cca::moderate, cca::timeout<2>>>({1, 3, 4, 6},
+                                                       8);  // 6 takes z of 6, so that x of 7 finds none
+    struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<20, 6>>,
+                          cca::node<"r", look, cca::any_of<cca::moderate, cca::timeout<4>>>,
+                          cca::wire<"s.y", "r.x", cca::latest>> {};
     CHECK(after<g>(15).get<"r">().log ==
           sights{{4, 0, never, false}, {6, 6, 6 * ms, true}, {10, 6, 6 * ms, false}, {14, 6, 6 * ms, false}});
   }
@@ -168,9 +180,10 @@ TEST_SUITE("semantics by hand: when a component fires") {
 
 TEST_SUITE("semantics by hand: coordinated") {
   // x comes straight from the source, z by a relay that fires in every second beat.
-  struct two_ways : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", relay, cca::timed<2, 1>>,
-                               cca::node<"r", look_at_two, cca::coordinated>, cca::wire<"s.y", "m.x", cca::latest>,
-                               cca::wire<"s.y", "r.x", cca::latest>, cca::wire<"m.y", "r.z", cca::latest>> {};
+  struct two_ways
+      : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", relay, cca::timed<2, 1>>,
+                   cca::node<"r", look_at_two, cca::coordinated>, cca::wire<"s.y", "m.x", cca::latest>,
+                   cca::wire<"s.y", "r.x", cca::latest>, cca::wire<"m.y", "r.z", cca::latest>> {};
 
   TEST_CASE("all of one time of origin, and later than what it saw before") {
     const auto c = after<two_ways>(6);
@@ -185,9 +198,11 @@ TEST_SUITE("semantics by hand: coordinated") {
     CHECK(beats_of(after<g>(12).get<"r">().x) == beats{2, 6, 10});
   }
 
-  TEST_CASE("later than the oldest that it saw when it last fired: under any_of it may have fired on what was not coordinated") {
-    // timed<2>, each second beat: in beat 2 it sees x of 2 and z of 0. In beat 3, z of 3 and x of 3 come: 3 > 0. In beat 4, x of
-    // 4, z of 3. In 5 both of 5.
+  TEST_CASE(
+      "later than the oldest that it saw when it last fired: under any_of it may have fired on what was not "
+      "coordinated") {
+    // timed<2>, each second beat: in beat 2 it sees x of 2 and z of 0. In beat 3, z of 3 and x of 3 come: 3 >
+    // 0. In beat 4, x of 4, z of 3. In 5 both of 5.
     struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", relay, cca::timed<3>>,
                           cca::node<"r", look_at_two, cca::any_of<cca::coordinated, cca::timed<6, 2>>>,
                           cca::wire<"s.y", "m.x", cca::latest>, cca::wire<"s.y", "r.x", cca::latest>,
@@ -219,11 +234,13 @@ TEST_SUITE("semantics by hand: coordinated") {
         return cca::maybe<"y", value>(two_back).with_origin(x.origin() - 2 * ms);
       }
     };
-    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", slow_relay>, cca::node<"r", look_at_two, cca::coordinated>,
-                          cca::wire<"s.y", "m.x">, cca::wire<"s.y", "r.x", cca::queue<4, cca::drop_oldest>>,
+    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"m", slow_relay>,
+                          cca::node<"r", look_at_two, cca::coordinated>, cca::wire<"s.y", "m.x">,
+                          cca::wire<"s.y", "r.x", cca::queue<4, cca::drop_oldest>>,
                           cca::wire<"m.y", "r.z", cca::latest>> {};
     const auto c = after<g>(6);
-    CHECK(c.get<"r">().x == sights{{2, 0, 0, true}, {3, 1, ms, true}, {4, 2, 2 * ms, true}, {5, 3, 3 * ms, true}});
+    CHECK(c.get<"r">().x ==
+          sights{{2, 0, 0, true}, {3, 1, ms, true}, {4, 2, 2 * ms, true}, {5, 3, 3 * ms, true}});
     CHECK(c.get<"r">().z == c.get<"r">().x);
   }
 }

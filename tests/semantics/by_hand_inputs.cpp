@@ -8,9 +8,10 @@ namespace {
 using ms1 = cca::rate<1000>;
 
 template <class Policy, class Reader = cca::timed<1>, class Writer = cca::timed<1>, class... Initial>
-struct one_wire
-    : cca::graph<ms1, cca::node<"s", count, Writer>, cca::node<"r", look, Reader>, cca::wire<"s.y", "r.x", Policy, Initial...>> {
-};
+struct one_wire : cca::graph<ms1,
+                             cca::node<"s", count, Writer>,
+                             cca::node<"r", look, Reader>,
+                             cca::wire<"s.y", "r.x", Policy, Initial...>> {};
 
 template <class Graph>
 sights seen(int beats) {
@@ -32,8 +33,10 @@ TEST_SUITE("semantics by hand: what an input sees") {
           sights{{1, 1, ms, true}, {4, 4, 4 * ms, true}, {7, 7, 7 * ms, true}});
   }
 
-  TEST_CASE("delayed<N>: what is published in beat j arrives when beat j + N begins, and is then the newest") {
-    CHECK(seen<one_wire<cca::delayed<1>>>(3) == sights{{0, 0, never, false}, {1, 0, 0, true}, {2, 1, ms, true}});
+  TEST_CASE(
+      "delayed<N>: what is published in beat j arrives when beat j + N begins, and is then the newest") {
+    CHECK(seen<one_wire<cca::delayed<1>>>(3) ==
+          sights{{0, 0, never, false}, {1, 0, 0, true}, {2, 1, ms, true}});
     CHECK(seen<one_wire<cca::delayed<3>>>(6) == sights{{0, 0, never, false},
                                                        {1, 0, never, false},
                                                        {2, 0, never, false},
@@ -41,27 +44,36 @@ TEST_SUITE("semantics by hand: what an input sees") {
                                                        {4, 1, ms, true},
                                                        {5, 2, 2 * ms, true}});
     CHECK(seen<one_wire<cca::delayed<2>, cca::timed<2, 1>, cca::timed<3>>>(10) ==
-          sights{{1, 0, never, false}, {3, 0, 0, true}, {5, 3, 3 * ms, true}, {7, 3, 3 * ms, false}, {9, 6, 6 * ms, true}});
+          sights{{1, 0, never, false},
+                 {3, 0, 0, true},
+                 {5, 3, 3 * ms, true},
+                 {7, 3, 3 * ms, false},
+                 {9, 6, 6 * ms, true}});
   }
 
   TEST_CASE("delayed: a reader that comes before its writer and one that comes after see the same") {
-    struct g : cca::graph<ms1, cca::node<"before", look, cca::timed<1>>, cca::node<"s", count>,
-                          cca::node<"after", look, cca::timed<1>>, cca::wire<"s.y", "before.x", cca::delayed<1>>,
-                          cca::wire<"s.y", "after.x", cca::delayed<1>>> {};
+    struct g
+        : cca::graph<ms1, cca::node<"before", look, cca::timed<1>>, cca::node<"s", count>,
+                     cca::node<"after", look, cca::timed<1>>, cca::wire<"s.y", "before.x", cca::delayed<1>>,
+                     cca::wire<"s.y", "after.x", cca::delayed<1>>> {};
     const auto c = after<g>(4);
-    CHECK(c.get<"before">().log == sights{{0, 0, never, false}, {1, 0, 0, true}, {2, 1, ms, true}, {3, 2, 2 * ms, true}});
+    CHECK(c.get<"before">().log ==
+          sights{{0, 0, never, false}, {1, 0, 0, true}, {2, 1, ms, true}, {3, 2, 2 * ms, true}});
     CHECK(c.get<"after">().log == c.get<"before">().log);
   }
 
-  TEST_CASE("queue: first in, first out; a firing takes the oldest; if there is none it sees again what it took last") {
+  TEST_CASE(
+      "queue: first in, first out; a firing takes the oldest; if there is none it sees again what it took "
+      "last") {
     CHECK(seen<one_wire<cca::queue<8, cca::drop_oldest>, cca::timed<2, 3>>>(8) ==
           sights{{1, 0, 0, true}, {3, 1, ms, true}, {5, 2, 2 * ms, true}, {7, 3, 3 * ms, true}});
-    CHECK(seen<one_wire<cca::queue<2, cca::drop_newest>, cca::timed<1>, cca::timed<3, 1>>>(6) == sights{{0, 0, never, false},
-                                                                                                        {1, 1, ms, true},
-                                                                                                        {2, 1, ms, false},
-                                                                                                        {3, 1, ms, false},
-                                                                                                        {4, 4, 4 * ms, true},
-                                                                                                        {5, 4, 4 * ms, false}});
+    CHECK(seen<one_wire<cca::queue<2, cca::drop_newest>, cca::timed<1>, cca::timed<3, 1>>>(6) ==
+          sights{{0, 0, never, false},
+                 {1, 1, ms, true},
+                 {2, 1, ms, false},
+                 {3, 1, ms, false},
+                 {4, 4, 4 * ms, true},
+                 {5, 4, 4 * ms, false}});
   }
 
   TEST_CASE("a full queue: drop_oldest, drop_newest") {
@@ -90,30 +102,38 @@ TEST_SUITE("semantics by hand: what an input sees") {
           sights{{0, 2.5, never, false}, {1, 2.5, never, false}, {2, 2, 2 * ms, true}});
     CHECK(seen<one_wire<cca::delayed<2>, cca::timed<1>, cca::timed<1>, cca::initial<-1.5>>>(3) ==
           sights{{0, -1.5, never, false}, {1, -1.5, never, false}, {2, 0, 0, true}});
-    CHECK(seen<one_wire<cca::queue<2, cca::drop_oldest>, cca::timed<1>, cca::timed<3, 1>, cca::initial<4.0>>>(3) ==
-          sights{{0, 4, never, false}, {1, 1, ms, true}, {2, 1, ms, false}});
+    CHECK(seen<one_wire<cca::queue<2, cca::drop_oldest>, cca::timed<1>, cca::timed<3, 1>, cca::initial<4.0>>>(
+              3) == sights{{0, 4, never, false}, {1, 1, ms, true}, {2, 1, ms, false}});
   }
 
   TEST_CASE("an initial value belongs to its wire, not to the writer") {
     struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<9, 2>>, cca::node<"a", look, cca::timed<1>>,
                           cca::node<"b", look, cca::timed<1>>, cca::node<"c", look, cca::timed<1>>,
-                          cca::wire<"s.y", "a.x", cca::latest, cca::initial<1.0>>, cca::wire<"s.y", "b.x", cca::latest>,
+                          cca::wire<"s.y", "a.x", cca::latest, cca::initial<1.0>>,
+                          cca::wire<"s.y", "b.x", cca::latest>,
                           cca::wire<"s.y", "c.x", cca::delayed<1>, cca::initial<3.0>>> {};
     const auto c = after<g>(4);
-    CHECK(c.get<"a">().log == sights{{0, 1, never, false}, {1, 1, never, false}, {2, 2, 2 * ms, true}, {3, 2, 2 * ms, false}});
-    CHECK(c.get<"b">().log == sights{{0, 0, never, false}, {1, 0, never, false}, {2, 2, 2 * ms, true}, {3, 2, 2 * ms, false}});
-    CHECK(c.get<"c">().log == sights{{0, 3, never, false}, {1, 3, never, false}, {2, 3, never, false}, {3, 2, 2 * ms, true}});
+    CHECK(c.get<"a">().log ==
+          sights{{0, 1, never, false}, {1, 1, never, false}, {2, 2, 2 * ms, true}, {3, 2, 2 * ms, false}});
+    CHECK(c.get<"b">().log ==
+          sights{{0, 0, never, false}, {1, 0, never, false}, {2, 2, 2 * ms, true}, {3, 2, 2 * ms, false}});
+    CHECK(c.get<"c">().log ==
+          sights{{0, 3, never, false}, {1, 3, never, false}, {2, 3, never, false}, {3, 2, 2 * ms, true}});
   }
 
   TEST_CASE("an initial value is not fresh, also where the writer's clock is known only at run time") {
-    struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<9, 2>>, cca::node<"m", relay, cca::coordinated>,
-                          cca::node<"r", look>, cca::node<"q", look, cca::timed<1>>, cca::wire<"s.y", "m.x", cca::latest>,
-                          cca::wire<"m.y", "r.x", cca::latest>, cca::wire<"m.y", "q.x", cca::latest, cca::initial<-3.0>>> {};
+    struct g
+        : cca::graph<ms1, cca::node<"s", count, cca::timed<9, 2>>, cca::node<"m", relay, cca::coordinated>,
+                     cca::node<"r", look>, cca::node<"q", look, cca::timed<1>>,
+                     cca::wire<"s.y", "m.x", cca::latest>, cca::wire<"m.y", "r.x", cca::latest>,
+                     cca::wire<"m.y", "q.x", cca::latest, cca::initial<-3.0>>> {};
     const auto c = after<g>(5);
     CHECK(c.get<"r">().log == sights{{2, 2, 2 * ms, true}});
-    CHECK(
-        c.get<"q">().log ==
-        sights{{0, -3, never, false}, {1, -3, never, false}, {2, 2, 2 * ms, true}, {3, 2, 2 * ms, false}, {4, 2, 2 * ms, false}});
+    CHECK(c.get<"q">().log == sights{{0, -3, never, false},
+                                     {1, -3, never, false},
+                                     {2, 2, 2 * ms, true},
+                                     {3, 2, 2 * ms, false},
+                                     {4, 2, 2 * ms, false}});
   }
 
   TEST_CASE("fresh: a sample has arrived since the component last fired") {
@@ -121,14 +141,16 @@ TEST_SUITE("semantics by hand: what an input sees") {
     CHECK(seen<one_wire<cca::latest, cca::timed<3>, cca::timed<4>>>(10) ==
           sights{{0, 0, 0, true}, {3, 0, 0, false}, {6, 4, 4 * ms, true}, {9, 8, 8 * ms, true}});
     // A queue is fresh as long as it is not empty.
-    struct g : cca::graph<ms1, cca::node<"s", count, cca::timed<4>>, cca::node<"t", sometimes<1>, cca::timed<1>>,
-                          cca::node<"r", look>, cca::wire<"t.y", "r.x", cca::queue<8, cca::drop_oldest>>> {};
+    struct g
+        : cca::graph<ms1, cca::node<"s", count, cca::timed<4>>, cca::node<"t", sometimes<1>, cca::timed<1>>,
+                     cca::node<"r", look>, cca::wire<"t.y", "r.x", cca::queue<8, cca::drop_oldest>>> {};
     CHECK(after<g>(3).get<"r">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 2, 2 * ms, true}});
   }
 
   TEST_CASE("maybe: empty, nothing is published") {
-    struct g : cca::graph<ms1, cca::node<"s", sometimes<3>>, cca::node<"r", look>, cca::node<"q", look, cca::timed<1>>,
-                          cca::node<"d", look, cca::timed<1>>, cca::wire<"s.y", "r.x">, cca::wire<"s.y", "q.x">,
+    struct g : cca::graph<ms1, cca::node<"s", sometimes<3>>, cca::node<"r", look>,
+                          cca::node<"q", look, cca::timed<1>>, cca::node<"d", look, cca::timed<1>>,
+                          cca::wire<"s.y", "r.x">, cca::wire<"s.y", "q.x">,
                           cca::wire<"s.y", "d.x", cca::delayed<2>>> {};
     const auto c = after<g>(6);
     CHECK(c.get<"r">().log == sights{{0, 0, 0, true}, {3, 3, 3 * ms, true}});
@@ -156,8 +178,8 @@ TEST_SUITE("semantics by hand: what an input sees") {
       }
     };
     struct loose : cca::graph<ms1, cca::node<"s", count>, cca::node<"r", reader>, cca::wire<"s.y", "r.x">> {};
-    struct wired
-        : cca::graph<ms1, cca::node<"s", count>, cca::node<"r", reader>, cca::wire<"s.y", "r.x">, cca::wire<"s.y", "r.z">> {};
+    struct wired : cca::graph<ms1, cca::node<"s", count>, cca::node<"r", reader>, cca::wire<"s.y", "r.x">,
+                              cca::wire<"s.y", "r.z">> {};
     const auto a = after<loose>(2);
     CHECK(a.get<"r">().log == sights{{0, 0, never, false}, {1, 0, never, false}});
     CHECK(a.get<"r">().wired == std::vector{false, false});

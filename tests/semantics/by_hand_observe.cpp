@@ -38,9 +38,13 @@ struct listener {
 struct inner : cca::graph<cca::node<"a", count, cca::timed<2>>, cca::node<"b", count, cca::timed<3, 1>>> {};
 
 template <class Scope, class Strategy>
-struct listens : cca::graph<ms1, cca::node<"in", inner>, cca::node<"o", listener<Scope>, Strategy>, cca::node<"r", look>,
-                            cca::node<"w", look, cca::timed<1>>, cca::wire<"o.y", "r.x">, cca::wire<"o.y", "w.x", cca::latest>> {
-};
+struct listens : cca::graph<ms1,
+                            cca::node<"in", inner>,
+                            cca::node<"o", listener<Scope>, Strategy>,
+                            cca::node<"r", look>,
+                            cca::node<"w", look, cca::timed<1>>,
+                            cca::wire<"o.y", "r.x">,
+                            cca::wire<"o.y", "w.x", cca::latest>> {};
 
 }  // namespace
 
@@ -66,9 +70,11 @@ TEST_SUITE("semantics by hand: listening to a scope") {
                           cca::node<"o", listener<cca::observe<"s.*">>, cca::timed<1>>,
                           cca::wire<"s.y", "r.x", cca::latest, cca::initial<0.625>>> {};
     const auto c = after<g>(3);
-    CHECK(c.get<"r">().log == sights{{0, 0.625, never, false}, {1, 0.625, never, false}, {2, 2, 2 * ms, true}});
-    CHECK(c.get<"o">().log ==
-          std::vector<std::vector<heard>>{{{"s.y", 0, never, false}}, {{"s.y", 0, never, false}}, {{"s.y", 2, 2 * ms, true}}});
+    CHECK(c.get<"r">().log ==
+          sights{{0, 0.625, never, false}, {1, 0.625, never, false}, {2, 2, 2 * ms, true}});
+    CHECK(c.get<"o">().log == std::vector<std::vector<heard>>{{{"s.y", 0, never, false}},
+                                                              {{"s.y", 0, never, false}},
+                                                              {{"s.y", 2, 2 * ms, true}}});
   }
 
   TEST_CASE("it is an input: fresh if anything under the scope is, and it counts for the origin") {
@@ -90,9 +96,9 @@ TEST_SUITE("semantics by hand: interfaces") {
     struct ten {
       auto process(cca::beat now) -> cca::out<"y", value> { return 10.0 + static_cast<double>(now.index()); }
     };
-    struct g : cca::graph<ms1, cca::wire<"m.b", "rb.x">, cca::wire<"m.a", "ra.x">, cca::node<"m", crossed>, cca::node<"rb", look>,
-                          cca::node<"ra", look>, cca::node<"s", count>, cca::node<"t", ten>, cca::wire<"s.y", "m.x">,
-                          cca::wire<"t.y", "m.z">> {};
+    struct g : cca::graph<ms1, cca::wire<"m.b", "rb.x">, cca::wire<"m.a", "ra.x">, cca::node<"m", crossed>,
+                          cca::node<"rb", look>, cca::node<"ra", look>, cca::node<"s", count>,
+                          cca::node<"t", ten>, cca::wire<"s.y", "m.x">, cca::wire<"t.y", "m.z">> {};
     const auto c = after<g>(3);
     CHECK(c.get<"ra">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 2, 2 * ms, true}});
     CHECK(c.get<"rb">().log == sights{{0, 10, 0, true}, {2, 12, 2 * ms, true}});
@@ -113,11 +119,16 @@ TEST_SUITE("semantics by hand: interfaces") {
     };
     struct reader {
       std::vector<std::array<double, 4>> log;
-      void process(cca::in<"y", leg> y, cca::in<"m", leg> m) { log.push_back({y[hip{}], y[knee{}], m[hip{}], m.vector()[1]}); }
+      void process(cca::in<"y", leg> y, cca::in<"m", leg> m) {
+        log.push_back({y[hip{}], y[knee{}], m[hip{}], m.vector()[1]});
+      }
     };
-    struct g : cca::graph<ms1, cca::node<"f", filler>, cca::node<"r", reader, cca::timed<1>>, cca::wire<"f.y", "r.y">,
-                          cca::wire<"f.m", "r.m", cca::latest, cca::initial<1.0, 2.0>>> {};
-    CHECK(after<g>(3).get<"r">().log == std::vector<std::array<double, 4>>{{0, 0, 1, 2}, {0, 1, 7, 0}, {0, 2, 7, 0}});
+    struct g
+        : cca::graph<ms1, cca::node<"f", filler>, cca::node<"r", reader, cca::timed<1>>,
+                     cca::wire<"f.y", "r.y">, cca::wire<"f.m", "r.m", cca::latest, cca::initial<1.0, 2.0>>> {
+    };
+    CHECK(after<g>(3).get<"r">().log ==
+          std::vector<std::array<double, 4>>{{0, 0, 1, 2}, {0, 1, 7, 0}, {0, 2, 7, 0}});
   }
 
   TEST_CASE("the zero of an orientation is no rotation") {
@@ -130,19 +141,25 @@ TEST_SUITE("semantics by hand: interfaces") {
       Eigen::Vector4d q;
       void process(cca::in<"x", turned> x) { q = x.vector(); }
     };
-    struct g : cca::graph<ms1, cca::node<"s", source>, cca::node<"r", reader, cca::timed<1>>, cca::wire<"s.y", "r.x">> {};
+    struct g : cca::graph<ms1, cca::node<"s", source>, cca::node<"r", reader, cca::timed<1>>,
+                          cca::wire<"s.y", "r.x">> {};
     CHECK(after<g>(1).get<"r">().q == Eigen::Quaterniond::Identity().coeffs());
   }
 
   TEST_CASE("one graph type as two nodes: two states, two sets of paths") {
-    struct doubler : cca::graph<cca::node<"m", relay>, cca::node<"n", sum, cca::timed<1>>, cca::wire<"m.y", "n.x">,
-                                cca::wire<"n.y", "n.z", cca::delayed<1>>, cca::expose<"m.x", "in">, cca::expose<"n.y", "out">> {};
-    struct deep : cca::graph<cca::node<"d", doubler>, cca::expose<"d.in", "into">, cca::expose<"d.out", "from">> {};
-    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"a", deep>, cca::node<"b", deep>, cca::node<"ra", look>,
-                          cca::node<"rb", look>, cca::wire<"s.y", "a.into">, cca::wire<"a.from", "b.into">,
-                          cca::wire<"a.from", "ra.x">, cca::wire<"b.from", "rb.x">> {};
+    struct doubler : cca::graph<cca::node<"m", relay>, cca::node<"n", sum, cca::timed<1>>,
+                                cca::wire<"m.y", "n.x">, cca::wire<"n.y", "n.z", cca::delayed<1>>,
+                                cca::expose<"m.x", "in">, cca::expose<"n.y", "out">> {};
+    struct deep
+        : cca::graph<cca::node<"d", doubler>, cca::expose<"d.in", "into">, cca::expose<"d.out", "from">> {};
+    struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"a", deep>, cca::node<"b", deep>,
+                          cca::node<"ra", look>, cca::node<"rb", look>, cca::wire<"s.y", "a.into">,
+                          cca::wire<"a.from", "b.into">, cca::wire<"a.from", "ra.x">,
+                          cca::wire<"b.from", "rb.x">> {};
     const auto c = after<g>(4);
-    CHECK(c.get<"ra">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 3, 2 * ms, true}, {3, 6, 3 * ms, true}});
-    CHECK(c.get<"rb">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 4, 2 * ms, true}, {3, 10, 3 * ms, true}});
+    CHECK(c.get<"ra">().log ==
+          sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 3, 2 * ms, true}, {3, 6, 3 * ms, true}});
+    CHECK(c.get<"rb">().log ==
+          sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 4, 2 * ms, true}, {3, 10, 3 * ms, true}});
   }
 }

@@ -1,4 +1,5 @@
-// The random architectures: what the library did and what the interpreter does, firing by firing, bit for bit.
+// The random architectures: what the library did and what the interpreter does, firing by firing, bit for
+// bit.
 #include <iostream>
 #include <string>
 
@@ -35,7 +36,8 @@ void comparison::add(const std::string& text, const outcome& o, int count) {
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
     if (caught_in[m] != 0) continue;
     const auto wrong = interpreted(all_mutants[m].made(g), count);
-    if (difference(o.firings, wrong->firings) >= 0 || o.faulted != wrong->faulted) caught_in[m] = seen.architectures;
+    if (difference(o.firings, wrong->firings) >= 0 || o.faulted != wrong->faulted)
+      caught_in[m] = seen.architectures;
   }
 }
 
@@ -47,7 +49,8 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
               << (i.faulted ? "" : " not") << '\n';
   if (at < 0) return;
   const auto place = static_cast<std::size_t>(at);
-  for (std::size_t before = place > 6 ? place - 6 : 0; before < place; ++before) std::cout << o.firings[before] << '\n';
+  for (std::size_t before = place > 6 ? place - 6 : 0; before < place; ++before)
+    std::cout << o.firings[before] << '\n';
   std::cout << "firing " << at << "\n  the library:     ";
   if (place < o.firings.size()) std::cout << o.firings[place];
   else std::cout << "nothing more";
@@ -63,13 +66,13 @@ bool comparison::report() const {
   std::cout << "\nMutants, and the architecture that caught each:\n";
   bool all_caught = true;
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
-    std::cout << std::setw(9) << caught_in[m] << "  " << all_mutants[m].mistake << (caught_in[m] ? "" : "   <- not caught")
-              << '\n';
+    std::cout << std::setw(9) << caught_in[m] << "  " << all_mutants[m].mistake
+              << (caught_in[m] ? "" : "   <- not caught") << '\n';
     all_caught = all_caught && caught_in[m];
   }
   std::cout << '\n'
-            << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples << " samples compared, "
-            << differences << " differences\n";
+            << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples
+            << " samples compared, " << differences << " differences\n";
   // A few architectures are for trying something out: they can't exercise everything.
   const bool proof = seen.architectures >= 300;
   if (!proof) std::cout << "fewer than 300: what was not exercised or not caught is no failure\n";

@@ -1,4 +1,5 @@
-// What the random architectures exercised: counted from the interpreter after its run, so that only what happened counts.
+// What the random architectures exercised: counted from the interpreter after its run, so that only what
+// happened counts.
 #pragma once
 
 #include <algorithm>
@@ -38,9 +39,13 @@ public:
     bool component_fault = false;
     for (const firing& f : i.firings) {
       component_fault = component_fault || f.fault;
-      if (f.fault) ++counts[f.which == half::sense ? "faults in sense" : f.which == half::act ? "faults in act" : "faults in process"];
+      if (f.fault)
+        ++counts[f.which == half::sense ? "faults in sense"
+                 : f.which == half::act ? "faults in act"
+                                        : "faults in process"];
       counts["on_fault calls"] += f.which == half::on_fault;
-      for (const told& t : f.outputs) counts["samples with an origin of the component's own"] += t.sets_origin;
+      for (const told& t : f.outputs)
+        counts["samples with an origin of the component's own"] += t.sets_origin;
       for (const seen& s : f.inputs) ++samples, counts["samples seen fresh"] += s.fresh;
       samples += static_cast<long>(f.outputs.size());
       ++firings;
@@ -65,8 +70,9 @@ public:
 
 private:
   void add(const strategy& s, const std::string& where) {
-    constexpr const char* names[] = {"default", "timed", "restless", "moderate", "timeout", "port_triggered", "coordinated",
-                                     "full_speed", "inactive", "any_of", "all_of", "user"};
+    constexpr const char* names[] = {"default",  "timed",          "restless",    "moderate",
+                                     "timeout",  "port_triggered", "coordinated", "full_speed",
+                                     "inactive", "any_of",         "all_of",      "user"};
     ++counts[(s.is == strategy::user ? "user: " + s.names[0] : names[s.is]) + where];
     if (s.is == strategy::timed && s.phase != 0) ++counts["timed with a phase" + where];
     for (const strategy& part : s.parts) add(part, where);
@@ -92,22 +98,78 @@ private:
     counts["queue, read empty after a sample"] += in.taken && in.reads > in.fresh_reads;
   }
 
-  static constexpr const char* wanted[] = {
-      "default", "timed", "timed with a phase", "restless", "moderate", "timeout", "port_triggered", "coordinated",
-      "full_speed", "inactive, never fired", "any_of", "all_of", "user: on_beats", "user: patient", "user: above",
-      "user: older", "user: fresh_on_odd", "latest", "delayed<1>", "delayed<N>", "delayed, its own writer",
-      "queue, drop_oldest", "queue, drop_oldest: lost", "queue, drop_newest", "queue, drop_newest: lost",
-      "queue, reject", "faults of a full queue", "queue, read empty after a sample", "initial", "policies left out",
-      "samples kept for a later beat", "samples seen fresh", "optional_in, wired", "optional_in, not wired",
-      "maybe outputs that published", "maybe outputs that once did not", "components with several outputs that fired",
-      "samples with an origin of the component's own", "resource nodes", "halves of resource nodes that fired",
-      "default (resource node)", "timed (resource node)", "full_speed (resource node)", "wires from sense to sense",
-      "wires from act to act", "nodes in a nested graph", "nodes three graphs deep", "exposes", "graphs used twice",
-      "observers", "rated ports", "rate from the spaces", "faults in sense", "faults in process", "faults in act",
-      "on_fault calls", "of skeletons: pipeline", "of skeletons: pipeline_over", "of skeletons: farm", "skeleton: by_priority",
-      "skeleton: by_freshness", "skeleton: switch", "skeleton: blend", "skeleton: blend_of", "skeleton: hold", "of skeletons: freeze",
-      "skeleton: decimate", "skeleton: interpolate", "skeleton: splitter", "skeleton: collector", "skeleton: share_out",
-      "skeleton: gather"};
+  static constexpr const char* wanted[] = {"default",
+                                           "timed",
+                                           "timed with a phase",
+                                           "restless",
+                                           "moderate",
+                                           "timeout",
+                                           "port_triggered",
+                                           "coordinated",
+                                           "full_speed",
+                                           "inactive, never fired",
+                                           "any_of",
+                                           "all_of",
+                                           "user: on_beats",
+                                           "user: patient",
+                                           "user: above",
+                                           "user: older",
+                                           "user: fresh_on_odd",
+                                           "latest",
+                                           "delayed<1>",
+                                           "delayed<N>",
+                                           "delayed, its own writer",
+                                           "queue, drop_oldest",
+                                           "queue, drop_oldest: lost",
+                                           "queue, drop_newest",
+                                           "queue, drop_newest: lost",
+                                           "queue, reject",
+                                           "faults of a full queue",
+                                           "queue, read empty after a sample",
+                                           "initial",
+                                           "policies left out",
+                                           "samples kept for a later beat",
+                                           "samples seen fresh",
+                                           "optional_in, wired",
+                                           "optional_in, not wired",
+                                           "maybe outputs that published",
+                                           "maybe outputs that once did not",
+                                           "components with several outputs that fired",
+                                           "samples with an origin of the component's own",
+                                           "resource nodes",
+                                           "halves of resource nodes that fired",
+                                           "default (resource node)",
+                                           "timed (resource node)",
+                                           "full_speed (resource node)",
+                                           "wires from sense to sense",
+                                           "wires from act to act",
+                                           "nodes in a nested graph",
+                                           "nodes three graphs deep",
+                                           "exposes",
+                                           "graphs used twice",
+                                           "observers",
+                                           "rated ports",
+                                           "rate from the spaces",
+                                           "faults in sense",
+                                           "faults in process",
+                                           "faults in act",
+                                           "on_fault calls",
+                                           "of skeletons: pipeline",
+                                           "of skeletons: pipeline_over",
+                                           "of skeletons: farm",
+                                           "skeleton: by_priority",
+                                           "skeleton: by_freshness",
+                                           "skeleton: switch",
+                                           "skeleton: blend",
+                                           "skeleton: blend_of",
+                                           "skeleton: hold",
+                                           "of skeletons: freeze",
+                                           "skeleton: decimate",
+                                           "skeleton: interpolate",
+                                           "skeleton: splitter",
+                                           "skeleton: collector",
+                                           "skeleton: share_out",
+                                           "skeleton: gather"};
 
   std::map<std::string, long> counts;
 };

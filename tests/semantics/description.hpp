@@ -7,9 +7,9 @@
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
 //   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
 //   process                                             or sense, act: whose ports these are
-//   in x 2                                              name, axes; `optional`; `heard`, by an observer, under its path
-//   out y 1                                             `maybe`; and last, if it may stop, `fault`
-//   wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
+//   in x 2                                              name, axes; `optional`; `heard`, by an observer,
+//   under its path out y 1                                             `maybe`; and last, if it may stop,
+//   `fault` wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
 #pragma once
 
 #include <sstream>
@@ -44,7 +44,8 @@ inline strategy read_strategy(std::istream& from) {
   else if (word == "inactive") s.is = strategy::inactive;
   else if (word == "any_of") s.is = strategy::any_of, parts();
   else if (word == "all_of") s.is = strategy::all_of, parts();
-  else if (word == "user") s.is = strategy::user, s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
+  else if (word == "user")
+    s.is = strategy::user, s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
   else throw std::runtime_error("description: no strategy '" + word + "'");
   return s;
 }
@@ -115,7 +116,8 @@ private:
     from >> out.name >> out.width;
   }
 
-  // A port by its path: turn and place in it. Names of ports may have dots too (an observer names what it hears by path).
+  // A port by its path: turn and place in it. Names of ports may have dots too (an observer names what it
+  // hears by path).
   template <class Ports>
   std::pair<int, int> find(const std::string& path, Ports ports) const {
     for (std::size_t t = 0; t < g.turns.size(); ++t)
@@ -147,7 +149,9 @@ private:
     } else if (word == "queue") {
       in.is = policy::queue;
       from >> in.capacity >> word;
-      in.full = word == "reject" ? when_full::reject : word == "drop_newest" ? when_full::drop_newest : when_full::drop_oldest;
+      in.full = word == "reject"        ? when_full::reject
+                : word == "drop_newest" ? when_full::drop_newest
+                                        : when_full::drop_oldest;
     }
     if (!(from >> word)) return from.clear();
     for (double& coordinate : in.initial) from >> coordinate;

@@ -7,8 +7,8 @@ namespace semantics {
 namespace {
 
 unsigned scrambled(int a, int b, int c) {
-  unsigned x =
-      static_cast<unsigned>(a) * 2654435761u ^ static_cast<unsigned>(b) * 2246822519u ^ static_cast<unsigned>(c) * 3266489917u;
+  unsigned x = static_cast<unsigned>(a) * 2654435761u ^ static_cast<unsigned>(b) * 2246822519u ^
+               static_cast<unsigned>(c) * 3266489917u;
   x ^= x >> 15;
   x *= 2246822519u;
   x ^= x >> 13;
@@ -19,8 +19,10 @@ unsigned scrambled(int a, int b, int c) {
 }  // namespace
 
 void respond(const habit& h, memory& m, firing& f) {
-  // Every figure that the component is told changes every value from here on. Folded into -8 to 8, so that nothing grows.
-  double s = 0.5 * m.state + 0.125 * h.id + 0.01 * static_cast<double>(f.beat) + 3 * f.dt + 1e-9 * static_cast<double>(f.time);
+  // Every figure that the component is told changes every value from here on. Folded into -8 to 8, so that
+  // nothing grows.
+  double s = 0.5 * m.state + 0.125 * h.id + 0.01 * static_cast<double>(f.beat) + 3 * f.dt +
+             1e-9 * static_cast<double>(f.time);
   double weight = 0.25;
   for (const auto& input : f.inputs) {
     for (const double coordinate : input.value) s += (weight += 0.0625) * coordinate;
@@ -36,31 +38,37 @@ void respond(const habit& h, memory& m, firing& f) {
     const unsigned dice = scrambled(h.id, m.firings, static_cast<int>(i));
     output.published = !output.is_maybe || dice % 100 < static_cast<unsigned>(h.publishes);
     for (std::size_t c = 0; c < output.value.size(); ++c)
-      output.value[c] = output.published ? m.state + 0.5 * static_cast<double>(i) - 0.375 * static_cast<double>(c) : 0.0;
+      output.value[c] =
+          output.published ? m.state + 0.5 * static_cast<double>(i) - 0.375 * static_cast<double>(c) : 0.0;
     const auto period = f.beat > 0 ? f.time / f.beat : 0;
     const int choice = h.origin == 2 ? 2 + static_cast<int>(dice / 128 % 3) : h.origin;
     output.sets_origin = output.published && choice > 0 && choice < 4;
-    if (output.sets_origin) output.origin = choice == 1 ? f.time - 2 * period : choice == 2 ? f.time : f.time + period;
+    if (output.sets_origin)
+      output.origin = choice == 1 ? f.time - 2 * period : choice == 2 ? f.time : f.time + period;
   }
   f.fault = f.may_fault && h.fault_at >= 0 && f.beat >= h.fault_at;
 }
 
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 bool same(const firing& a, const firing& b) {
-  if (a.id != b.id || a.which != b.which || a.beat != b.beat || a.time != b.time || a.fault != b.fault) return false;
+  if (a.id != b.id || a.which != b.which || a.beat != b.beat || a.time != b.time || a.fault != b.fault)
+    return false;
   if (std::memcmp(&a.dt, &b.dt, sizeof a.dt) != 0) return false;
   if (a.inputs.size() != b.inputs.size() || a.outputs.size() != b.outputs.size()) return false;
   for (std::size_t i = 0; i < a.inputs.size(); ++i) {
     const auto &x = a.inputs[i], &y = b.inputs[i];
-    if (x.name != y.name || !same(x.value, y.value) || x.origin != y.origin || x.fresh != y.fresh || x.wired != y.wired)
+    if (x.name != y.name || !same(x.value, y.value) || x.origin != y.origin || x.fresh != y.fresh ||
+        x.wired != y.wired)
       return false;
   }
   for (std::size_t i = 0; i < a.outputs.size(); ++i) {
     const auto &x = a.outputs[i], &y = b.outputs[i];
-    if (!same(x.value, y.value) || x.published != y.published || x.sets_origin != y.sets_origin || x.origin != y.origin)
+    if (!same(x.value, y.value) || x.published != y.published || x.sets_origin != y.sets_origin ||
+        x.origin != y.origin)
       return false;
   }
   return true;
@@ -69,8 +77,8 @@ bool same(const firing& a, const firing& b) {
 std::ostream& operator<<(std::ostream& to, const firing& f) {
   constexpr const char* names[] = {"sense", "process", "act", "on_fault"};
   to.precision(17);
-  to << "beat " << f.beat << ": component " << f.id << " " << names[static_cast<int>(f.which)] << ", dt " << f.dt << " s, time "
-     << f.time;
+  to << "beat " << f.beat << ": component " << f.id << " " << names[static_cast<int>(f.which)] << ", dt "
+     << f.dt << " s, time " << f.time;
   for (const auto& input : f.inputs) {
     to << "\n    sees " << input.name << " (";
     for (const double coordinate : input.value) to << ' ' << coordinate;

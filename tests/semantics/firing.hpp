@@ -1,4 +1,5 @@
-// What a test component writes down each time it fires, and what it does: the same on both sides of the comparison.
+// What a test component writes down each time it fires, and what it does: the same on both sides of the
+// comparison.
 #pragma once
 
 #include <cstdint>
@@ -41,12 +42,14 @@ struct firing {
 
 using log = std::vector<firing>;
 
-// What makes a test component different from the others. A structural type: it is a template argument of the component.
+// What makes a test component different from the others. A structural type: it is a template argument of the
+// component.
 struct habit {
   int id = 0;
   int publishes = 100;  // of a hundred times, for the outputs that are `maybe`
-  int origin = 0;       // 0: never sets an origin; 1: two periods back, always; 2: sometimes the beat's, sometimes a period ahead
-  int fault_at = -1;    // from this beat on it returns a fault
+  int origin = 0;  // 0: never sets an origin; 1: two periods back, always; 2: sometimes the beat's, sometimes
+                   // a period ahead
+  int fault_at = -1;  // from this beat on it returns a fault
 };
 
 // What a test component remembers from one firing to the next.

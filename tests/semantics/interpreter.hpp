@@ -1,6 +1,6 @@
-// The Semantics, told slowly: histories are kept whole and read by the definitions of the text, in the order of the
-// text. Nothing here knows how the library does it. Each definition is a function of its own, virtual, so
-// that a mutant (mutants.cpp) can get one of them wrong.
+// The Semantics, told slowly: histories are kept whole and read by the definitions of the text, in the order
+// of the text. Nothing here knows how the library does it. Each definition is a function of its own, virtual,
+// so that a mutant (mutants.cpp) can get one of them wrong.
 #pragma once
 
 #include <algorithm>
@@ -101,13 +101,16 @@ public:
     writer.outputs[port].history.push_back(p);
     for (turn& t : g.turns)
       for (input& in : t.inputs)
-        if (in.wired && in.is == policy::queue && &g.turns[in.writer] == &writer && in.port == static_cast<int>(port))
+        if (in.wired && in.is == policy::queue && &g.turns[in.writer] == &writer &&
+            in.port == static_cast<int>(port))
           push(in, p);
   }
 
   // ---- what an input sees ----
 
-  const std::vector<publication>& history(const input& in) const { return g.turns[in.writer].outputs[in.port].history; }
+  const std::vector<publication>& history(const input& in) const {
+    return g.turns[in.writer].outputs[in.port].history;
+  }
 
   // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
   virtual std::int64_t arrival(const input& in, const publication& p) const {
@@ -213,7 +216,8 @@ public:
     return false;
   }
 
-  // Every input holds a sample that arrived, all of one time of origin, later than the oldest seen at the last firing.
+  // Every input holds a sample that arrived, all of one time of origin, later than the oldest seen at the
+  // last firing.
   virtual bool coordinated(const turn& t) const {
     std::optional<std::int64_t> shared;
     for (const input& in : t.inputs) {
@@ -238,7 +242,8 @@ public:
     return *std::find_if(t.inputs.begin(), t.inputs.end(), [&](const input& in) { return in.name == name; });
   }
 
-  // The strategies of the user's own in probe.hpp: they look at the beat, and at freshness, origin and value of an input.
+  // The strategies of the user's own in probe.hpp: they look at the beat, and at freshness, origin and value
+  // of an input.
   bool user_fires(const strategy& s, const turn& t) const {
     const std::string& kind = s.names[0];
     if (kind == "on_beats") return k % s.n == s.phase || k % 7 == 0;
@@ -255,12 +260,15 @@ public:
     if (t.which == half::sense) return time();
     std::optional<std::int64_t> found;
     for (std::size_t i = 0; i < sights.size(); ++i)
-      if (counts(t, t.inputs[i], sights[i])) found = found ? std::min(*found, sights[i].origin) : sights[i].origin;
+      if (counts(t, t.inputs[i], sights[i]))
+        found = found ? std::min(*found, sights[i].origin) : sights[i].origin;
     return found.value_or(time());
   }
 
   // Unless the component sets it.
-  virtual std::int64_t stamp(const told& t, std::int64_t from) const { return t.sets_origin ? t.origin : from; }
+  virtual std::int64_t stamp(const told& t, std::int64_t from) const {
+    return t.sets_origin ? t.origin : from;
+  }
 
   virtual bool counts(const turn& t, const input& in, const sight& s) const {
     if (!in.wired || !s.arrived) return false;

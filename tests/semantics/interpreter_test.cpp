@@ -65,12 +65,15 @@ TEST_SUITE("interpreter") {
   }
   TEST_CASE("timeout counts from beat 0 until it has fired") {
     CHECK(fired(made("component s timeout 4\nprocess\n", 13), 0) == beats{4, 8, 12});
-    CHECK(fired(made(slow + "component r any_of 2 moderate timeout 2\n" + sink + "latest", 9), 1) == beats{1, 3, 4, 6, 7});
+    CHECK(fired(made(slow + "component r any_of 2 moderate timeout 2\n" + sink + "latest", 9), 1) ==
+          beats{1, 3, 4, 6, 7});
   }
   TEST_CASE("latest sees this beat's sample, delayed N beats later") {
     CHECK(values(made(source + "component r timed 1 0\n" + sink + "latest", 4), 1) == numbers{0, 1, 2, 3});
-    CHECK(values(made(source + "component r timed 1 0\n" + sink + "delayed 2 initial 7", 5), 1) == numbers{7, 7, 0, 1, 2});
-    CHECK(origins(made(source + "component r timed 1 0\n" + sink + "delayed 2", 4), 1) == beats{never, never, 0, 10});
+    CHECK(values(made(source + "component r timed 1 0\n" + sink + "delayed 2 initial 7", 5), 1) ==
+          numbers{7, 7, 0, 1, 2});
+    CHECK(origins(made(source + "component r timed 1 0\n" + sink + "delayed 2", 4), 1) ==
+          beats{never, never, 0, 10});
   }
   TEST_CASE("restless and moderate") {
     const std::string two = "component q timed 2 0\nprocess\nout y 1\ncomponent r ";
@@ -90,36 +93,42 @@ TEST_SUITE("interpreter") {
           numbers{-1, 1, 1, 1, 4, 4});
     const interpreter i = made(source + late + sink + "queue 2 reject", 10);
     CHECK(i.faulted);
-    CHECK(i.k == 3);  // 0 and 1 wait, 0 is taken in beat 1, 2 waits, 3 comes before the reader has its turn: full
+    CHECK(i.k ==
+          3);  // 0 and 1 wait, 0 is taken in beat 1, 2 waits, 3 comes before the reader has its turn: full
   }
   TEST_CASE("coordinated") {
     // s -> a -> r.x and s -> r.z, but a fires every second beat only.
-    const std::string text = source +
-                             "component a timed 2 1\nprocess\nin x 1\nout y 1\ncomponent r coordinated\nprocess\nin x 1\nin z 1\n"
-                             "wire s.y a.x latest\nwire a.y r.x latest\nwire s.y r.z latest\n";
+    const std::string text =
+        source +
+        "component a timed 2 1\nprocess\nin x 1\nout y 1\ncomponent r coordinated\nprocess\nin x 1\nin z 1\n"
+        "wire s.y a.x latest\nwire a.y r.x latest\nwire s.y r.z latest\n";
     CHECK(fired(made(text, 6), 2) == beats{1, 3, 5});
   }
   TEST_CASE("origin: the oldest that counts") {
     // q holds s's slow sample and its own loop's: the loop does not count.
-    const std::string text =
-        slow +
-        "component q timed 1 0\nprocess\nin x 1\nin back 1\nout y 1\nwire s.y q.x latest\nwire q.y q.back delayed 1\n"
-        "component r timed 1 0\nprocess\nin x 1\nwire q.y r.x latest\n";
+    const std::string text = slow +
+                             "component q timed 1 0\nprocess\nin x 1\nin back 1\nout y 1\nwire s.y q.x "
+                             "latest\nwire q.y q.back delayed 1\n"
+                             "component r timed 1 0\nprocess\nin x 1\nwire q.y r.x latest\n";
     CHECK(origins(made(text, 6), 2) == beats{0, 10, 10, 10, 40, 40});
   }
   TEST_CASE("a resource node: sense before, act after, one node") {
     const std::string text =
-        "period 10\nresource b timed 1 0\nsense\nout y 1\nact\nin u 1\ncomponent c restless\nprocess\nin x 1\nout y 1\n"
+        "period 10\nresource b timed 1 0\nsense\nout y 1\nact\nin u 1\ncomponent c restless\nprocess\nin x "
+        "1\nout y 1\n"
         "wire b.y c.x delayed 1\nwire c.y b.u latest\n";
     const interpreter i = made(text, 3);
     std::string order;
-    for (const firing& f : i.firings) order += f.which == half::sense ? 's' : f.which == half::process ? 'p' : 'a';
+    for (const firing& f : i.firings)
+      order += f.which == half::sense ? 's' : f.which == half::process ? 'p' : 'a';
     CHECK(order == "saspaspa");
-    CHECK(i.firings[4].inputs[0].origin == 10);  // the delayed wire closes a loop: it doesn't count, so it's the beat's time
+    CHECK(i.firings[4].inputs[0].origin ==
+          10);  // the delayed wire closes a loop: it doesn't count, so it's the beat's time
   }
   TEST_CASE("the turn order: first declared whose predecessors have had their turn") {
     const std::string text =
-        "component d timed 1 0\nprocess\nin x 1\ncomponent c timed 1 0\nprocess\nin x 1\ncomponent b timed 1 0\nprocess\nout y "
+        "component d timed 1 0\nprocess\nin x 1\ncomponent c timed 1 0\nprocess\nin x 1\ncomponent b timed 1 "
+        "0\nprocess\nout y "
         "1\n"
         "component a timed 1 0\nprocess\nout y 1\nwire a.y d.x latest\nwire b.y c.x latest\n";
     const interpreter i = made(text, 1);

@@ -1,4 +1,5 @@
-// Runs all architectures that generate.py made; with seeds as arguments only those, and tells all that differs.
+// Runs all architectures that generate.py made; with seeds as arguments only those, and tells all that
+// differs.
 #include <algorithm>
 #include <iostream>
 #include <string>
@@ -9,12 +10,14 @@
 int main(int count, char** arguments) {
   using namespace semantics;
   auto all = registered::all();
-  std::sort(all.begin(), all.end(), [](const registered* a, const registered* b) { return a->seed < b->seed; });
+  std::sort(all.begin(), all.end(),
+            [](const registered* a, const registered* b) { return a->seed < b->seed; });
   const std::vector<std::string> wanted(arguments + 1, arguments + count);
   comparison c;
   int copy_at = 0;
   for (const registered* one : all) {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), std::to_string(one->seed)) == wanted.end()) continue;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), std::to_string(one->seed)) == wanted.end())
+      continue;
     copy_at = (copy_at + 37) % beats;
     c.add(one->text, one->run(copy_at), beats);
   }

@@ -45,7 +45,9 @@ struct declared_order : base {
 
 struct first_dt_is_one_beat : base {
   using base::base;
-  double dt(const turn& t) const override { return t.last_fired == never ? static_cast<double>(g.period) / 1e9 : base::dt(t); }
+  double dt(const turn& t) const override {
+    return t.last_fired == never ? static_cast<double>(g.period) / 1e9 : base::dt(t);
+  }
 };
 
 struct dt_is_always_one_beat : base {
@@ -105,7 +107,9 @@ struct full_queue_mixed_up : base {
 
 struct last_in_first_out : base {
   using base::base;
-  const publication* head(const input& in) const override { return in.waiting.empty() ? base::head(in) : &in.waiting.back(); }
+  const publication* head(const input& in) const override {
+    return in.waiting.empty() ? base::head(in) : &in.waiting.back();
+  }
   void take(input& in) const override {
     if (in.is != policy::queue || in.waiting.empty()) return;
     in.taken = in.waiting.back();
@@ -115,7 +119,9 @@ struct last_in_first_out : base {
 
 struct empty_queue_forgets : base {
   using base::base;
-  const publication* head(const input& in) const override { return in.waiting.empty() ? nullptr : &in.waiting.front(); }
+  const publication* head(const input& in) const override {
+    return in.waiting.empty() ? nullptr : &in.waiting.front();
+  }
 };
 
 struct queue_takes_all : base {
@@ -147,7 +153,9 @@ struct fresh_when_published : base {
 
 struct initial_is_fresh : base {
   using base::base;
-  bool fresh(const turn& t, const input& in) const override { return base::fresh(t, in) || (in.wired && t.last_fired == never); }
+  bool fresh(const turn& t, const input& in) const override {
+    return base::fresh(t, in) || (in.wired && t.last_fired == never);
+  }
 };
 
 struct queue_fresh_after_taking : base {
@@ -182,7 +190,8 @@ struct default_is_moderate : base {
   using base::base;
   strategy when(const turn& t) const override {
     strategy s = base::when(t);
-    if (g.nodes[t.node].when.is == strategy::by_default && s.is == strategy::restless) s.is = strategy::moderate;
+    if (g.nodes[t.node].when.is == strategy::by_default && s.is == strategy::restless)
+      s.is = strategy::moderate;
     return s;
   }
 };
@@ -263,7 +272,8 @@ struct origin_is_the_newest : base {
   std::int64_t origin(const turn& t, const std::vector<sight>& sights) const override {
     std::optional<std::int64_t> found;
     for (std::size_t i = 0; i < sights.size() && t.which != half::sense; ++i)
-      if (counts(t, t.inputs[i], sights[i])) found = found ? std::max(*found, sights[i].origin) : sights[i].origin;
+      if (counts(t, t.inputs[i], sights[i]))
+        found = found ? std::max(*found, sights[i].origin) : sights[i].origin;
     return found.value_or(time());
   }
 };
@@ -355,8 +365,9 @@ struct goes_on_after_a_fault : base {
 
 // ---- skeletons ----
 
-constexpr char priority[] = "by_priority", freshness[] = "by_freshness", switching[] = "switch", blend[] = "blend", blend_of[] = "blend_of",
-               hold[] = "hold", decimate[] = "decimate", interpolate[] = "interpolate", splitter[] = "splitter", collector[] = "collector",
+constexpr char priority[] = "by_priority", freshness[] = "by_freshness", switching[] = "switch",
+               blend[] = "blend", blend_of[] = "blend_of", hold[] = "hold", decimate[] = "decimate",
+               interpolate[] = "interpolate", splitter[] = "splitter", collector[] = "collector",
                share_out[] = "share_out", gather[] = "gather";
 
 // What one says is changed when it has done what it does.
@@ -390,7 +401,6 @@ void of_all_inputs(firing& f) {
 }  // namespace
 }  // namespace mutants
 
-
 const std::vector<mutant> all_mutants{
     {"the last declared of those that are ready comes first", mutants::made<mutants::last_declared_first>},
     {"turns in the order of declaration", mutants::made<mutants::declared_order>},
@@ -401,13 +411,17 @@ const std::vector<mutant> all_mutants{
     {"latest is that of the beat before", mutants::made<mutants::latest_is_of_the_beat_before>},
     {"the oldest instead of the newest", mutants::made<mutants::oldest_instead_of_newest>},
     {"a queue holds one more", mutants::made<mutants::queue_one_longer>},
-    {"drop_oldest drops the newest", mutants::made<mutants::full_queue_mixed_up<when_full::drop_oldest, when_full::drop_newest>>},
-    {"drop_newest drops the oldest", mutants::made<mutants::full_queue_mixed_up<when_full::drop_newest, when_full::drop_oldest>>},
-    {"reject drops in silence", mutants::made<mutants::full_queue_mixed_up<when_full::reject, when_full::drop_newest>>},
+    {"drop_oldest drops the newest",
+     mutants::made<mutants::full_queue_mixed_up<when_full::drop_oldest, when_full::drop_newest>>},
+    {"drop_newest drops the oldest",
+     mutants::made<mutants::full_queue_mixed_up<when_full::drop_newest, when_full::drop_oldest>>},
+    {"reject drops in silence",
+     mutants::made<mutants::full_queue_mixed_up<when_full::reject, when_full::drop_newest>>},
     {"a queue is a stack", mutants::made<mutants::last_in_first_out>},
     {"an empty queue shows the initial value again", mutants::made<mutants::empty_queue_forgets>},
     {"a queue is emptied at each firing", mutants::made<mutants::queue_takes_all>},
-    {"fresh also in the beat of the last firing", mutants::made<mutants::fresh_also_in_the_beat_of_the_last_firing>},
+    {"fresh also in the beat of the last firing",
+     mutants::made<mutants::fresh_also_in_the_beat_of_the_last_firing>},
     {"delayed: fresh counts from publication", mutants::made<mutants::fresh_when_published>},
     {"an initial value is fresh", mutants::made<mutants::initial_is_fresh>},
     {"a queue is fresh if something is left after taking", mutants::made<mutants::queue_fresh_after_taking>},
@@ -416,7 +430,8 @@ const std::vector<mutant> all_mutants{
     {"any_of is all_of", mutants::made<mutants::mixed_up<strategy::any_of, strategy::all_of>>},
     {"all_of is any_of", mutants::made<mutants::mixed_up<strategy::all_of, strategy::any_of>>},
     {"inactive is full_speed", mutants::made<mutants::mixed_up<strategy::inactive, strategy::full_speed>>},
-    {"a user's strategy is not asked", mutants::made<mutants::mixed_up<strategy::user, strategy::full_speed>>},
+    {"a user's strategy is not asked",
+     mutants::made<mutants::mixed_up<strategy::user, strategy::full_speed>>},
     {"no phase", mutants::made<mutants::no_phase>},
     {"the default with inputs is moderate", mutants::made<mutants::default_is_moderate>},
     {"moderate waits for what is not wired", mutants::made<mutants::moderate_waits_for_the_unwired>},
@@ -424,8 +439,10 @@ const std::vector<mutant> all_mutants{
     {"port_triggered: any port triggers", mutants::made<mutants::any_port_triggers>},
     {"coordinated takes initial values", mutants::made<mutants::coordinated_takes_initial_values>},
     {"coordinated fires again on what it has seen", mutants::made<mutants::coordinated_again_and_again>},
-    {"coordinated: later than the newest seen", mutants::made<mutants::coordinated_is_later_than_the_newest_seen>},
-    {"coordinated looks at the first input only", mutants::made<mutants::coordinated_looks_at_the_first_only>},
+    {"coordinated: later than the newest seen",
+     mutants::made<mutants::coordinated_is_later_than_the_newest_seen>},
+    {"coordinated looks at the first input only",
+     mutants::made<mutants::coordinated_looks_at_the_first_only>},
     {"the origin is the newest", mutants::made<mutants::origin_is_the_newest>},
     {"sense has an origin like others", mutants::made<mutants::sense_has_an_origin_like_others>},
     {"an origin that the component sets is lost", mutants::made<mutants::set_origin_is_lost>},
@@ -437,20 +454,31 @@ const std::vector<mutant> all_mutants{
     {"initial values count for the origin", mutants::made<mutants::initial_values_count>},
     {"on_fault is not called", mutants::made<mutants::on_fault_is_not_called>},
     {"goes on after a fault", mutants::made<mutants::goes_on_after_a_fault>},
-    {"by_priority: the second is always heard", mutants::made<mutants::wrong_skeleton<mutants::priority, mutants::says<1>>>},
-    {"by_freshness: the first is always heard", mutants::made<mutants::wrong_skeleton<mutants::freshness, mutants::says<0>>>},
-    {"by_freshness: its origin is the oldest of all", mutants::made<mutants::wrong_skeleton<mutants::freshness, mutants::of_all_inputs>>},
+    {"by_priority: the second is always heard",
+     mutants::made<mutants::wrong_skeleton<mutants::priority, mutants::says<1>>>},
+    {"by_freshness: the first is always heard",
+     mutants::made<mutants::wrong_skeleton<mutants::freshness, mutants::says<0>>>},
+    {"by_freshness: its origin is the oldest of all",
+     mutants::made<mutants::wrong_skeleton<mutants::freshness, mutants::of_all_inputs>>},
     {"switch: it does not", mutants::made<mutants::wrong_skeleton<mutants::switching, mutants::says<0>>>},
-    {"switch: its origin is the oldest of all", mutants::made<mutants::wrong_skeleton<mutants::switching, mutants::of_all_inputs>>},
-    {"blend of two: the second alone", mutants::made<mutants::wrong_skeleton<mutants::blend, mutants::says<1>>>},
-    {"blend of several: the last alone", mutants::made<mutants::wrong_skeleton<mutants::blend_of, mutants::says<2>>>},
+    {"switch: its origin is the oldest of all",
+     mutants::made<mutants::wrong_skeleton<mutants::switching, mutants::of_all_inputs>>},
+    {"blend of two: the second alone",
+     mutants::made<mutants::wrong_skeleton<mutants::blend, mutants::says<1>>>},
+    {"blend of several: the last alone",
+     mutants::made<mutants::wrong_skeleton<mutants::blend_of, mutants::says<2>>>},
     {"hold: never frozen", mutants::made<mutants::wrong_skeleton<mutants::hold, mutants::says<0>>>},
-    {"decimate: nothing is left out", mutants::made<mutants::wrong_skeleton<mutants::decimate, mutants::drops_nothing>>},
+    {"decimate: nothing is left out",
+     mutants::made<mutants::wrong_skeleton<mutants::decimate, mutants::drops_nothing>>},
     {"interpolate: steps", mutants::made<mutants::wrong_skeleton<mutants::interpolate, mutants::says<0>>>},
-    {"splitter: the wrong axes", mutants::made<mutants::wrong_skeleton<mutants::splitter, mutants::the_other_way_round>>},
-    {"collector: the wrong axes", mutants::made<mutants::wrong_skeleton<mutants::collector, mutants::the_other_way_round>>},
-    {"farm: the workers get each other's parts", mutants::made<mutants::wrong_skeleton<mutants::share_out, mutants::the_other_way_round>>},
-    {"farm: the results change places", mutants::made<mutants::wrong_skeleton<mutants::gather, mutants::the_other_way_round>>},
+    {"splitter: the wrong axes",
+     mutants::made<mutants::wrong_skeleton<mutants::splitter, mutants::the_other_way_round>>},
+    {"collector: the wrong axes",
+     mutants::made<mutants::wrong_skeleton<mutants::collector, mutants::the_other_way_round>>},
+    {"farm: the workers get each other's parts",
+     mutants::made<mutants::wrong_skeleton<mutants::share_out, mutants::the_other_way_round>>},
+    {"farm: the results change places",
+     mutants::made<mutants::wrong_skeleton<mutants::gather, mutants::the_other_way_round>>},
 };
 
 }  // namespace semantics

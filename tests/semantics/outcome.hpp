@@ -16,7 +16,8 @@ struct outcome {
 };
 
 struct registered {
-  registered(int from_seed, const char* described, outcome (*runs)(int)) : seed(from_seed), text(described), run(runs) {
+  registered(int from_seed, const char* described, outcome (*runs)(int))
+      : seed(from_seed), text(described), run(runs) {
     all().push_back(this);
   }
   static std::vector<registered*>& all() {

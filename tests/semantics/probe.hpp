@@ -1,5 +1,5 @@
-// The test components, spaces and strategies that generated architectures are made of: a probe writes down all that it
-// sees and answers as `respond` says.
+// The test components, spaces and strategies that generated architectures are made of: a probe writes down
+// all that it sees and answers as `respond` says.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,15 @@ namespace semantics {
 
 // ---- spaces: n numbers, with and without a rate, and two of joint level ----
 
-struct a0 : cca::dimension<"a0"> { static constexpr auto limits = cca::limits{cca::angle{-9, 9}}; };
-struct a1 : cca::dimension<"a1"> { static constexpr auto limits = cca::limits{cca::angle{-9, 9}}; };
-struct a2 : cca::dimension<"a2"> { static constexpr auto limits = cca::limits{cca::angle{-9, 9}}; };
+struct a0 : cca::dimension<"a0"> {
+  static constexpr auto limits = cca::limits{cca::angle{-9, 9}};
+};
+struct a1 : cca::dimension<"a1"> {
+  static constexpr auto limits = cca::limits{cca::angle{-9, 9}};
+};
+struct a2 : cca::dimension<"a2"> {
+  static constexpr auto limits = cca::limits{cca::angle{-9, 9}};
+};
 
 struct num1 : cca::space<cca::number, cca::axes<a0>> {};
 struct num2 : cca::space<cca::number, cca::axes<a0, a1>> {};
@@ -46,17 +52,30 @@ struct at : cca::space<typename Space::domain, typename Space::axes, cca::rate<H
 
 // ---- components ----
 
-template <class... Ports> struct reads {};
-template <class... Ports> struct tells {};
+template <class... Ports>
+struct reads {};
+template <class... Ports>
+struct tells {};
 
 namespace detail {
 
-template <class... Results> struct result { using type = std::tuple<Results...>; };
-template <class Result> struct result<Result> { using type = Result; };
-template <> struct result<> { using type = void; };
+template <class... Results>
+struct result {
+  using type = std::tuple<Results...>;
+};
+template <class Result>
+struct result<Result> {
+  using type = Result;
+};
+template <>
+struct result<> {
+  using type = void;
+};
 
 template <class Vector>
-std::vector<double> copied(const Vector& v) { return std::vector<double>(v.data(), v.data() + v.size()); }
+std::vector<double> copied(const Vector& v) {
+  return std::vector<double>(v.data(), v.data() + v.size());
+}
 
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::in<Name, Space>& x) {
@@ -64,21 +83,28 @@ void note(firing& f, const cca::in<Name, Space>& x) {
 }
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::optional_in<Name, Space>& x) {
-  f.inputs.push_back({std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), static_cast<bool>(x)});
+  f.inputs.push_back(
+      {std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), static_cast<bool>(x)});
 }
 // The text says nothing of the order of what an observer hears: by path.
 template <cca::fixed_string Scope, class Policy>
 void note(firing& f, const cca::observe<Scope, Policy>& all) {
   const auto before = static_cast<std::ptrdiff_t>(f.inputs.size());
   for (const auto& one : all)
-    f.inputs.push_back({std::string(one.path), std::vector<double>(one.values.begin(), one.values.end()), one.origin, one.fresh, true});
-  std::sort(f.inputs.begin() + before, f.inputs.end(), [](const seen& a, const seen& b) { return a.name < b.name; });
+    f.inputs.push_back({std::string(one.path), std::vector<double>(one.values.begin(), one.values.end()),
+                        one.origin, one.fresh, true});
+  std::sort(f.inputs.begin() + before, f.inputs.end(),
+            [](const seen& a, const seen& b) { return a.name < b.name; });
 }
 
 template <cca::fixed_string Name, class Space>
-told blank(const cca::out<Name, Space>*) { return {std::vector<double>(Space::size)}; }
+told blank(const cca::out<Name, Space>*) {
+  return {std::vector<double>(Space::size)};
+}
 template <cca::fixed_string Name, class Space>
-told blank(const cca::maybe<Name, Space>*) { return {std::vector<double>(Space::size), true}; }
+told blank(const cca::maybe<Name, Space>*) {
+  return {std::vector<double>(Space::size), true};
+}
 
 template <class Port>
 Port spoken(const Port*, const firing& f, std::size_t& next) {
@@ -92,15 +118,21 @@ Port spoken(const Port*, const firing& f, std::size_t& next) {
   if (t.sets_origin) port.with_origin(t.origin);
   return port;
 }
-inline cca::fault spoken(const cca::fault*, const firing& f, std::size_t&) { return f.fault ? cca::fault{"as planned"} : cca::fault{}; }
+inline cca::fault spoken(const cca::fault*, const firing& f, std::size_t&) {
+  return f.fault ? cca::fault{"as planned"} : cca::fault{};
+}
 
 inline void add_blank(firing&, const cca::fault*) {}
 template <class Port>
-void add_blank(firing& f, const Port* port) { f.outputs.push_back(blank(port)); }
+void add_blank(firing& f, const Port* port) {
+  f.outputs.push_back(blank(port));
+}
 
-// Not inlined: what is under test is the loop around it, and writing down would be most of what the optimiser works on.
+// Not inlined: what is under test is the loop around it, and writing down would be most of what the optimiser
+// works on.
 template <class... Results, class... Inputs>
-[[gnu::noinline]] auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs) -> typename result<Results...>::type {
+[[gnu::noinline]] auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs)
+    -> typename result<Results...>::type {
   firing f;
   f.id = h.id;
   f.which = which;
@@ -193,19 +225,25 @@ struct between : Blend {
 template <int N, int Phase>
 struct on_beats {
   template <class Inputs>
-  static bool fires(cca::beat now, const Inputs&) { return now.index() % N == Phase || now.index() % 7 == 0; }
+  static bool fires(cca::beat now, const Inputs&) {
+    return now.index() % N == Phase || now.index() % 7 == 0;
+  }
 };
 
 template <int Microseconds>
 struct patient {
   template <class Inputs>
-  bool fires(cca::beat now, const Inputs&) const { return now.dt() * 1e6 > static_cast<double>(Microseconds); }
+  bool fires(cca::beat now, const Inputs&) const {
+    return now.dt() * 1e6 > static_cast<double>(Microseconds);
+  }
 };
 
 template <cca::fixed_string Port, int Quarters>
 struct above {
   template <class Inputs>
-  static bool fires(cca::beat, const Inputs& in) { return in.template get<Port>().vector()[0] > Quarters * 0.25; }
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.template get<Port>().vector()[0] > Quarters * 0.25;
+  }
 };
 
 template <cca::fixed_string Port, int Nanoseconds>
@@ -220,7 +258,9 @@ struct older {
 template <cca::fixed_string Port>
 struct fresh_on_odd {
   template <class Inputs>
-  static bool fires(cca::beat now, const Inputs& in) { return in.template get<Port>().fresh() && now.index() % 2 == 1; }
+  static bool fires(cca::beat now, const Inputs& in) {
+    return in.template get<Port>().fresh() && now.index() % 2 == 1;
+  }
 };
 
 }  // namespace semantics

@@ -1,4 +1,5 @@
-// Runs an architecture on the library; what its components write down is compared with what the interpreter does.
+// Runs an architecture on the library; what its components write down is compared with what the interpreter
+// does.
 #pragma once
 
 #include <memory>

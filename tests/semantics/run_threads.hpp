@@ -1,5 +1,5 @@
-// Architectures with farms on threads. After each beat one waits until the workers have nothing left to do: so it doesn't depend on
-// the threads when a result comes, and the interpreter can say it.
+// Architectures with farms on threads. After each beat one waits until the workers have nothing left to do:
+// so it doesn't depend on the threads when a result comes, and the interpreter can say it.
 #pragma once
 
 #include <cca/skeleton/farm_on_threads.hpp>

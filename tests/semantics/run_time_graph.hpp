@@ -1,4 +1,5 @@
-// A graph at run time, already flat: vectors of nodes, their turns, the histories of their outputs, and what an input sees.
+// A graph at run time, already flat: vectors of nodes, their turns, the histories of their outputs, and what
+// an input sees.
 #pragma once
 
 #include <deque>
@@ -13,11 +14,24 @@
 namespace semantics {
 
 struct strategy {
-  enum kind { by_default, timed, restless, moderate, timeout, port_triggered, coordinated, full_speed, inactive, any_of, all_of, user };
+  enum kind {
+    by_default,
+    timed,
+    restless,
+    moderate,
+    timeout,
+    port_triggered,
+    coordinated,
+    full_speed,
+    inactive,
+    any_of,
+    all_of,
+    user
+  };
   kind is = by_default;
   std::int64_t n = 1, phase = 0;
-  std::vector<std::string> names;   // port_triggered; user: its name and its port
-  std::vector<strategy> parts;      // any_of, all_of
+  std::vector<std::string> names;  // port_triggered; user: its name and its port
+  std::vector<strategy> parts;     // any_of, all_of
 };
 
 struct publication {
@@ -41,7 +55,7 @@ struct input {
   int width = 1;
   bool optional = false;
   bool wired = false;
-  int writer = -1, port = -1;       // turn and output at the other end
+  int writer = -1, port = -1;  // turn and output at the other end
   policy is = policy::latest;
   std::int64_t delay = 0;
   std::size_t capacity = 0;
@@ -71,15 +85,15 @@ struct node {
   bool resource = false;
   strategy when;
   int id = 0;
-  std::string skeleton{};           // its kind: a component of the library's, which writes nothing down
+  std::string skeleton{};  // its kind: a component of the library's, which writes nothing down
   std::function<void(firing&)> does;
 };
 
 struct graph {
   std::string name;
-  std::int64_t period = 1;  // T, in nanoseconds
-  std::vector<node> nodes;  // as declared, depth first
-  std::vector<turn> turns;  // as declared
+  std::int64_t period = 1;              // T, in nanoseconds
+  std::vector<node> nodes;              // as declared, depth first
+  std::vector<turn> turns;              // as declared
   std::map<std::string, int> features;  // counted by who made the graph
 };
 

@@ -1,5 +1,5 @@
-// The skeletons that are components, for the interpreter: what each does, from docs/skeletons.md, on plain vectors and whatever
-// the library makes of it. Those that are graphs the interpreter gets as their nodes.
+// The skeletons that are components, for the interpreter: what each does, from docs/skeletons.md, on plain
+// vectors and whatever the library makes of it. Those that are graphs the interpreter gets as their nodes.
 #pragma once
 
 #include <algorithm>
@@ -88,7 +88,8 @@ struct switching {
   void operator()(firing& f) {
     const double wanted = f.inputs[count].value[0];
     for (std::size_t i = 0; i < count; ++i)
-      if (std::floor(wanted) == static_cast<double>(i) && f.inputs[i].origin != never && chosen != static_cast<int>(i)) {
+      if (std::floor(wanted) == static_cast<double>(i) && f.inputs[i].origin != never &&
+          chosen != static_cast<int>(i)) {
         begin = weights;
         passed = chosen < 0 ? duration : 0;
         chosen = static_cast<int>(i);
@@ -116,7 +117,8 @@ struct switching {
 struct blend {
   double none, full;
   void operator()(firing& f) const {
-    tell(f.outputs[0], between(of(f.inputs[0]), of(f.inputs[1]), (f.inputs[2].value[0] - none) / (full - none)));
+    tell(f.outputs[0],
+         between(of(f.inputs[0]), of(f.inputs[1]), (f.inputs[2].value[0] - none) / (full - none)));
   }
 };
 
@@ -145,7 +147,8 @@ struct decimate {
   value so_far{};
   void operator()(firing& f) {
     const int number = count++ % n;
-    so_far = number == 0 || !averages ? of(f.inputs[0]) : between(so_far, of(f.inputs[0]), 1.0 / (number + 1));
+    so_far =
+        number == 0 || !averages ? of(f.inputs[0]) : between(so_far, of(f.inputs[0]), 1.0 / (number + 1));
     f.outputs[0].published = number == (averages ? n - 1 : 0);
     if (f.outputs[0].published) tell(f.outputs[0], so_far);
   }
@@ -209,17 +212,38 @@ inline std::function<void(firing&)> skeleton(const std::string& kind, std::istre
     from >> w;
     return w;
   };
-  if (kind == "by_priority") { const auto n = count(); return by_priority{n, number()}; }
+  if (kind == "by_priority") {
+    const auto n = count();
+    return by_priority{n, number()};
+  }
   if (kind == "by_freshness") return by_freshness{count()};
-  if (kind == "switch") { const auto n = count(); return switching{n, static_cast<double>(number()) * 1e-9}; }
-  if (kind == "blend") { const auto none = static_cast<double>(number()); return blend{none, static_cast<double>(number())}; }
+  if (kind == "switch") {
+    const auto n = count();
+    return switching{n, static_cast<double>(number()) * 1e-9};
+  }
+  if (kind == "blend") {
+    const auto none = static_cast<double>(number());
+    return blend{none, static_cast<double>(number())};
+  }
   if (kind == "blend_of") return blend_of{count()};
   if (kind == "hold") return hold{};
-  if (kind == "decimate") { const auto n = static_cast<int>(number()); return decimate{n, word() == "averaged"}; }
-  if (kind == "on_threads") { count(); return on_threads{}; }
+  if (kind == "decimate") {
+    const auto n = static_cast<int>(number());
+    return decimate{n, word() == "averaged"};
+  }
+  if (kind == "on_threads") {
+    count();
+    return on_threads{};
+  }
   if (kind == "interpolate") return interpolate{static_cast<int>(number())};
-  if (kind == "splitter" || kind == "share_out") { if (kind == "share_out") count(); return apart; }
-  if (kind == "collector" || kind == "gather") { if (kind == "gather") count(); return together; }
+  if (kind == "splitter" || kind == "share_out") {
+    if (kind == "share_out") count();
+    return apart;
+  }
+  if (kind == "collector" || kind == "gather") {
+    if (kind == "gather") count();
+    return together;
+  }
   throw std::runtime_error("description: no skeleton '" + kind + "'");
 }
 

@@ -18,7 +18,8 @@ constexpr cca::fixed_string name{{'n', '0' + N / 100, '0' + N / 10 % 10, '0' + N
 template <class Numbers>
 struct of_kinds;
 template <int... N>
-struct of_kinds<std::integer_sequence<int, N...>> : cca::graph<cca::rate<1000>, cca::node<name<N>, kind<N>>...> {};
+struct of_kinds<std::integer_sequence<int, N...>>
+    : cca::graph<cca::rate<1000>, cca::node<name<N>, kind<N>>...> {};
 
 using many = of_kinds<std::make_integer_sequence<int, 260>>;
 

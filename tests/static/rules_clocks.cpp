@@ -10,14 +10,18 @@ namespace {
 using namespace parts;
 
 struct no_rate : cca::graph<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
-struct no_rate_mended : cca::graph<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::rate<500>> {};
+struct no_rate_mended
+    : cca::graph<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::rate<500>> {
+};
 static_assert(tells<no_rate, no_rate_mended>({"rate.missing", "no_rate",
-    "neither no_rate nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph"}));
+                                              "neither no_rate nor any of its spaces states a rate, so a "
+                                              "beat has no length: add cca::rate<1000> to the graph"}));
 
 struct two_rates : khz<cca::rate<500>, cca::node<"a", source<>>> {};
 struct two_rates_mended : khz<cca::rate<1000>, cca::node<"a", source<>>> {};
-static_assert(tells<two_rates, two_rates_mended>({"rate.mismatch", "two_rates",
-    "two_rates states two rates, 1000 Hz and 500 Hz, but all of it runs in one beat: keep one"}));
+static_assert(tells<two_rates, two_rates_mended>(
+    {"rate.mismatch", "two_rates",
+     "two_rates states two rates, 1000 Hz and 500 Hz, but all of it runs in one beat: keep one"}));
 
 struct slow_graph : cca::graph<cca::rate<250>, cca::node<"a", source<>>> {};
 struct slow_graph_mended : cca::graph<cca::rate<1000>, cca::node<"a", source<>>> {};
@@ -25,132 +29,209 @@ struct slow_graph_mended : cca::graph<cca::rate<1000>, cca::node<"a", source<>>>
 struct inner_rate : khz<cca::node<"g", slow_graph>> {};
 struct inner_rate_mended : khz<cca::node<"g", slow_graph_mended>> {};
 static_assert(tells<inner_rate, inner_rate_mended>({"rate.mismatch", "g",
-    "the inner graph `g` (slow_graph) states 250 Hz, but inner_rate runs at 1000 Hz: give both one rate, or let "
-    "the inner one state none"}));
+                                                    "the inner graph `g` (slow_graph) states 250 Hz, but "
+                                                    "inner_rate runs at 1000 Hz: give both one rate, or let "
+                                                    "the inner one state none"}));
 
 struct at_100 : cca::space<cca::number, cca::axes<cca::x>, cca::rate<100>> {};
 
 struct space_rate : khz<cca::node<"a", source<at_100>, cca::timed<4>>> {};
 struct space_rate_mended : khz<cca::node<"a", source<at_100>, cca::timed<10>>> {};
-static_assert(tells<space_rate, space_rate_mended>({"rate.mismatch", "a.y",
-    "`a.y` is published every 4 beats, that is at 250 Hz, but its space is at_100 (number over x at 100 Hz): "
-    "change the strategy of `a`, or the rate of the space, or let the space state none"}));
+static_assert(tells<space_rate, space_rate_mended>(
+    {"rate.mismatch", "a.y",
+     "`a.y` is published every 4 beats, that is at 250 Hz, but its space is at_100 (number over x at 100 "
+     "Hz): "
+     "change the strategy of `a`, or the rate of the space, or let the space state none"}));
 
 struct to_100 {
   auto process(cca::in<"x", signal>) -> cca::out<"y", at_100> { return {}; }
 };
 
-struct space_rate_derived : khz<cca::node<"a", source<>, cca::timed<5>>, cca::node<"b", to_100>, cca::wire<"a.y", "b.x">> {};
-struct space_rate_derived_mended : khz<cca::node<"a", source<>, cca::timed<10>>, cca::node<"b", to_100>, cca::wire<"a.y", "b.x">> {};
-static_assert(tells<space_rate_derived, space_rate_derived_mended>({"rate.mismatch", "b.y",
-    "`b.y` is published every 5 beats, that is at 200 Hz, but its space is at_100 (number over x at 100 Hz): "
-    "change the strategy of `b`, or the rate of the space, or let the space state none"}));
+struct space_rate_derived
+    : khz<cca::node<"a", source<>, cca::timed<5>>, cca::node<"b", to_100>, cca::wire<"a.y", "b.x">> {};
+struct space_rate_derived_mended
+    : khz<cca::node<"a", source<>, cca::timed<10>>, cca::node<"b", to_100>, cca::wire<"a.y", "b.x">> {};
+static_assert(tells<space_rate_derived, space_rate_derived_mended>(
+    {"rate.mismatch", "b.y",
+     "`b.y` is published every 5 beats, that is at 200 Hz, but its space is at_100 (number over x at 100 "
+     "Hz): "
+     "change the strategy of `b`, or the rate of the space, or let the space state none"}));
 
-struct unstated : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::timed<10>>, cca::wire<"a.y", "b.x">> {};
-struct unstated_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::timed<10>>, cca::wire<"a.y", "b.x", cca::latest>> {};
-static_assert(tells<unstated, unstated_mended>({"rate.unstated", "a.y -> b.x",
-    "`a.y` is published every beat but `b.x` is read every 10 beats, and the wire does not say what happens "
-    "between them: write cca::wire<`a.y`, `b.x`, cca::latest>, or cca::queue or cca::delayed instead"}));
+struct unstated
+    : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::timed<10>>, cca::wire<"a.y", "b.x">> {};
+struct unstated_mended : khz<cca::node<"a", source<>>,
+                             cca::node<"b", sink<>, cca::timed<10>>,
+                             cca::wire<"a.y", "b.x", cca::latest>> {};
+static_assert(tells<unstated, unstated_mended>(
+    {"rate.unstated", "a.y -> b.x",
+     "`a.y` is published every beat but `b.x` is read every 10 beats, and the wire does not say what happens "
+     "between them: write cca::wire<`a.y`, `b.x`, cca::latest>, or cca::queue or cca::delayed instead"}));
 
-struct unstated_phase : khz<cca::node<"a", source<>, cca::timed<4, 3>>, cca::node<"b", sink<>, cca::timed<4>>,
-    cca::wire<"a.y", "b.x">> {};
-struct unstated_phase_mended : khz<cca::node<"a", source<>, cca::timed<4, 4>>, cca::node<"b", sink<>, cca::timed<4>>,
-    cca::wire<"a.y", "b.x">> {};
-static_assert(tells<unstated_phase, unstated_phase_mended>({"rate.unstated", "a.y -> b.x",
-    "`a.y` is published every 4 beats from beat 3 but `b.x` is read every 4 beats, and the wire does not say what "
-    "happens between them: write cca::wire<`a.y`, `b.x`, cca::latest>, or cca::queue or cca::delayed instead"}));
+struct unstated_phase : khz<cca::node<"a", source<>, cca::timed<4, 3>>,
+                            cca::node<"b", sink<>, cca::timed<4>>,
+                            cca::wire<"a.y", "b.x">> {};
+struct unstated_phase_mended : khz<cca::node<"a", source<>, cca::timed<4, 4>>,
+                                   cca::node<"b", sink<>, cca::timed<4>>,
+                                   cca::wire<"a.y", "b.x">> {};
+static_assert(
+    tells<unstated_phase, unstated_phase_mended>({"rate.unstated", "a.y -> b.x",
+                                                  "`a.y` is published every 4 beats from beat 3 but `b.x` is "
+                                                  "read every 4 beats, and the wire does not say what "
+                                                  "happens between them: write cca::wire<`a.y`, `b.x`, "
+                                                  "cca::latest>, or cca::queue or cca::delayed instead"}));
 
-struct overflow : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::timed<3>>,
-    cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
-struct overflow_mended : khz<cca::node<"a", source<>, cca::timed<3, 1>>, cca::node<"b", sink<>, cca::timed<3>>,
-    cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
+struct overflow : khz<cca::node<"a", source<>>,
+                      cca::node<"b", sink<>, cca::timed<3>>,
+                      cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
+struct overflow_mended : khz<cca::node<"a", source<>, cca::timed<3, 1>>,
+                             cca::node<"b", sink<>, cca::timed<3>>,
+                             cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
 static_assert(tells<overflow, overflow_mended>({"queue.overflow", "a.y -> b.x",
-    "`a.y` is published every beat but `b.x` is read every 3 beats, so the queue of 8 between them is full sooner "
-    "or later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
+                                                "`a.y` is published every beat but `b.x` is read every 3 "
+                                                "beats, so the queue of 8 between them is full sooner "
+                                                "or later, which cca::reject forbids: read faster, or say "
+                                                "what is lost: cca::drop_oldest or cca::drop_newest"}));
 
-struct overflow_never_read : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::inactive>,
-    cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
-struct overflow_never_read_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::inactive>,
-    cca::wire<"a.y", "b.x", cca::queue<8, cca::drop_newest>>> {};
-static_assert(tells<overflow_never_read, overflow_never_read_mended>({"queue.overflow", "a.y -> b.x",
-    "`a.y` is published every beat but `b.x` is never read, so the queue of 8 between them is full sooner or "
-    "later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
+struct overflow_never_read : khz<cca::node<"a", source<>>,
+                                 cca::node<"b", sink<>, cca::inactive>,
+                                 cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
+struct overflow_never_read_mended : khz<cca::node<"a", source<>>,
+                                        cca::node<"b", sink<>, cca::inactive>,
+                                        cca::wire<"a.y", "b.x", cca::queue<8, cca::drop_newest>>> {};
+static_assert(tells<overflow_never_read, overflow_never_read_mended>(
+    {"queue.overflow", "a.y -> b.x",
+     "`a.y` is published every beat but `b.x` is never read, so the queue of 8 between them is full sooner "
+     "or "
+     "later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or "
+     "cca::drop_newest"}));
 
 struct late_reader {  // fires first when the delayed sample is there
   void process(cca::in<"x", signal>, cca::in<"late", signal>) {}
 };
 template <int Room>
-struct overflow_at_first : khz<cca::node<"a", source<>>, cca::node<"b", late_reader, cca::port_triggered<"late">>,
-    cca::wire<"a.y", "b.late", cca::delayed<10>>, cca::wire<"a.y", "b.x", cca::queue<Room, cca::reject>>> {};
-static_assert(tells<overflow_at_first<10>, overflow_at_first<11>>({"queue.overflow", "a.y -> b.x",
-    "`a.y` is published every beat but `b.x` is read every beat from beat 10, so the queue of 10 between them is full "
-    "sooner or later, which cca::reject forbids: read sooner, or say what is lost: cca::drop_oldest or cca::drop_newest"}));
+struct overflow_at_first : khz<cca::node<"a", source<>>,
+                               cca::node<"b", late_reader, cca::port_triggered<"late">>,
+                               cca::wire<"a.y", "b.late", cca::delayed<10>>,
+                               cca::wire<"a.y", "b.x", cca::queue<Room, cca::reject>>> {};
+static_assert(tells<overflow_at_first<10>, overflow_at_first<11>>(
+    {"queue.overflow", "a.y -> b.x",
+     "`a.y` is published every beat but `b.x` is read every beat from beat 10, so the queue of 10 between "
+     "them is full "
+     "sooner or later, which cca::reject forbids: read sooner, or say what is lost: cca::drop_oldest or "
+     "cca::drop_newest"}));
 
 // What waits when it is first read waits as long ever after.
 template <int Room, int Beats>
-struct age_at_first : khz<cca::node<"a", source<>>, cca::node<"b", late_reader, cca::port_triggered<"late">>, cca::wire<"a.y", "b.late", cca::delayed<10>>,
-    cca::wire<"a.y", "b.x", cca::queue<Room, cca::drop_oldest>>, cca::require<cca::latency<"a.y", "b.x">, cca::beats<Beats>>> {};
-static_assert(cca::well_formed<age_at_first<20, 10>> && cca::diagnosis<age_at_first<20, 9>>.rule == "latency.exceeded");
-static_assert(cca::well_formed<age_at_first<4, 3>> && cca::diagnosis<age_at_first<4, 2>>.rule == "latency.exceeded");
+struct age_at_first : khz<cca::node<"a", source<>>,
+                          cca::node<"b", late_reader, cca::port_triggered<"late">>,
+                          cca::wire<"a.y", "b.late", cca::delayed<10>>,
+                          cca::wire<"a.y", "b.x", cca::queue<Room, cca::drop_oldest>>,
+                          cca::require<cca::latency<"a.y", "b.x">, cca::beats<Beats>>> {};
+static_assert(cca::well_formed<age_at_first<20, 10>> &&
+              cca::diagnosis<age_at_first<20, 9>>.rule == "latency.exceeded");
+static_assert(cca::well_formed<age_at_first<4, 3>> &&
+              cca::diagnosis<age_at_first<4, 2>>.rule == "latency.exceeded");
 
 struct deaf : khz<cca::node<"b", listener<>>> {};
 struct deaf_mended : khz<cca::node<"b", listener<>, cca::any_of<cca::restless, cca::timeout<9>>>> {};
 static_assert(tells<deaf, deaf_mended>({"strategy.never_fires", "b",
-    "`b` (listener<>) fires when an input is fresh, but none of those that it waits for is wired: wire one, or "
-    "make it cca::timed"}));
+                                        "`b` (listener<>) fires when an input is fresh, but none of those "
+                                        "that it waits for is wired: wire one, or "
+                                        "make it cca::timed"}));
 
-struct deaf_trigger : khz<cca::node<"a", source<>>, cca::node<"b", listener<>, cca::port_triggered<"z">>, cca::wire<"a.y", "b.x">> {};
-struct deaf_trigger_mended : khz<cca::node<"a", source<>>,
-    cca::node<"b", listener<>, cca::any_of<cca::port_triggered<"z">, cca::port_triggered<"x">>>, cca::wire<"a.y", "b.x">> {};
-static_assert(tells<deaf_trigger, deaf_trigger_mended>({"strategy.never_fires", "b",
-    "`b` (listener<>) fires when an input is fresh, but none of those that it waits for is wired: wire one, or "
-    "make it cca::timed"}));
+struct deaf_trigger : khz<cca::node<"a", source<>>,
+                          cca::node<"b", listener<>, cca::port_triggered<"z">>,
+                          cca::wire<"a.y", "b.x">> {};
+struct deaf_trigger_mended
+    : khz<cca::node<"a", source<>>,
+          cca::node<"b", listener<>, cca::any_of<cca::port_triggered<"z">, cca::port_triggered<"x">>>,
+          cca::wire<"a.y", "b.x">> {};
+static_assert(
+    tells<deaf_trigger, deaf_trigger_mended>({"strategy.never_fires", "b",
+                                              "`b` (listener<>) fires when an input is fresh, but none of "
+                                              "those that it waits for is wired: wire one, or "
+                                              "make it cca::timed"}));
 
 struct exclusive : khz<cca::node<"a", source<>, cca::all_of<cca::timed<2>, cca::timed<4, 1>>>> {};
 struct exclusive_mended : khz<cca::node<"a", source<>, cca::all_of<cca::timed<2>, cca::timed<3, 1>>>> {};
 static_assert(tells<exclusive, exclusive_mended>({"strategy.never_fires", "a",
-    "`a` (source<>) never fires: the clocks under its cca::all_of have no beat in common; change a period or a "
-    "phase"}));
+                                                  "`a` (source<>) never fires: the clocks under its "
+                                                  "cca::all_of have no beat in common; change a period or a "
+                                                  "phase"}));
 
-struct exclusive_within : khz<cca::node<"a", source<>, cca::any_of<cca::all_of<cca::timed<2>, cca::timed<2, 1>>, cca::timed<3>>>> {};
+struct exclusive_within
+    : khz<cca::
+              node<"a", source<>, cca::any_of<cca::all_of<cca::timed<2>, cca::timed<2, 1>>, cca::timed<3>>>> {
+};
 struct exclusive_within_mended : khz<cca::node<"a", source<>, cca::any_of<cca::timed<2>, cca::timed<3>>>> {};
-static_assert(tells<exclusive_within, exclusive_within_mended>({"strategy.never_fires", "a",
-    "`a` (source<>) never fires: the clocks under its cca::all_of have no beat in common; change a period or a "
-    "phase"}));
+static_assert(tells<exclusive_within, exclusive_within_mended>(
+    {"strategy.never_fires", "a",
+     "`a` (source<>) never fires: the clocks under its cca::all_of have no beat in common; change a period "
+     "or a "
+     "phase"}));
 
-struct loop : khz<cca::node<"a", step<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "a.x">> {};
-struct loop_mended : khz<cca::node<"a", step<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">,
-    cca::wire<"b.y", "a.x", cca::delayed<1>>> {};
-static_assert(tells<loop, loop_mended>({"graph.algebraic_loop", "b.y -> a.x",
-    "`a.y` -> `b.x`, `b.y` -> `a.x` are a loop without delay, so none of their components can come first; say "
-    "where it may be a beat late: cca::wire<`b.y`, `a.x`, cca::delayed<1>>"}));
+struct loop
+    : khz<cca::node<"a", step<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "a.x">> {
+};
+struct loop_mended : khz<cca::node<"a", step<>>,
+                         cca::node<"b", step<>>,
+                         cca::wire<"a.y", "b.x">,
+                         cca::wire<"b.y", "a.x", cca::delayed<1>>> {};
+static_assert(
+    tells<loop, loop_mended>({"graph.algebraic_loop", "b.y -> a.x",
+                              "`a.y` -> `b.x`, `b.y` -> `a.x` are a loop without delay, so none of their "
+                              "components can come first; say "
+                              "where it may be a beat late: cca::wire<`b.y`, `a.x`, cca::delayed<1>>"}));
 
-struct loop_of_three : khz<cca::node<"z", source<>>, cca::node<"a", merge<>>, cca::node<"b", step<>>, cca::node<"c", step<>>,
-    cca::node<"d", sink<>>, cca::wire<"z.y", "a.a">, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "c.x">,
-    cca::wire<"c.y", "a.b", cca::queue<2, cca::drop_oldest>>, cca::wire<"c.y", "d.x">> {};
-struct loop_of_three_mended : khz<cca::node<"z", source<>>, cca::node<"a", merge<>>, cca::node<"b", step<>>, cca::node<"c", step<>>,
-    cca::node<"d", sink<>>, cca::wire<"z.y", "a.a">, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "c.x">,
-    cca::wire<"c.y", "a.b", cca::delayed<2>>, cca::wire<"c.y", "d.x">> {};
-static_assert(tells<loop_of_three, loop_of_three_mended>({"graph.algebraic_loop", "c.y -> a.b",
-    "`a.y` -> `b.x`, `b.y` -> `c.x`, `c.y` -> `a.b` are a loop without delay, so none of their components can come "
-    "first; say where it may be a beat late: cca::wire<`c.y`, `a.b`, cca::delayed<1>>"}));
+struct loop_of_three : khz<cca::node<"z", source<>>,
+                           cca::node<"a", merge<>>,
+                           cca::node<"b", step<>>,
+                           cca::node<"c", step<>>,
+                           cca::node<"d", sink<>>,
+                           cca::wire<"z.y", "a.a">,
+                           cca::wire<"a.y", "b.x">,
+                           cca::wire<"b.y", "c.x">,
+                           cca::wire<"c.y", "a.b", cca::queue<2, cca::drop_oldest>>,
+                           cca::wire<"c.y", "d.x">> {};
+struct loop_of_three_mended : khz<cca::node<"z", source<>>,
+                                  cca::node<"a", merge<>>,
+                                  cca::node<"b", step<>>,
+                                  cca::node<"c", step<>>,
+                                  cca::node<"d", sink<>>,
+                                  cca::wire<"z.y", "a.a">,
+                                  cca::wire<"a.y", "b.x">,
+                                  cca::wire<"b.y", "c.x">,
+                                  cca::wire<"c.y", "a.b", cca::delayed<2>>,
+                                  cca::wire<"c.y", "d.x">> {};
+static_assert(tells<loop_of_three, loop_of_three_mended>(
+    {"graph.algebraic_loop", "c.y -> a.b",
+     "`a.y` -> `b.x`, `b.y` -> `c.x`, `c.y` -> `a.b` are a loop without delay, so none of their components "
+     "can come "
+     "first; say where it may be a beat late: cca::wire<`c.y`, `a.b`, cca::delayed<1>>"}));
 
 struct loop_of_one : khz<cca::node<"a", step<>>, cca::wire<"a.y", "a.x">> {};
 struct loop_of_one_mended : khz<cca::node<"a", step<>>, cca::wire<"a.y", "a.x", cca::delayed<1>>> {};
-static_assert(tells<loop_of_one, loop_of_one_mended>({"graph.algebraic_loop", "a.y -> a.x",
-    "`a.y` -> `a.x` is a loop without delay, so its component would have to come before itself; say where it may "
-    "be a beat late: cca::wire<`a.y`, `a.x`, cca::delayed<1>>"}));
+static_assert(
+    tells<loop_of_one, loop_of_one_mended>({"graph.algebraic_loop", "a.y -> a.x",
+                                            "`a.y` -> `a.x` is a loop without delay, so its component would "
+                                            "have to come before itself; say where it may "
+                                            "be a beat late: cca::wire<`a.y`, `a.x`, cca::delayed<1>>"}));
 
 struct eye {
   auto sense(cca::in<"x", signal>) -> cca::out<"y", signal> { return {}; }
 };
 
-struct backwards : khz<cca::node<"e", eye>, cca::node<"a", step<>>, cca::wire<"e.y", "a.x">, cca::wire<"a.y", "e.x">> {};
-struct backwards_mended : khz<cca::node<"e", eye>, cca::node<"a", step<>>, cca::wire<"e.y", "a.x">,
-    cca::wire<"a.y", "e.x", cca::delayed<1>>> {};
-static_assert(tells<backwards, backwards_mended>({"graph.algebraic_loop", "a.y -> e.x",
-    "`a.y` -> `e.x` leads back within a beat, which is: every sense, then every component, then every act; say "
-    "where it may be a beat late: cca::wire<`a.y`, `e.x`, cca::delayed<1>>"}));
+struct backwards
+    : khz<cca::node<"e", eye>, cca::node<"a", step<>>, cca::wire<"e.y", "a.x">, cca::wire<"a.y", "e.x">> {};
+struct backwards_mended : khz<cca::node<"e", eye>,
+                              cca::node<"a", step<>>,
+                              cca::wire<"e.y", "a.x">,
+                              cca::wire<"a.y", "e.x", cca::delayed<1>>> {};
+static_assert(tells<backwards, backwards_mended>(
+    {"graph.algebraic_loop", "a.y -> e.x",
+     "`a.y` -> `e.x` leads back within a beat, which is: every sense, then every component, then every act; "
+     "say "
+     "where it may be a beat late: cca::wire<`a.y`, `e.x`, cca::delayed<1>>"}));
 
 struct watcher {
   auto process(cca::observe<"a.*">) -> cca::out<"y", signal> { return {}; }
@@ -160,38 +241,64 @@ struct late_watcher {
 };
 
 struct observed_loop : khz<cca::node<"o", watcher>, cca::node<"a", step<>>, cca::wire<"o.y", "a.x">> {};
-struct observed_loop_mended : khz<cca::node<"o", late_watcher>, cca::node<"a", step<>>, cca::wire<"o.y", "a.x">> {};
-static_assert(tells<observed_loop, observed_loop_mended>({"graph.algebraic_loop", "o",
-    "`o` listens to `a.*`, and so to `a.y`, which depends on what it publishes itself, so neither can come first; "
-    "let it listen a beat later: cca::observe<`a.*`, cca::delayed<1>>"}));
+struct observed_loop_mended
+    : khz<cca::node<"o", late_watcher>, cca::node<"a", step<>>, cca::wire<"o.y", "a.x">> {};
+static_assert(tells<observed_loop, observed_loop_mended>(
+    {"graph.algebraic_loop", "o",
+     "`o` listens to `a.*`, and so to `a.y`, which depends on what it publishes itself, so neither can come "
+     "first; "
+     "let it listen a beat later: cca::observe<`a.*`, cca::delayed<1>>"}));
 
-struct apart : khz<cca::node<"a", source<>, cca::timed<2, 0>>, cca::node<"c", source<>, cca::timed<2, 1>>,
-    cca::node<"m", merge<>, cca::coordinated>, cca::wire<"a.y", "m.a">, cca::wire<"c.y", "m.b">> {};
-struct apart_mended : khz<cca::node<"a", source<>, cca::timed<2>>, cca::node<"c", source<>, cca::timed<4>>,
-    cca::node<"m", merge<>, cca::coordinated>, cca::wire<"a.y", "m.a">, cca::wire<"c.y", "m.b">> {};
+struct apart : khz<cca::node<"a", source<>, cca::timed<2, 0>>,
+                   cca::node<"c", source<>, cca::timed<2, 1>>,
+                   cca::node<"m", merge<>, cca::coordinated>,
+                   cca::wire<"a.y", "m.a">,
+                   cca::wire<"c.y", "m.b">> {};
+struct apart_mended : khz<cca::node<"a", source<>, cca::timed<2>>,
+                          cca::node<"c", source<>, cca::timed<4>>,
+                          cca::node<"m", merge<>, cca::coordinated>,
+                          cca::wire<"a.y", "m.a">,
+                          cca::wire<"c.y", "m.b">> {};
 static_assert(tells<apart, apart_mended>({"strategy.coordination", "m",
-    "`m` (merge<>) is cca::coordinated, but `m.a` (from `a.y`, every 2 beats) and `m.b` (from `c.y`, every 2 beats "
-    "from beat 1) never hold samples of one time of origin, so it would never fire: feed them from one source at "
-    "one rate, with equal delays, or make it cca::moderate"}));
+                                          "`m` (merge<>) is cca::coordinated, but `m.a` (from `a.y`, every 2 "
+                                          "beats) and `m.b` (from `c.y`, every 2 beats "
+                                          "from beat 1) never hold samples of one time of origin, so it "
+                                          "would never fire: feed them from one source at "
+                                          "one rate, with equal delays, or make it cca::moderate"}));
 
-struct old : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::delayed<3>>,
-    cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
-struct old_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::delayed<2>>,
-    cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
+struct old : khz<cca::node<"a", source<>>,
+                 cca::node<"b", sink<>>,
+                 cca::wire<"a.y", "b.x", cca::delayed<3>>,
+                 cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
+struct old_mended : khz<cca::node<"a", source<>>,
+                        cca::node<"b", sink<>>,
+                        cca::wire<"a.y", "b.x", cca::delayed<2>>,
+                        cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
 static_assert(tells<old, old_mended>({"latency.exceeded", "a.y -> b.x",
-    "a sample of `a.y` can be 3 beats old when `b.x` is read, but old requires at most 2: shorten a delay or a "
-    "queue on the way, or run the components on it more often"}));
+                                      "a sample of `a.y` can be 3 beats old when `b.x` is read, but old "
+                                      "requires at most 2: shorten a delay or a "
+                                      "queue on the way, or run the components on it more often"}));
 
 struct perhaps {
   auto process(cca::in<"x", signal>) -> cca::maybe<"y", signal> { return {}; }
 };
 
-struct of_any_age : khz<cca::node<"a", source<>>, cca::node<"p", perhaps>, cca::node<"b", sink<>>, cca::wire<"a.y", "p.x">,
-    cca::wire<"p.y", "b.x">, cca::require<cca::latency<"a.y", "b.x">, cca::beats<9>>> {};
-struct of_any_age_mended : khz<cca::node<"a", source<>>, cca::node<"p", step<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "p.x">,
-    cca::wire<"p.y", "b.x">, cca::require<cca::latency<"a.y", "b.x">, cca::beats<0>>> {};
-static_assert(tells<of_any_age, of_any_age_mended>({"latency.exceeded", "a.y -> b.x",
-    "a sample of `a.y` can be of any age when `b.x` is read, but of_any_age requires at most 9: a clock on the way "
-    "is known only at run time; make those components cca::timed"}));
+struct of_any_age : khz<cca::node<"a", source<>>,
+                        cca::node<"p", perhaps>,
+                        cca::node<"b", sink<>>,
+                        cca::wire<"a.y", "p.x">,
+                        cca::wire<"p.y", "b.x">,
+                        cca::require<cca::latency<"a.y", "b.x">, cca::beats<9>>> {};
+struct of_any_age_mended : khz<cca::node<"a", source<>>,
+                               cca::node<"p", step<>>,
+                               cca::node<"b", sink<>>,
+                               cca::wire<"a.y", "p.x">,
+                               cca::wire<"p.y", "b.x">,
+                               cca::require<cca::latency<"a.y", "b.x">, cca::beats<0>>> {};
+static_assert(
+    tells<of_any_age, of_any_age_mended>({"latency.exceeded", "a.y -> b.x",
+                                          "a sample of `a.y` can be of any age when `b.x` is read, but "
+                                          "of_any_age requires at most 9: a clock on the way "
+                                          "is known only at run time; make those components cca::timed"}));
 
 }  // namespace

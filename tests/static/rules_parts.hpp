@@ -48,22 +48,24 @@ struct robot {
 template <class... Items>
 using khz = cca::graph<cca::rate<1000>, Items...>;
 
-// What a graph is told; the message without the rule's id. A class, so that the compiler shows what it was instead.
+// What a graph is told; the message without the rule's id. A class, so that the compiler shows what it was
+// instead.
 struct told {
   std::string_view rule, where, message;
 
   constexpr bool by(const cca::diagnosis_value& d) const {
     const auto text = d.message;
-    return d.rule == rule && d.where == where && text.starts_with(rule) && text.substr(rule.size()).starts_with(": ") &&
-           text.substr(rule.size() + 2) == message;
+    return d.rule == rule && d.where == where && text.starts_with(rule) &&
+           text.substr(rule.size()).starts_with(": ") && text.substr(rule.size() + 2) == message;
   }
 };
 
 // The broken graph is told this, and the mended one is sound.
 template <class Broken, class Mended>
 constexpr bool tells(told what) {
-  return what.by(cca::diagnosis<Broken>) && !cca::well_formed<Broken> && cca::well_formed<Mended> && cca::diagnosis<Mended>.rule.empty() &&
-         cca::diagnosis<Mended>.where.empty() && cca::diagnosis<Mended>.message.empty();
+  return what.by(cca::diagnosis<Broken>) && !cca::well_formed<Broken> && cca::well_formed<Mended> &&
+         cca::diagnosis<Mended>.rule.empty() && cca::diagnosis<Mended>.where.empty() &&
+         cca::diagnosis<Mended>.message.empty();
 }
 
 }  // namespace parts

@@ -31,7 +31,8 @@ struct foot : cca::space<cca::cartesian_position<base>, cca::axes<cca::x, cca::z
 
 // Coordinates.
 static_assert(cca::Space<leg_angles> && leg_angles::size == 2);
-static_assert(attitude::size == 4 && placed::size == 7 && moving::size == 6 && loaded::size == 6 && foot::size == 2);
+static_assert(attitude::size == 4 && placed::size == 7 && moving::size == 6 && loaded::size == 6 &&
+              foot::size == 2);
 static_assert(cca::detail::zero_of<attitude> == std::array{0.0, 0.0, 0.0, 1.0});
 static_assert(cca::detail::zero_of<placed> == std::array{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
 static_assert(cca::detail::zero_of<leg_angles> == std::array{0.0, 0.0});
@@ -49,7 +50,8 @@ static_assert(cca::detail::missing_limits<leg_angles> == -1);
 static_assert(cca::detail::missing_limits<leg_torques> == 1);
 static_assert(cca::detail::missing_limits<toe_angles> == 1);
 static_assert(cca::detail::missing_limits<plain> == 0);
-static_assert(cca::detail::space_of<toe_angles>.missing_limits == 1 && cca::detail::space_of<twice>.duplicate_axis == 2);
+static_assert(cca::detail::space_of<toe_angles>.missing_limits == 1 &&
+              cca::detail::space_of<twice>.duplicate_axis == 2);
 static_assert(cca::detail::duplicate_axis<leg_angles> == -1 && cca::detail::duplicate_axis<plain> == -1);
 static_assert(cca::detail::duplicate_axis<twice> == 2);
 
@@ -65,12 +67,13 @@ static_assert(sizeof(cca::sample<attitude>) <= 3 * 16);
 static_assert(sizeof(cca::sample<plain>) == 16);
 
 // And none of its coordinates can be written: a sample does not change.
-template <class Sample>
-concept Written = requires(Sample s) { s[hip{}] = 1.0; } || requires(Sample s) { s.vector()[0] = 1.0; } ||
-                  requires(Sample s) { s.vector() = s.vector(); } || requires(Sample s) { s.set(0, 1.0); };
+template <class Sample> concept Written = requires(Sample s) { s[hip{}] = 1.0; } || requires(Sample s) {
+  s.vector()[0] = 1.0;
+} || requires(Sample s) { s.vector() = s.vector(); } || requires(Sample s) { s.set(0, 1.0); };
 static_assert(!Written<cca::sample<leg_angles>> && !Written<cca::sample<leg_angles>&>);
 static_assert(Written<cca::out<"angles", leg_angles>&>);  // what a component fills
-static_assert(std::is_convertible_v<cca::sample<leg_angles>, cca::sample<cca::sub_space<leg_angles, hip, knee>>>);
+static_assert(
+    std::is_convertible_v<cca::sample<leg_angles>, cca::sample<cca::sub_space<leg_angles, hip, knee>>>);
 static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<leg_torques>>);
 struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<100>> {};
 static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<slow_angles>>);
@@ -79,11 +82,29 @@ static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<slow_a
 template <class... Quantities>
 constexpr bool listed() {
   return ((cca::Quantity<Quantities> && cca::units_of<Quantities>[0].text == Quantities::unit &&
-           cca::units_of<Quantities>[0].factor == 1 && std::end(cca::units_of<Quantities>)[-1].text.empty()) && ...);
+           cca::units_of<Quantities>[0].factor == 1 &&
+           std::end(cca::units_of<Quantities>)[-1].text.empty()) &&
+          ...);
 }
-static_assert(listed<cca::angle, cca::velocity, cca::acceleration, cca::torque, cca::torque_rate, cca::stiffness, cca::damping,
-                     cca::length, cca::speed, cca::force, cca::linear_stiffness, cca::linear_damping, cca::mass, cca::duration,
-                     cca::power, cca::voltage, cca::current, cca::frequency, cca::value>());
+static_assert(listed<cca::angle,
+                     cca::velocity,
+                     cca::acceleration,
+                     cca::torque,
+                     cca::torque_rate,
+                     cca::stiffness,
+                     cca::damping,
+                     cca::length,
+                     cca::speed,
+                     cca::force,
+                     cca::linear_stiffness,
+                     cca::linear_damping,
+                     cca::mass,
+                     cca::duration,
+                     cca::power,
+                     cca::voltage,
+                     cca::current,
+                     cca::frequency,
+                     cca::value>());
 struct flow {
   double lower, upper;
   static constexpr std::string_view unit = "m^3/s";

@@ -1,5 +1,5 @@
 // Names as messages and pictures show them.
-#include <cca/space/type_name.hpp>
+#include <cca/base/type_name.hpp>
 
 namespace outer {
 struct hip {};
@@ -23,4 +23,6 @@ static_assert(type_name<double>() == "double");
 static_assert(type_name<outer::knee>() == "knee");
 static_assert(type_name<outer::leg<outer::hip, outer::knee>>() == "leg<hip, knee>");
 static_assert(type_name<outer::leg<>::in<outer::knee>>() == "in<knee>");
-static_assert(type_name<outer::leg<outer::hip, outer::foot<outer::leg<outer::knee, double>>::toe, outer::hip>>() == "leg<hip, toe, hip>");
+static_assert(
+    type_name<outer::leg<outer::hip, outer::foot<outer::leg<outer::knee, double>>::toe, outer::hip>>() ==
+    "leg<hip, toe, hip>");

@@ -1,6 +1,8 @@
-// Which frames a drive of each family sends and hears, and what may be asked of it: frames that can't move it.
+// Which frames a drive of each family sends and hears, and what may be asked of it: frames that can't move
+// it.
 //
-// `to_real` gives a frame of number 1 the drive's number, `to_unit` takes it away again; false: not of this drive.
+// `to_real` gives a frame of number 1 the drive's number, `to_unit` takes it away again; false: not of this
+// drive.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +24,8 @@ namespace hw = cca::hardware;
 
 struct unit_ranges {
   static constexpr std::string_view name = "MIT";
-  static constexpr auto limits =
-      cca::limits{cca::angle{-1, 1}, cca::velocity{-1, 1}, cca::torque{-1, 1}, cca::stiffness{0, 1}, cca::damping{0, 1}};
+  static constexpr auto limits = cca::limits{cca::angle{-1, 1}, cca::velocity{-1, 1}, cca::torque{-1, 1},
+                                             cca::stiffness{0, 1}, cca::damping{0, 1}};
 };
 template <hw::mit_firmware Firmware>
 using unit_mit = hw::mit_drive<unit_ranges, 1, 0, Firmware>;
@@ -58,7 +60,9 @@ struct mit_address {
     return true;
   }
   bool is_answer(const hw::can_frame&) const { return false; }
-  hw::drive_frames ask() const { return {hw::mit_special_frame(hw::standard(number), hw::mit_special::leave)}; }
+  hw::drive_frames ask() const {
+    return {hw::mit_special_frame(hw::standard(number), hw::mit_special::leave)};
+  }
   hw::drive_frames ask_state() const { return ask(); }
   template <class Drive>
   hw::set_point_frames set_point(const hw::drive_command& c, double) const {
@@ -90,7 +94,8 @@ struct odrive_address {
 // Asked to read registers it answers and does nothing.
 struct unit_moteus_motor {
   static constexpr std::string_view name = "moteus";
-  static constexpr double stiffness = 1, damping = 1, torque = 1e-3, timeout = 0.1;  // a torque that moves nothing, until stated
+  static constexpr double stiffness = 1, damping = 1, torque = 1e-3,
+                          timeout = 0.1;  // a torque that moves nothing, until stated
 };
 using unit_moteus = hw::moteus<unit_moteus_motor, 1>;
 
@@ -129,21 +134,24 @@ struct moteus_address {
 // It tells on SYNC. Asked for the type of device (object 1000h) it answers, in any state.
 struct unit_cia402_motor {
   static constexpr std::string_view name = "CiA 402";
-  static constexpr double counts = hw::detail::radians_in_turn, torque = 1;  // so that 1 is a count, and the rated torque
+  static constexpr double counts = hw::detail::radians_in_turn,
+                          torque = 1;  // so that 1 is a count, and the rated torque
 };
 using unit_cia402 = hw::cia402<unit_cia402_motor, 1, hw::cia402_mode::position>;
 
 using unit_cia402_torque = hw::cia402<unit_cia402_motor, 1, hw::cia402_mode::torque>;
 
-// Its mode is a setting of its own, and a set-point of one mode says something else in the other (position 0, torque 0): so it is
-// asked for (6061h); and by position for its greatest torque (6072h, thousandths of the rated one), which no frame limits.
+// Its mode is a setting of its own, and a set-point of one mode says something else in the other (position 0,
+// torque 0): so it is asked for (6061h); and by position for its greatest torque (6072h, thousandths of the
+// rated one), which no frame limits.
 struct cia402_address {
   std::uint32_t number = 1;
   static constexpr const char* family = "CiA 402";
   static constexpr bool needs_fd = false, clocked = true;
 
   void to_real(hw::can_frame& f) const {
-    if (f.id == hw::standard(0)) f.data[1] = static_cast<std::uint8_t>(number);  // NMT, for all: who is meant stands in it
+    if (f.id == hw::standard(0))
+      f.data[1] = static_cast<std::uint8_t>(number);  // NMT, for all: who is meant stands in it
     else f.id.number = (f.id.number & ~0x7Fu) | number;
   }
   bool to_unit(hw::can_frame& f) const {
@@ -159,7 +167,9 @@ struct cia402_address {
     else if (f.data[1] != 0) return false;
     return true;
   }
-  bool is_answer(const hw::can_frame& f) const { return f.id == hw::standard(0x580 + number) && f.length == 8; }
+  bool is_answer(const hw::can_frame& f) const {
+    return f.id == hw::standard(0x580 + number) && f.length == 8;
+  }
   hw::drive_frames ask() const { return {ask_for(number, canopen_object::device_type)}; }
   template <class Drive>
   hw::drive_frames ask_settings(const drive_settings& s) const {
@@ -175,25 +185,30 @@ struct cia402_address {
   std::string wrong_setting(const drive_settings& s, double torque, double rated) const {
     constexpr std::uint32_t wanted = Drive::by_position ? 8 : 10;
     if (s.mode && *s.mode != wanted)
-      return "it is configured for mode " + std::to_string(*s.mode) + " (6061h), and its name says " + std::to_string(wanted) +
-             ": cia402 is cyclic position, 8, cia402-torque is cyclic torque, 10";
+      return "it is configured for mode " + std::to_string(*s.mode) + " (6061h), and its name says " +
+             std::to_string(wanted) + ": cia402 is cyclic position, 8, cia402-torque is cyclic torque, 10";
     if (!Drive::by_position || torque == 0) return {};
     if (const double most = s.most_torque.value_or(0) * rated / 1000; most > torque)
-      return "it goes by position, and may use " + std::to_string(most) + " N m (6072h): set that to at most " +
-             std::to_string(static_cast<int>(torque / rated * 1000)) + " thousandths of its rated torque first";
+      return "it goes by position, and may use " + std::to_string(most) +
+             " N m (6072h): set that to at most " + std::to_string(static_cast<int>(torque / rated * 1000)) +
+             " thousandths of its rated torque first";
     return {};
   }
   // Of one that is played.
   template <class Drive>
   std::optional<hw::can_frame> answer(const hw::can_frame& f) const {
-    if (f == ask_for(number, canopen_object::device_type)) return tell(number, canopen_object::device_type, 0x00020192, 4);
+    if (f == ask_for(number, canopen_object::device_type))
+      return tell(number, canopen_object::device_type, 0x00020192, 4);
     if (f == ask_for(number, canopen_object::mode_of_operation))
       return tell(number, canopen_object::mode_of_operation, Drive::by_position ? 8 : 10, 1);
-    if (f == ask_for(number, canopen_object::most_torque)) return tell(number, canopen_object::most_torque, most_torque, 2);
+    if (f == ask_for(number, canopen_object::most_torque))
+      return tell(number, canopen_object::most_torque, most_torque, 2);
     return {};
   }
   std::uint16_t most_torque = 1000;
-  hw::drive_frames ask_state() const { return {hw::canopen_start(static_cast<std::uint8_t>(number)), hw::canopen_sync()}; }
+  hw::drive_frames ask_state() const {
+    return {hw::canopen_start(static_cast<std::uint8_t>(number)), hw::canopen_sync()};
+  }
   template <class Drive>
   hw::set_point_frames set_point(const hw::drive_command& c, double) const {
     return Drive::set_point(c);

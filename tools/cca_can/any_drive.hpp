@@ -1,7 +1,7 @@
 // A drive whose family, number and ranges are known only when the program runs; and the same, played.
 //
-// The codecs of cca::hardware are types. Each family is made into a type once, as number 1 and with ranges of 1; here its frames
-// get their real number, and its numbers their real size.
+// The codecs of cca::hardware are types. Each family is made into a type once, as number 1 and with ranges of
+// 1; here its frames get their real number, and its numbers their real size.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,12 @@ struct drive_scale {
   double position = 1, velocity = 1, torque = 1, stiffness = 1, damping = 1;
 
   hw::drive_command to_drive(const hw::drive_command& c) const {
-    return {c.position / position, c.velocity / velocity, c.torque / torque, c.stiffness / stiffness, c.damping / damping};
+    return {c.position / position, c.velocity / velocity, c.torque / torque, c.stiffness / stiffness,
+            c.damping / damping};
   }
   hw::drive_command from_drive(const hw::drive_command& c) const {
-    return {c.position * position, c.velocity * velocity, c.torque * torque, c.stiffness * stiffness, c.damping * damping};
+    return {c.position * position, c.velocity * velocity, c.torque * torque, c.stiffness * stiffness,
+            c.damping * damping};
   }
 };
 
@@ -35,9 +37,9 @@ struct drive_settings {
 
 class any_drive {
 public:
-  std::string text;    // as it was named: "mit:ak80-9:3"
-  std::string family;  // "MIT, AK firmware"
-  std::uint8_t uses = 0;   // drive_quantity: what a set-point says
+  std::string text;       // as it was named: "mit:ak80-9:3"
+  std::string family;     // "MIT, AK firmware"
+  std::uint8_t uses = 0;  // drive_quantity: what a set-point says
   bool needs_fd = false, clocked = false;
   bool scaled = true;  // its ranges are known: not only its position
 
@@ -45,8 +47,9 @@ public:
   bool takes_gains() const { return (uses & hw::of_stiffness) != 0; }
   bool takes_torque_alone() const { return uses == hw::of_torque; }
 
-  // What it has to tell of its settings before it may be enabled: frames that ask for what is not yet known, until none are left;
-  // then whether they are what its name says, and keep to so much torque (0: none is asked for). Not so: why.
+  // What it has to tell of its settings before it may be enabled: frames that ask for what is not yet known,
+  // until none are left; then whether they are what its name says, and keep to so much torque (0: none is
+  // asked for). Not so: why.
   virtual hw::drive_frames ask_settings() const { return {}; }
   virtual void hear_setting(const hw::can_frame&) {}
   virtual std::string wrong_setting(double) const { return {}; }
@@ -64,8 +67,8 @@ public:
   virtual hw::enable_step enable(const hw::drive_report& r) = 0;
 };
 
-// Drive: number 1, ranges of 1. Address: `to_real(frame)`, from number 1 to the real one, and `to_unit(frame)`, false if it's not
-// of this drive. `ask(to_real)`: see above.
+// Drive: number 1, ranges of 1. Address: `to_real(frame)`, from number 1 to the real one, and
+// `to_unit(frame)`, false if it's not of this drive. `ask(to_real)`: see above.
 template <hw::Drive Drive, class Address>
 class drive_at : public any_drive {
 public:
@@ -165,7 +168,8 @@ public:
     hw::can_frame unit = f;
     if constexpr (requires { address.template answer<typename Virtual::drive>(f); })
       if (const auto said = address.template answer<typename Virtual::drive>(f)) return told = said, true;
-    if constexpr (requires { address.to_unit_request(unit); }) return address.to_unit_request(unit) && drive.hear(unit, now);
+    if constexpr (requires { address.to_unit_request(unit); })
+      return address.to_unit_request(unit) && drive.hear(unit, now);
     else return address.to_unit(unit) && drive.hear(unit, now);
   }
   hw::drive_frames advance(std::int64_t now) override {
@@ -173,8 +177,9 @@ public:
     then = now;
     hw::drive_frames all;
     if (told) all.add(*told), told.reset();
-    for (hw::can_frame f : drive.answer(
-             {motor.now.position / scale.position, motor.now.velocity / scale.velocity, motor.now.torque / scale.torque})) {
+    for (hw::can_frame f :
+         drive.answer({motor.now.position / scale.position, motor.now.velocity / scale.velocity,
+                       motor.now.torque / scale.torque})) {
       address.to_real(f);
       all.add(f);
     }

@@ -1,8 +1,9 @@
-// cca-can calibrate: a joint stands at an angle that is known; what the drive tells makes its offset, which goes into a file.
+// cca-can calibrate: a joint stands at an angle that is known; what the drive tells makes its offset, which
+// goes into a file.
 //
-// The file is the one that a controller with cca::hardware::oncilla loads: the parameter `offset` of its synchronizer, in
-// addition to the offset of the joint's type. Offsets of other joints stay as they are. A file with anything else in it is
-// refused: then the offset is told, to be put in by hand.
+// The file is the one that a controller with cca::hardware::oncilla loads: the parameter `offset` of its
+// synchronizer, in addition to the offset of the joint's type. Offsets of other joints stay as they are. A
+// file with anything else in it is refused: then the offset is told, to be put in by hand.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/component/file.hpp>
+#include <cca/base/file.hpp>
 #include <cca/hardware/joint.hpp>
 #include <cca/sim/oncilla_spaces.hpp>
 
@@ -49,7 +50,8 @@ inline std::size_t joint_named(const std::string& name) {
 
 inline std::string offset_file(const offsets& all, const std::string& node) {
   std::string text =
-      "# Offsets of the joints in rad, as `cca-can calibrate` found them; a controller loads them.\n[" + node + "]\noffset = [\n";
+      "# Offsets of the joints in rad, as `cca-can calibrate` found them; a controller loads them.\n[" +
+      node + "]\noffset = [\n";
   for (std::size_t i = 0; i < all.size(); ++i) {
     char line[96];
     std::snprintf(line, sizeof line, "  %.6f,  # %s\n", all[i], std::string(detail::joint_names[i]).c_str());
@@ -87,7 +89,8 @@ struct calibrate_order {
 };
 
 template <hw::CanBus Bus>
-ending calibrate(Bus& bus, const std::string& name, any_drive& drive, const calibrate_order& o, pace& time, console& say) {
+ending calibrate(
+    Bus& bus, const std::string& name, any_drive& drive, const calibrate_order& o, pace& time, console& say) {
   const std::string joint(detail::joint_names[o.joint]);
   offsets all{};
   if (std::filesystem::exists(o.file)) {
@@ -99,9 +102,10 @@ ending calibrate(Bus& bus, const std::string& name, any_drive& drive, const cali
     all = *old;
   }
   char what[400];
-  std::snprintf(what, sizeof what,
-                "calibrate %s by %s on %s: it stands now at %.4f rad, without torque; write its offset into %s", joint.c_str(),
-                drive.text.c_str(), name.c_str(), o.at, o.file.c_str());
+  std::snprintf(
+      what, sizeof what,
+      "calibrate %s by %s on %s: it stands now at %.4f rad, without torque; write its offset into %s",
+      joint.c_str(), drive.text.c_str(), name.c_str(), o.at, o.file.c_str());
   if (!say.confirmed(what)) return not_confirmed;
 
   talk t(bus, drive, time, 10 * ms);
@@ -122,10 +126,12 @@ ending calibrate(Bus& bus, const std::string& name, any_drive& drive, const cali
   const double spread = high - low, mean = sum / samples;
   const double of_type = o.mounted.sign * mean / o.mounted.gear + o.mounted.offset, offset = o.at - of_type;
   char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "drive at %.4f rad, joint by its type at %.4f rad, offset %.6f rad", mean, of_type,
-                offset);
-  if (wrong.empty() && answers < samples / 2) wrong = "it answered only " + std::to_string(answers) + " of 50 times";
-  if (wrong.empty() && !(spread < 0.005)) wrong = "it moves, by " + std::to_string(spread) + " rad: hold it still";
+  std::snprintf(numbers, sizeof numbers, "drive at %.4f rad, joint by its type at %.4f rad, offset %.6f rad",
+                mean, of_type, offset);
+  if (wrong.empty() && answers < samples / 2)
+    wrong = "it answered only " + std::to_string(answers) + " of 50 times";
+  if (wrong.empty() && !(spread < 0.005))
+    wrong = "it moves, by " + std::to_string(spread) + " rad: hold it still";
   if (wrong.empty() && !(std::abs(offset) <= 1))
     wrong = std::string(numbers) + ": more than 1 rad; is the sign, the gear or the angle wrong?";
   if (!wrong.empty()) {

@@ -1,5 +1,6 @@
-// Objects of a CANopen drive, asked for one after the other and told in one frame each (CiA 301, expedited upload): reading them
-// changes nothing. What jog and enable have to know before they enable a drive that goes by its own mode.
+// Objects of a CANopen drive, asked for one after the other and told in one frame each (CiA 301, expedited
+// upload): reading them changes nothing. What jog and enable have to know before they enable a drive that
+// goes by its own mode.
 #pragma once
 
 #include <array>
@@ -13,7 +14,11 @@ namespace cca_can {
 
 namespace hw = cca::hardware;
 
-enum class canopen_object : std::uint16_t { device_type = 0x1000, mode_of_operation = 0x6061, most_torque = 0x6072 };
+enum class canopen_object : std::uint16_t {
+  device_type = 0x1000,
+  mode_of_operation = 0x6061,
+  most_torque = 0x6072
+};
 
 constexpr hw::can_frame ask_for(std::uint32_t node, canopen_object what) {
   hw::can_frame f{.id = hw::standard(0x600 + node), .length = 8, .data = {0x40}};
@@ -30,10 +35,14 @@ constexpr hw::can_frame tell(std::uint32_t node, canopen_object what, std::uint3
 }
 
 // What a frame tells of this object; none: another frame, another object, or the drive has none.
-constexpr std::optional<std::uint32_t> told_of(const hw::can_frame& f, std::uint32_t node, canopen_object what) {
+constexpr std::optional<std::uint32_t> told_of(const hw::can_frame& f,
+                                               std::uint32_t node,
+                                               canopen_object what) {
   const unsigned unused = f.data[0] >> 2 & 3u;
-  if (f.id != hw::standard(0x580 + node) || f.length != 8 || f.fd || f.remote || (f.data[0] & 0xF3) != 0x43) return {};
-  if (hw::detail::got<std::uint16_t>(f.payload(), 1) != static_cast<std::uint16_t>(what) || f.data[3] != 0) return {};
+  if (f.id != hw::standard(0x580 + node) || f.length != 8 || f.fd || f.remote || (f.data[0] & 0xF3) != 0x43)
+    return {};
+  if (hw::detail::got<std::uint16_t>(f.payload(), 1) != static_cast<std::uint16_t>(what) || f.data[3] != 0)
+    return {};
   const auto value = hw::detail::got<std::uint32_t>(f.payload(), 4);
   return unused == 0 ? value : value & ((1u << 8 * (4 - unused)) - 1);
 }

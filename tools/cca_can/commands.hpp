@@ -31,7 +31,8 @@ struct bus_name {
 };
 inline bus_name bus_in(words& w) {
   auto parts = split(w.needed_next("the name of the bus, as can0,"), ',');
-  if (parts.size() > 2 || (parts.size() == 2 && parts[1] != "fd")) throw usage_error("a bus is named as can0, or can0,fd");
+  if (parts.size() > 2 || (parts.size() == 2 && parts[1] != "fd"))
+    throw usage_error("a bus is named as can0, or can0,fd");
   return {parts[0], parts.size() == 2};
 }
 
@@ -41,14 +42,18 @@ inline std::vector<std::string> drive_texts(words& w) {
   return all;
 }
 
-inline double seconds_in(words& w) { return w.number("--seconds", "seconds, 0 without end", 0, 1e6).value_or(0); }
+inline double seconds_in(words& w) {
+  return w.number("--seconds", "seconds, 0 without end", 0, 1e6).value_or(0);
+}
 
 inline pretend_order pretend_in(words& w) {
   pretend_order o{.seconds = seconds_in(w)};
   o.silent_at = w.number("--silent-at", "seconds", 0, 1e6);
   o.silent_for = w.number("--silent-for", "seconds, 0 for good", 0, 1e6).value_or(0);
   o.fault_at = w.number("--fault-at", "seconds", 0, 1e6);
-  if (o.fault_at) o.code = static_cast<std::uint32_t>(w.needed_number("--code", "the firmware's number of a fault", 1, 4294967295.0));
+  if (o.fault_at)
+    o.code = static_cast<std::uint32_t>(
+        w.needed_number("--code", "the firmware's number of a fault", 1, 4294967295.0));
   o.load = w.number("--load", "N m", -1e3, 1e3).value_or(0);
   return o;
 }
@@ -60,7 +65,8 @@ inline list_order list_in(words& w) {
     o.ask = split(*ask, ',');
     for (const std::string& family : o.ask)
       if (family != "mit" && family != "moteus" && family != "cia402")
-        throw usage_error("--ask " + *ask + ": expected some of mit, moteus, cia402; an ODrive tells by itself");
+        throw usage_error("--ask " + *ask +
+                          ": expected some of mit, moteus, cia402; an ODrive tells by itself");
   }
   if (const auto ids = w.option("--ids")) {
     const auto ends = split(*ids, '-');
@@ -76,7 +82,8 @@ inline jog_order jog_in(words& w) {
   jog_order o;
   constexpr double far = 1e4;
   const auto range = w.option("--range");
-  if (!range) throw usage_error("--range is missing: the angles that the drive may be at, in rad, as -0.2,0.2");
+  if (!range)
+    throw usage_error("--range is missing: the angles that the drive may be at, in rad, as -0.2,0.2");
   const auto ends = split(*range, ',');
   const auto low = number_in(ends.front()), high = number_in(ends.back());
   if (ends.size() != 2 || !low || !high || !(*low < *high))
@@ -85,10 +92,12 @@ inline jog_order jog_in(words& w) {
   o.limits.speed = w.needed_number("--speed", "rad/s, as 0.5", 1e-3, 20);
   o.limits.torque = w.needed_number("--torque", "N m, as 0.5", 1e-2, 100);
   o.limits.stiffness = w.number("--stiffness", "N m/rad", 1e-2, 500).value_or(o.limits.torque / 0.1);
-  o.limits.damping = w.number("--damping", "N m s/rad", 0, 100).value_or(0.2 * o.limits.torque / o.limits.speed);
+  o.limits.damping =
+      w.number("--damping", "N m s/rad", 0, 100).value_or(0.2 * o.limits.torque / o.limits.speed);
   o.hold = w.number("--hold", "seconds", 0, 3600).value_or(o.hold);
   const auto to = w.number("--to", "rad", -far, far), by = w.number("--by", "rad", -far, far);
-  if (to.has_value() == by.has_value()) throw usage_error("jog wants either --to, an angle of the drive in rad, or --by");
+  if (to.has_value() == by.has_value())
+    throw usage_error("jog wants either --to, an angle of the drive in rad, or --by");
   o.relative = by.has_value();
   o.goal = to ? *to : *by;
   if (to && !(*to >= *low && *to <= *high))
@@ -137,7 +146,8 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     const auto interfaces = can_interfaces();
     if (!name) {
       for (const bus_info& b : interfaces) say.out << text_of(b) << '\n';
-      if (interfaces.empty()) say.out << "this machine has no CAN interface: is the adapter there, its driver loaded?\n";
+      if (interfaces.empty())
+        say.out << "this machine has no CAN interface: is the adapter there, its driver loaded?\n";
       return interfaces.empty() ? failed : done;
     }
     words of_bus({*name});
@@ -193,7 +203,8 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     w.nothing_left();
     auto bus = bus_of(b);
     if (!file || *file == "-") return record(bus, b.name, o, say.out, time, say);
-    if (std::filesystem::exists(*file) && !say.confirmed(*file + " is there already, and would be overwritten"))
+    if (std::filesystem::exists(*file) &&
+        !say.confirmed(*file + " is there already, and would be overwritten"))
       return not_confirmed;
     std::ofstream out(*file);
     if (!out) cca::detail::refuse_file(*file, "cannot be written", errno);
@@ -223,7 +234,9 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     for (const std::string& each : detail::drive_texts(w))
       drives.push_back(virtual_named(each)), fd = fd || each.starts_with("moteus");
     w.nothing_left();
-    if (!b.name.starts_with("vcan") && !say.confirmed("On " + b.name + " it answers in the place of drives: who drives a robot there takes that for what the robot says."))
+    if (!b.name.starts_with("vcan") && !say.confirmed("On " + b.name +
+                                                      " it answers in the place of drives: who drives a "
+                                                      "robot there takes that for what the robot says."))
       return not_confirmed;
     auto bus = open(b.name, fd);
     return pretend(bus, drives, o, time);

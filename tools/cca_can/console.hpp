@@ -22,7 +22,9 @@ struct console {
   bool confirmed(std::string_view what) {
     if (yes) return true;
     if (!someone_is_there) {
-      error << what << "\ncca-can: this asks first, and nobody is at a terminal to say yes; --yes says it beforehand\n";
+      error
+          << what
+          << "\ncca-can: this asks first, and nobody is at a terminal to say yes; --yes says it beforehand\n";
       return false;
     }
     error << what << "\nGo on? [yes/no] " << std::flush;

@@ -1,8 +1,8 @@
 // A drive by its name on the command line: FAMILY[:RANGES]:NUMBER.
 //
-//   mit:ak80-9:3            T-Motor / CubeMars AK in MIT mode: ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64
-//   mit:12.5/45/20:3        the same with ranges of position (rad), velocity (rad/s), torque (N m); behind them, if they are
-//   others
+//   mit:ak80-9:3            T-Motor / CubeMars AK in MIT mode: ak10-9, ak60-6, ak70-10, ak80-6, ak80-9,
+//   ak80-64 mit:12.5/45/20:3        the same with ranges of position (rad), velocity (rad/s), torque (N m);
+//   behind them, if they are others
 //                           than 500 and 5, stiffness and damping
 //   damiao:12.5/45/20:3     Damiao;     mit-original:12.5/45/18:3     the original firmware
 //   mit:ak80-9:3@16         ... that answers under the id 16 instead of 0
@@ -32,13 +32,15 @@ namespace cca_can {
 namespace detail {
 
 inline constexpr const char* families =
-    "mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
+    "mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, "
+    "moteus:KP/KD:NUMBER, "
     "cia402:COUNTS/TORQUE:NUMBER, cia402-torque:COUNTS/TORQUE:NUMBER";
 
 template <class Ranges>
 drive_scale scale_of() {
   const auto top = []<class Quantity>(Quantity) { return Ranges::limits.template of<Quantity>().upper; };
-  return {top(cca::angle()), top(cca::velocity()), top(cca::torque()), top(cca::stiffness()), top(cca::damping())};
+  return {top(cca::angle()), top(cca::velocity()), top(cca::torque()), top(cca::stiffness()),
+          top(cca::damping())};
 }
 
 struct drive_parts {
@@ -51,7 +53,8 @@ struct drive_parts {
 }
 
 inline std::uint32_t drive_number(const std::string& all, const std::string& text, std::uint32_t most) {
-  if (text.empty() || text.size() > 8 || !std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); }))
+  if (text.empty() || text.size() > 8 ||
+      !std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); }))
     no_drive(all, "`" + text + "` is no number; written as one of " + families);
   const auto n = static_cast<std::uint32_t>(std::stoul(text));
   if (n > most) no_drive(all, "its number is at most " + std::to_string(most));
@@ -64,8 +67,12 @@ inline drive_parts parts_of(const std::string& text) {
   drive_parts p{.family = words[0], .ranges = words.size() == 3 ? words[1] : ""};
   const auto number = split(words.back(), '@');
   const bool mit = p.family == "mit" || p.family == "mit-original" || p.family == "damiao";
-  if (number.size() > 2 || (number.size() == 2 && !mit)) no_drive(text, "only MIT drives answer under another id, `@ID`");
-  const std::uint32_t most = p.family == "damiao" ? 15 : mit ? 255 : p.family.starts_with("odrive") ? 0xFFFFFF : 127;
+  if (number.size() > 2 || (number.size() == 2 && !mit))
+    no_drive(text, "only MIT drives answer under another id, `@ID`");
+  const std::uint32_t most = p.family == "damiao"             ? 15
+                             : mit                            ? 255
+                             : p.family.starts_with("odrive") ? 0xFFFFFF
+                                                              : 127;
   p.number = drive_number(text, number[0], most);
   if (number.size() == 2) p.master = drive_number(text, number[1], 0x7FF);
   if (p.number == 0 && !p.family.starts_with("odrive")) no_drive(text, "its number is at least 1");
@@ -74,7 +81,10 @@ inline drive_parts parts_of(const std::string& text) {
 }
 
 // So many numbers as they are, all positive.
-inline std::vector<double> numbers_of(const std::string& text, const std::string& ranges, std::size_t least, std::size_t most,
+inline std::vector<double> numbers_of(const std::string& text,
+                                      const std::string& ranges,
+                                      std::size_t least,
+                                      std::size_t most,
                                       const char* what) {
   std::vector<double> all;
   for (const std::string& each : split(ranges, '/')) {
@@ -82,7 +92,8 @@ inline std::vector<double> numbers_of(const std::string& text, const std::string
     if (!n || !(*n > 0)) no_drive(text, "expected " + std::string(what) + ", got `" + ranges + "`");
     all.push_back(*n);
   }
-  if (all.size() < least || all.size() > most) no_drive(text, "expected " + std::string(what) + ", got `" + ranges + "`");
+  if (all.size() < least || all.size() > most)
+    no_drive(text, "expected " + std::string(what) + ", got `" + ranges + "`");
   return all;
 }
 
@@ -97,9 +108,10 @@ inline drive_scale mit_scale(const std::string& text, const std::string& ranges,
   if (ak)
     for (const known& k : models)
       if (ranges == k.name) return k.scale;
-  const auto n = numbers_of(text, ranges, 3, 5,
-                            ak ? "a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or ranges as `12.5/50/18`"
-                               : "ranges of position, velocity and torque as `12.5/45/20`");
+  const auto n =
+      numbers_of(text, ranges, 3, 5,
+                 ak ? "a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or ranges as `12.5/50/18`"
+                    : "ranges of position, velocity and torque as `12.5/45/20`");
   return {n[0], n[1], n[2], n.size() > 3 ? n[3] : 500, n.size() > 4 ? n[4] : 5};
 }
 
@@ -109,13 +121,14 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
   const drive_parts p = parts_of(text);
   const auto ranges = [&](const char* what) {
     if (p.ranges.empty() && ranges_needed)
-      no_drive(text,
-               std::string("it needs ") + what + ", which no frame tells: " + p.family + ":RANGES:" + std::to_string(p.number));
+      no_drive(text, std::string("it needs ") + what + ", which no frame tells: " + p.family +
+                         ":RANGES:" + std::to_string(p.number));
     return !p.ranges.empty();
   };
   const auto mit = [&]<hw::mit_firmware Firmware>() {
-    const drive_scale s =
-        ranges("the ranges of its firmware") ? mit_scale(text, p.ranges, Firmware == hw::mit_firmware::ak) : drive_scale{12.5};
+    const drive_scale s = ranges("the ranges of its firmware")
+                              ? mit_scale(text, p.ranges, Firmware == hw::mit_firmware::ak)
+                              : drive_scale{12.5};
     return f.template operator()<unit_mit<Firmware>>(mit_address<Firmware>{p.number, p.master}, s);
   };
   if (p.family == "mit") return mit.template operator()<hw::mit_firmware::ak>();
@@ -142,7 +155,8 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
     no_drive(text, "an ODrive has no ranges; write " + p.family + ":NUMBER");
   const auto odrive = [&]<hw::odrive_firmware Firmware>() {
     const odrive_address at{p.number};
-    if (by_torque) return f.template operator()<hw::odrive<1, hw::odrive_mode::torque, Firmware>>(at, drive_scale{});
+    if (by_torque)
+      return f.template operator()<hw::odrive<1, hw::odrive_mode::torque, Firmware>>(at, drive_scale{});
     return f.template operator()<hw::odrive<1, hw::odrive_mode::position, Firmware>>(at, drive_scale{});
   };
   if (p.family == "odrive") return odrive.template operator()<hw::odrive_firmware::v0_6>();
@@ -152,11 +166,16 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
 
 }  // namespace detail
 
-// Without ranges only what does not need them can be asked: whether it is there. `to_jog`: by torque, where a drive can go so.
-inline std::unique_ptr<any_drive> drive_named(const std::string& text, bool ranges_needed = true, bool to_jog = false) {
-  auto drive = detail::with_drive(text, ranges_needed, to_jog, [&]<class Drive>(const auto& address, const drive_scale& s) {
-    return std::unique_ptr<any_drive>(std::make_unique<drive_at<Drive, std::decay_t<decltype(address)>>>(address, s));
-  });
+// Without ranges only what does not need them can be asked: whether it is there. `to_jog`: by torque, where a
+// drive can go so.
+inline std::unique_ptr<any_drive> drive_named(const std::string& text,
+                                              bool ranges_needed = true,
+                                              bool to_jog = false) {
+  auto drive = detail::with_drive(
+      text, ranges_needed, to_jog, [&]<class Drive>(const auto& address, const drive_scale& s) {
+        return std::unique_ptr<any_drive>(
+            std::make_unique<drive_at<Drive, std::decay_t<decltype(address)>>>(address, s));
+      });
   drive->text = text;
   drive->scaled = ranges_needed;
   return drive;
@@ -164,7 +183,8 @@ inline std::unique_ptr<any_drive> drive_named(const std::string& text, bool rang
 
 namespace detail {
 
-inline constexpr std::int64_t watchdog = 100'000'000;  // ns: as one should set it; a moteus has its own in each command
+inline constexpr std::int64_t watchdog =
+    100'000'000;  // ns: as one should set it; a moteus has its own in each command
 
 template <class Drive>
 struct played;
@@ -191,7 +211,8 @@ struct played<hw::cia402<Motor, Node, Mode>> {
 inline std::unique_ptr<any_virtual> virtual_named(const std::string& text) {
   return detail::with_drive(text, true, false, [&]<class Drive>(const auto& address, const drive_scale& s) {
     using drive = typename detail::played<Drive>::type;
-    return std::unique_ptr<any_virtual>(std::make_unique<virtual_at<drive, std::decay_t<decltype(address)>>>(address, s));
+    return std::unique_ptr<any_virtual>(
+        std::make_unique<virtual_at<drive, std::decay_t<decltype(address)>>>(address, s));
   });
 }
 

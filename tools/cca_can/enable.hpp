@@ -10,8 +10,9 @@ namespace cca_can {
 template <hw::CanBus Bus>
 ending enable(Bus& bus, const std::string& name, any_drive& drive, double seconds, pace& time, console& say) {
   if (!say.confirmed("enable " + drive.text + " (" + drive.family + ") on " + name +
-                     (drive.takes_gains() || drive.takes_torque_alone() ? ": without stiffness and torque"
-                                                                        : ": it holds where it stands, with all its torque") +
+                     (drive.takes_gains() || drive.takes_torque_alone()
+                          ? ": without stiffness and torque"
+                          : ": it holds where it stands, with all its torque") +
                      ", until it is disabled at the end"))
     return not_confirmed;
   talk t(bus, drive, time, 5 * ms);

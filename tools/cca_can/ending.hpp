@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 
 namespace cca_can {
 

@@ -68,7 +68,8 @@ inline void read_controller(std::span<const std::byte> bytes, bus_info& b) {
     std::uint32_t state = 0;
     if (type == IFLA_CAN_BITTIMING && copy_to(timing, value)) b.bit_rate = timing.bitrate;
     if (type == IFLA_CAN_DATA_BITTIMING && copy_to(timing, value)) b.data_rate = timing.bitrate;
-    if (type == IFLA_CAN_BERR_COUNTER && copy_to(errors, value)) b.transmit_count = errors.txerr, b.receive_count = errors.rxerr;
+    if (type == IFLA_CAN_BERR_COUNTER && copy_to(errors, value))
+      b.transmit_count = errors.txerr, b.receive_count = errors.rxerr;
     if (type == IFLA_CAN_STATE && copy_to(state, value)) {
       constexpr std::array names{"active", "warning", "passive", "bus-off", "stopped", "sleeping"};
       if (state < names.size()) b.state = names[state];
@@ -81,7 +82,8 @@ inline void read_kind(std::span<const std::byte> bytes, bus_info& b) {
     can_device_stats counted{};
     if (type == IFLA_INFO_KIND) b.kind = text_in(value);
     if (type == IFLA_INFO_DATA) read_controller(value, b);
-    if (type == IFLA_INFO_XSTATS && copy_to(counted, value)) b.bus_offs = counted.bus_off, b.restarts = counted.restarts;
+    if (type == IFLA_INFO_XSTATS && copy_to(counted, value))
+      b.bus_offs = counted.bus_off, b.restarts = counted.restarts;
   });
 }
 
@@ -118,7 +120,9 @@ inline std::vector<bus_info> can_interfaces() {
   request.head.nlmsg_len = sizeof request;
   request.head.nlmsg_type = RTM_GETLINK;
   request.head.nlmsg_flags = NLM_F_REQUEST | NLM_F_DUMP;
-  const auto fails = [] { return cca::refused(std::string("the kernel does not tell its interfaces: ") + std::strerror(errno)); };
+  const auto fails = [] {
+    return cca::refused(std::string("the kernel does not tell its interfaces: ") + std::strerror(errno));
+  };
   if (socket.get() < 0 || ::send(socket.get(), &request, sizeof request, 0) < 0) throw fails();
   std::vector<bus_info> all;
   std::vector<std::byte> buffer(65536);
@@ -132,7 +136,8 @@ inline std::vector<bus_info> can_interfaces() {
       if (head.nlmsg_type == NLMSG_DONE || head.nlmsg_type == NLMSG_ERROR) return all;
       if (head.nlmsg_len < sizeof head || head.nlmsg_len > left.size()) return all;
       bus_info b;
-      if (detail::read_interface(left.subspan(NLMSG_HDRLEN, head.nlmsg_len - NLMSG_HDRLEN), b)) all.push_back(b);
+      if (detail::read_interface(left.subspan(NLMSG_HDRLEN, head.nlmsg_len - NLMSG_HDRLEN), b))
+        all.push_back(b);
       left = left.subspan(std::min<std::size_t>(NLMSG_ALIGN(head.nlmsg_len), left.size()));
     }
   }

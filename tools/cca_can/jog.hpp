@@ -1,17 +1,20 @@
-// cca-can jog: one joint, slowly, within a range, a speed and a torque, and disabled at the end, whatever the end.
+// cca-can jog: one joint, slowly, within a range, a speed and a torque, and disabled at the end, whatever the
+// end.
 //
-// next_jog_command is all that decides what goes to the drive. Its target speeds up and slows down within a quarter of a second,
-// never goes faster than the speed, never leaves the range, and is never further from where the drive stands than what half of
-// the torque pulls. So a joint that is held fast is pulled with half of the torque, and does not jump when it is let go.
-// What the torque bounds: what a command makes of the position and speed that the drive told last.
-//   MIT, moteus        gains go to the drive, shrunk where their sum would make more. Until the next command, 5 ms and the way
-//                      of an answer later, the drive's own law goes on: a joint that is pushed meets stiffness times its way and
-//                      damping times its change of speed in addition (0.32 N m of 0.5 at 3 N m on 0.01 kg m^2). A moteus is
-//                      told the bound as well, and keeps it always
-//   ODrive, CiA 402    by torque: the law is reckoned here, and its torque cut at the bound; the drive makes no more, whatever
-//   by torque          happens meanwhile; nor does it damp what happens meanwhile
-//   CiA 402 by         the drive's own servo pulls, by its own greatest torque (6072h), which has to be set to no more
-//   position
+// next_jog_command is all that decides what goes to the drive. Its target speeds up and slows down within a
+// quarter of a second, never goes faster than the speed, never leaves the range, and is never further from
+// where the drive stands than what half of the torque pulls. So a joint that is held fast is pulled with half
+// of the torque, and does not jump when it is let go. What the torque bounds: what a command makes of the
+// position and speed that the drive told last.
+//   MIT, moteus        gains go to the drive, shrunk where their sum would make more. Until the next command,
+//   5 ms and the way
+//                      of an answer later, the drive's own law goes on: a joint that is pushed meets
+//                      stiffness times its way and damping times its change of speed in addition (0.32 N m of
+//                      0.5 at 3 N m on 0.01 kg m^2). A moteus is told the bound as well, and keeps it always
+//   ODrive, CiA 402    by torque: the law is reckoned here, and its torque cut at the bound; the drive makes
+//   no more, whatever by torque          happens meanwhile; nor does it damp what happens meanwhile CiA 402
+//   by         the drive's own servo pulls, by its own greatest torque (6072h), which has to be set to no
+//   more position
 #pragma once
 
 #include <algorithm>
@@ -31,7 +34,9 @@ struct jog_limits {
 };
 
 // The law where it is, where the drive knows none.
-inline hw::drive_command as_torque(const hw::drive_command& c, const jog_limits& l, const hw::drive_report& at) {
+inline hw::drive_command as_torque(const hw::drive_command& c,
+                                   const jog_limits& l,
+                                   const hw::drive_report& at) {
   const double v = at.velocity - at.velocity == 0 ? at.velocity : 0;
   const double law = c.stiffness * (c.position - at.position) + c.damping * (c.velocity - v);
   return {.torque = std::clamp(law, -l.torque, l.torque)};
@@ -42,23 +47,25 @@ struct jog_target {
 };
 
 // `target` goes on with it. The torque is that of the law at what was measured.
-inline hw::drive_command next_jog_command(const jog_limits& l, double goal, const hw::drive_report& at, double dt,
-                                          jog_target& target) {
+inline hw::drive_command next_jog_command(
+    const jog_limits& l, double goal, const hw::drive_report& at, double dt, jog_target& target) {
   const double rise = l.speed / 0.25;  // rad/s^2
   const double way = std::clamp(goal, l.low, l.high) - target.position;
   // As fast as it can still stop at the goal.
   const double fastest = std::min({l.speed, std::sqrt(2 * rise * std::abs(way)), std::abs(way) / dt});
   const double wanted = std::copysign(fastest, way);
-  const double speed =
-      std::clamp(std::clamp(wanted, target.velocity - rise * dt, target.velocity + rise * dt), -l.speed, l.speed);
-  const double next =
-      std::abs(way) <= std::abs(speed) * dt && speed * way >= 0 ? target.position + way : target.position + speed * dt;
+  const double speed = std::clamp(
+      std::clamp(wanted, target.velocity - rise * dt, target.velocity + rise * dt), -l.speed, l.speed);
+  const double next = std::abs(way) <= std::abs(speed) * dt && speed * way >= 0
+                          ? target.position + way
+                          : target.position + speed * dt;
   const double reach = 0.5 * l.torque / l.stiffness;
   const double kept = std::clamp(std::clamp(next, at.position - reach, at.position + reach), l.low, l.high);
   target.velocity = std::clamp((kept - target.position) / dt, -l.speed, l.speed);
   target.position = kept;
 
-  hw::drive_command c{.position = kept, .velocity = target.velocity, .stiffness = l.stiffness, .damping = l.damping};
+  hw::drive_command c{
+      .position = kept, .velocity = target.velocity, .stiffness = l.stiffness, .damping = l.damping};
   const double v = at.velocity - at.velocity == 0 ? at.velocity : 0;
   const double law = c.stiffness * (c.position - at.position) + c.damping * (c.velocity - v);
   if (std::abs(law) > l.torque) {
@@ -90,11 +97,12 @@ template <hw::CanBus Bus>
 ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pace& time, console& say) {
   const jog_limits& l = o.limits;
   char what[400];
-  std::snprintf(what, sizeof what,
-                "jog %s (%s) on %s %s %.4f rad, within %.4f to %.4f rad, at most at %.3f rad/s and with %.3f N m\n"
-                "Nobody within reach, the joint free to move, the switch of its supply in your hand.",
-                drive.text.c_str(), drive.family.c_str(), name.c_str(), o.relative ? "by" : "to", o.goal, l.low, l.high, l.speed,
-                l.torque);
+  std::snprintf(
+      what, sizeof what,
+      "jog %s (%s) on %s %s %.4f rad, within %.4f to %.4f rad, at most at %.3f rad/s and with %.3f N m\n"
+      "Nobody within reach, the joint free to move, the switch of its supply in your hand.",
+      drive.text.c_str(), drive.family.c_str(), name.c_str(), o.relative ? "by" : "to", o.goal, l.low, l.high,
+      l.speed, l.torque);
   if (!say.confirmed(what)) return not_confirmed;
 
   talk t(bus, drive, time, 5 * ms);
@@ -103,7 +111,8 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
   if (o.relative) o.goal += start;
   if (wrong.empty()) wrong = t.ask_settings(l.torque);
   if (wrong.empty() && !(start >= l.low && start <= l.high))
-    wrong = "it stands at " + std::to_string(start) + " rad, outside of the range; turn it by hand, or state another range";
+    wrong = "it stands at " + std::to_string(start) +
+            " rad, outside of the range; turn it by hand, or state another range";
   if (wrong.empty() && !(o.goal >= l.low && o.goal <= l.high))
     wrong = "the goal, " + std::to_string(o.goal) + " rad, is outside of the range";
   if (!wrong.empty()) {
@@ -131,7 +140,8 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
     else wrong = t.cycle(s.frames);
     if (wrong.empty()) wrong = beyond_limits(l, t.report());
     if (!there && target.position == o.goal) there = true, arrived = time.now();
-    if (!there && time.now() > longest) wrong = "it does not get there: something holds it, or the torque is too small";
+    if (!there && time.now() > longest)
+      wrong = "it does not get there: something holds it, or the torque is too small";
   }
   // Softly, where it still listens: 0.2 s of damping alone.
   for (int i = 0; i < 40 && (wrong.empty() || time.end_wanted()); ++i) {

@@ -1,8 +1,10 @@
-// cca-can list: which drives are on a bus. It listens first, and then, where it is told to, asks the numbers of a family.
+// cca-can list: which drives are on a bus. It listens first, and then, where it is told to, asks the numbers
+// of a family.
 //
-// What is asked can't move a motor: a moteus reads registers, a CANopen drive an object; an MIT drive is told to leave the motor
-// mode, which takes its torque away, and answers. So a bus on which someone sends to such drives is not asked, and nor is a
-// number under whose id something else was heard: a frame means one thing to one family and another to the next.
+// What is asked can't move a motor: a moteus reads registers, a CANopen drive an object; an MIT drive is told
+// to leave the motor mode, which takes its torque away, and answers. So a bus on which someone sends to such
+// drives is not asked, and nor is a number under whose id something else was heard: a frame means one thing
+// to one family and another to the next.
 #pragma once
 
 #include <algorithm>
@@ -66,7 +68,8 @@ inline void found_by_heartbeat(const hw::can_frame& f, std::vector<found_drive>&
                         : f.data[0] == 5    ? "operational"
                         : f.data[0] == 0x7F ? "pre-operational"
                                             : nullptr;
-    if (state) all.push_back({"cia402:" + std::to_string(f.id.number & 0x7F), std::string("heartbeat: ") + state});
+    if (state)
+      all.push_back({"cia402:" + std::to_string(f.id.number & 0x7F), std::string("heartbeat: ") + state});
   }
 }
 
@@ -96,7 +99,8 @@ std::vector<found_drive> drives_on(Bus& bus, const list_order& o, pace& time, co
       const auto drive = drive_named(family + ":" + std::to_string(number), false);
       const hw::drive_frames question = drive->ask();
       if (const auto at = heard.find(detail::key_of(question[0].id)); at != heard.end()) {
-        say.out << "  " << drive->text << "  not asked: someone sends under its id, " << text_of(at->second.last) << '\n';
+        say.out << "  " << drive->text << "  not asked: someone sends under its id, "
+                << text_of(at->second.last) << '\n';
         continue;
       }
       if (bus.send(question).outcome == hw::send_outcome::invalid) {
@@ -127,8 +131,11 @@ ending list(Bus& bus, const list_order& o, pace& time, console& say) {
     say.error << "cca-can: the bus is " << name_of(bus.state()) << '\n';
     return failed;
   }
-  if (bus.in_flight() > 0) say.out << "  nobody acknowledges: is anything on this bus powered, at this bit rate?\n";
-  if (all.empty()) say.out << "  no drive " << (o.ask.empty() ? "tells of itself; --ask mit,moteus,cia402 asks\n" : "answers\n");
+  if (bus.in_flight() > 0)
+    say.out << "  nobody acknowledges: is anything on this bus powered, at this bit rate?\n";
+  if (all.empty())
+    say.out << "  no drive "
+            << (o.ask.empty() ? "tells of itself; --ask mit,moteus,cia402 asks\n" : "answers\n");
   return all.empty() ? failed : done;
 }
 

@@ -1,10 +1,12 @@
 // A line of a log as `candump -L` writes and `canplayer` reads it.
 //
 //   (1436509052.249713) vcan0 044#2A366C2BBA        classic; 8 digits are a 29-bit id; `#R`, `#R4`: remote
-//   (1436509052.249713) vcan0 12345678##1AABB       FD: a digit of flags (1: BRS, 2: ESI, which is not kept), then the payload
+//   (1436509052.249713) vcan0 12345678##1AABB       FD: a digit of flags (1: BRS, 2: ESI, which is not kept),
+//   then the payload
 //
-// Behind the frame there may be R or T (received, sent: candump -x) and _9 to _F (the raw length code of a classic frame), which
-// are not kept. Error frames are told apart, since they are never sent. Source: linux-can/can-utils, lib.c and log2asc.c.
+// Behind the frame there may be R or T (received, sent: candump -x) and _9 to _F (the raw length code of a
+// classic frame), which are not kept. Error frames are told apart, since they are never sent. Source:
+// linux-can/can-utils, lib.c and log2asc.c.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +31,10 @@ struct log_line {
 namespace detail {
 
 constexpr int digit_of(char c) {
-  return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+  return c >= '0' && c <= '9'   ? c - '0'
+         : c >= 'A' && c <= 'F' ? c - 'A' + 10
+         : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                : -1;
 }
 
 inline std::optional<std::uint64_t> number_of(std::string_view text, int base, std::size_t most_digits) {
@@ -60,7 +65,8 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
   error = hash == 8 && (*id & error_flag) != 0;
   if (error) return {};
   f.id = {static_cast<std::uint32_t>(*id), hash == 8};
-  if (!f.id.valid()) return hash == 3 ? "an id of 11 bits is at most 7FF" : "an id of 29 bits is at most 1FFFFFFF";
+  if (!f.id.valid())
+    return hash == 3 ? "an id of 11 bits is at most 7FF" : "an id of 29 bits is at most 1FFFFFFF";
   std::string_view rest = text.substr(hash + 1);
   if (rest.starts_with('#')) {
     const auto flags = number_of(rest.substr(1, 1), 16, 1);
@@ -70,7 +76,8 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
     rest.remove_prefix(2);
   } else if (rest.starts_with('R') || rest.starts_with('r')) {
     const auto length = rest.size() == 1 ? 0 : number_of(rest.substr(1, 1), 10, 1);
-    if (!length || *length > 8 || rest.size() > 2) return "a remote frame is `#R`, or `#R` and a length of 0 to 8";
+    if (!length || *length > 8 || rest.size() > 2)
+      return "a remote frame is `#R`, or `#R` and a length of 0 to 8";
     f.remote = true;
     f.length = static_cast<std::uint8_t>(*length);
     return {};
@@ -96,7 +103,8 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
 inline std::string read_line(std::string_view text, log_line& line) {
   line = {};
   const std::string_view time = detail::next_part(text);
-  if (time.size() < 3 || time.front() != '(' || time.back() != ')') return "a line begins with its time, (SECONDS.MICROSECONDS)";
+  if (time.size() < 3 || time.front() != '(' || time.back() != ')')
+    return "a line begins with its time, (SECONDS.MICROSECONDS)";
   const std::string_view inner = time.substr(1, time.size() - 2);
   const std::size_t dot = inner.find('.');
   const auto seconds = detail::number_of(inner.substr(0, dot), 10, 10);
@@ -112,9 +120,11 @@ inline std::string read_line(std::string_view text, log_line& line) {
   if (line.bus.empty()) return "behind the time stands the name of the interface";
   const std::string_view frame = detail::next_part(text);
   if (frame.empty()) return "behind the name of the interface stands the frame";
-  if (const std::string wrong = detail::read_frame(frame, line.frame, line.error); !wrong.empty()) return wrong;
+  if (const std::string wrong = detail::read_frame(frame, line.frame, line.error); !wrong.empty())
+    return wrong;
   const std::string_view way = detail::next_part(text);
-  if (!(way.empty() || way == "R" || way == "T") || !detail::next_part(text).empty()) return "there is more behind the frame";
+  if (!(way.empty() || way == "R" || way == "T") || !detail::next_part(text).empty())
+    return "there is more behind the frame";
   return {};
 }
 

@@ -11,10 +11,11 @@ namespace cca_can {
 class pace {
 public:
   virtual ~pace() = default;
-  virtual std::int64_t now() const = 0;            // ns, monotonic
-  virtual std::int64_t calendar() const = 0;       // ns since 1970, at the same time
-  virtual void wait_until(std::int64_t when) = 0;  // whatever happens: what has been enabled must still be disabled
-  virtual bool end_wanted() const = 0;             // ctrl-c
+  virtual std::int64_t now() const = 0;       // ns, monotonic
+  virtual std::int64_t calendar() const = 0;  // ns since 1970, at the same time
+  virtual void wait_until(
+      std::int64_t when) = 0;           // whatever happens: what has been enabled must still be disabled
+  virtual bool end_wanted() const = 0;  // ctrl-c
 };
 
 namespace detail {

@@ -1,4 +1,5 @@
-// cca-can pretend: plays drives on a bus, and their troubles, for trying the rest without a robot: `ip link add vcan0 type vcan`.
+// cca-can pretend: plays drives on a bus, and their troubles, for trying the rest without a robot: `ip link
+// add vcan0 type vcan`.
 #pragma once
 
 #include <array>
@@ -35,12 +36,17 @@ struct pretend_order {
 };
 
 template <hw::CanBus Bus>
-ending pretend(Bus& bus, const std::vector<std::unique_ptr<any_virtual>>& drives, const pretend_order& o, pace& time) {
+ending pretend(Bus& bus,
+               const std::vector<std::unique_ptr<any_virtual>>& drives,
+               const pretend_order& o,
+               pace& time) {
   const std::int64_t from = time.now();
   bool failed_once = false;
   for (const auto& drive : drives) drive->load = o.load;
-  for (double t = 0; !time.end_wanted() && (o.seconds == 0 || t < o.seconds); t = static_cast<double>(time.now() - from) * 1e-9) {
-    const bool silent = o.silent_at && t >= *o.silent_at && (o.silent_for == 0 || t < *o.silent_at + o.silent_for);
+  for (double t = 0; !time.end_wanted() && (o.seconds == 0 || t < o.seconds);
+       t = static_cast<double>(time.now() - from) * 1e-9) {
+    const bool silent =
+        o.silent_at && t >= *o.silent_at && (o.silent_for == 0 || t < *o.silent_at + o.silent_for);
     const bool fails = o.fault_at && t >= *o.fault_at && !failed_once;
     failed_once = failed_once || fails;
     for (const auto& drive : drives) {

@@ -20,7 +20,8 @@ struct record_order {
 };
 
 template <hw::CanBus Bus>
-ending record(Bus& bus, const std::string& name, const record_order& o, std::ostream& file, pace& time, console& say) {
+ending record(
+    Bus& bus, const std::string& name, const record_order& o, std::ostream& file, pace& time, console& say) {
   const std::int64_t from = time.now(), to_calendar = time.calendar() - from;
   std::uint64_t n = 0;
   const auto enough = [&] { return o.frames != 0 && n >= o.frames; };
@@ -31,12 +32,14 @@ ending record(Bus& bus, const std::string& name, const record_order& o, std::ost
     for (std::size_t got = frames.size(); got == frames.size();) {
       got = bus.receive(frames);
       for (std::size_t i = 0; i < got && !enough(); ++i, ++n)
-        file << text_of(log_line{.time = frames[i].time + to_calendar, .bus = name, .frame = frames[i].frame}) << '\n';
+        file << text_of(log_line{.time = frames[i].time + to_calendar, .bus = name, .frame = frames[i].frame})
+             << '\n';
     }
   }
   file.flush();
   say.error << n << " frames recorded";
-  if (const auto lost = bus.counters().lost; lost > 0) say.error << ", " << lost << " lost: the machine was too slow";
+  if (const auto lost = bus.counters().lost; lost > 0)
+    say.error << ", " << lost << " lost: the machine was too slow";
   say.error << '\n';
   if (!file) {
     say.error << "cca-can: the file could not be written to its end\n";

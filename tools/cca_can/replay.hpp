@@ -30,7 +30,8 @@ inline log_file read_log(std::istream& in, const std::string& name) {
     if (text.find_first_not_of(" \t\r") == text.npos) continue;
     log_line line;
     if (const std::string wrong = read_line(text, line); !wrong.empty())
-      throw cca::refused(name + ":" + std::to_string(number) + ": " + wrong + ", in `" + text.substr(0, 80) + "`");
+      throw cca::refused(name + ":" + std::to_string(number) + ": " + wrong + ", in `" + text.substr(0, 80) +
+                         "`");
     if (line.error) ++log.errors;
     else log.lines.push_back(line);
   }
@@ -43,7 +44,8 @@ struct replay_order {
 };
 
 template <hw::CanBus Bus>
-ending replay(Bus& bus, const std::string& name, const log_file& log, const replay_order& o, pace& time, console& say) {
+ending replay(
+    Bus& bus, const std::string& name, const log_file& log, const replay_order& o, pace& time, console& say) {
   std::vector<const log_line*> chosen;
   std::set<std::string> names;
   for (const log_line& l : log.lines) {
@@ -55,7 +57,8 @@ ending replay(Bus& bus, const std::string& name, const log_file& log, const repl
   if (o.only.empty() && names.size() > 1)
     throw usage_error("the log is of several interfaces, " + all + ": --from says of which");
   if (chosen.empty())
-    throw cca::refused("the log has no frame" + (o.only.empty() ? std::string() : " of " + o.only + ", but of " + all));
+    throw cca::refused("the log has no frame" +
+                       (o.only.empty() ? std::string() : " of " + o.only + ", but of " + all));
   if (!say.confirmed("replay " + std::to_string(chosen.size()) + " frames on " + name +
                      ": whatever they moved when they were recorded, they may move again"))
     return not_confirmed;
@@ -65,7 +68,8 @@ ending replay(Bus& bus, const std::string& name, const log_file& log, const repl
   std::string wrong;
   for (const log_line* l : chosen) {
     if (o.speed > 0)
-      wait_until_end_wanted(time, from + static_cast<std::int64_t>(static_cast<double>(l->time - first) / o.speed));
+      wait_until_end_wanted(time,
+                            from + static_cast<std::int64_t>(static_cast<double>(l->time - first) / o.speed));
     hw::send_result r;
     for (const std::int64_t patience = time.now() + 1000 * ms; !time.end_wanted();) {
       r = bus.send({&l->frame, 1});
@@ -76,10 +80,10 @@ ending replay(Bus& bus, const std::string& name, const log_file& log, const repl
     }
     if (time.end_wanted()) break;
     if (r.outcome != hw::send_outcome::sent) {
-      wrong = r.outcome == hw::send_outcome::full ? "the queue stays full: does anybody acknowledge?"
-              : r.outcome == hw::send_outcome::invalid
-                  ? "this interface takes no " + text_of(l->frame) + " (FD frames want `fd on`, vcan `mtu 72`)"
-                  : "the bus is " + std::string(name_of(bus.state()));
+      wrong = r.outcome == hw::send_outcome::full      ? "the queue stays full: does anybody acknowledge?"
+              : r.outcome == hw::send_outcome::invalid ? "this interface takes no " + text_of(l->frame) +
+                                                             " (FD frames want `fd on`, vcan `mtu 72`)"
+                                                       : "the bus is " + std::string(name_of(bus.state()));
       break;
     }
     ++sent;

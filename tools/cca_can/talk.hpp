@@ -29,7 +29,8 @@ inline std::string text_of(const hw::drive_report& r) {
   std::string all = number(r.position, "rad  ") + number(r.velocity, "rad/s  ") + number(r.torque, "N m  ");
   if (r.temperature - r.temperature == 0) all += std::to_string(static_cast<int>(r.temperature)) + " C  ";
   all += activities[static_cast<std::size_t>(r.activity)];
-  if (r.fault != hw::drive_fault::none) all += ", " + std::string(name_of(r.fault)) + " (code " + std::to_string(r.code) + ")";
+  if (r.fault != hw::drive_fault::none)
+    all += ", " + std::string(name_of(r.fault)) + " (code " + std::to_string(r.code) + ")";
   return all;
 }
 
@@ -38,7 +39,8 @@ class talk {
 public:
   static constexpr std::int64_t silence = 100 * ms;
 
-  talk(Bus& b, any_drive& d, pace& p, std::int64_t cycle_time) : bus(b), drive(d), time(p), period(cycle_time) {
+  talk(Bus& b, any_drive& d, pace& p, std::int64_t cycle_time)
+      : bus(b), drive(d), time(p), period(cycle_time) {
     next = time.now();
     hear();
     told = {};  // from before
@@ -69,15 +71,17 @@ public:
       if (time.end_wanted()) return "ended by ctrl-c";
       if (told.position - told.position == 0) return {};
     }
-    return told.frames == 0
-               ? "it does not answer: is it powered, is this its number, its bus, its bit rate?"
-               : "it answers, but tells no position" + std::string(drive.clocked ? " (is it operational, and mapped?)" : "");
+    return told.frames == 0 ? "it does not answer: is it powered, is this its number, its bus, its bit rate?"
+                            : "it answers, but tells no position" +
+                                  std::string(drive.clocked ? " (is it operational, and mapped?)" : "");
   }
 
-  // Whether it is configured as its name says, and keeps to so much torque (0: none is asked for); by reading alone.
+  // Whether it is configured as its name says, and keeps to so much torque (0: none is asked for); by reading
+  // alone.
   trouble ask_settings(double torque, std::int64_t longest = 1000 * ms) {
     for (const std::int64_t end = time.now() + longest; !drive.ask_settings().empty();) {
-      if (time.now() >= end) return "it does not tell its mode of operation (6061h) and greatest torque (6072h)";
+      if (time.now() >= end)
+        return "it does not tell its mode of operation (6061h) and greatest torque (6072h)";
       cycle(drive.ask_settings());
       if (is_away(bus.state())) return away();
       if (time.end_wanted()) return "ended by ctrl-c";
@@ -87,7 +91,8 @@ public:
 
   trouble enable(std::int64_t longest = 3000 * ms) {
     if (const auto refusal = link.start(bus.in_flight()); refusal != hw::start_refusal::none)
-      return refusal == hw::start_refusal::bus_away ? away() : "the bus still holds frames: nobody takes them";
+      return refusal == hw::start_refusal::bus_away ? away()
+                                                    : "the bus still holds frames: nobody takes them";
     drive.begin();
     heard_at = time.now();
     for (const std::int64_t end = time.now() + longest; time.now() < end;) {
@@ -113,7 +118,8 @@ private:
     std::array<hw::received_frame, 32> frames;
     for (std::size_t n = frames.size(); n == frames.size();) {
       n = bus.receive(frames);
-      for (std::size_t i = 0; i < n; ++i) drive.decode(frames[i].frame, told), drive.hear_setting(frames[i].frame);
+      for (std::size_t i = 0; i < n; ++i)
+        drive.decode(frames[i].frame, told), drive.hear_setting(frames[i].frame);
     }
   }
   trouble away() const { return "the bus is " + std::string(name_of(bus.state())); }
@@ -122,7 +128,8 @@ private:
     if (link.state() == hw::link_state::safe) return "the bus: " + std::string(name_of(link.first_cause()));
     if (link.may_move() && time.now() - heard_at > silence) return "it does not answer any more";
     if (is_enabled && told.fault != hw::drive_fault::none)
-      return "it tells of a fault: " + std::string(name_of(told.fault)) + " (code " + std::to_string(told.code) + ")";
+      return "it tells of a fault: " + std::string(name_of(told.fault)) + " (code " +
+             std::to_string(told.code) + ")";
     if (is_enabled && told.activity == hw::drive_activity::disabled) return "it is not enabled any more";
     if (time.end_wanted()) return "ended by ctrl-c";
     return {};

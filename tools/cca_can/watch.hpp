@@ -12,7 +12,11 @@ namespace cca_can {
 
 // 0 s: until ctrl-c.
 template <hw::CanBus Bus>
-ending watch(Bus& bus, const std::vector<std::unique_ptr<any_drive>>& drives, bool ask, double seconds, pace& time,
+ending watch(Bus& bus,
+             const std::vector<std::unique_ptr<any_drive>>& drives,
+             bool ask,
+             double seconds,
+             pace& time,
              console& say) {
   std::vector<hw::drive_report> told(drives.size());
   const std::int64_t from = time.now();

@@ -1,7 +1,8 @@
 // The words of a command line. A command takes out what it knows; `nothing_left` complains about the rest.
 //
-// `@file` stands for the words in that file, where `#` begins a comment: so limits may be kept in a file beside the robot.
-// A word `--name` is an option, and the next word its value, unless it is a flag. Errors: usage_error, with what was expected.
+// `@file` stands for the words in that file, where `#` begins a comment: so limits may be kept in a file
+// beside the robot. A word `--name` is an option, and the next word its value, unless it is a flag. Errors:
+// usage_error, with what was expected.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/component/file.hpp>
+#include <cca/base/file.hpp>
 
 #include "ending.hpp"
 
@@ -90,7 +91,8 @@ public:
 
   // The next word that is no option. Take the options with values out first.
   std::optional<std::string> next() {
-    const auto at = std::find_if(left.begin(), left.end(), [](const std::string& w) { return !w.starts_with("--"); });
+    const auto at =
+        std::find_if(left.begin(), left.end(), [](const std::string& w) { return !w.starts_with("--"); });
     if (at == left.end()) return {};
     std::string word = *at;
     left.erase(at);

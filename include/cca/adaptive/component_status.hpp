@@ -1,14 +1,15 @@
-// Component Status: how an adaptive component fares, from ODE Status, Module Status and its criterion (seed, chapter 3 and
-// section 4.4.4).
+// Component Status: how an adaptive component fares, from ODE Status, Module Status and its criterion (seed,
+// chapter 3 and section 4.4.4).
 //
 //   diverged                 the criterion is lost, for as long as its limits ask
 //   reached                  the criterion is fulfilled (and, where it asks for rest, the ode has converged)
 //   outside_trained_region   neither, and the module is asked about what it was not trained for
 //   converging               else
 //
-// The node `status` of an adaptive component publishes all three, so that `observe<"dmp.status.*">` hears them:
-//   in  "ode" ode_status_port, "module" module_status_port (a module without learner has none), "criterion" criterion_port
-//   out "ode", "module", "component" component_status_port
+// The node `status` of an adaptive component publishes all three, so that `observe<"dmp.status.*">` hears
+// them:
+//   in  "ode" ode_status_port, "module" module_status_port (a module without learner has none), "criterion"
+//   criterion_port out "ode", "module", "component" component_status_port
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@ namespace cca {
 enum class component_status : std::uint8_t { converging, reached, outside_trained_region, diverged };
 
 constexpr std::string_view to_string(component_status state) {
-  constexpr std::array<std::string_view, 4> names{"converging", "reached", "outside the trained region", "diverged"};
+  constexpr std::array<std::string_view, 4> names{"converging", "reached", "outside the trained region",
+                                                  "diverged"};
   return names[static_cast<std::size_t>(state)];
 }
 
@@ -33,20 +35,28 @@ struct component_axis : dimension<"component"> {};
 struct component_status_port : space<status, axes<component_axis>> {};
 
 // `rests`: the ode has converged, or need not.
-constexpr component_status component_status_from(criterion_state criterion, trained_region region, bool rests) {
+constexpr component_status component_status_from(criterion_state criterion,
+                                                 trained_region region,
+                                                 bool rests) {
   if (criterion == criterion_state::lost) return component_status::diverged;
   if (criterion == criterion_state::fulfilled && rests) return component_status::reached;
-  return region == trained_region::outside ? component_status::outside_trained_region : component_status::converging;
+  return region == trained_region::outside ? component_status::outside_trained_region
+                                           : component_status::converging;
 }
 
 template <bool AtRest>
 struct status_of_component {
-  auto process(in<"ode", ode_status_port> ode, optional_in<"module", module_status_port> module, in<"criterion", criterion_port> criterion)
-      -> std::tuple<out<"ode", ode_status_port>, out<"module", module_status_port>, out<"component", component_status_port>> {
+  auto process(in<"ode", ode_status_port> ode,
+               optional_in<"module", module_status_port> module,
+               in<"criterion", criterion_port> criterion)
+      -> std::tuple<out<"ode", ode_status_port>,
+                    out<"module", module_status_port>,
+                    out<"component", component_status_port>> {
     const auto of_module = module ? module.vector() : status_of(learning::idle, trained_region::inside);
     const auto region = static_cast<trained_region>(of_module[1] != 0);
     const bool rests = !AtRest || ode.template is<ode_status>(ode_status::converged);
-    return {ode, of_module, status_of(component_status_from(criterion.template as<criterion_state>(), region, rests))};
+    return {ode, of_module,
+            status_of(component_status_from(criterion.template as<criterion_state>(), region, rests))};
   }
 };
 

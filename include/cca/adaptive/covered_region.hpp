@@ -1,17 +1,18 @@
-// Where a learner was trained, as a few of its inputs and a radius: each example lies within it of one of them.
+// Where a learner was trained, as a few of its inputs and a radius: each example lies within it of one of
+// them.
 //
-// The inputs are chosen one by one, each the one that is furthest from those before: no choice of so many has a radius of less than
-// half of theirs. Distances are in units of `width`, the scatter of the examples along each axis.
-// Cost: M distances a question; M N when it is made, of N examples. Source: Gonzalez, Clustering to minimize the maximum
-// intercluster distance, Theoretical Computer Science 38, 1985.
+// The inputs are chosen one by one, each the one that is furthest from those before: no choice of so many has
+// a radius of less than half of theirs. Distances are in units of `width`, the scatter of the examples along
+// each axis. Cost: M distances a question; M N when it is made, of N examples. Source: Gonzalez, Clustering
+// to minimize the maximum intercluster distance, Theoretical Computer Science 38, 1985.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include <cca/component/reflect.hpp>
-#include <cca/space/eigen.hpp>
+#include <cca/base/reflect.hpp>
+#include <cca/base/eigen.hpp>
 
 namespace cca {
 
@@ -26,7 +27,8 @@ struct covered_region {
 
   bool contains(const input& x, double margin) const {
     double nearest = std::numeric_limits<double>::infinity();
-    for (int j = 0; j < M; ++j) nearest = std::min(nearest, ((x - centres.col(j)).cwiseQuotient(width)).squaredNorm());
+    for (int j = 0; j < M; ++j)
+      nearest = std::min(nearest, ((x - centres.col(j)).cwiseQuotient(width)).squaredNorm());
     const double reach = (1 + margin) * radius;
     return radius >= 0 && nearest <= reach * reach * (1 + 1e-12) + 1e-18;
   }
@@ -48,7 +50,8 @@ struct covered_region {
     for (int j = 0; j < M; ++j) {
       region.centres.col(j) = inputs[chosen];
       for (std::size_t k = 0; k < inputs.size(); ++k)
-        nearest[k] = std::min(nearest[k], ((inputs[k] - inputs[chosen]).cwiseQuotient(region.width)).squaredNorm());
+        nearest[k] =
+            std::min(nearest[k], ((inputs[k] - inputs[chosen]).cwiseQuotient(region.width)).squaredNorm());
       chosen = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
     }
     region.radius = std::sqrt(nearest[chosen]);

@@ -1,10 +1,12 @@
-// A criterion measures how far what is lies from what should be (seed, chapter 3, *Criterion*), with hysteresis.
+// A criterion measures how far what is lies from what should be (seed, chapter 3, *Criterion*), with
+// hysteresis.
 //
-// It is a component with inputs "target" and "feedback" and outputs "error" (criterion_error: in the unit of the space) and
-// "state" (criterion_port: a criterion_state). It says
-//   compares     criterion_target::command or ::reference: which of them an adaptive component takes as target
-//   at_rest      true if its component has reached something only once its ode has converged, too
-// and its other inputs become inputs of the component. Rule: criterion.spaces. Laws: tests/laws/criterion_laws.hpp.
+// It is a component with inputs "target" and "feedback" and outputs "error" (criterion_error: in the unit of
+// the space) and "state" (criterion_port: a criterion_state). It says
+//   compares     criterion_target::command or ::reference: which of them an adaptive component takes as
+//   target at_rest      true if its component has reached something only once its ode has converged, too
+// and its other inputs become inputs of the component. Rule: criterion.spaces. Laws:
+// tests/laws/criterion_laws.hpp.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +17,7 @@
 
 #include <cca/component/beat.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
@@ -30,8 +32,7 @@ struct criterion_error : space<number, axes<error_axis>> {};
 struct criterion_axis : dimension<"criterion"> {};
 struct criterion_port : space<status, axes<criterion_axis>> {};
 
-template <class Type>
-concept Criterion = detail::HasProcess<Type> && requires {
+template <class Type> concept Criterion = detail::HasProcess<Type> && requires {
   { Type::compares } -> std::convertible_to<criterion_target>;
   { Type::at_rest } -> std::convertible_to<bool>;
 };
@@ -51,8 +52,8 @@ CCA_GLUE double furthest(const Vector& v) {
 
 }  // namespace detail
 
-// How far two samples of a space are apart, in its domain type's unit: positions, by their distance; orientations, by the angle
-// between them; phases, the short way round; else the axis that is furthest off.
+// How far two samples of a space are apart, in its domain type's unit: positions, by their distance;
+// orientations, by the angle between them; phases, the short way round; else the axis that is furthest off.
 template <Space S>
 CCA_GLUE double apart(const sample<S>& a, const sample<S>& b) {
   if constexpr (requires { a.distance(b); }) return a.distance(b);
@@ -64,14 +65,18 @@ CCA_GLUE double apart(const sample<S>& a, const sample<S>& b) {
 namespace detail {
 
 template <class Domain>
-struct distance_quantity { using type = typename Domain::quantity; };
+struct distance_quantity {
+  using type = typename Domain::quantity;
+};
 template <class Frame>
-struct distance_quantity<orientation<Frame>> { using type = angle; };
+struct distance_quantity<orientation<Frame>> {
+  using type = angle;
+};
 
 }  // namespace detail
 
-// Thresholds of an error. Fulfilled: at most `within` for `hold`; open again above `until`. Lost: above `lost` for `hold`, or not
-// a number; open again below `until`.
+// Thresholds of an error. Fulfilled: at most `within` for `hold`; open again above `until`. Lost: above
+// `lost` for `hold`, or not a number; open again below `until`.
 template <Quantity Unit>
 struct error_limits {
   using bound = quantity<Unit, 0, infinity>;
@@ -95,7 +100,8 @@ public:
     constexpr double rounding = 1e-9;
     if (far && (for_far + rounding >= limits.hold || !std::isfinite(error))) now = criterion_state::lost;
     else if (near && for_near + rounding >= limits.hold) now = criterion_state::fulfilled;
-    else if (now == criterion_state::fulfilled ? error > limits.until : error <= limits.until) now = criterion_state::open;
+    else if (now == criterion_state::fulfilled ? error > limits.until : error <= limits.until)
+      now = criterion_state::open;
     return now;
   }
   criterion_state get() const { return now; }

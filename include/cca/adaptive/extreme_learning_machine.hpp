@@ -1,15 +1,18 @@
-// An extreme learning machine: a hidden layer that is random and stays so, and an output layer by ridge regression.
+// An extreme learning machine: a hidden layer that is random and stays so, and an output layer by ridge
+// regression.
 //
-//   y = W h,  h = (tanh(A z + b), 1),  z = (x - centre) / width        A, b random by the seed, uniform in -spread to spread
-//   W = (sum y h^T) (ridge + sum h h^T)^-1                             batch; centre and width from the examples
+//   y = W h,  h = (tanh(A z + b), 1),  z = (x - centre) / width        A, b random by the seed, uniform in
+//   -spread to spread W = (sum y h^T) (ridge + sum h h^T)^-1                             batch; centre and
+//   width from the examples
 //
-// elm_function<From, To, Hidden> is the model: From and To are spaces of one number an axis, or of any size as bare coordinates.
-// Inside the trained region: near some example (covered_region.hpp). It learns in batches only.
-// Cost: of an answer Hidden (I + O) products and Hidden hyperbolic tangents; of a batch Hidden^2 an example and Hidden^3.
-// Source: Huang, Zhu, Siew, Extreme learning machine: theory and applications, Neurocomputing 70, 2006; with ridge: Deng, Zheng,
-// Chen, Regularized extreme learning machine, CIDM 2009; for inverse kinematics in AMARSi:
-// Reinhart, Steil, Neural learning and dynamical selection of redundant solutions for inverse kinematic control, Humanoids 2011.
-// Checked: the weights are the stationary point of the ridge's sum. Example: tests/runtime/adaptive/mapping.cpp.
+// elm_function<From, To, Hidden> is the model: From and To are spaces of one number an axis, or of any size
+// as bare coordinates. Inside the trained region: near some example (covered_region.hpp). It learns in
+// batches only. Cost: of an answer Hidden (I + O) products and Hidden hyperbolic tangents; of a batch
+// Hidden^2 an example and Hidden^3. Source: Huang, Zhu, Siew, Extreme learning machine: theory and
+// applications, Neurocomputing 70, 2006; with ridge: Deng, Zheng, Chen, Regularized extreme learning machine,
+// CIDM 2009; for inverse kinematics in AMARSi: Reinhart, Steil, Neural learning and dynamical selection of
+// redundant solutions for inverse kinematic control, Humanoids 2011. Checked: the weights are the stationary
+// point of the ridge's sum. Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <array>
@@ -53,7 +56,8 @@ struct elm_function {
   using weight_matrix = Eigen::Matrix<double, O, Hidden + 1>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (input, centre), (input, width), (double, spread), (weight_matrix, weights));
+    BOOST_HANA_DEFINE_STRUCT(
+        parameters, (input, centre), (input, width), (double, spread), (weight_matrix, weights));
     parameters() : centre(input::Zero()), width(input::Ones()), spread(1), weights(weight_matrix::Zero()) {}
   };
 
@@ -67,18 +71,19 @@ struct elm_function {
   }
   static output answer(const parameters& p, const input& x) { return p.weights * hidden(p, x); }
   static std::string title() {
-    return "elm_function from " + std::string(detail::space_of<From>.name) + " to " + std::string(detail::space_of<To>.name) + " with " + std::to_string(Hidden) +
-           " units, seed " + std::to_string(Seed);
+    return "elm_function from " + std::string(detail::space_of<From>.name) + " to " +
+           std::string(detail::space_of<To>.name) + " with " + std::to_string(Hidden) + " units, seed " +
+           std::to_string(Seed);
   }
 
 private:
-  static constexpr auto random = detail::random_numbers<Hidden * (I + 1)>(Seed);
+  static constexpr auto random = detail::random_numbers<Hidden*(I + 1)>(Seed);
 };
 
-template <class Model>
-concept ElmModel = AdaptableModel<Model> && requires(const typename Model::parameters& p, const typename Model::input& x) {
-  { Model::hidden(p, x) } -> std::same_as<typename Model::activity>;
-};
+template <class Model> concept ElmModel =
+    AdaptableModel<Model> && requires(const typename Model::parameters& p, const typename Model::input& x) {
+      { Model::hidden(p, x) } -> std::same_as<typename Model::activity>;
+    };
 
 template <ElmModel Model, int Region = 64>
 struct extreme_learning_machine {
@@ -90,8 +95,12 @@ struct extreme_learning_machine {
   static constexpr std::string_view name = "extreme_learning_machine";
 
   struct settings {
-    BOOST_HANA_DEFINE_STRUCT(settings, (bounded<double, 1e-12, 1e12>, ridge), (bounded<double, 0, 100>, spread), (bounded<double, 0, infinity>, margin));
-    constexpr settings(double small = 1e-8, double wide = 1.0, double beyond = 0.1) : ridge(small), spread(wide), margin(beyond) {}
+    BOOST_HANA_DEFINE_STRUCT(settings,
+                             (bounded<double, 1e-12, 1e12>, ridge),
+                             (bounded<double, 0, 100>, spread),
+                             (bounded<double, 0, infinity>, margin));
+    constexpr settings(double small = 1e-8, double wide = 1.0, double beyond = 0.1)
+        : ridge(small), spread(wide), margin(beyond) {}
   };
 
   struct learned {
@@ -99,7 +108,9 @@ struct extreme_learning_machine {
     learned() : function(), trained() {}
   };
 
-  static bool inside(const learned& known, const input& x, const settings& s) { return known.trained.contains(x, s.margin); }
+  static bool inside(const learned& known, const input& x, const settings& s) {
+    return known.trained.contains(x, s.margin);
+  }
 
   static learned batch(std::span<const example<model>> examples, const settings& s) {
     learned known;

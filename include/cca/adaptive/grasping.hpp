@@ -4,12 +4,13 @@
 //   in  "target"     S, one axis: the aperture that is commanded
 //   in  "feedback"   S: the one that is measured
 //   in  "effort"     E, one axis: how hard it presses, as a torque or a force; its sign does not count
-//   out "error"      criterion_error: how far it is from closing to its target, which the thing in it prevents
-//   out "state"      criterion_port
+//   out "error"      criterion_error: how far it is from closing to its target, which the thing in it
+//   prevents out "state"      criterion_port
 //
-// Fulfilled: it presses with `firm` at least, stands still (at most `still` a second) and is wider than `empty`, all for `hold` s; it
-// stays so until it presses with less than `slack` or is at `empty`. Lost: it has closed on nothing, to `empty` or below, for
-// `hold`; open again when it is wider. Before all inputs hold something it is open. Example: tests/runtime/adaptive/kinds.cpp.
+// Fulfilled: it presses with `firm` at least, stands still (at most `still` a second) and is wider than
+// `empty`, all for `hold` s; it stays so until it presses with less than `slack` or is at `empty`. Lost: it
+// has closed on nothing, to `empty` or below, for `hold`; open again when it is wider. Before all inputs hold
+// something it is open. Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <cmath>
@@ -29,14 +30,20 @@ struct grasping {
   using period = quantity<duration, 0, infinity>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (pressing, firm), (pressing, slack), (wide, empty), (bounded<double, 0, infinity>, still), (period, hold));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (pressing, firm),
+                             (pressing, slack),
+                             (wide, empty),
+                             (bounded<double, 0, infinity>, still),
+                             (period, hold));
     std::string_view check() const { return slack <= firm ? "" : "`slack` lies above `firm`"; }
   };
   parameters p{1.0, 0.5, 0.01, 0.05, 0.1};
 
   auto process(in<"target", S> target, in<"feedback", S> feedback, in<"effort", E> effort, beat now)
       -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> {
-    if (target.origin() == never || feedback.origin() == never || effort.origin() == never) return {0.0, status_of(state)};
+    if (target.origin() == never || feedback.origin() == never || effort.origin() == never)
+      return {0.0, status_of(state)};
     const double width = feedback.vector()[0], force = std::abs(effort.vector()[0]);
     const double speed = seen && now.dt() > 0 ? std::abs(width - before) / now.dt() : infinity;
     before = width;
@@ -47,7 +54,8 @@ struct grasping {
     constexpr double rounding = 1e-9;
     if (closed && for_closed + rounding >= p.hold) state = criterion_state::lost;
     else if (holds && for_held + rounding >= p.hold) state = criterion_state::fulfilled;
-    else if (state == criterion_state::fulfilled ? closed || !(force >= p.slack) : !closed) state = criterion_state::open;
+    else if (state == criterion_state::fulfilled ? closed || !(force >= p.slack) : !closed)
+      state = criterion_state::open;
     return {std::abs(target.vector()[0] - width), status_of(state)};
   }
 

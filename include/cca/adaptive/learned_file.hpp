@@ -8,8 +8,9 @@
 //   0.1 0.2 ...                                           ten a line
 //   checksum 0f3a...                                      of all before: FNV-1a, 64 bits
 //
-// Refused, with file, line, what and what was expected: another version, a damaged text, another model, learner or constant,
-// a number that is none. All or nothing: the values are read into a copy. docs/decisions/0010-learned-file.md says why not TOML.
+// Refused, with file, line, what and what was expected: another version, a damaged text, another model,
+// learner or constant, a number that is none. All or nothing: the values are read into a copy.
+// docs/decisions/0010-learned-file.md says why not TOML.
 #pragma once
 
 #include <charconv>
@@ -19,9 +20,9 @@
 #include <vector>
 
 #include <cca/component/parameter_check.hpp>
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 #include <cca/component/schema.hpp>
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 
 namespace cca {
 
@@ -39,7 +40,8 @@ namespace detail {
 
 inline constexpr std::string_view learned_format = "cca learned 1";
 
-// Calls f(name, numbers) for each field of a struct, those of structs inside it too; numbers are pointers to doubles.
+// Calls f(name, numbers) for each field of a struct, those of structs inside it too; numbers are pointers to
+// doubles.
 template <class F>
 void each_field(const schema& type, const void* values, const std::string& path, F& f) {
   for (std::size_t i = 0; i < type.count; ++i) {
@@ -56,9 +58,9 @@ void each_number(const schema& type, const void* at, F& f) {
   if (type.what == kind::array)
     for (std::size_t i = 0; i < type.count; ++i) each_number(*type.element, type.at(at, i), f);
   else if (type.what == kind::table)
-    for (std::size_t i = 0; i < type.count; ++i) each_number(*type.members[i].type, type.members[i].of(at), f);
-  else
-    f(type, at);
+    for (std::size_t i = 0; i < type.count; ++i)
+      each_number(*type.members[i].type, type.members[i].of(at), f);
+  else f(type, at);
 }
 
 inline std::size_t number_count(const schema& type, const void* at) {
@@ -75,14 +77,21 @@ inline std::string checksum_of(std::string_view text) {
   return written;
 }
 
-inline double number_at(const schema& type, const void* at) { return type.number ? type.number(at) : static_cast<double>(type.integer(at)); }
+inline double number_at(const schema& type, const void* at) {
+  return type.number ? type.number(at) : static_cast<double>(type.integer(at));
+}
 
 inline std::string learned_text(const learned_header& header, const schema& type, const void* values) {
   std::string text(learned_format);
   text.append("\nmodel ").append(header.model).append("\nlearner ").append(header.learner).append("\n");
-  for (const auto& one : header.constants) text.append("constant ").append(one.name).append(" ").append(number_text(one.value)).append("\n");
+  for (const auto& one : header.constants)
+    text.append("constant ").append(one.name).append(" ").append(number_text(one.value)).append("\n");
   auto field = [&](const std::string& name, const schema& what, const void* at) {
-    text.append("numbers ").append(name).append(" ").append(std::to_string(number_count(what, at))).append("\n");
+    text.append("numbers ")
+        .append(name)
+        .append(" ")
+        .append(std::to_string(number_count(what, at)))
+        .append("\n");
     std::size_t written = 0;
     auto number = [&](const schema& one, const void* where) {
       text.append(written % 10 == 0 ? "" : " ").append(number_text(number_at(one, where)));
@@ -107,12 +116,15 @@ public:
     rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
     return found;
   }
-  [[noreturn]] void refuse(const std::string& what) const { throw refused(std::string(name) + ":" + std::to_string(number) + ": " + what); }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw refused(std::string(name) + ":" + std::to_string(number) + ": " + what);
+  }
 
   void expect(std::string_view key, std::string_view value, const std::string& why) {
     const auto found = line();
     const std::string wanted = std::string(key) + " " + std::string(value);
-    if (found != wanted) refuse(why + ": it says `" + std::string(found.substr(0, 200)) + "`, expected `" + wanted + "`");
+    if (found != wanted)
+      refuse(why + ": it says `" + std::string(found.substr(0, 200)) + "`, expected `" + wanted + "`");
   }
 
 private:
@@ -123,24 +135,35 @@ private:
 inline void check_learned_frame(std::string_view text, std::string_view file) {
   learned_reader lines(text, file);
   const auto first = lines.line();
-  if (!first.starts_with("cca learned ")) lines.refuse("this is no file of what a module has learned: it begins with `" + std::string(first.substr(0, 40)) + "`, expected `" + std::string(learned_format) + "`");
-  if (first != learned_format) lines.refuse("the format is of another version: `" + std::string(first) + "`, expected `" + std::string(learned_format) + "`; learn it anew, or read it with the version that wrote it");
+  if (!first.starts_with("cca learned "))
+    lines.refuse("this is no file of what a module has learned: it begins with `" +
+                 std::string(first.substr(0, 40)) + "`, expected `" + std::string(learned_format) + "`");
+  if (first != learned_format)
+    lines.refuse("the format is of another version: `" + std::string(first) + "`, expected `" +
+                 std::string(learned_format) + "`; learn it anew, or read it with the version that wrote it");
   const auto last = text.rfind("checksum ");
   const std::string right = last == text.npos ? "" : "checksum " + checksum_of(text.substr(0, last)) + "\n";
   if (last == text.npos) throw refused(std::string(file) + ": damaged: it ends before its checksum");
   if (text.substr(last) != right)
-    throw refused(std::string(file) + ": damaged: it ends with `" + std::string(text.substr(last, 40)).substr(0, 25) + "`, expected `" + right.substr(0, 25) + "` for what stands before");
+    throw refused(std::string(file) + ": damaged: it ends with `" +
+                  std::string(text.substr(last, 40)).substr(0, 25) + "`, expected `" + right.substr(0, 25) +
+                  "` for what stands before");
 }
 
 // Into values of this schema, which may be changed where it's refused: give it a copy.
-inline void read_learned(std::string_view text, std::string_view file, const learned_header& header, const schema& type, void* values) {
+inline void read_learned(std::string_view text,
+                         std::string_view file,
+                         const learned_header& header,
+                         const schema& type,
+                         void* values) {
   check_learned_frame(text, file);
   learned_reader lines(text, file);
   lines.line();
   lines.expect("model", header.model, "it belongs to another model");
   lines.expect("learner", header.learner, "it is of another learner");
   for (const auto& one : header.constants)
-    lines.expect("constant", std::string(one.name) + " " + number_text(one.value), "it was learned for another value; set it as it was, or learn anew");
+    lines.expect("constant", std::string(one.name) + " " + number_text(one.value),
+                 "it was learned for another value; set it as it was, or learn anew");
   auto field = [&](const std::string& name, const schema& what, const void* at) {
     const std::size_t count = number_count(what, at);
     lines.expect("numbers", name + " " + std::to_string(count), "it has other fields");
@@ -151,7 +174,8 @@ inline void read_learned(std::string_view text, std::string_view file, const lea
       double value = 0;
       const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
       if (error != std::errc() || !std::isfinite(value) || (end != line.data() + line.size() && *end != ' '))
-        lines.refuse(name + "[" + std::to_string(done) + "]: expected a finite number, got `" + std::string(line.substr(0, line.find(' '))) + "`");
+        lines.refuse(name + "[" + std::to_string(done) + "]: expected a finite number, got `" +
+                     std::string(line.substr(0, line.find(' '))) + "`");
       line.remove_prefix(static_cast<std::size_t>(end - line.data()) + (end != line.data() + line.size()));
       void* into = const_cast<void*>(where);
       if (one.number) one.set_number(into, value);
@@ -163,7 +187,8 @@ inline void read_learned(std::string_view text, std::string_view file, const lea
   each_field(type, values, "", field);
   std::vector<complaint> wrong;
   check(type, values, "", wrong);
-  if (!wrong.empty()) throw refused(std::string(file) + ": " + wrong.front().path + ": " + wrong.front().what);
+  if (!wrong.empty())
+    throw refused(std::string(file) + ": " + wrong.front().path + ": " + wrong.front().what);
 }
 
 }  // namespace detail

@@ -1,21 +1,23 @@
 // Locally weighted regression: each weight of a local model is fitted to the examples near it, by itself.
 //
 //   w_i = sum_t psi_i(x_t) s_t y_t / sum_t psi_i(x_t) s_t^2                 batch
-//   A_i += psi_i s^2 - (1 - l) psi_i A_i,  w_i += psi_i s (y - s w_i) / A_i   online, the same sums with forgetting l
+//   A_i += psi_i s^2 - (1 - l) psi_i A_i,  w_i += psi_i s (y - s w_i) / A_i   online, the same sums with
+//   forgetting l
 //
-// psi_i are the model's activations (here normalised: they sum to one), s its scale. With l = 1 both give the same weights. The
-// weights are local averages of y / s, so the shape comes out smoothed by the width of a function: least squares
-// (recursive_least_squares.hpp) does not do that, but lets far examples speak. Forgetting counts by activation, so that what
-// is not visited is not forgotten. Inside the trained region: the functions that speak at x have seen examples.
-// Cost: of a step N (2 D + 6) products and the activations; of a batch that for each example.
-// Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Neural Computation 25, 2013, equation 2.14 (batch); Schaal and Atkeson,
-// Constructive incremental learning from only local information, Neural Computation 10, 1998 (online). Checked against the first
-// formula written out. Example: tests/runtime/adaptive/learners.cpp.
+// psi_i are the model's activations (here normalised: they sum to one), s its scale. With l = 1 both give the
+// same weights. The weights are local averages of y / s, so the shape comes out smoothed by the width of a
+// function: least squares (recursive_least_squares.hpp) does not do that, but lets far examples speak.
+// Forgetting counts by activation, so that what is not visited is not forgotten. Inside the trained region:
+// the functions that speak at x have seen examples. Cost: of a step N (2 D + 6) products and the activations;
+// of a batch that for each example. Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Neural Computation
+// 25, 2013, equation 2.14 (batch); Schaal and Atkeson, Constructive incremental learning from only local
+// information, Neural Computation 10, 1998 (online). Checked against the first formula written out. Example:
+// tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -29,8 +31,10 @@ struct locally_weighted_regression {
   static constexpr std::string_view name = "locally_weighted_regression";
 
   struct settings {
-    BOOST_HANA_DEFINE_STRUCT(settings, (bounded<double, 0, 1>, memory),     // l: 1 forgets nothing
-                             (bounded<double, 0, infinity>, least_seen));   // examples, within a function: fewer are outside
+    BOOST_HANA_DEFINE_STRUCT(settings,
+                             (bounded<double, 0, 1>, memory),  // l: 1 forgets nothing
+                             (bounded<double, 0, infinity>,
+                              least_seen));  // examples, within a function: fewer are outside
     constexpr settings(double keep = 1.0, double least = 1.0) : memory(keep), least_seen(least) {}
   };
 
@@ -39,7 +43,9 @@ struct locally_weighted_regression {
     learned() : function(), evidence(local::Zero()), seen(local::Zero()) {}
   };
 
-  CCA_GLUE static bool inside(const learned& known, const input& x, const settings& s) { return model::activations(x).dot(known.seen) >= s.least_seen; }
+  CCA_GLUE static bool inside(const learned& known, const input& x, const settings& s) {
+    return model::activations(x).dot(known.seen) >= s.least_seen;
+  }
 
   static void step(learned& known, const input& x, const output& y, const settings& s) {
     const local near = model::activations(x);
@@ -49,7 +55,8 @@ struct locally_weighted_regression {
       known.evidence[i] += near[i] * scale * scale - forget * known.evidence[i];
       known.seen[i] += near[i] - forget * known.seen[i];
       if (known.evidence[i] > negligible)
-        known.function.weights.col(i) += near[i] * scale / known.evidence[i] * (y - scale * known.function.weights.col(i));
+        known.function.weights.col(i) +=
+            near[i] * scale / known.evidence[i] * (y - scale * known.function.weights.col(i));
     }
   }
 

@@ -1,7 +1,8 @@
-// Module Status: what the learner of a module is doing, and whether the module is asked about what it was trained for (seed, section 4.4.4).
+// Module Status: what the learner of a module is doing, and whether the module is asked about what it was
+// trained for (seed, section 4.4.4).
 //
-//   out<"module", module_status_port>     over learning_axis (a cca::learning) and region_axis (a cca::trained_region)
-//   status.as<cca::learning>(cca::learning_axis{}) == cca::learning::trained
+//   out<"module", module_status_port>     over learning_axis (a cca::learning) and region_axis (a
+//   cca::trained_region) status.as<cca::learning>(cca::learning_axis{}) == cca::learning::trained
 #pragma once
 
 #include <array>
@@ -17,17 +18,22 @@ enum class learning : std::uint8_t { idle, collecting, online, batch, trained };
 enum class trained_region : std::uint8_t { outside, inside };
 
 constexpr std::string_view to_string(learning state) {
-  constexpr std::array<std::string_view, 5> names{"idle", "collecting", "learning online", "learning batch", "trained"};
+  constexpr std::array<std::string_view, 5> names{"idle", "collecting", "learning online", "learning batch",
+                                                  "trained"};
   return names[static_cast<std::size_t>(state)];
 }
-constexpr std::string_view to_string(trained_region state) { return state == trained_region::inside ? "inside" : "outside"; }
+constexpr std::string_view to_string(trained_region state) {
+  return state == trained_region::inside ? "inside" : "outside";
+}
 
 struct learning_axis : dimension<"learning"> {};
 struct region_axis : dimension<"region"> {};
 struct module_status_port : space<status, axes<learning_axis, region_axis>> {};
 
 // What to publish.
-inline module_status_port::vector_type status_of(learning state, trained_region region) { return {status_of(state), status_of(region)}; }
+inline module_status_port::vector_type status_of(learning state, trained_region region) {
+  return {status_of(state), status_of(region)};
+}
 
 // What another component may ask of a module: `optional_in<"learn", learning_request>`.
 enum class learning_call : std::uint8_t { nothing, collect, learn, rest, forget };

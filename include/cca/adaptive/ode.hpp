@@ -1,24 +1,28 @@
-// An ordinary differential equation: x' = f(x, u, p), of a state x, an input u and parameters p (seed, chapter 3, *ODE*).
+// An ordinary differential equation: x' = f(x, u, p), of a state x, an input u and parameters p (seed,
+// chapter 3, *ODE*).
 //
 //   struct decay {
 //     using state = Eigen::Matrix<double, 1, 1>;      // fixed-size vector, or a space
 //     using input = Eigen::Matrix<double, 1, 1>;
 //     struct parameters { double rate; };
-//     static state derivative(const state& x, const input& u, const parameters& p) { return p.rate * (u - x); }
+//     static state derivative(const state& x, const input& u, const parameters& p) { return p.rate * (u - x);
+//     }
 //   };
 //
-// A model has no state of its own: the solver (ode_solver.hpp) holds that, the component the parameters. It may say more:
+// A model has no state of its own: the solver (ode_solver.hpp) holds that, the component the parameters. It
+// may say more:
 //   initial()        the state that a solver begins with; else zero
 //   project(x)       x put back to where it belongs (a quaternion to unit length); taken after each step
-//   positions        how many of the first coordinates are positions, whose rates the others tell: a second-order system,
+//   positions        how many of the first coordinates are positions, whose rates the others tell: a
+//   second-order system,
 //                    which the semi-implicit Euler method needs
-// Preconditions: `derivative` gives the same for the same, and doesn't allocate; tests/laws/ode_laws.hpp states it all.
-// Example: tests/runtime/ode/example.cpp; docs/ode.md.
+// Preconditions: `derivative` gives the same for the same, and doesn't allocate; tests/laws/ode_laws.hpp
+// states it all. Example: tests/runtime/ode/example.cpp; docs/ode.md.
 #pragma once
 
 #include <concepts>
 
-#include <cca/space/eigen.hpp>
+#include <cca/base/eigen.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
@@ -33,8 +37,8 @@ struct vector_of<Type> {
   using type = typename Type::vector_type;
 };
 
-template <class Type>
-concept FixedVector = EigenVector<Type> && Type::RowsAtCompileTime >= 0 && Type::ColsAtCompileTime == 1;
+template <class Type> concept FixedVector =
+    EigenVector<Type> && Type::RowsAtCompileTime >= 0 && Type::ColsAtCompileTime == 1;
 
 }  // namespace detail
 
@@ -44,15 +48,15 @@ using ode_state = typename detail::vector_of<typename Model::state>::type;
 template <class Model>
 using ode_input = typename detail::vector_of<typename Model::input>::type;
 
-template <class Model>
-concept Ode = detail::FixedVector<ode_state<Model>> && detail::FixedVector<ode_input<Model>> &&
-              requires(const ode_state<Model>& x, const ode_input<Model>& u, const typename Model::parameters& p) {
-                { Model::derivative(x, u, p) } -> std::convertible_to<ode_state<Model>>;
-              };
+template <class Model> concept Ode =
+    detail::FixedVector<ode_state<Model>> && detail::FixedVector<ode_input<Model>> &&
+    requires(const ode_state<Model>& x, const ode_input<Model>& u, const typename Model::parameters& p) {
+      { Model::derivative(x, u, p) } -> std::convertible_to<ode_state<Model>>;
+    };
 
 // With its positions first.
-template <class Model>
-concept SecondOrderOde = Ode<Model> && Model::positions > 0 && Model::positions < ode_state<Model>::RowsAtCompileTime;
+template <class Model> concept SecondOrderOde =
+    Ode<Model> && Model::positions > 0 && Model::positions < ode_state<Model>::RowsAtCompileTime;
 
 template <Ode Model>
 ode_state<Model> initial_state() {

@@ -1,27 +1,32 @@
-// How an ode is taken one step further. An integrator is a policy: `step<Model>(x, u, p, dt)` changes x to the state dt
-// seconds later, the input held.
+// How an ode is taken one step further. An integrator is a policy: `step<Model>(x, u, p, dt)` changes x to
+// the state dt seconds later, the input held.
 //
 //   explicit_euler        order 1; one derivative a step
-//   semi_implicit_euler   order 1; second-order systems: first the velocities, then the positions with the new ones. What
-//                         swings without damping neither gains nor loses (symplectic). Two derivatives, but of each only
-//                         the half that is read
+//   semi_implicit_euler   order 1; second-order systems: first the velocities, then the positions with the
+//   new ones. What
+//                         swings without damping neither gains nor loses (symplectic). Two derivatives, but
+//                         of each only the half that is read
 //   rk4                   order 4; four derivatives
 //   odeint<...>           any one-step stepper of Boost.Numeric.Odeint (ode_odeint.hpp)
 //
-// Sources: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, section II.1 (rk4); Hairer, Lubich, Wanner,
-// Geometric Numerical Integration, 2006, section I.1 (symplectic Euler). Checked: their orders against closed forms, the energy that
-// the symplectic one keeps, and Odeint's classical method to rounding (tests/runtime/ode).
+// Sources: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, section II.1 (rk4);
+// Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, section I.1 (symplectic Euler). Checked:
+// their orders against closed forms, the energy that the symplectic one keeps, and Odeint's classical method
+// to rounding (tests/runtime/ode).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca {
 
 struct explicit_euler {
   static constexpr int order = 1;
   template <Ode Model>
-  CCA_GLUE static void step(ode_state<Model>& x, const ode_input<Model>& u, const typename Model::parameters& p, double dt) {
+  CCA_GLUE static void step(ode_state<Model>& x,
+                            const ode_input<Model>& u,
+                            const typename Model::parameters& p,
+                            double dt) {
     const ode_state<Model> rate = Model::derivative(x, u, p);
     x += dt * rate;
   }
@@ -30,7 +35,10 @@ struct explicit_euler {
 struct semi_implicit_euler {
   static constexpr int order = 1;
   template <SecondOrderOde Model>
-  CCA_GLUE static void step(ode_state<Model>& x, const ode_input<Model>& u, const typename Model::parameters& p, double dt) {
+  CCA_GLUE static void step(ode_state<Model>& x,
+                            const ode_input<Model>& u,
+                            const typename Model::parameters& p,
+                            double dt) {
     constexpr int positions = Model::positions, others = ode_state<Model>::RowsAtCompileTime - positions;
     const ode_state<Model> before = Model::derivative(x, u, p);
     x.template tail<others>() += dt * before.template tail<others>();
@@ -42,7 +50,10 @@ struct semi_implicit_euler {
 struct rk4 {
   static constexpr int order = 4;
   template <Ode Model>
-  CCA_GLUE static void step(ode_state<Model>& x, const ode_input<Model>& u, const typename Model::parameters& p, double dt) {
+  CCA_GLUE static void step(ode_state<Model>& x,
+                            const ode_input<Model>& u,
+                            const typename Model::parameters& p,
+                            double dt) {
     using vector = ode_state<Model>;
     const vector k1 = Model::derivative(x, u, p);
     const vector k2 = Model::derivative(vector(x + dt / 2 * k1), u, p);
@@ -52,8 +63,11 @@ struct rk4 {
   }
 };
 
-template <class Type, class Model>
-concept IntegratorOf = requires(Type integrator, ode_state<Model>& x, const ode_input<Model>& u,
-                                const typename Model::parameters& p, double dt) { integrator.template step<Model>(x, u, p, dt); };
+template <class Type, class Model> concept IntegratorOf =
+    requires(Type integrator,
+             ode_state<Model>& x,
+             const ode_input<Model>& u,
+             const typename Model::parameters& p,
+             double dt) { integrator.template step<Model>(x, u, p, dt); };
 
 }  // namespace cca

@@ -3,12 +3,12 @@
 //   cca::ode_solver<vite_ode<2>, cca::rk4> solver;
 //   solver.advance(u, p, now.dt());         // in process
 //
-// A value: a copy goes on by itself. Preconditions: dt >= 0; the step is short enough for the integrator (explicit methods:
-// a rate of change of 2/dt is the limit). Example: tests/runtime/ode/example.cpp.
+// A value: a copy goes on by itself. Preconditions: dt >= 0; the step is short enough for the integrator
+// (explicit methods: a rate of change of 2/dt is the limit). Example: tests/runtime/ode/example.cpp.
 #pragma once
 
 #include <cca/adaptive/ode_integrators.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca {
 

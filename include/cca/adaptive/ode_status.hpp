@@ -1,17 +1,20 @@
-// ODE Status: `converged` if the rate of change is close to zero, else `transient` (seed, chapter 3), with hysteresis.
+// ODE Status: `converged` if the rate of change is close to zero, else `transient` (seed, chapter 3), with
+// hysteresis.
 //
 //   (cca::ode_settling, settling)                                  in a component's parameters
-//   status.update(solver.rate(u, p).norm(), p.settling)            in process, published as out<"status", ode_status_port>
+//   status.update(solver.rate(u, p).norm(), p.settling)            in process, published as out<"status",
+//   ode_status_port>
 //
-// It knows the ode's own state only: a limit cycle never converges, however regular it is. The length of the rate mixes the
-// units of the coordinates; the thresholds are in them, per second. A rate that is NaN is transient.
+// It knows the ode's own state only: a limit cycle never converges, however regular it is. The length of the
+// rate mixes the units of the coordinates; the thresholds are in them, per second. A rate that is NaN is
+// transient.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
 #include <cca/component/field_types.hpp>
-#include <cca/component/reflect.hpp>
+#include <cca/base/reflect.hpp>
 #include <cca/space/scalar.hpp>
 #include <cca/space/space.hpp>
 
@@ -23,8 +26,9 @@ struct ode_axis : dimension<"ode"> {};
 struct ode_status_port : space<status, axes<ode_axis>> {};
 
 struct ode_settling {
-  BOOST_HANA_DEFINE_STRUCT(ode_settling, (bounded<double, 0, infinity>, below),  // converged from here on, per s
-                           (bounded<double, 0, infinity>, above));               // and until it is faster than this
+  BOOST_HANA_DEFINE_STRUCT(ode_settling,
+                           (bounded<double, 0, infinity>, below),   // converged from here on, per s
+                           (bounded<double, 0, infinity>, above));  // and until it is faster than this
   constexpr ode_settling(double slow = 1e-3, double fast = 2e-3) : below(slow), above(fast) {}
   std::string_view check() const { return below <= above ? "" : "`below` lies above `above`"; }
 };
@@ -32,7 +36,8 @@ struct ode_settling {
 class ode_monitor {
 public:
   ode_status update(double rate, const ode_settling& settling) {
-    now = rate <= (now == ode_status::converged ? settling.above : settling.below) ? ode_status::converged : ode_status::transient;
+    now = rate <= (now == ode_status::converged ? settling.above : settling.below) ? ode_status::converged
+                                                                                   : ode_status::transient;
     return now;
   }
   ode_status get() const { return now; }

@@ -1,14 +1,16 @@
-// Least squares of a model that is linear in its weights, one example after the other, with forgetting; or all at once.
+// Least squares of a model that is linear in its weights, one example after the other, with forgetting; or
+// all at once.
 //
-//   k = P f / (l + f^T P f),  W += (y - W f) k^T,  P <- (P - k f^T P) / l       online; f = regressors(x), P = 1/ridge at first
-//   W = (sum y f^T) P,        P = (ridge + sum f f^T)^-1                       batch: the same for l = 1, but for rounding
+//   k = P f / (l + f^T P f),  W += (y - W f) k^T,  P <- (P - k f^T P) / l       online; f = regressors(x), P
+//   = 1/ridge at first W = (sum y f^T) P,        P = (ridge + sum f f^T)^-1                       batch: the
+//   same for l = 1, but for rounding
 //
-// It forgets only while the examples excite it: not where P would become larger than it was at first (else P winds up).
-// Inside the trained region: f^T P f, the variance of the answer in units of an example's own, is at most `leverage`.
-// Cost: of a step R (2 R + D) products; of a batch R^2 an example and R^3. Precondition: R <= 128 (P is of fixed size).
-// Source: Ljung, System Identification, second edition 1999, chapters 11 (recursion) and 7 (batch); that P winds up: Astrom and
-// Wittenmark, Adaptive Control, second edition 1995. Checked against the normal equations and their inverse. Example:
-// tests/runtime/adaptive/learners.cpp.
+// It forgets only while the examples excite it: not where P would become larger than it was at first (else P
+// winds up). Inside the trained region: f^T P f, the variance of the answer in units of an example's own, is
+// at most `leverage`. Cost: of a step R (2 R + D) products; of a batch R^2 an example and R^3. Precondition:
+// R <= 128 (P is of fixed size). Source: Ljung, System Identification, second edition 1999, chapters 11
+// (recursion) and 7 (batch); that P winds up: Astrom and Wittenmark, Adaptive Control, second edition 1995.
+// Checked against the normal equations and their inverse. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -30,8 +32,12 @@ struct recursive_least_squares {
   static constexpr std::string_view name = "recursive_least_squares";
 
   struct settings {
-    BOOST_HANA_DEFINE_STRUCT(settings, (bounded<double, 0.5, 1>, memory), (bounded<double, 1e-12, 1e12>, ridge), (bounded<double, 0, infinity>, leverage));
-    constexpr settings(double keep = 1.0, double small = 1e-6, double most = 1.0) : memory(keep), ridge(small), leverage(most) {}
+    BOOST_HANA_DEFINE_STRUCT(settings,
+                             (bounded<double, 0.5, 1>, memory),
+                             (bounded<double, 1e-12, 1e12>, ridge),
+                             (bounded<double, 0, infinity>, leverage));
+    constexpr settings(double keep = 1.0, double small = 1e-6, double most = 1.0)
+        : memory(keep), ridge(small), leverage(most) {}
   };
 
   // Zero `uncertainty`: nothing has been learned.
@@ -62,7 +68,8 @@ struct recursive_least_squares {
   static learned batch(std::span<const example<model>> examples, const settings& s) {
     learned known;
     covariance A = s.ridge * covariance::Identity();
-    Eigen::Matrix<double, size, output::RowsAtCompileTime> b = Eigen::Matrix<double, size, output::RowsAtCompileTime>::Zero();
+    Eigen::Matrix<double, size, output::RowsAtCompileTime> b =
+        Eigen::Matrix<double, size, output::RowsAtCompileTime>::Zero();
     for (const auto& one : examples) {
       const regressor f = model::regressors(one.x);
       A += f * f.transpose();

@@ -1,16 +1,18 @@
-// A learner that makes its own examples: points spread evenly over a box, and for each what is asked (seed, chapter 3, *Learner*: it
-// possibly generates its training data by sampling).
+// A learner that makes its own examples: points spread evenly over a box, and for each what is asked (seed,
+// chapter 3, *Learner*: it possibly generates its training data by sampling).
 //
 //   m.learning.collect();
 //   cca::sample_examples(m.learning, lowest, highest, 2000, m.p.settings, [&](const Eigen::Vector2d& q) {
-//     return cca::example<model>{paw_of(q), q};         a posture, and where it puts the paw: inverse kinematics
+//     return cca::example<model>{paw_of(q), q};         a posture, and where it puts the paw: inverse
+//     kinematics
 //   });
 //   m.learning.hand_over(m.learning.begin_batch(m.p.settings)());
 //
-// Between two beats. The points are the Halton sequence, the same each time: any number of them covers the box evenly, which random
-// ones do not. What is asked may be a model, a measurement or another component; an example that is not finite is passed over.
-// Errors: `cca::refused` where nothing is being collected or learned online. Source: Halton, On the efficiency of certain quasi-random
-// sequences of points, Numerische Mathematik 2, 1960. Example: tests/runtime/adaptive/mapping.cpp.
+// Between two beats. The points are the Halton sequence, the same each time: any number of them covers the
+// box evenly, which random ones do not. What is asked may be a model, a measurement or another component; an
+// example that is not finite is passed over. Errors: `cca::refused` where nothing is being collected or
+// learned online. Source: Halton, On the efficiency of certain quasi-random sequences of points, Numerische
+// Mathematik 2, 1960. Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <array>
@@ -35,17 +37,25 @@ constexpr double mirrored(std::int64_t index, int base) {
 // Point `index`, from 0, of those between `low` and `high`.
 template <detail::FixedVector Point>
 Point spread_point(const Point& low, const Point& high, std::int64_t index) {
-  static_assert(Point::SizeAtCompileTime <= static_cast<int>(detail::halton_bases.size()), "cca::spread_point: more dimensions than a Halton sequence covers evenly");
+  static_assert(Point::SizeAtCompileTime <= static_cast<int>(detail::halton_bases.size()),
+                "cca::spread_point: more dimensions than a Halton sequence covers evenly");
   Point point;
   for (int i = 0; i < point.size(); ++i)
-    point[i] = low[i] + (high[i] - low[i]) * detail::mirrored(index + 1, detail::halton_bases[static_cast<std::size_t>(i)]);
+    point[i] = low[i] + (high[i] - low[i]) *
+                            detail::mirrored(index + 1, detail::halton_bases[static_cast<std::size_t>(i)]);
   return point;
 }
 
 template <Learner Rule, int Capacity, detail::FixedVector Point, class Ask>
-void sample_examples(training<Rule, Capacity>& learning, const Point& low, const Point& high, std::int64_t count, const typename Rule::settings& settings, Ask ask) {
+void sample_examples(training<Rule, Capacity>& learning,
+                     const Point& low,
+                     const Point& high,
+                     std::int64_t count,
+                     const typename Rule::settings& settings,
+                     Ask ask) {
   if (learning.state() != cca::learning::collecting && learning.state() != cca::learning::online)
-    throw refused("cca::sample_examples: refused while it is `" + std::string(to_string(learning.state())) + "`: collect() or learn() first");
+    throw refused("cca::sample_examples: refused while it is `" + std::string(to_string(learning.state())) +
+                  "`: collect() or learn() first");
   for (std::int64_t i = 0; i < count; ++i) {
     const example<typename Rule::model> one = ask(spread_point(low, high, i));
     learning.teach(one.x, one.y, settings);

@@ -1,20 +1,24 @@
-// A sequence of skills: which one runs, what has to hold for the next one, and where it leads when that takes too long.
+// A sequence of skills: which one runs, what has to hold for the next one, and where it leads when that takes
+// too long.
 //
 //   struct plan : cca::steps<
 //       cca::step<"trot">,
 //       cca::step<"stop",  cca::after<6000>>,
-//       cca::step<"reach", cca::is<"cpg.status.ode", cca::ode_status::converged>,         cca::or_after<2000, "trot">>,
-//       cca::step<"hold",  cca::is<"arm.status.component", cca::component_status::reached>, cca::held_for<200>, cca::or_after<3000, "trot">>> {};
+//       cca::step<"reach", cca::is<"cpg.status.ode", cca::ode_status::converged>,         cca::or_after<2000,
+//       "trot">>, cca::step<"hold",  cca::is<"arm.status.component", cca::component_status::reached>,
+//       cca::held_for<200>, cca::or_after<3000, "trot">>> {};
 //
-// It begins with the first step. While one runs, it waits for the condition of the next one: the one that follows, or that `then<"name">`
-// names; the last one without `then` stays. `or_after<N, "name">`: where that condition has not held within N beats since the
-// running step began, it goes there instead, unasked. `held_for<N>`: it has to hold for N beats on end.
+// It begins with the first step. While one runs, it waits for the condition of the next one: the one that
+// follows, or that `then<"name">` names; the last one without `then` stays. `or_after<N, "name">`: where that
+// condition has not held within N beats since the running step began, it goes there instead, unasked.
+// `held_for<N>`: it has to hold for N beats on end.
 //
-// Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value> (an unknown path never holds), after<N> beats
-// of the running step, all<C...>, any<C...>, no<C>; without one it goes on at once. A condition of the user's is a struct with
-// `bool holds(const Heard&)`, a template; `heard.template value<"path">()` is what was told.
-// Preconditions, told by the compiler: names are unique, and each that is named exists. Errors: none in a beat; `unheard()`.
-// Cost: the paths are looked for once; then a comparison a condition. Example: tests/runtime/adaptive/sequencer.cpp.
+// Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value> (an unknown path never
+// holds), after<N> beats of the running step, all<C...>, any<C...>, no<C>; without one it goes on at once. A
+// condition of the user's is a struct with `bool holds(const Heard&)`, a template; `heard.template
+// value<"path">()` is what was told. Preconditions, told by the compiler: names are unique, and each that is
+// named exists. Errors: none in a beat; `unheard()`. Cost: the paths are looked for once; then a comparison a
+// condition. Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
 #include <array>
@@ -24,7 +28,7 @@
 #include <string_view>
 
 #include <cca/component/beat.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/component/port.hpp>
 
 namespace cca {
@@ -32,37 +36,51 @@ namespace cca {
 template <fixed_string Path, auto State, int Axis = 0>
 struct is {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return heard.template value<Path, Axis>() == static_cast<double>(State); }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return heard.template value<Path, Axis>() == static_cast<double>(State);
+  }
 };
 template <fixed_string Path, double Bound>
 struct below {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return heard.template value<Path>() < Bound; }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return heard.template value<Path>() < Bound;
+  }
 };
 template <fixed_string Path, double Bound>
 struct above {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return heard.template value<Path>() > Bound; }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return heard.template value<Path>() > Bound;
+  }
 };
 template <std::int64_t Beats>
 struct after {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return heard.beats() >= Beats; }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return heard.beats() >= Beats;
+  }
 };
 template <class... Conditions>
 struct all {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return (Conditions::holds(heard) && ...); }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return (Conditions::holds(heard) && ...);
+  }
 };
 template <class... Conditions>
 struct any {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return (Conditions::holds(heard) || ...); }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return (Conditions::holds(heard) || ...);
+  }
 };
 template <class Condition>
 struct no {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) { return !Condition::holds(heard); }
+  CCA_GLUE static bool holds(const Heard& heard) {
+    return !Condition::holds(heard);
+  }
 };
 
 template <std::int64_t Beats>
@@ -134,7 +152,8 @@ struct steps {
     return find(Name.view());
   }();
 
-  // Where a step leads, by number: to the next one (-1: nowhere), and where that takes too long (-1: it waits).
+  // Where a step leads, by number: to the next one (-1: nowhere), and where that takes too long (-1: it
+  // waits).
   struct way {
     int next, otherwise;
   };
@@ -142,7 +161,10 @@ struct steps {
     std::array<way, sizeof...(Steps)> all{};
     for (int i = 0; i < count; ++i) {
       const auto& one = table[static_cast<std::size_t>(i)];
-      all[static_cast<std::size_t>(i)] = {!one.next.empty() ? find(one.next) : i + 1 < count ? i + 1 : -1, find(one.otherwise)};
+      all[static_cast<std::size_t>(i)] = {!one.next.empty() ? find(one.next)
+                                          : i + 1 < count   ? i + 1
+                                                            : -1,
+                                          find(one.otherwise)};
     }
     return all;
   }();
@@ -158,7 +180,9 @@ struct steps {
   static constexpr bool well_named() {
     for (int i = 0; i < count; ++i) {
       const auto& one = table[static_cast<std::size_t>(i)];
-      if (find(one.name) != i || (!one.next.empty() && find(one.next) < 0) || (!one.otherwise.empty() && find(one.otherwise) < 0)) return false;
+      if (find(one.name) != i || (!one.next.empty() && find(one.next) < 0) ||
+          (!one.otherwise.empty() && find(one.otherwise) < 0))
+        return false;
     }
     return count > 0;
   }
@@ -171,9 +195,12 @@ public:
   // One look at what is told; in a beat. Each of `told` is an `observe<...>`.
   template <class... Told>
   CCA_GLUE void update(beat now, const Told&... told) {
-    static_assert(Plan::well_named(), "cca::steps: two steps have one name, or then<...> or or_after<...> names a step that there isn't");
+    static_assert(
+        Plan::well_named(),
+        "cca::steps: two steps have one name, or then<...> or or_after<...> names a step that there isn't");
     if (began < 0) began = now.index();
-    const std::array<std::span<const observation>, sizeof...(Told)> scopes{std::span<const observation>(told.begin(), told.end())...};
+    const std::array<std::span<const observation>, sizeof...(Told)> scopes{
+        std::span<const observation>(told.begin(), told.end())...};
     const heard all{*this, scopes, now.index() - began};
     const int next = following();
     if (next < 0) return;
@@ -181,15 +208,18 @@ public:
     if (!Plan::holds(next, all)) held_since = -1;
     else if (held_since < 0) held_since = now.index();
     if (held_since >= 0 && now.index() - held_since >= wanted.held) enter(next, now, false);
-    else if (wanted.limit >= 0 && all.beats() >= wanted.limit) enter(Plan::ways[static_cast<std::size_t>(next)].otherwise, now, true);
+    else if (wanted.limit >= 0 && all.beats() >= wanted.limit)
+      enter(Plan::ways[static_cast<std::size_t>(next)].otherwise, now, true);
   }
 
   int step() const { return current; }
   std::string_view name() const { return Plan::table[static_cast<std::size_t>(current)].name; }
   template <fixed_string Name>
-  bool in() const { return current == Plan::template at<Name>; }
+  bool in() const {
+    return current == Plan::template at<Name>;
+  }
   std::int64_t beats(beat now) const { return began < 0 ? 0 : now.index() - began; }  // since the step began
-  bool timed_out() const { return by_timeout; }                                      // it came here because another took too long
+  bool timed_out() const { return by_timeout; }  // it came here because another took too long
   bool finished() const { return following() < 0; }
   // A condition names a path that is not among what is told; known once the condition has been looked at.
   bool unheard() const { return missing; }
@@ -205,7 +235,9 @@ private:
     template <fixed_string Path, int Axis = 0>
     CCA_GLUE double value() const {
       const place at = of.find(Path.view(), told);
-      return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN() : told[static_cast<std::size_t>(at.scope)][static_cast<std::size_t>(at.position)].values[Axis];
+      return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN()
+                          : told[static_cast<std::size_t>(at.scope)][static_cast<std::size_t>(at.position)]
+                                .values[Axis];
     }
   };
 
@@ -214,10 +246,12 @@ private:
     int scope = -1, position = -1;
   };
 
-  // Where a path is among the observations: looked for once, kept by its text's address, which is the program's.
+  // Where a path is among the observations: looked for once, kept by its text's address, which is the
+  // program's.
   CCA_GLUE place find(std::string_view path, scopes_told told) {
     for (const auto& one : known)
-      if (one.path == path.data()) [[likely]] return one;
+      if (one.path == path.data()) [[likely]]
+        return one;
     return look_for(path, told);
   }
   [[gnu::noinline]] place look_for(std::string_view path, scopes_told told) {

@@ -1,16 +1,16 @@
-// A Sequencer: runs through the steps of a plan, by what the skills tell of themselves (seed, section 6.3 and chapter 3).
+// A Sequencer: runs through the steps of a plan, by what the skills tell of themselves (seed, section 6.3 and
+// chapter 3).
 //
 //   cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>
-//   listens to a scope, with a delay of a beat, since the skills wait for it in turn; to `*.status`, too, where the scope is `*.status.*`
-//   out "step"        step_port: the number of the running step, `plan::at<"reach">`
-//   out "running"     step_time, s since it began
-//   out "timed_out"   step_flag: 1 if it came to this step because another took too long
-//   out "status"      component_status_port: reached in the last step, converging before
-//   and a fault where a condition names a path that nobody publishes
+//   listens to a scope, with a delay of a beat, since the skills wait for it in turn; to `*.status`, too,
+//   where the scope is `*.status.*` out "step"        step_port: the number of the running step,
+//   `plan::at<"reach">` out "running"     step_time, s since it began out "timed_out"   step_flag: 1 if it
+//   came to this step because another took too long out "status"      component_status_port: reached in the
+//   last step, converging before and a fault where a condition names a path that nobody publishes
 //
-// Who needs other outputs (a target, an amplitude) reads "step" in a component of his own, or holds a cca::sequence<plan> in it.
-// Timeouts are in beats of the controller, whatever the sequencer's own strategy. Cost: that of a sequence (sequence.hpp).
-// Example: tests/runtime/adaptive/sequencer.cpp.
+// Who needs other outputs (a target, an amplitude) reads "step" in a component of his own, or holds a
+// cca::sequence<plan> in it. Timeouts are in beats of the controller, whatever the sequencer's own strategy.
+// Cost: that of a sequence (sequence.hpp). Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
 #include <tuple>
@@ -45,13 +45,20 @@ template <fixed_string Scope, class Plan, class Policy = delayed<1>>
 struct sequencer {
   sequence<Plan> steps;
 
-  auto process(observe<Scope, Policy> told, observe<detail::without_star(Scope), Policy> told_by_components, beat now)
-      -> std::tuple<out<"step", step_port>, out<"running", step_time>, out<"timed_out", step_flag>, out<"status", component_status_port>, fault> {
+  auto process(observe<Scope, Policy> told,
+               observe<detail::without_star(Scope), Policy> told_by_components,
+               beat now) -> std::tuple<out<"step", step_port>,
+                                       out<"running", step_time>,
+                                       out<"timed_out", step_flag>,
+                                       out<"status", component_status_port>,
+                                       fault> {
     steps.update(now, told, told_by_components);
     const std::int64_t period = now.index() > 0 ? now.time() / now.index() : 0;
     return {steps.step(), 1e-9 * static_cast<double>(steps.beats(now) * period), steps.timed_out() ? 1 : 0,
             status_of(steps.finished() ? component_status::reached : component_status::converging),
-            steps.unheard() ? fault("sequencer: a condition names a path that nobody publishes under its scope") : fault()};
+            steps.unheard()
+                ? fault("sequencer: a condition names a path that nobody publishes under its scope")
+                : fault()};
   }
 
   void on_start() { steps = {}; }

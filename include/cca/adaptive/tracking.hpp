@@ -3,12 +3,12 @@
 //   cca::tracking<leg_angles>
 //   in  "target"     S: what the module commands
 //   in  "feedback"   S: what is measured
-//   out "error"      criterion_error, in the unit of S: of the axis that is furthest off; positions: the distance
-//   out "state"      criterion_port
+//   out "error"      criterion_error, in the unit of S: of the axis that is furthest off; positions: the
+//   distance out "state"      criterion_port
 //
-// Parameters `limits`: within, until, lost (in the unit of S), hold (s). The delay of a good servo is an error, too: `within`
-// has to leave room for it. Before both inputs hold something it is open, with error zero. Cost: nothing to speak of.
-// Example: tests/runtime/adaptive/tracker.cpp; docs/adaptive.md.
+// Parameters `limits`: within, until, lost (in the unit of S), hold (s). The delay of a good servo is an
+// error, too: `within` has to leave room for it. Before both inputs hold something it is open, with error
+// zero. Cost: nothing to speak of. Example: tests/runtime/adaptive/tracker.cpp; docs/adaptive.md.
 #pragma once
 
 #include <tuple>
@@ -28,7 +28,8 @@ struct comparing {
   };
   parameters p{};
 
-  auto process(in<"target", S> target, in<"feedback", S> feedback, beat now) -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> {
+  auto process(in<"target", S> target, in<"feedback", S> feedback, beat now)
+      -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> {
     if (target.origin() == never || feedback.origin() == never) return {0.0, status_of(monitor.get())};
     const double error = apart<S>(target, feedback);
     return {error, status_of(monitor.update(error, p.limits, now.dt()))};

@@ -1,17 +1,19 @@
-// The learning side of a module: what it has learned, its own examples, and the extended life-cycle of the seed's section 4.4.4.
+// The learning side of a module: what it has learned, its own examples, and the extended life-cycle of the
+// seed's section 4.4.4.
 //
 //   cca::training<learner, 2000> learning;                      in the module
-//   learning.teach(x, y, p.settings);                           in process: kept, learned or passed over, as it is told
-//   learning.answer(x), learning.status(x, p.settings)
+//   learning.teach(x, y, p.settings);                           in process: kept, learned or passed over, as
+//   it is told learning.answer(x), learning.status(x, p.settings)
 //
 //   auto& m = c.get<"dmp.module">();                            between two beats
 //   m.learning.collect();                                       ... beats ...
-//   auto work = m.learning.begin_batch(m.p.settings);           a value: work() on any thread, as long as it takes
-//   m.learning.hand_over(work());                               whole, between two beats
+//   auto work = m.learning.begin_batch(m.p.settings);           a value: work() on any thread, as long as it
+//   takes m.learning.hand_over(work());                               whole, between two beats
 //
-// It keeps the newest Capacity examples. States and legal changes are a table (learning_transitions); a change that is not in
-// it is refused. Within a beat nothing is allocated. A value: a copy goes on by itself. Memory: Capacity examples.
-// Errors: `cca::refused` for illegal changes and for files (learned_file.hpp). Example: tests/runtime/adaptive/kinds.cpp.
+// It keeps the newest Capacity examples. States and legal changes are a table (learning_transitions); a
+// change that is not in it is refused. Within a beat nothing is allocated. A value: a copy goes on by itself.
+// Memory: Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp).
+// Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <array>
@@ -24,8 +26,8 @@
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/component/file.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/file.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -49,7 +51,8 @@ inline constexpr std::array learning_transitions{
     learning_transition{learning_change::collect, learning::trained, learning::collecting},
     learning_transition{learning_change::learn, learning::idle, learning::online},
     learning_transition{learning_change::learn, learning::trained, learning::online},
-    learning_transition{learning_change::begin_batch, learning::idle, learning::batch},  // of examples that were collected before
+    learning_transition{learning_change::begin_batch, learning::idle,
+                        learning::batch},  // of examples that were collected before
     learning_transition{learning_change::begin_batch, learning::trained, learning::batch},
     learning_transition{learning_change::begin_batch, learning::collecting, learning::batch},
     learning_transition{learning_change::hand_over, learning::batch, learning::trained},
@@ -57,7 +60,8 @@ inline constexpr std::array learning_transitions{
     learning_transition{learning_change::hand_over, learning::trained, learning::trained},
     learning_transition{learning_change::rest, learning::collecting, learning::trained},
     learning_transition{learning_change::rest, learning::online, learning::trained},
-    learning_transition{learning_change::rest, learning::batch, learning::trained},  // whatever the batch finds is not taken
+    learning_transition{learning_change::rest, learning::batch,
+                        learning::trained},  // whatever the batch finds is not taken
     learning_transition{learning_change::forget, learning::idle, learning::idle},
     learning_transition{learning_change::forget, learning::trained, learning::idle},
 };
@@ -91,7 +95,9 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  CCA_GLUE bool in_trained_region(const input& x, const settings& s) const { return has_learned && Rule::inside(known, x, s); }
+  CCA_GLUE bool in_trained_region(const input& x, const settings& s) const {
+    return has_learned && Rule::inside(known, x, s);
+  }
   CCA_GLUE trained_region region(const input& x, const settings& s) const {
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
@@ -120,7 +126,11 @@ public:
 
   // Between two beats.
   void collect() { change(detail::learning_change::collect, "collect()"); }
-  void learn() requires OnlineLearner<Rule> { change(detail::learning_change::learn, "learn()"); }
+  void learn()
+    requires OnlineLearner<Rule>
+  {
+    change(detail::learning_change::learn, "learn()");
+  }
   void rest() { change(detail::learning_change::rest, "rest()"); }
   void forget() {
     change(detail::learning_change::forget, "forget()");
@@ -133,8 +143,13 @@ public:
     return all;
   }
 
-  learning_batch<Rule> begin_batch(const settings& s) requires BatchLearner<Rule> {
-    if (example_count() == 0) throw refused("cca::training: begin_batch() is refused: no examples have been collected; collect() and let it run first");
+  learning_batch<Rule> begin_batch(const settings& s)
+    requires BatchLearner<Rule>
+  {
+    if (example_count() == 0)
+      throw refused(
+          "cca::training: begin_batch() is refused: no examples have been collected; collect() and let it "
+          "run first");
     change(detail::learning_change::begin_batch, "begin_batch()");
     return {examples(), s};
   }
@@ -146,7 +161,8 @@ public:
 
   // With the constants that the numbers depend on. Where a file is refused, everything stays as it was.
   void load(const std::string& file, const std::vector<learned_header::constant>& constants = {}) {
-    if (!detail::is_legal(detail::learning_change::hand_over, now)) change(detail::learning_change::hand_over, "load()");
+    if (!detail::is_legal(detail::learning_change::hand_over, now))
+      change(detail::learning_change::hand_over, "load()");
     learned copy = known;
     detail::read_learned(detail::read_file(file), file, header(constants), detail::schema_of<learned>, &copy);
     hand_over(copy);
@@ -155,7 +171,8 @@ public:
     if (!has_learned) throw refused(file + ": not written: the module has learned nothing");
     std::vector<detail::complaint> wrong;
     detail::check(detail::schema_of<learned>, &known, "", wrong);
-    if (!wrong.empty()) throw refused(file + ": not written: " + wrong.front().path + ": " + wrong.front().what);
+    if (!wrong.empty())
+      throw refused(file + ": not written: " + wrong.front().path + ": " + wrong.front().what);
     detail::write_file(file, detail::learned_text(header(constants), detail::schema_of<learned>, &known));
   }
 
@@ -173,8 +190,9 @@ private:
   }
   void change(detail::learning_change what, const char* call) {
     if (changed(what)) return;
-    throw refused(std::string("cca::training: ") + call + " is refused while it is `" + std::string(to_string(now)) +
-                  "`: " + (now == learning::idle || now == learning::trained ? "nothing is going on" : "rest() first"));
+    throw refused(
+        std::string("cca::training: ") + call + " is refused while it is `" + std::string(to_string(now)) +
+        "`: " + (now == learning::idle || now == learning::trained ? "nothing is going on" : "rest() first"));
   }
   void clear() {
     known = {};

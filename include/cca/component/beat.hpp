@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca {
 

@@ -1,6 +1,6 @@
-// A component is a plain struct with a function `process`, whose signature is its interface. A resource node has
-// `sense` (outputs) and `act` (inputs) instead: the first runs before, the second after all components of the beat.
-// Hooks, each optional: `on_load`, `on_save`, `on_start`, `on_stop`, `on_fault`, all `void()`.
+// A component is a plain struct with a function `process`, whose signature is its interface. A resource node
+// has `sense` (outputs) and `act` (inputs) instead: the first runs before, the second after all components of
+// the beat. Hooks, each optional: `on_load`, `on_save`, `on_start`, `on_stop`, `on_fault`, all `void()`.
 #pragma once
 
 #include <string_view>
@@ -13,21 +13,33 @@ namespace cca {
 namespace detail {
 
 // One function that can be taken apart: no data, nothing private, overloaded or a template.
-template <class Type> concept HasProcess = requires { typename function_facts<decltype(&Type::process)>::result; };
-template <class Type> concept HasSense = requires { typename function_facts<decltype(&Type::sense)>::result; };
+template <class Type> concept HasProcess =
+    requires { typename function_facts<decltype(&Type::process)>::result; };
+template <class Type> concept HasSense =
+    requires { typename function_facts<decltype(&Type::sense)>::result; };
 template <class Type> concept HasAct = requires { typename function_facts<decltype(&Type::act)>::result; };
 template <class Type> concept IsResource = !HasProcess<Type> && (HasSense<Type> || HasAct<Type>);
 
 // What runs when: all senses of a beat, then all components, then all acts.
 enum class phase_of_beat : std::uint8_t { sense, process, act };
 
-template <class Type, phase_of_beat Phase> struct function_of;
-template <class Type> struct function_of<Type, phase_of_beat::sense> { using type = decltype(&Type::sense); };
-template <class Type> struct function_of<Type, phase_of_beat::process> { using type = decltype(&Type::process); };
-template <class Type> struct function_of<Type, phase_of_beat::act> { using type = decltype(&Type::act); };
+template <class Type, phase_of_beat Phase>
+struct function_of;
+template <class Type>
+struct function_of<Type, phase_of_beat::sense> {
+  using type = decltype(&Type::sense);
+};
+template <class Type>
+struct function_of<Type, phase_of_beat::process> {
+  using type = decltype(&Type::process);
+};
+template <class Type>
+struct function_of<Type, phase_of_beat::act> {
+  using type = decltype(&Type::act);
+};
 
 template <class Type, phase_of_beat Phase>
-using half_of_component = half_of<typename function_of<Type, Phase>::type>;
+using function_of_component = ports_of_function<typename function_of<Type, Phase>::type>;
 
 // Equal for equal types, and else only by an accident of spelling, size and hash.
 template <class Type>
@@ -35,19 +47,21 @@ inline constexpr std::uint64_t type_key = hash(spelled<Type>(), sizeof(Type));
 
 struct component_info {
   std::string_view spelled_type{};
-  std::uint64_t key = 0;             // type_key of its type
-  ref<half_info> sense = nullptr;
-  ref<half_info> process = nullptr;
-  ref<half_info> act = nullptr;
-  std::string_view bad_hook{};       // name of a hook with another signature
-  std::string_view bad_field{};      // name of a parameter of a type that can't be configured
+  std::uint64_t key = 0;  // type_key of its type
+  ref<function_info> sense = nullptr;
+  ref<function_info> process = nullptr;
+  ref<function_info> act = nullptr;
+  std::string_view bad_hook{};   // name of a hook with another signature
+  std::string_view bad_field{};  // name of a parameter of a type that can't be configured
   std::string_view bad_field_type{};
-  bool forgot_parameters = false;    // a struct `parameters`, but no member `p` of it
+  bool forgot_parameters = false;             // a struct `parameters`, but no member `p` of it
   bool also_sense = false, also_act = false;  // beside `process`
   bool is_const = false;
-  std::string_view wrong_arity{};    // of a skeleton: what does not come out even in it, as the end of a sentence
-  bool limits_commands = false;      // a limiter: what it publishes may reach an actuator
-  bool preserves_limits = false;     // its outputs lie within what its inputs lie within: a splitter, a collector
+  std::string_view
+      wrong_arity{};             // of a skeleton: what does not come out even in it, as the end of a sentence
+  bool limits_commands = false;  // a limiter: what it publishes may reach an actuator
+  bool preserves_limits =
+      false;  // its outputs lie within what its inputs lie within: a splitter, a collector
   constexpr std::string_view name() const { return without_namespaces(spelled_type); }
   constexpr bool resource() const { return sense || act; }
 };
@@ -67,12 +81,12 @@ inline constexpr component_info component_of = [] {
   info.key = type_key<Type>;
   info.is_const = std::is_const_v<Type>;
   if constexpr (HasProcess<Type>) {
-    info.process = &half_of_component<Type, phase_of_beat::process>::value;
+    info.process = &function_of_component<Type, phase_of_beat::process>::value;
     info.also_sense = HasSense<Type>;
     info.also_act = HasAct<Type>;
   } else {
-    if constexpr (HasSense<Type>) info.sense = &half_of_component<Type, phase_of_beat::sense>::value;
-    if constexpr (HasAct<Type>) info.act = &half_of_component<Type, phase_of_beat::act>::value;
+    if constexpr (HasSense<Type>) info.sense = &function_of_component<Type, phase_of_beat::sense>::value;
+    if constexpr (HasAct<Type>) info.act = &function_of_component<Type, phase_of_beat::act>::value;
   }
   info.bad_hook = bad_hook<Type>();
   info.bad_field = bad_field_of<Type>.name;
@@ -86,10 +100,8 @@ inline constexpr component_info component_of = [] {
 
 }  // namespace detail
 
-template <class Type>
-concept Component = detail::HasProcess<Type> || detail::IsResource<Type>;
+template <class Type> concept Component = detail::HasProcess<Type> || detail::IsResource<Type>;
 
-template <class Type>
-concept ResourceNode = detail::IsResource<Type>;
+template <class Type> concept ResourceNode = detail::IsResource<Type>;
 
 }  // namespace cca

@@ -1,4 +1,5 @@
-// What a component returns that may have to stop: empty, or a reason. The reason is not copied: give it a literal.
+// What a component returns that may have to stop: empty, or a reason. The reason is not copied: give it a
+// literal.
 #pragma once
 
 namespace cca {

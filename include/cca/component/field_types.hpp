@@ -1,13 +1,14 @@
-// Types for the fields of a `parameters` struct that say more than `double` does: a range, a unit, a short text.
+// Types for the fields of a `parameters` struct that say more than `double` does: a range, a unit, a short
+// text.
 //
 //   (cca::bounded<double, 0.1, 5.0>, frequency)           0.1 to 5
 //   (cca::quantity<cca::angle>, offset)                   with a unit: "30 deg" in a file, radians here
 //   (cca::quantity<cca::angle, -0.9, 0.9>, hip)           with a unit and a range, in SI units
 //   (cca::text<16>, name)                                 up to 16 bytes, without the heap
 //
-// All convert to the plain type by themselves. They hold what they are given: the range is checked where values come
-// from outside, when parameters are loaded or set, so that a beat pays nothing for it. A bound that is infinite lets
-// that infinity in; everywhere else a number is finite. NaN is refused always.
+// All convert to the plain type by themselves. They hold what they are given: the range is checked where
+// values come from outside, when parameters are loaded or set, so that a beat pays nothing for it. A bound
+// that is infinite lets that infinity in; everywhere else a number is finite. NaN is refused always.
 #pragma once
 
 #include <cstddef>
@@ -61,7 +62,9 @@ struct text {
   constexpr text() = default;
   template <std::size_t Size>
     requires(Size <= Capacity + 1)
-  constexpr text(const char (&literal)[Size]) { (void)assign({literal, Size - 1}); }
+  constexpr text(const char (&literal)[Size]) {
+    (void)assign({literal, Size - 1});
+  }
 
   // False, and nothing is changed, if it's too long.
   [[nodiscard]] constexpr bool assign(std::string_view from) {

@@ -23,10 +23,12 @@ struct transition_info {
   state from, to;
 };
 
-// From outside: load, save, start, stop, run, resume. From inside: pause (the run is over) and fail (a component says so).
+// From outside: load, save, start, stop, run, resume. From inside: pause (the run is over) and fail (a
+// component says so).
 inline constexpr std::array transitions{
     transition_info{transition::load, state::created, state::loaded},
-    transition_info{transition::load, state::loaded, state::loaded},  // again: other parameters before the start
+    transition_info{transition::load, state::loaded,
+                    state::loaded},  // again: other parameters before the start
     transition_info{transition::save, state::loaded, state::created},
     transition_info{transition::start, state::loaded, state::started},
     transition_info{transition::stop, state::started, state::loaded},
@@ -41,7 +43,8 @@ inline constexpr std::array transitions{
 // The table once more, as a set of states for each transition: `step()` asks it in each beat.
 inline constexpr auto legal_from = [] {
   std::array<unsigned, 8> sets{};
-  for (const auto& t : transitions) sets[static_cast<std::size_t>(t.what)] |= 1u << static_cast<unsigned>(t.from);
+  for (const auto& t : transitions)
+    sets[static_cast<std::size_t>(t.what)] |= 1u << static_cast<unsigned>(t.from);
   return sets;
 }();
 
@@ -59,11 +62,18 @@ constexpr state after(transition what, state from) {
 constexpr std::string_view remedy(transition what, state from) {
   if (from == state::faulted) return "a component has faulted: look at fault(), then resume() or stop()";
   switch (what) {
-    case transition::load: return "stop() it first";
-    case transition::save: return from == state::created ? "load() it first" : "stop() it first";
-    case transition::start: return from == state::created ? "load() it first" : "it has been started";
-    case transition::resume: return "nothing has faulted";
-    default: return from == state::created ? "load() and start() it first" : from == state::loaded ? "start() it first" : "it is running";
+    case transition::load:
+      return "stop() it first";
+    case transition::save:
+      return from == state::created ? "load() it first" : "stop() it first";
+    case transition::start:
+      return from == state::created ? "load() it first" : "it has been started";
+    case transition::resume:
+      return "nothing has faulted";
+    default:
+      return from == state::created  ? "load() and start() it first"
+             : from == state::loaded ? "start() it first"
+                                     : "it is running";
   }
 }
 

@@ -25,8 +25,11 @@ constexpr bool is_mapped<maybe<Name, Space>> = !is_status<maybe<Name, Space>>;
 template <class... Ports>
 struct mapped_ports {
   static constexpr int count = (is_mapped<Ports> + ... + 0);
-  using first = std::tuple_element_t<0, decltype(std::tuple_cat(
-      std::declval<std::conditional_t<is_mapped<Ports>, std::tuple<Ports>, std::tuple<>>>()..., std::tuple<void*>()))>;
+  using first = std::tuple_element_t<
+      0,
+      decltype(std::tuple_cat(
+          std::declval<std::conditional_t<is_mapped<Ports>, std::tuple<Ports>, std::tuple<>>>()...,
+          std::tuple<void*>()))>;
 };
 
 template <class List>
@@ -43,7 +46,8 @@ using mapped_outputs = mapped_in<typename process_facts<Component>::results>;
 
 // Spaces match when domain type (with its frame), ordered axes and rate agree.
 template <class SpaceA, class SpaceB>
-constexpr bool matching = alike<SpaceA, SpaceB> && (hz_of<typename SpaceA::rate> == hz_of<typename SpaceB::rate> ||
-                                                    hz_of<typename SpaceA::rate> == 0 || hz_of<typename SpaceB::rate> == 0);
+constexpr bool matching =
+    alike<SpaceA, SpaceB> && (hz_of<typename SpaceA::rate> == hz_of<typename SpaceB::rate> ||
+                              hz_of<typename SpaceA::rate> == 0 || hz_of<typename SpaceB::rate> == 0);
 
 }  // namespace cca::detail

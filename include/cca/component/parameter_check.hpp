@@ -1,5 +1,5 @@
-// Whether the values of a parameters struct are allowed: each number finite and in its range, each choice one of its
-// names, and the struct's own `check()` content. Runs between beats, where it may allocate.
+// Whether the values of a parameters struct are allowed: each number finite and in its range, each choice one
+// of its names, and the struct's own `check()` content. Runs between beats, where it may allocate.
 #pragma once
 
 #include <charconv>
@@ -50,7 +50,8 @@ inline std::string names_text(const schema& type) {
   for (std::size_t i = 0; i < type.count; ++i)
     if (!type.names[i].empty()) last = i;
   for (std::size_t i = 0; i < type.count; ++i)
-    if (!type.names[i].empty()) text.append(text.empty() ? "" : i == last ? " or " : ", ").append(type.names[i]);
+    if (!type.names[i].empty())
+      text.append(text.empty() ? "" : i == last ? " or " : ", ").append(type.names[i]);
   return text;
 }
 
@@ -58,7 +59,8 @@ inline std::string names_text(const schema& type) {
 inline std::string number_complaint(const schema& type, double value, const std::string& shown) {
   if (value >= type.lower && value <= type.upper) return {};
   const std::string range = range_text(type);
-  if (!std::isfinite(value)) return shown + " is not allowed, expected " + (range.empty() ? "a finite number" : range);
+  if (!std::isfinite(value))
+    return shown + " is not allowed, expected " + (range.empty() ? "a finite number" : range);
   return range.empty() ? shown + " is too large for a float" : shown + " is out of range, expected " + range;
 }
 
@@ -71,7 +73,11 @@ inline std::string integer_complaint(const schema& type, std::int64_t value) {
 constexpr bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i++]);
-    const int more = lead < 0x80 ? 0 : lead >= 0xC2 && lead < 0xE0 ? 1 : lead >= 0xE0 && lead < 0xF0 ? 2 : lead >= 0xF0 && lead < 0xF5 ? 3 : -1;
+    const int more = lead < 0x80                   ? 0
+                     : lead >= 0xC2 && lead < 0xE0 ? 1
+                     : lead >= 0xE0 && lead < 0xF0 ? 2
+                     : lead >= 0xF0 && lead < 0xF5 ? 3
+                                                   : -1;
     if (more < 0) return false;
     for (int k = 0; k < more; ++k, ++i) {
       const auto next = i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
@@ -85,15 +91,20 @@ constexpr bool is_utf8(std::string_view text) {
 
 inline std::string value_complaint(const schema& type, const void* value) {
   switch (type.what) {
-    case kind::integer: return integer_complaint(type, type.integer(value));
-    case kind::number: return number_complaint(type, type.number(value), with_unit(number_text(type, type.number(value)), type));
+    case kind::integer:
+      return integer_complaint(type, type.integer(value));
+    case kind::number:
+      return number_complaint(type, type.number(value),
+                              with_unit(number_text(type, type.number(value)), type));
     case kind::choice: {
       const std::int64_t i = type.integer(value);
       if (i >= 0 && i < static_cast<std::int64_t>(type.count) && !type.names[i].empty()) return {};
       return "the value " + std::to_string(i) + " has no name, expected " + names_text(type);
     }
-    case kind::text: return is_utf8(type.characters(value)) ? "" : "the text is not UTF-8";
-    default: return {};
+    case kind::text:
+      return is_utf8(type.characters(value)) ? "" : "the text is not UTF-8";
+    default:
+      return {};
   }
 }
 
@@ -101,10 +112,12 @@ inline std::string member_path(const std::string& table, std::string_view name) 
   return table.empty() ? std::string(name) : std::string(table).append(".").append(name);
 }
 
-inline std::string element_path(const std::string& array, std::size_t i) { return array + "[" + std::to_string(i) + "]"; }
+inline std::string element_path(const std::string& array, std::size_t i) {
+  return array + "[" + std::to_string(i) + "]";
+}
 
-// A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN. A template, as `refuse` is, so
-// that it costs only who has parameters checked.
+// A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN. A
+// template, as `refuse` is, so that it costs only who has parameters checked.
 template <class Complaints>
 void check(const schema& type, const void* value, const std::string& path, Complaints& found) {
   const std::size_t before = found.size();
@@ -114,7 +127,8 @@ void check(const schema& type, const void* value, const std::string& path, Compl
     if (!type.complaint || found.size() != before) return;
     if (auto what = type.complaint(value); !what.empty()) found.push_back({path, std::move(what)});
   } else if (type.what == kind::array) {
-    for (std::size_t i = 0; i < type.count; ++i) check(*type.element, type.at(value, i), element_path(path, i), found);
+    for (std::size_t i = 0; i < type.count; ++i)
+      check(*type.element, type.at(value, i), element_path(path, i), found);
   } else if (auto what = value_complaint(type, value); !what.empty()) {
     found.push_back({path, std::move(what)});
   }

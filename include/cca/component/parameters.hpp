@@ -1,13 +1,13 @@
 // Parameters: what a user may set of a component, from a file or between two beats.
 //
 //   struct hopf {
-//     struct parameters { BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency), (cca::quantity<cca::angle>, offset)); };
-//     parameters p{1.5, 0.0};
+//     struct parameters { BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency),
+//     (cca::quantity<cca::angle>, offset)); }; parameters p{1.5, 0.0};
 //
-// A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a std::array or
-// fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a `check() const`, which returns
-// a text: empty, or what is wrong. Errors: rule parameters.unsupported_type; `cca::refused` for values.
-// Example: docs/parameters.md.
+// A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a
+// std::array or fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a
+// `check() const`, which returns a text: empty, or what is wrong. Errors: rule parameters.unsupported_type;
+// `cca::refused` for values. Example: docs/parameters.md.
 #pragma once
 
 #include <concepts>
@@ -18,21 +18,20 @@
 
 #include <cca/component/component.hpp>
 #include <cca/component/parameter_check.hpp>
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 #include <cca/component/schema.hpp>
 
 namespace cca {
 
-template <class Component>
-concept HasParameters = requires(Component& component) {
+template <class Component> concept HasParameters = requires(Component& component) {
   typename Component::parameters;
   requires std::same_as<decltype(component.p), typename Component::parameters>;
 };
 
 namespace detail {
 
-// The dotted name of the first field that no file can hold, and its type as spelled by the compiler; both empty if
-// there is none.
+// The dotted name of the first field that no file can hold, and its type as spelled by the compiler; both
+// empty if there is none.
 struct unsupported {
   char path[128]{};
   std::size_t size = 0;
@@ -88,13 +87,14 @@ constexpr std::string_view unsupported_type() {
 }
 
 // A `parameters` struct without the member `p` would be ignored in silence.
-template <class Component>
-concept ForgotParameters = requires { typename Component::parameters; } && !HasParameters<Component>;
+template <class Component> concept ForgotParameters =
+    requires { typename Component::parameters; } && !HasParameters<Component>;
 
 template <class Component>
   requires HasParameters<Component>
-constexpr field_problem bad_field_of<Component> = {.name = unsupported_field<typename Component::parameters>(),
-                                                   .type = unsupported_type<typename Component::parameters>()};
+constexpr field_problem bad_field_of<Component> = {
+    .name = unsupported_field<typename Component::parameters>(),
+    .type = unsupported_type<typename Component::parameters>()};
 template <ForgotParameters Component>
 constexpr field_problem bad_field_of<Component> = {.forgot_parameters = true};
 
@@ -103,13 +103,17 @@ void refuse(const Complaints& found) {
   if (found.empty()) return;
   std::string text;
   for (const auto& one : found)
-    text.append(text.empty() ? "" : "\n").append(one.path).append(one.path.empty() ? "" : ": ").append(one.what);
+    text.append(text.empty() ? "" : "\n")
+        .append(one.path)
+        .append(one.path.empty() ? "" : ": ")
+        .append(one.what);
   throw refused(text);
 }
 
 }  // namespace detail
 
-// Throws `cca::refused` with all that is wrong, a line each: `cpg.frequency: 9 is out of range, expected 0.1 to 5`.
+// Throws `cca::refused` with all that is wrong, a line each: `cpg.frequency: 9 is out of range, expected 0.1
+// to 5`.
 template <class Parameters>
 void check_parameters(const Parameters& values, std::string_view path = {}) {
   std::vector<detail::complaint> found;
@@ -121,7 +125,9 @@ namespace detail {
 
 // Whole and checked before: if they are refused, the component keeps its old ones.
 template <HasParameters Component>
-void apply_parameters(Component& component, const typename Component::parameters& values, std::string_view path = {}) {
+void apply_parameters(Component& component,
+                      const typename Component::parameters& values,
+                      std::string_view path = {}) {
   check_parameters(values, path);
   component.p = values;
 }

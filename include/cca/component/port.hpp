@@ -10,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/space/scalar.hpp>
 
@@ -22,13 +22,15 @@ namespace detail {
 struct no_space : space<number, axes<x>> {};
 
 template <class Type>
-inline constexpr bool is_space = Space<Type>;  // asked as a concept, both compilers would add what it is made of
+inline constexpr bool is_space =
+    Space<Type>;  // asked as a concept, both compilers would add what it is made of
 
 // A function and not a struct, of which clang would no longer know the members.
 template <class Type>
 constexpr auto space_or_refused() {
-  static_assert(is_space<Type>, "component.bad_parameter: a port is of a space, and this type is none: make one of it, as in "
-                                "`struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`");
+  static_assert(is_space<Type>,
+                "component.bad_parameter: a port is of a space, and this type is none: make one of it, as in "
+                "`struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`");
   return std::type_identity<std::conditional_t<is_space<Type>, Type, no_space>>{};
 }
 template <class Type>
@@ -36,7 +38,8 @@ using checked_space = typename decltype(space_or_refused<Type>())::type;
 
 }  // namespace detail
 
-// An input: the sample that the component sees in this firing. `fresh()`: it arrived since the component last fired.
+// An input: the sample that the component sees in this firing. `fresh()`: it arrived since the component last
+// fired.
 template <fixed_string Name, class Space>
 class in : public sample<detail::checked_space<Space>> {
 public:
@@ -52,7 +55,10 @@ public:
 
   // For the loop that fills it.
   constexpr void set(int i, double coordinate) { this->value[i] = coordinate; }
-  constexpr void set(std::int64_t origin, bool is_fresh) { this->time = origin; arrived = is_fresh; }
+  constexpr void set(std::int64_t origin, bool is_fresh) {
+    this->time = origin;
+    arrived = is_fresh;
+  }
 
 private:
   bool arrived = false;
@@ -70,8 +76,8 @@ private:
   bool wired = false;
 };
 
-// An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates at the
-// oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
+// An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates
+// at the oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
 template <fixed_string Name, class Space>
 class out {
 public:
@@ -96,10 +102,18 @@ public:
     return coordinates[space::axes::template index_of<Axis>];
   }
   template <class Axis>
-  constexpr double operator[](Axis axis) const { return const_cast<out&>(*this)[axis]; }
+  constexpr double operator[](Axis axis) const {
+    return const_cast<out&>(*this)[axis];
+  }
 
-  constexpr out& with_origin(std::int64_t t) & { time = t; return *this; }
-  constexpr out&& with_origin(std::int64_t t) && { time = t; return static_cast<out&&>(*this); }
+  constexpr out& with_origin(std::int64_t t) & {
+    time = t;
+    return *this;
+  }
+  constexpr out&& with_origin(std::int64_t t) && {
+    time = t;
+    return static_cast<out&&>(*this);
+  }
 
   constexpr const vector_type& vector() const { return coordinates; }
   constexpr std::int64_t origin() const { return time; }  // `never`: not set by the component
@@ -129,10 +143,18 @@ public:
     return out<Name, Space>::operator[](axis);
   }
   template <class Axis>
-  constexpr double operator[](Axis axis) const { return out<Name, Space>::operator[](axis); }
+  constexpr double operator[](Axis axis) const {
+    return out<Name, Space>::operator[](axis);
+  }
 
-  constexpr maybe& with_origin(std::int64_t t) & { out<Name, Space>::with_origin(t); return *this; }
-  constexpr maybe&& with_origin(std::int64_t t) && { out<Name, Space>::with_origin(t); return static_cast<maybe&&>(*this); }
+  constexpr maybe& with_origin(std::int64_t t) & {
+    out<Name, Space>::with_origin(t);
+    return *this;
+  }
+  constexpr maybe&& with_origin(std::int64_t t) && {
+    out<Name, Space>::with_origin(t);
+    return static_cast<maybe&&>(*this);
+  }
 
   explicit constexpr operator bool() const { return published; }
 
@@ -144,14 +166,14 @@ struct latest;  // the default policy of a wire, in graph/graph.hpp
 
 // One of the samples under a scope that an `observe` listens to.
 struct observation {
-  std::string_view path;            // "dmp.status.component"
-  std::span<const double> values;   // coordinates in the order of the axes
-  std::int64_t origin;              // `never`: nothing has been published yet
+  std::string_view path;           // "dmp.status.component"
+  std::span<const double> values;  // coordinates in the order of the axes
+  std::int64_t origin;             // `never`: nothing has been published yet
   bool fresh;
 };
 
-// An input that listens to a scope, whatever its ports' spaces: `observe<"dmp.status.*">`, with a wire's policy where
-// the scope is fed by this component: `observe<"dmp.status.*", cca::delayed<1>>`.
+// An input that listens to a scope, whatever its ports' spaces: `observe<"dmp.status.*">`, with a wire's
+// policy where the scope is fed by this component: `observe<"dmp.status.*", cca::delayed<1>>`.
 template <fixed_string Scope, class Policy = latest>
 class observe {
 public:

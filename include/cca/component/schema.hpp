@@ -1,5 +1,5 @@
-// What a `parameters` struct looks like, as data: ordinary functions then check, read and write any of them, and are
-// compiled once and not once a component.
+// What a `parameters` struct looks like, as data: ordinary functions then check, read and write any of them,
+// and are compiled once and not once a component.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 #include <Eigen/Core>
 
-#include <cca/component/enumerators.hpp>
+#include <cca/base/enumerators.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/component/reflect.hpp>
-#include <cca/space/type_name.hpp>
+#include <cca/base/reflect.hpp>
+#include <cca/base/type_name.hpp>
 #include <cca/space/units.hpp>
 
 namespace cca::detail {
@@ -47,7 +47,7 @@ struct schema {
   double lower = 0, upper = 0;
   bool stated_range = false;  // by `bounded` or `quantity`, not only by what the type holds
   bool single = false;
-  std::string_view unit{};  // the SI unit, empty for a plain number
+  std::string_view unit{};           // the SI unit, empty for a plain number
   const cca::unit* units = nullptr;  // in which it may be written, as in units_of
 
   // text, of at most `count` bytes
@@ -68,29 +68,36 @@ constexpr schema make_schema();
 template <class Type>
 inline constexpr schema schema_of = make_schema<Type>();
 
-template <class Type, class... Others>
-concept OneOf = (std::same_as<Type, Others> || ...);
+template <class Type, class... Others> concept OneOf = (std::same_as<Type, Others> || ...);
 
 // `char` and its relatives are characters, `bool` isn't a number.
-template <class Type>
-concept PlainInteger = std::integral<Type> && !OneOf<Type, bool, char, wchar_t, char8_t, char16_t, char32_t>;
+template <class Type> concept PlainInteger =
+    std::integral<Type> && !OneOf<Type, bool, char, wchar_t, char8_t, char16_t, char32_t>;
+
+template <class Type> concept PlainNumber = OneOf<Type, float, double>;
+
+template <class Type> concept Ranged = requires {
+  typename Type::value_type;
+  Type::lower;
+  Type::upper;
+} && std::derived_from<Type, ranged<typename Type::value_type, Type::lower, Type::upper>>;
 
 template <class Type>
-concept PlainNumber = OneOf<Type, float, double>;
+constexpr std::size_t text_capacity = 0;
+template <std::size_t Capacity>
+constexpr std::size_t text_capacity<cca::text<Capacity>> = Capacity;
 
 template <class Type>
-concept Ranged = requires { typename Type::value_type; Type::lower; Type::upper; } &&
-                 std::derived_from<Type, ranged<typename Type::value_type, Type::lower, Type::upper>>;
-
-template <class Type> constexpr std::size_t text_capacity = 0;
-template <std::size_t Capacity> constexpr std::size_t text_capacity<cca::text<Capacity>> = Capacity;
-
-template <class Type> struct array_traits { static constexpr std::size_t count = 0; };
+struct array_traits {
+  static constexpr std::size_t count = 0;
+};
 template <class Type, std::size_t Count>
 struct array_traits<std::array<Type, Count>> {
   static constexpr std::size_t count = Count;
   using element = Type;
-  static const void* at(const void* array, std::size_t i) { return static_cast<const std::array<Type, Count>*>(array)->data() + i; }
+  static const void* at(const void* array, std::size_t i) {
+    return static_cast<const std::array<Type, Count>*>(array)->data() + i;
+  }
 };
 
 // One row of a matrix that lies in memory column by column, or row by row.
@@ -100,7 +107,9 @@ template <class Scalar, int Columns, int Stride>
 struct array_traits<matrix_row<Scalar, Columns, Stride>> {
   static constexpr std::size_t count = std::size_t{Columns};
   using element = Scalar;
-  static const void* at(const void* row, std::size_t i) { return static_cast<const Scalar*>(row) + i * std::size_t{Stride}; }
+  static const void* at(const void* row, std::size_t i) {
+    return static_cast<const Scalar*>(row) + i * std::size_t{Stride};
+  }
 };
 template <class Scalar, int Rows, int Columns, int Options>
   requires(Rows > 0 && Columns > 0)
@@ -109,26 +118,32 @@ struct array_traits<Eigen::Matrix<Scalar, Rows, Columns, Options, Rows, Columns>
   static constexpr std::size_t count = vector ? std::size_t{Rows} * std::size_t{Columns} : std::size_t{Rows};
   using element = std::conditional_t<vector, Scalar, matrix_row<Scalar, Columns, row_major ? 1 : Rows>>;
   static const void* at(const void* matrix, std::size_t i) {
-    const auto* values = static_cast<const Eigen::Matrix<Scalar, Rows, Columns, Options, Rows, Columns>*>(matrix)->data();
+    const auto* values =
+        static_cast<const Eigen::Matrix<Scalar, Rows, Columns, Options, Rows, Columns>*>(matrix)->data();
     return values + i * (!vector && row_major ? std::size_t{Columns} : 1);
   }
 };
 
 template <class Type>
 constexpr schema integer_schema(std::int64_t lowest, std::int64_t highest) {
-  return {.what = kind::integer,
-          // A file holds 64 bits with a sign: more than that shows as the largest, which `highest` then refuses.
-          .integer = [](const void* at) {
+  return {
+      .what = kind::integer,
+      // A file holds 64 bits with a sign: more than that shows as the largest, which `highest` then refuses.
+      .integer =
+          [](const void* at) {
             const auto value = *static_cast<const Type*>(at);
-            return std::in_range<std::int64_t>(value) ? static_cast<std::int64_t>(value) : std::numeric_limits<std::int64_t>::max();
+            return std::in_range<std::int64_t>(value) ? static_cast<std::int64_t>(value)
+                                                      : std::numeric_limits<std::int64_t>::max();
           },
-          .set_integer = [](void* at, std::int64_t value) { *static_cast<Type*>(at) = static_cast<Type>(value); },
-          .lowest = lowest, .highest = highest};
+      .set_integer = [](void* at, std::int64_t value) { *static_cast<Type*>(at) = static_cast<Type>(value); },
+      .lowest = lowest,
+      .highest = highest};
 }
 
 template <std::integral Type>
 constexpr std::int64_t clipped(Type value) {
-  return std::in_range<std::int64_t>(value) ? static_cast<std::int64_t>(value) : std::numeric_limits<std::int64_t>::max() - 1;
+  return std::in_range<std::int64_t>(value) ? static_cast<std::int64_t>(value)
+                                            : std::numeric_limits<std::int64_t>::max() - 1;
 }
 
 template <class Type>
@@ -136,7 +151,9 @@ constexpr schema number_schema(double lower, double upper) {
   return {.what = kind::number,
           .number = [](const void* at) { return static_cast<double>(*static_cast<const Type*>(at)); },
           .set_number = [](void* at, double value) { *static_cast<Type*>(at) = static_cast<Type>(value); },
-          .lower = lower, .upper = upper, .single = std::same_as<Type, float>};
+          .lower = lower,
+          .upper = upper,
+          .single = std::same_as<Type, float>};
 }
 
 template <class Type>
@@ -158,16 +175,19 @@ constexpr schema ranged_schema() {
 
 template <class Table>
 inline constexpr auto members_of = with_fields<Table>([]<class... Fields>(Fields...) {
-  return std::array<member, sizeof...(Fields)>{member{
-      Fields::name(), &schema_of<typename Fields::type>,
-      [](const void* table) { return static_cast<const void*>(std::addressof(Fields::of(*static_cast<const Table*>(table)))); }}...};
+  return std::array<member, sizeof...(Fields)>{
+      member{Fields::name(), &schema_of<typename Fields::type>, [](const void* table) {
+               return static_cast<const void*>(std::addressof(Fields::of(*static_cast<const Table*>(table))));
+             }}...};
 });
 
 template <class Table>
 constexpr schema table_schema() {
   schema result{.what = kind::table, .count = members_of<Table>.size(), .members = members_of<Table>.data()};
   if constexpr (requires(const Table& table) { std::string(table.check()); })
-    result.complaint = [](const void* table) { return std::string(static_cast<const Table*>(table)->check()); };
+    result.complaint = [](const void* table) {
+      return std::string(static_cast<const Table*>(table)->check());
+    };
   return result;
 }
 
@@ -180,25 +200,34 @@ constexpr schema make_schema() {
             .integer = [](const void* at) { return std::int64_t{*static_cast<const bool*>(at)}; },
             .set_integer = [](void* at, std::int64_t value) { *static_cast<bool*>(at) = value != 0; }};
   } else if constexpr (PlainInteger<Type>) {
-    return integer_schema<Type>(static_cast<std::int64_t>(std::numeric_limits<Type>::lowest()), clipped(std::numeric_limits<Type>::max()));
+    return integer_schema<Type>(static_cast<std::int64_t>(std::numeric_limits<Type>::lowest()),
+                                clipped(std::numeric_limits<Type>::max()));
   } else if constexpr (PlainNumber<Type>) {
-    return number_schema<Type>(static_cast<double>(std::numeric_limits<Type>::lowest()), static_cast<double>(std::numeric_limits<Type>::max()));
+    return number_schema<Type>(static_cast<double>(std::numeric_limits<Type>::lowest()),
+                               static_cast<double>(std::numeric_limits<Type>::max()));
   } else if constexpr (Ranged<Type>) {
-    if constexpr (PlainInteger<typename Type::value_type> || PlainNumber<typename Type::value_type>) return ranged_schema<Type>();
+    if constexpr (PlainInteger<typename Type::value_type> || PlainNumber<typename Type::value_type>)
+      return ranged_schema<Type>();
     else return {.spelling = spelled<Type>()};
   } else if constexpr (NameableEnum<Type>) {
-    return {.what = kind::choice,
-            .integer = [](const void* at) { return static_cast<std::int64_t>(*static_cast<const Type*>(at)); },
-            .set_integer = [](void* at, std::int64_t value) { *static_cast<Type*>(at) = static_cast<Type>(value); },
-            .names = enumerators<Type>.data(), .count = enumerators<Type>.size()};
+    return {
+        .what = kind::choice,
+        .integer = [](const void* at) { return static_cast<std::int64_t>(*static_cast<const Type*>(at)); },
+        .set_integer = [](void* at,
+                          std::int64_t value) { *static_cast<Type*>(at) = static_cast<Type>(value); },
+        .names = enumerators<Type>.data(),
+        .count = enumerators<Type>.size()};
   } else if constexpr (text_capacity<Type> > 0) {
     return {.what = kind::text,
             .characters = [](const void* at) { return static_cast<const Type*>(at)->view(); },
-            .set_characters = [](void* at, std::string_view from) { return static_cast<Type*>(at)->assign(from); },
+            .set_characters = [](void* at,
+                                 std::string_view from) { return static_cast<Type*>(at)->assign(from); },
             .count = text_capacity<Type>};
   } else if constexpr (array_traits<Type>::count > 0) {
-    return {.what = kind::array, .count = array_traits<Type>::count,
-            .element = &schema_of<typename array_traits<Type>::element>, .at = &array_traits<Type>::at};
+    return {.what = kind::array,
+            .count = array_traits<Type>::count,
+            .element = &schema_of<typename array_traits<Type>::element>,
+            .at = &array_traits<Type>::at};
   } else if constexpr (std::is_class_v<Type> && Reflected<Type>) {
     return table_schema<Type>();
   } else {

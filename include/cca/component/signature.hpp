@@ -1,5 +1,5 @@
 // The interface of a component, read from the address of its `process` (a resource node: `sense` and `act`).
-// A function has inputs and outputs; `half_of` is that as a value, `half_types` as types.
+// A function has inputs and outputs; `ports_of_function` is that as a value, `function_types` as types.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
-#include <cca/component/ref.hpp>
+#include <cca/base/ref.hpp>
 #include <cca/space/info.hpp>
 
 namespace cca::detail {
@@ -62,8 +62,10 @@ struct parameter_facts<observe<Scope, Policy>> {
 
 // A parameter may be taken by value or by reference to const.
 template <class Type>
-using bare_parameter = std::conditional_t<std::is_lvalue_reference_v<Type> && !std::is_const_v<std::remove_reference_t<Type>>,
-                                          Type, std::remove_cvref_t<Type>>;
+using bare_parameter =
+    std::conditional_t<std::is_lvalue_reference_v<Type> && !std::is_const_v<std::remove_reference_t<Type>>,
+                       Type,
+                       std::remove_cvref_t<Type>>;
 
 // Results of the function.
 enum class result_kind : std::uint8_t { output, fault, bad };
@@ -90,11 +92,17 @@ struct result_facts<maybe<Name, Space>> {
 };
 
 template <class Result>
-struct results_of { using type = list<Result>; };
+struct results_of {
+  using type = list<Result>;
+};
 template <>
-struct results_of<void> { using type = list<>; };
+struct results_of<void> {
+  using type = list<>;
+};
 template <class... Results>
-struct results_of<std::tuple<Results...>> { using type = list<Results...>; };
+struct results_of<std::tuple<Results...>> {
+  using type = list<Results...>;
+};
 
 // A member function taken apart.
 template <class Function>
@@ -105,19 +113,29 @@ struct function_facts<Result(Parameters...)> {
   using result = Result;
   using results = typename results_of<Result>::type;
 };
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...)> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) noexcept> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const noexcept> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) &> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const&> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) & noexcept> : function_facts<R(P...)> {};
-template <class R, class C, class... P> struct function_facts<R (C::*)(P...) const& noexcept> : function_facts<R(P...)> {};
-template <class R, class... P> struct function_facts<R (*)(P...)> : function_facts<R(P...)> {};
-template <class R, class... P> struct function_facts<R (*)(P...) noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...)> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...) const> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...) noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...) const noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...)&> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...) const&> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...) & noexcept> : function_facts<R(P...)> {};
+template <class R, class C, class... P>
+struct function_facts<R (C::*)(P...) const & noexcept> : function_facts<R(P...)> {};
+template <class R, class... P>
+struct function_facts<R (*)(P...)> : function_facts<R(P...)> {};
+template <class R, class... P>
+struct function_facts<R (*)(P...) noexcept> : function_facts<R(P...)> {};
 
 // One function of a component as a value.
-struct half_info {
+struct function_info {
   const port_info* inputs = nullptr;
   const port_info* outputs = nullptr;
   int input_count = 0, output_count = 0;
@@ -126,23 +144,28 @@ struct half_info {
 };
 
 template <class Parameters, class Results>
-struct half_facts;
+struct port_facts;
 
 template <class... Parameters, class... Results>
-struct half_facts<list<Parameters...>, list<Results...>> {
+struct port_facts<list<Parameters...>, list<Results...>> {
   static constexpr int input_count = ((parameter_facts<Parameters>::kind == parameter_kind::input) + ... + 0);
   static constexpr int output_count = ((result_facts<Results>::kind == result_kind::output) + ... + 0);
 
   static constexpr auto inputs = [] {
     std::array<port_info, input_count + 1> found{};
     std::size_t n = 0;
-    ((parameter_facts<Parameters>::kind == parameter_kind::input ? void(found[n++] = parameter_facts<Parameters>::port) : void()), ...);
+    ((parameter_facts<Parameters>::kind == parameter_kind::input
+          ? void(found[n++] = parameter_facts<Parameters>::port)
+          : void()),
+     ...);
     return found;
   }();
   static constexpr auto outputs = [] {
     std::array<port_info, output_count + 1> found{};
     std::size_t n = 0;
-    ((result_facts<Results>::kind == result_kind::output ? void(found[n++] = result_facts<Results>::port) : void()), ...);
+    ((result_facts<Results>::kind == result_kind::output ? void(found[n++] = result_facts<Results>::port)
+                                                         : void()),
+     ...);
     return found;
   }();
 
@@ -162,18 +185,23 @@ struct half_facts<list<Parameters...>, list<Results...>> {
     return position;
   }();
 
-  static constexpr half_info value = [] {
-    half_info half{inputs.data(), outputs.data(), input_count, output_count};
-    half.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
-    ((parameter_facts<Parameters>::kind == parameter_kind::bad && half.bad_parameter.empty()
-          ? void(half.bad_parameter = type_name<Parameters>()) : void()), ...);
-    ((result_facts<Results>::kind == result_kind::bad && half.bad_result.empty()
-          ? void(half.bad_result = type_name<Results>()) : void()), ...);
-    return half;
+  static constexpr function_info value = [] {
+    function_info function{inputs.data(), outputs.data(), input_count, output_count};
+    function.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
+    ((parameter_facts<Parameters>::kind == parameter_kind::bad && function.bad_parameter.empty()
+          ? void(function.bad_parameter = type_name<Parameters>())
+          : void()),
+     ...);
+    ((result_facts<Results>::kind == result_kind::bad && function.bad_result.empty()
+          ? void(function.bad_result = type_name<Results>())
+          : void()),
+     ...);
+    return function;
   }();
 };
 
 template <class Function>
-using half_of = half_facts<typename function_facts<Function>::parameters, typename function_facts<Function>::results>;
+using ports_of_function =
+    port_facts<typename function_facts<Function>::parameters, typename function_facts<Function>::results>;
 
 }  // namespace cca::detail

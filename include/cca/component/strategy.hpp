@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <cca/component/beat.hpp>
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 
 namespace cca {
 
@@ -15,13 +15,15 @@ namespace cca {
 template <std::int64_t N, std::int64_t Phase = 0>
 struct timed {};
 
-struct restless {};     // if any input is fresh
-struct moderate {};     // if every input is fresh
-struct coordinated {};  // if every input holds a sample of one time of origin, later than what it saw when it last fired
-struct full_speed {};   // always
-struct inactive {};     // never
+struct restless {};  // if any input is fresh
+struct moderate {};  // if every input is fresh
+struct coordinated {
+};  // if every input holds a sample of one time of origin, later than what it saw when it last fired
+struct full_speed {};  // always
+struct inactive {};    // never
 
-// If N beats have passed since it last fired (since beat 0, if never), N > 0; for use in any_of<moderate, timeout<15>>.
+// If N beats have passed since it last fired (since beat 0, if never), N > 0; for use in any_of<moderate,
+// timeout<15>>.
 template <std::int64_t N>
 struct timeout {};
 
@@ -40,7 +42,18 @@ namespace detail {
 struct by_default {};  // restless with inputs, timed<1> without
 
 enum class strategy_kind : std::uint8_t {
-  by_default, timed, restless, moderate, timeout, port_triggered, coordinated, full_speed, inactive, any_of, all_of, user
+  by_default,
+  timed,
+  restless,
+  moderate,
+  timeout,
+  port_triggered,
+  coordinated,
+  full_speed,
+  inactive,
+  any_of,
+  all_of,
+  user
 };
 
 // A strategy as a value, for the constexpr functions that compute clocks and check rules.
@@ -63,14 +76,21 @@ template <class Strategy>
 inline constexpr strategy_info strategy_of{};
 
 template <class... Parts>
-inline constexpr std::array<const strategy_info*, sizeof...(Parts) + 1> parts_of{&strategy_of<Parts>..., nullptr};
+inline constexpr std::array<const strategy_info*, sizeof...(Parts) + 1> parts_of{&strategy_of<Parts>...,
+                                                                                 nullptr};
 
-template <> inline constexpr strategy_info strategy_of<by_default>{strategy_kind::by_default};
-template <> inline constexpr strategy_info strategy_of<restless>{strategy_kind::restless};
-template <> inline constexpr strategy_info strategy_of<moderate>{strategy_kind::moderate};
-template <> inline constexpr strategy_info strategy_of<coordinated>{strategy_kind::coordinated};
-template <> inline constexpr strategy_info strategy_of<full_speed>{strategy_kind::full_speed};
-template <> inline constexpr strategy_info strategy_of<inactive>{strategy_kind::inactive};
+template <>
+inline constexpr strategy_info strategy_of<by_default>{strategy_kind::by_default};
+template <>
+inline constexpr strategy_info strategy_of<restless>{strategy_kind::restless};
+template <>
+inline constexpr strategy_info strategy_of<moderate>{strategy_kind::moderate};
+template <>
+inline constexpr strategy_info strategy_of<coordinated>{strategy_kind::coordinated};
+template <>
+inline constexpr strategy_info strategy_of<full_speed>{strategy_kind::full_speed};
+template <>
+inline constexpr strategy_info strategy_of<inactive>{strategy_kind::inactive};
 
 template <std::int64_t N, std::int64_t Phase>
 inline constexpr strategy_info strategy_of<timed<N, Phase>>{strategy_kind::timed, N, Phase};
@@ -98,10 +118,9 @@ struct any_inputs {
 
 }  // namespace detail
 
-// A strategy of the user's own: `bool fires(cca::beat now, const Inputs& in)`, a template on Inputs. It sees each
-// input as it would be read: `in.template get<"x">()` has value, `origin()` and `fresh()`.
-template <class Strategy>
-concept ProcessingStrategy =
+// A strategy of the user's own: `bool fires(cca::beat now, const Inputs& in)`, a template on Inputs. It sees
+// each input as it would be read: `in.template get<"x">()` has value, `origin()` and `fresh()`.
+template <class Strategy> concept ProcessingStrategy =
     detail::strategy_of<Strategy>.kind != detail::strategy_kind::user ||
     requires(beat now, const detail::any_inputs& in) {
       { Strategy{}.fires(now, in) } -> std::convertible_to<bool>;

@@ -1,4 +1,5 @@
-// All that is wrong with a file, told at once: `trot.toml:12: cpg.frequency: expected a number, got a string "fast"`.
+// All that is wrong with a file, told at once: `trot.toml:12: cpg.frequency: expected a number, got a string
+// "fast"`.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 #include <toml++/toml.h>
 
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 
 namespace cca::detail {
 
@@ -20,12 +21,17 @@ public:
 
   // `where` may be null: then it's a thing that the file doesn't mention.
   void add(const toml::source_region* where, std::string_view path, std::string what) {
-    problem next{where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path), std::move(what)};
+    problem next{where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path),
+                 std::move(what)};
     // In the order of the file, whatever the order of reading.
-    const auto before = [](const problem& a, const problem& b) { return std::pair(a.line, a.column) < std::pair(b.line, b.column); };
+    const auto before = [](const problem& a, const problem& b) {
+      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    };
     found.insert(std::ranges::upper_bound(found, next, before), std::move(next));
   }
-  void add(const toml::node& where, std::string_view path, std::string what) { add(&where.source(), path, std::move(what)); }
+  void add(const toml::node& where, std::string_view path, std::string what) {
+    add(&where.source(), path, std::move(what));
+  }
 
   std::size_t count() const { return found.size(); }
   const std::string& file() const { return name; }
@@ -40,7 +46,12 @@ public:
       if (found[i].line) text.append(std::to_string(found[i].line)).append(":");
       text.append(" ").append(found[i].path).append(found[i].path.empty() ? "" : ": ").append(found[i].what);
     }
-    if (found.size() > shown) text.append("\n").append(name).append(": and ").append(std::to_string(found.size() - shown)).append(" more");
+    if (found.size() > shown)
+      text.append("\n")
+          .append(name)
+          .append(": and ")
+          .append(std::to_string(found.size() - shown))
+          .append(" more");
     throw refused(text);
   }
 

@@ -63,22 +63,31 @@ inline std::string toml_number(const schema& type, double value) {
 inline std::string toml_value(const schema& type, const void* value) {
   std::string out;
   switch (type.what) {
-    case kind::boolean: return type.integer(value) ? "true" : "false";
-    case kind::integer: return std::to_string(type.integer(value));
-    case kind::number: return toml_number(type, type.number(value));
-    case kind::text: return toml_string(type.characters(value));
+    case kind::boolean:
+      return type.integer(value) ? "true" : "false";
+    case kind::integer:
+      return std::to_string(type.integer(value));
+    case kind::number:
+      return toml_number(type, type.number(value));
+    case kind::text:
+      return toml_string(type.characters(value));
     case kind::choice: {
       const auto i = static_cast<std::size_t>(type.integer(value));
       return toml_string(i < type.count ? type.names[i] : "");
     }
     case kind::array:
-      for (std::size_t i = 0; i < type.count; ++i) out.append(i ? ", " : "[").append(toml_value(*type.element, type.at(value, i)));
+      for (std::size_t i = 0; i < type.count; ++i)
+        out.append(i ? ", " : "[").append(toml_value(*type.element, type.at(value, i)));
       return out.append("]");
     case kind::table:
       for (std::size_t i = 0; i < type.count; ++i)
-        out.append(i ? ", " : "{").append(toml_key(type.members[i].name)).append(" = ").append(toml_value(*type.members[i].type, type.members[i].of(value)));
+        out.append(i ? ", " : "{")
+            .append(toml_key(type.members[i].name))
+            .append(" = ")
+            .append(toml_value(*type.members[i].type, type.members[i].of(value)));
       return out.append(type.count ? "}" : "{}");
-    case kind::unsupported: break;
+    case kind::unsupported:
+      break;
   }
   return out;
 }

@@ -27,25 +27,30 @@ struct measured {
 inline measured measure(std::string_view text, const unit* units) {
   const auto trimmed = [](std::string_view part) {
     const auto from = part.find_first_not_of(" \t");
-    return from == part.npos ? std::string_view{} : part.substr(from, part.find_last_not_of(" \t") - from + 1);
+    return from == part.npos ? std::string_view{}
+                             : part.substr(from, part.find_last_not_of(" \t") - from + 1);
   };
-  // Appended, not added: g++ 12 at -O3 warns of an overlap in `"..." + std::string`, which there isn't (its bug 105651).
+  // Appended, not added: g++ 12 at -O3 warns of an overlap in `"..." + std::string`, which there isn't (its
+  // bug 105651).
   const std::string quoted = std::string("\"").append(text).append("\"");
   std::string_view rest = trimmed(text);
   if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);
   measured result;
   const auto read = std::from_chars(rest.data(), rest.data() + rest.size(), result.value);
   if (read.ec == std::errc::result_out_of_range) return {0, quoted + " does not fit into a double", false};
-  if (read.ec != std::errc{}) return {0, "expected a number with its unit (" + unit_names(units) + "), got a string " + quoted, false};
+  if (read.ec != std::errc{})
+    return {0, "expected a number with its unit (" + unit_names(units) + "), got a string " + quoted, false};
   const std::string_view written = trimmed(rest.substr(static_cast<std::size_t>(read.ptr - rest.data())));
-  if (written.empty() && !units->text.empty()) return {0, quoted + " has no unit, expected " + unit_names(units), false};
+  if (written.empty() && !units->text.empty())
+    return {0, quoted + " has no unit, expected " + unit_names(units), false};
   for (const unit* known = units; known == units || !known->text.empty(); ++known) {
     if (known->text != written) continue;
     result.converted = known->factor != 1;
     if (result.converted) result.value *= known->factor;
     return result;
   }
-  return {0, "unknown unit \"" + std::string(written) + "\" in " + quoted + ", expected " + unit_names(units), false};
+  return {0, "unknown unit \"" + std::string(written) + "\" in " + quoted + ", expected " + unit_names(units),
+          false};
 }
 
 }  // namespace cca::detail

@@ -19,9 +19,12 @@ inline std::string comment(const schema& type) {
 inline std::string toml_lines(const schema& type, const void* value) {
   constexpr std::size_t longest = 100;
   std::string line = toml_value(type, value);
-  if (type.what != kind::array || line.size() < longest || (type.element->what != kind::array && type.element->what != kind::table)) return line;
+  if (type.what != kind::array || line.size() < longest ||
+      (type.element->what != kind::array && type.element->what != kind::table))
+    return line;
   std::string lines = "[\n";
-  for (std::size_t i = 0; i < type.count; ++i) lines.append("  ").append(toml_value(*type.element, type.at(value, i))).append(",\n");
+  for (std::size_t i = 0; i < type.count; ++i)
+    lines.append("  ").append(toml_value(*type.element, type.at(value, i))).append(",\n");
   return lines.append("]");
 }
 
@@ -31,11 +34,16 @@ inline void write_table(const schema& type, const void* value, const std::string
   for (std::size_t i = 0; i < type.count; ++i) {
     const member& one = type.members[i];
     if (one.type->what != kind::table)
-      out.append(toml_key(one.name)).append(" = ").append(toml_lines(*one.type, one.of(value))).append(comment(*one.type)).append("\n");
+      out.append(toml_key(one.name))
+          .append(" = ")
+          .append(toml_lines(*one.type, one.of(value)))
+          .append(comment(*one.type))
+          .append("\n");
   }
   for (std::size_t i = 0; i < type.count; ++i) {
     const member& one = type.members[i];
-    if (one.type->what == kind::table) write_table(*one.type, one.of(value), path + "." + toml_key(one.name), out);
+    if (one.type->what == kind::table)
+      write_table(*one.type, one.of(value), path + "." + toml_key(one.name), out);
   }
 }
 

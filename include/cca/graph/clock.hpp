@@ -32,7 +32,8 @@ constexpr clock shifted(clock c, std::int64_t beats) {
 constexpr bool contains(clock whole, clock part) {
   if (part.never() || whole.every_beat()) return true;
   if (!whole.known() || !part.known()) return false;
-  return part.period % whole.period == 0 && part.first >= whole.first && (part.first - whole.first) % whole.period == 0;
+  return part.period % whole.period == 0 && part.first >= whole.first &&
+         (part.first - whole.first) % whole.period == 0;
 }
 
 // The clocks of two ends of a wire differ: other periods, or other phases.
@@ -40,7 +41,7 @@ constexpr bool differ(clock a, clock b) {
   return a.known() && b.known() && (a.period != b.period || a.phase() != b.phase());
 }
 
-constexpr clock either(clock a, clock b) {
+constexpr clock union_of(clock a, clock b) {
   if (contains(a, b)) return a;
   if (contains(b, a)) return b;
   return dynamic_clock;
@@ -56,7 +57,7 @@ constexpr std::int64_t gcd(std::int64_t a, std::int64_t b) {
 }
 
 // The beats of both, for clocks that start in their first period (Chinese remainder theorem).
-constexpr clock both(clock a, clock b) {
+constexpr clock intersection_of(clock a, clock b) {
   if (a.never() || b.never()) return never_clock;
   if (a.dynamic() || b.dynamic()) return dynamic_clock;
   const auto common = gcd(a.period, b.period);
@@ -69,28 +70,34 @@ constexpr clock both(clock a, clock b) {
   return {period, beat};
 }
 
-constexpr clock pure_clock(const strategy_info& strategy, bool inside = false) {
+constexpr clock clock_of_strategy(const strategy_info& strategy, bool inside = false) {
   switch (strategy.kind) {
-    case strategy_kind::timed: return {strategy.n, ((strategy.phase % strategy.n) + strategy.n) % strategy.n};
-    case strategy_kind::full_speed: return {1, 0};
-    case strategy_kind::inactive: return never_clock;
+    case strategy_kind::timed:
+      return {strategy.n, ((strategy.phase % strategy.n) + strategy.n) % strategy.n};
+    case strategy_kind::full_speed:
+      return {1, 0};
+    case strategy_kind::inactive:
+      return never_clock;
     // Alone it counts from its own last firing; with others it depends on them.
-    case strategy_kind::timeout: return inside ? dynamic_clock : clock{strategy.n, strategy.n};
+    case strategy_kind::timeout:
+      return inside ? dynamic_clock : clock{strategy.n, strategy.n};
     case strategy_kind::any_of: {
       clock any = never_clock;
-      for (int i = 0; i < strategy.count; ++i) any = either(any, pure_clock(*strategy.parts[i], true));
+      for (int i = 0; i < strategy.count; ++i)
+        any = union_of(any, clock_of_strategy(*strategy.parts[i], true));
       return any;
     }
     case strategy_kind::all_of: {
       clock all{1, 0};
       for (int i = 0; i < strategy.count; ++i) {
-        const auto part = pure_clock(*strategy.parts[i], true);
+        const auto part = clock_of_strategy(*strategy.parts[i], true);
         if (part.never()) return never_clock;
-        all = both(all, part);
+        all = intersection_of(all, part);
       }
       return all;
     }
-    default: return dynamic_clock;
+    default:
+      return dynamic_clock;
   }
 }
 
@@ -110,8 +117,9 @@ constexpr bool excludes_itself(const strategy_info& strategy) {
   if (strategy.kind == strategy_kind::any_of) return false;
   for (int i = 0; i < strategy.count; ++i)
     for (int j = 0; j < i; ++j) {
-      const auto a = pure_clock(*strategy.parts[i], true), b = pure_clock(*strategy.parts[j], true);
-      if (a.known() && b.known() && both(a, b).never()) return true;
+      const auto a = clock_of_strategy(*strategy.parts[i], true),
+                 b = clock_of_strategy(*strategy.parts[j], true);
+      if (a.known() && b.known() && intersection_of(a, b).never()) return true;
     }
   return false;
 }

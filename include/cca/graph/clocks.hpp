@@ -1,5 +1,5 @@
-// Fourth step: the rate of the graph, and the clock of each function, in the order of the beat. Checks rates, strategies
-// that never fire and queues that overflow.
+// Fourth step: the rate of the graph, and the clock of each function, in the order of the beat. Checks rates,
+// strategies that never fire and queues that overflow.
 #pragma once
 
 #include <cca/graph/order.hpp>
@@ -12,7 +12,7 @@ struct clocking {
   constexpr void refuse(rule broken, const item_info* item, int scope, int a = -1, int b = -1) {
     if (g.found.broken == rule::none) g.found = {broken, a, b, -1, item, scope};
   }
-  constexpr int scope_of(int turn_index) const { return g.leaves[g.turns[turn_index].leaf].scope; }
+  constexpr int scope_of(int call_index) const { return g.nodes[g.calls[call_index].node].scope; }
 
   // From the outermost graph, or else from the fastest of its spaces.
   constexpr void find_rate() {
@@ -38,9 +38,9 @@ struct clocking {
       }
   }
 
-  constexpr int wired_inputs(const turn& t) const {
+  constexpr int wired_inputs(const call& t) const {
     int count = 0;
-    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) count += g.inputs[i].wired;
+    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) count += g.inputs[i].wired;
     return count;
   }
 
@@ -50,10 +50,10 @@ struct clocking {
   }
 
   // Fires when any of the inputs is fresh; an input's samples wait, so it suffices to look at arrivals.
-  constexpr clock of_any(const turn& t, const strategy_info& strategy) const {
+  constexpr clock of_any(const call& t, const strategy_info& strategy) const {
     clock any = never_clock;
     bool queued = false, all_equal = true, first = true;
-    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
+    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) {
       const auto& in = g.inputs[i];
       if (!in.wired) continue;
       if (strategy.kind == strategy_kind::port_triggered) {
@@ -64,7 +64,7 @@ struct clocking {
       const auto arrival = arrivals(in);
       if (arrival.every_beat() && in.queue < 0) return arrival;
       all_equal &= first || arrival == any;
-      any = first ? arrival : either(any, arrival);
+      any = first ? arrival : union_of(any, arrival);
       queued |= in.queue >= 0;
       first = false;
     }
@@ -72,11 +72,11 @@ struct clocking {
   }
 
   // Fires when all inputs are fresh. With the slowest input last in its first round, it fires with that one.
-  constexpr clock of_all(const turn& t) const {
+  constexpr clock of_all(const call& t) const {
     clock slowest = never_clock;
     bool queued = false, all_equal = true, known = true;
     std::int64_t last_start = 0;
-    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
+    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) {
       if (!g.inputs[i].wired) continue;
       const auto arrival = arrivals(g.inputs[i]);
       if (arrival.never()) return never_clock;
@@ -84,30 +84,36 @@ struct clocking {
       if (slowest.known()) all_equal &= arrival == slowest;
       queued |= g.inputs[i].queue >= 0;
       last_start = arrival.first > last_start ? arrival.first : last_start;
-      if (arrival.period > slowest.period || (arrival.period == slowest.period && arrival.first > slowest.first)) slowest = arrival;
+      if (arrival.period > slowest.period ||
+          (arrival.period == slowest.period && arrival.first > slowest.first))
+        slowest = arrival;
     }
     return known && slowest.first == last_start && (!queued || all_equal) ? slowest : dynamic_clock;
   }
 
-  constexpr clock of_strategy(const turn& t) const {
-    const auto& strategy = strategy_of_turn(g, t);
+  constexpr clock of_strategy(const call& t) const {
+    const auto& strategy = strategy_of_call(g, t);
     switch (strategy.kind) {
       case strategy_kind::restless:
-      case strategy_kind::port_triggered: return of_any(t, strategy);
-      case strategy_kind::moderate: return of_all(t);
-      default: return pure_clock(strategy);
+      case strategy_kind::port_triggered:
+        return of_any(t, strategy);
+      case strategy_kind::moderate:
+        return of_all(t);
+      default:
+        return clock_of_strategy(strategy);
     }
   }
 
   // It fires only when an input has arrived, and none of those that it looks at ever will.
-  constexpr bool waits_in_vain(const turn& t, const strategy_info& strategy) const {
+  constexpr bool waits_in_vain(const call& t, const strategy_info& strategy) const {
     int vain = 0;
     switch (strategy.kind) {
       case strategy_kind::restless:
       case strategy_kind::moderate:
-      case strategy_kind::coordinated: return wired_inputs(t) == 0;
+      case strategy_kind::coordinated:
+        return wired_inputs(t) == 0;
       case strategy_kind::port_triggered:
-        for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
+        for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
           for (int n = 0; n < strategy.count; ++n)
             if (g.inputs[i].wired && strategy.names[n] == port_of(g, g.inputs[i]).name) return false;
         return true;
@@ -115,19 +121,24 @@ struct clocking {
       case strategy_kind::all_of:
         for (int i = 0; i < strategy.count; ++i) vain += waits_in_vain(t, *strategy.parts[i]);
         return vain > 0 && (strategy.kind == strategy_kind::all_of || vain == strategy.count);
-      default: return false;
+      default:
+        return false;
     }
   }
 
-  constexpr void check_strategy(int turn_index) {
-    const auto& t = g.turns[turn_index];
-    const auto& strategy = strategy_of_turn(g, t);
-    if (counts_no_beats(strategy)) return refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 2);
-    if (waits_in_vain(t, strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 0);
-    if (excludes_itself(strategy)) refuse(rule::strategy_never_fires, &node_of(g, t), scope_of(turn_index), turn_index, 1);
+  constexpr void check_strategy(int call_index) {
+    const auto& t = g.calls[call_index];
+    const auto& strategy = strategy_of_call(g, t);
+    if (counts_no_beats(strategy))
+      return refuse(rule::strategy_never_fires, &item_of_call(g, t), scope_of(call_index), call_index, 2);
+    if (waits_in_vain(t, strategy))
+      refuse(rule::strategy_never_fires, &item_of_call(g, t), scope_of(call_index), call_index, 0);
+    if (excludes_itself(strategy))
+      refuse(rule::strategy_never_fires, &item_of_call(g, t), scope_of(call_index), call_index, 1);
   }
 
-  // A sample arrives while so many wait: it is filled faster than it is read, or full before it is read at all.
+  // A sample arrives while so many wait: it is filled faster than it is read, or full before it is read at
+  // all.
   static constexpr bool overflows(clock from, clock to, std::int64_t room) {
     if (!from.known() || to.dynamic()) return false;
     return to.never() || from.period < to.period || from.first + room * from.period <= to.first;
@@ -138,22 +149,26 @@ struct clocking {
       const auto c = published(g, g.outputs[o]);
       const auto space = port_of(g, g.outputs[o]).space;
       if (c.known() && space->hz > 0 && space->hz * static_cast<double>(c.period) != g.hz)
-        refuse(rule::rate_mismatch, &node_of(g, g.turns[g.outputs[o].turn]), scope_of(g.outputs[o].turn), o, 1);
+        refuse(rule::rate_mismatch, &item_of_call(g, g.calls[g.outputs[o].call]), scope_of(g.outputs[o].call),
+               o, 1);
     }
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];
       if (in.writer < 0) continue;
-      const auto from = published(g, g.outputs[in.writer]), to = g.turns[in.turn].fires;
-      if (in.wire->policy == policy_kind::unstated && differ(from, to)) refuse(rule::rate_unstated, in.wire, scope_of(in.turn), in.writer, i);
-      if (in.wire->policy == policy_kind::queue && in.wire->full == full_kind::reject && overflows(from, to, in.wire->number))
-        refuse(rule::queue_overflow, in.wire, scope_of(in.turn), in.writer, i);
+      const auto from = published(g, g.outputs[in.writer]), to = g.calls[in.call].fires;
+      if (in.wire->policy == policy_kind::unstated && differ(from, to))
+        refuse(rule::rate_unstated, in.wire, scope_of(in.call), in.writer, i);
+      if (in.wire->policy == policy_kind::queue && in.wire->full == full_kind::reject &&
+          overflows(from, to, in.wire->number))
+        refuse(rule::queue_overflow, in.wire, scope_of(in.call), in.writer, i);
     }
   }
 
   constexpr void run() {
-    for (int t = 0; t < g.turn_count; ++t) g.turns[t].fires = pure_clock(strategy_of_turn(g, g.turns[t]));
-    for (int r = 0; r < g.turn_count; ++r) {
-      auto& t = g.turns[g.order[r]];
+    for (int t = 0; t < g.call_count; ++t)
+      g.calls[t].fires = clock_of_strategy(strategy_of_call(g, g.calls[t]));
+    for (int r = 0; r < g.call_count; ++r) {
+      auto& t = g.calls[g.order[r]];
       if (t.fires.dynamic()) t.fires = of_strategy(t);
     }
     check_rates();

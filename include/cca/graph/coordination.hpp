@@ -1,5 +1,5 @@
-// Inputs that can never share an origin: a coordinated component on them would never fire. Where all clocks before it
-// are known, the origins are followed through the beats of two common periods.
+// Inputs that can never share an origin: a coordinated component on them would never fire. Where all clocks
+// before it are known, the origins are followed through the beats of two common periods.
 #pragma once
 
 #include <cca/graph/order.hpp>
@@ -10,16 +10,17 @@ struct coordinating {
   flat_view g;
 
   // Marks a function and all that feed it; false if one of them can't be followed.
-  constexpr bool mark(int turn_index, scratch& marked, bool is_last = true) const {
-    if (marked[turn_index]) return marked[turn_index] == 1;
-    const auto& t = g.turns[turn_index];
-    marked[turn_index] = is_last ? 2 : 1;  // reached again, the last one would feed itself
+  constexpr bool mark(int call_index, scratch& marked, bool is_last = true) const {
+    if (marked[call_index]) return marked[call_index] == 1;
+    const auto& t = g.calls[call_index];
+    marked[call_index] = is_last ? 2 : 1;  // reached again, the last one would feed itself
     if (!is_last && t.fires.dynamic()) return false;
-    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
+    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) {
       const auto& in = g.inputs[i];
       if (!port_of(g, in).space || in.queue >= 0) return false;
       if (in.writer < 0) continue;
-      if (port_of(g, g.outputs[in.writer]).maybe || !mark(g.outputs[in.writer].turn, marked, false)) return false;
+      if (port_of(g, g.outputs[in.writer]).maybe || !mark(g.outputs[in.writer].call, marked, false))
+        return false;
     }
     return true;
   }
@@ -32,24 +33,25 @@ struct coordinating {
   constexpr int horizon(const scratch& marked) const {
     std::int64_t common = 1, first = 0;
     int functions = 0;
-    for (int t = 0; t < g.turn_count; ++t) {
+    for (int t = 0; t < g.call_count; ++t) {
       if (marked[t] != 1) continue;
       ++functions;
-      const auto& c = g.turns[t].fires;
+      const auto& c = g.calls[t].fires;
       if (!c.known()) continue;
       common = common / gcd(common, c.period) * c.period;
       first = c.first > first ? c.first : first;
-      for (int i = g.turns[t].first_input; i < g.turns[t].first_input + g.turns[t].half->input_count; ++i) first += g.inputs[i].delay;
+      for (int i = g.calls[t].first_input; i < g.calls[t].first_input + g.calls[t].function->input_count; ++i)
+        first += g.inputs[i].delay;
       if (common > 10'000) return 0;
     }
     const auto beats = first + 2 * common + 64;
     return beats * (functions + 1) > 40'000 ? 0 : static_cast<int>(beats);
   }
 
-  constexpr void check(int turn_index) {
-    const auto& t = g.turns[turn_index];
-    scratch marked(g.turn_count);
-    if (!mark(turn_index, marked)) return;
+  constexpr void check(int call_index) {
+    const auto& t = g.calls[call_index];
+    scratch marked(g.call_count);
+    if (!mark(call_index, marked)) return;
     const int beats = horizon(marked);
     if (beats == 0) return;
 
@@ -57,23 +59,23 @@ struct coordinating {
     scratch column(g.output_count, -1);
     int columns = 0;
     for (int o = 0; o < g.output_count; ++o)
-      if (marked[g.outputs[o].turn] == 1) column[o] = columns++;
+      if (marked[g.outputs[o].call] == 1) column[o] = columns++;
     scratch origins(columns * beats, -1);
     const auto seen = [&](const input& in, int k) {
       const int from = k - in.delay;
       return in.writer < 0 || from < 0 ? -1 : origins[column[in.writer] * beats + from];
     };
     for (int k = 0; k < beats; ++k) {
-      for (int r = 0; r < g.turn_count; ++r) {
+      for (int r = 0; r < g.call_count; ++r) {
         const int index = g.order[r];
         if (marked[index] != 1) continue;
-        const auto& from = g.turns[index];
+        const auto& from = g.calls[index];
         int origin = -1;
-        for (int i = from.first_input; i < from.first_input + from.half->input_count; ++i) {
+        for (int i = from.first_input; i < from.first_input + from.function->input_count; ++i) {
           const int one = g.inputs[i].counts ? seen(g.inputs[i], k) : -1;
           if (one >= 0 && (origin < 0 || one < origin)) origin = one;
         }
-        for (int o = from.first_output; o < from.first_output + from.half->output_count; ++o) {
+        for (int o = from.first_output; o < from.first_output + from.function->output_count; ++o) {
           auto& newest = origins[column[o] * beats + k];
           if (k > 0) newest = origins[column[o] * beats + k - 1];
           if (ticks(from.fires, k)) newest = origin < 0 ? k : origin;
@@ -81,7 +83,7 @@ struct coordinating {
       }
       int common = -1;
       bool together = true;
-      for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) {
+      for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) {
         if (g.inputs[i].writer < 0) continue;
         const int one = seen(g.inputs[i], k);
         if (common < 0) common = one;
@@ -89,21 +91,22 @@ struct coordinating {
       }
       if (together) return;
     }
-    refuse(turn_index);
+    refuse(call_index);
   }
 
-  constexpr void refuse(int turn_index) {
+  constexpr void refuse(int call_index) {
     if (g.found.broken != rule::none) return;
-    const auto& t = g.turns[turn_index];
+    const auto& t = g.calls[call_index];
     int first = -1, last = -1;
-    for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
+    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
       if (g.inputs[i].writer >= 0) (first < 0 ? first : last) = i;
-    g.found = {rule::strategy_coordination, first, last < 0 ? first : last, -1, &node_of(g, t), g.leaves[t.leaf].scope};
+    g.found = {rule::strategy_coordination, first, last < 0 ? first : last, -1, &item_of_call(g, t),
+               g.nodes[t.node].scope};
   }
 
   constexpr void run() {
-    for (int t = 0; t < g.turn_count; ++t)
-      if (strategy_of_turn(g, g.turns[t]).kind == strategy_kind::coordinated) check(t);
+    for (int t = 0; t < g.call_count; ++t)
+      if (strategy_of_call(g, g.calls[t]).kind == strategy_kind::coordinated) check(t);
   }
 };
 

@@ -27,36 +27,39 @@ public:
     add_scope(0, 1, false);
     for (int i = 0; i < g.input_count; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
-        text += "  " + id(leaf_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") + label(in, "<br/>") +
-                (in.delay > 0 ? "\" .-> " : "\" --> ") + id(g.turns[in.turn].leaf) + "\n";
+        text += "  " + id(node_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") +
+                label(in, "<br/>") + (in.delay > 0 ? "\" .-> " : "\" --> ") + id(g.calls[in.call].node) +
+                "\n";
     return text;
   }
 
   String dot() {
-    text = "digraph \"" + quoted(g.scopes[0].graph->name) + "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
+    text = "digraph \"" + quoted(g.scopes[0].graph->name) +
+           "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
            "  edge [fontname=\"sans-serif\", fontsize=10];\n";
     add_scope(0, 1, true);
     for (int i = 0; i < g.input_count; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
-        text += "  " + id(leaf_of_output(in.writer)) + " -> " + id(g.turns[in.turn].leaf) + " [label=\"" + label(in, "\\n") + "\"" +
-                (in.delay > 0 ? ", style=dashed" : "") + "];\n";
+        text += "  " + id(node_of_output(in.writer)) + " -> " + id(g.calls[in.call].node) + " [label=\"" +
+                label(in, "\\n") + "\"" + (in.delay > 0 ? ", style=dashed" : "") + "];\n";
     text += "}\n";
     return text;
   }
 
 private:
-  static String id(int leaf_index) { return String("n") + std::to_string(leaf_index); }
-  int leaf_of_output(int o) const { return g.turns[g.outputs[o].turn].leaf; }
+  static String id(int node_index) { return String("n") + std::to_string(node_index); }
+  int node_of_output(int o) const { return g.calls[g.outputs[o].call].node; }
 
   // Inner graphs are boxes around their nodes.
   void add_scope(int s, int depth, bool as_dot) {
     const String indent(static_cast<std::size_t>(2 * depth), ' ');
-    for (int l = 0; l < g.leaf_count; ++l)
-      if (g.leaves[l].scope == s) text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
+    for (int l = 0; l < g.node_count; ++l)
+      if (g.nodes[l].scope == s) text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
     for (int inner = s + 1; inner < g.scope_count; ++inner) {
       if (g.scopes[inner].parent != s) continue;
       const String name(g.scopes[inner].item->from);
-      text += as_dot ? indent + "subgraph cluster_" + std::to_string(inner) + " {\n" + indent + "  label=\"" + name + "\";\n"
+      text += as_dot ? indent + "subgraph cluster_" + std::to_string(inner) + " {\n" + indent + "  label=\"" +
+                           name + "\";\n"
                      : indent + "subgraph g" + std::to_string(inner) + "[\"" + name + "\"]\n";
       add_scope(inner, depth + 1, as_dot);
       text += indent + (as_dot ? "}\n" : "end\n");
@@ -64,24 +67,26 @@ private:
   }
 
   String mermaid_node(int l) const {
-    const bool resource = g.leaves[l].item->component->resource();
-    return id(l) + (resource ? "[(\"" : "[\"") + String(g.leaves[l].item->from) + "<br/><i>" + escaped(when(l)) + "</i>" + (resource ? "\")]\n" : "\"]\n");
+    const bool resource = g.nodes[l].item->component->resource();
+    return id(l) + (resource ? "[(\"" : "[\"") + String(g.nodes[l].item->from) + "<br/><i>" +
+           escaped(when(l)) + "</i>" + (resource ? "\")]\n" : "\"]\n");
   }
   String dot_node(int l) const {
-    return id(l) + " [label=\"" + String(g.leaves[l].item->from) + "\\n" + when(l) + "\"" +
-           (g.leaves[l].item->component->resource() ? ", shape=cylinder" : "") + "];\n";
+    return id(l) + " [label=\"" + String(g.nodes[l].item->from) + "\\n" + when(l) + "\"" +
+           (g.nodes[l].item->component->resource() ? ", shape=cylinder" : "") + "];\n";
   }
 
   // When a component fires: its clock as a rate, or its strategy.
   String when(int l) const {
-    const auto& t = g.turns[g.leaves[l].first_turn];
+    const auto& t = g.calls[g.nodes[l].first_call];
     if (g.hz > 0 && t.fires.known()) return hertz(g.hz / static_cast<double>(t.fires.period));
-    return strategy_name(strategy_of_turn(g, t));
+    return strategy_name(strategy_of_call(g, t));
   }
 
   static String strategy_name(const strategy_info& s) {
-    static constexpr std::string_view names[] = {"by default", "timed", "restless", "moderate", "timeout", "port_triggered",
-                                                 "coordinated", "full_speed", "inactive", "any_of", "all_of", "own strategy"};
+    static constexpr std::string_view names[] = {
+        "by default",  "timed",      "restless", "moderate", "timeout", "port_triggered",
+        "coordinated", "full_speed", "inactive", "any_of",   "all_of",  "own strategy"};
     String name(names[static_cast<std::size_t>(s.kind)]);
     if (is_combined(s)) {
       name += "<";
@@ -101,8 +106,10 @@ private:
     const std::string_view space = port_of(g, out).space->name;
     all += line_break + (line_break[0] == '<' ? String(space) : quoted(space));
     if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
-    if (in.wire->policy == policy_kind::delayed) all += String(line_break) + "delayed " + std::to_string(in.wire->number);
-    if (in.wire->policy == policy_kind::queue) all += String(line_break) + "queue " + std::to_string(in.wire->number);
+    if (in.wire->policy == policy_kind::delayed)
+      all += String(line_break) + "delayed " + std::to_string(in.wire->number);
+    if (in.wire->policy == policy_kind::queue)
+      all += String(line_break) + "queue " + std::to_string(in.wire->number);
     return line_break[0] == '<' ? keep_breaks(all) : all;
   }
 
@@ -114,7 +121,8 @@ private:
 
   static String escaped(std::string_view plain) {
     String html;
-    for (const char c : plain) c == '<' ? html += "&lt;" : c == '>' ? html += "&gt;" : c == '"' ? html += "&quot;" : html += c;
+    for (const char c : plain)
+      c == '<' ? html += "&lt;" : c == '>' ? html += "&gt;" : c == '"' ? html += "&quot;" : html += c;
     return html;
   }
   // For DOT, in quotation marks.

@@ -1,4 +1,5 @@
-// The first broken rule of a graph, as a constexpr value; a controller of such a graph fails to compile with its message.
+// The first broken rule of a graph, as a constexpr value; a controller of such a graph fails to compile with
+// its message.
 //
 //   static_assert(cca::well_formed<trot<cca::sim::oncilla>>);
 //   static_assert(cca::diagnosis<broken>.rule == "space.mismatch");
@@ -46,7 +47,8 @@ consteval Report make_report() {
   } else {
     r.where << type_name<Type>();
     r.message << rule_ids[static_cast<std::size_t>(broken_by<Type>())] << ": `" << type_name<Type>()
-              << "` is no graph: what runs is a struct derived from cca::graph<...>; a component is put into one as cca::node<`name`, "
+              << "` is no graph: what runs is a struct derived from cca::graph<...>; a component is put into "
+                 "one as cca::node<`name`, "
               << type_name<Type>() << ">";
   }
   return {as_written(r.where), as_written(r.message)};
@@ -58,11 +60,13 @@ template <class Graph>
 consteval diagnosis_value make_diagnosis() {
   constexpr auto broken = broken_by<Graph>();
   if constexpr (broken == rule::none) return {};
-  else return {rule_ids[static_cast<std::size_t>(broken)], report_of<Graph>.where.view(), report_of<Graph>.message.view()};
+  else
+    return {rule_ids[static_cast<std::size_t>(broken)], report_of<Graph>.where.view(),
+            report_of<Graph>.message.view()};
 }
 
-// Never defined: the compiler names it, and with it the message. g++ prints text in a template argument whole; clang cuts
-// it after 35 letters, so there it goes in lines of at most so many, broken between words.
+// Never defined: the compiler names it, and with it the message. g++ prints text in a template argument
+// whole; clang cuts it after 35 letters, so there it goes in lines of at most so many, broken between words.
 template <auto... Text>
 struct refused_graph;
 

@@ -6,9 +6,9 @@
 namespace cca::detail {
 
 template <class Graph>
-constexpr int leaf_with_hash(std::uint64_t path) {
-  for (int i = 0; i < counts_of<Graph>.leaf_count; ++i) {
-    const auto& l = plan_of<Graph>.leaves[static_cast<std::size_t>(i)];
+constexpr int node_with_hash(std::uint64_t path) {
+  for (int i = 0; i < counts_of<Graph>.node_count; ++i) {
+    const auto& l = plan_of<Graph>.nodes[static_cast<std::size_t>(i)];
     const auto& s = plan_of<Graph>.scopes[static_cast<std::size_t>(l.scope)];
     if (path_hash(s, l.item->from, l.item->from_hash) == path) return i;
   }
@@ -16,7 +16,9 @@ constexpr int leaf_with_hash(std::uint64_t path) {
 }
 
 template <class Graph>
-constexpr int leaf_at(std::string_view path) { return leaf_with_hash<Graph>(hash(path)); }
+constexpr int node_at(std::string_view path) {
+  return node_with_hash<Graph>(hash(path));
+}
 
 template <class Graph>
 constexpr bool has_scope(std::uint64_t path) {
@@ -25,8 +27,10 @@ constexpr bool has_scope(std::uint64_t path) {
   return false;
 }
 
-template <class Graph, int Leaf>
-struct parameters_at { using type = typename leaf_of<Graph, Leaf>::component::parameters; };
+template <class Graph, int Node>
+struct parameters_at {
+  using type = typename node_types<Graph, Node>::component::parameters;
+};
 template <class Graph>
 struct parameters_at<Graph, -1> {
   static_assert(sizeof(Graph) == 0, "cca::controller::set: no component has this path");

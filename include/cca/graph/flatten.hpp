@@ -19,49 +19,62 @@ struct flattening {
     if (g.found.broken == rule::none) g.found = {broken, a, b, -1, item, scope};
   }
 
-  constexpr void add_ports(const half_info& half, int turn_index, const item_info& item, int in_scope, std::uint64_t node_hash) {
-    auto& t = g.turns[turn_index];
+  constexpr void add_ports(const function_info& function,
+                           int call_index,
+                           const item_info& item,
+                           int in_scope,
+                           std::uint64_t node_hash) {
+    auto& t = g.calls[call_index];
     t.first_input = g.input_count;
     t.first_output = g.output_count;
     const auto base = after_dot(node_hash);
-    for (int p = 0; p < half.input_count; ++p) {
-      const auto& port = half.inputs[p];
+    for (int p = 0; p < function.input_count; ++p) {
+      const auto& port = function.inputs[p];
       if (!is_sound) check_port(port, item, in_scope, 0);
-      if (port.space && !names.add(hash(port.name, base) ^ as_input, g.input_count)) refuse(rule::component_bad_parameter, &item, in_scope, p, 1);
-      g.inputs[g.input_count++] = {.turn = turn_index, .port = p};
+      if (port.space && !names.add(hash(port.name, base) ^ as_input, g.input_count))
+        refuse(rule::component_bad_parameter, &item, in_scope, p, 1);
+      g.inputs[g.input_count++] = {.call = call_index, .port = p};
     }
-    for (int p = 0; p < half.output_count; ++p) {
-      const auto& port = half.outputs[p];
+    for (int p = 0; p < function.output_count; ++p) {
+      const auto& port = function.outputs[p];
       if (!is_sound) check_port(port, item, in_scope, 1);
-      if (!names.add(hash(port.name, base) ^ as_output, g.output_count)) refuse(rule::component_bad_result, &item, in_scope, p, 1);
-      g.outputs[g.output_count++] = {.turn = turn_index, .port = p};
+      if (!names.add(hash(port.name, base) ^ as_output, g.output_count))
+        refuse(rule::component_bad_result, &item, in_scope, p, 1);
+      g.outputs[g.output_count++] = {.call = call_index, .port = p};
     }
   }
 
   constexpr void check_port(const port_info& port, const item_info& item, int in_scope, int is_output) {
     if (!port.space) return;
     if (!is_name(port.name)) refuse(rule::node_bad_name, &item, in_scope, 1);
-    if (port.space->duplicate_axis >= 0) refuse(rule::space_duplicate_axis, &item, in_scope, is_output ? g.output_count : g.input_count, is_output);
+    if (port.space->duplicate_axis >= 0)
+      refuse(rule::space_duplicate_axis, &item, in_scope, is_output ? g.output_count : g.input_count,
+             is_output);
   }
 
-  constexpr void add_half(const half_info& half, phase_of_beat phase, leaf& l, int leaf_index, const item_info& item, std::uint64_t node_hash) {
-    if (!is_sound) check_half(half, item, l.scope);
-    g.may_fault |= half.may_fault;
-    const int turn_index = g.turn_count++;
-    g.turns[turn_index] = {.leaf = leaf_index, .phase = phase, .half = &half};
-    ++l.turn_count;
-    add_ports(half, turn_index, item, l.scope, node_hash);
+  constexpr void add_function(const function_info& function,
+                              phase_of_beat phase,
+                              component_node& l,
+                              int node_index,
+                              const item_info& item,
+                              std::uint64_t node_hash) {
+    if (!is_sound) check_function(function, item, l.scope);
+    g.may_fault |= function.may_fault;
+    const int call_index = g.call_count++;
+    g.calls[call_index] = {.node = node_index, .phase = phase, .function = &function};
+    ++l.call_count;
+    add_ports(function, call_index, item, l.scope, node_hash);
   }
 
-  constexpr void check_half(const half_info& half, const item_info& item, int in_scope) {
-    if (!half.bad_parameter.empty()) refuse(rule::component_bad_parameter, &item, in_scope);
-    if (!half.bad_result.empty()) refuse(rule::component_bad_result, &item, in_scope);
+  constexpr void check_function(const function_info& function, const item_info& item, int in_scope) {
+    if (!function.bad_parameter.empty()) refuse(rule::component_bad_parameter, &item, in_scope);
+    if (!function.bad_result.empty()) refuse(rule::component_bad_result, &item, in_scope);
   }
 
   constexpr bool has_input(const item_info& item, std::string_view name) const {
-    for (const auto half : {item.component->process, item.component->act, item.component->sense})
-      for (int p = 0; half && p < half->input_count; ++p)
-        if (half->inputs[p].name == name) return true;
+    for (const auto function : {item.component->process, item.component->act, item.component->sense})
+      for (int p = 0; function && p < function->input_count; ++p)
+        if (function->inputs[p].name == name) return true;
     return false;
   }
 
@@ -71,9 +84,11 @@ struct flattening {
         if (!has_input(item, strategy.names[i])) {
           // The name is told through the item's strategy and its index.
           refuse(rule::strategy_unknown_port, &item, in_scope, i);
-          if (g.found.item == &item && g.found.broken == rule::strategy_unknown_port) unknown_trigger = strategy.names[i];
+          if (g.found.item == &item && g.found.broken == rule::strategy_unknown_port)
+            unknown_trigger = strategy.names[i];
         }
-    for (int i = 0; is_combined(strategy) && i < strategy.count; ++i) check_strategy(*strategy.parts[i], item, in_scope);
+    for (int i = 0; is_combined(strategy) && i < strategy.count; ++i)
+      check_strategy(*strategy.parts[i], item, in_scope);
   }
   std::string_view unknown_trigger{};
 
@@ -84,24 +99,27 @@ struct flattening {
     if (component.is_const) refuse(rule::component_no_process, &item, in_scope, 2);
   }
 
-  constexpr void add_leaf(const item_info& item, int in_scope, std::uint64_t node_hash) {
+  constexpr void add_component(const item_info& item, int in_scope, std::uint64_t node_hash) {
     const auto& component = *item.component;
-    const int leaf_index = g.leaf_count++;
-    auto& l = g.leaves[leaf_index];
-    l = {.item = &item, .scope = in_scope, .first_turn = g.turn_count};
+    const int node_index = g.node_count++;
+    auto& l = g.nodes[node_index];
+    l = {.item = &item, .scope = in_scope, .first_call = g.call_count};
     is_sound = component.key == last_sound;
     if (!is_sound) check_kind(component, item, in_scope);
-    if (component.sense) add_half(*component.sense, phase_of_beat::sense, l, leaf_index, item, node_hash);
-    if (component.process) add_half(*component.process, phase_of_beat::process, l, leaf_index, item, node_hash);
-    if (component.act) add_half(*component.act, phase_of_beat::act, l, leaf_index, item, node_hash);
+    if (component.sense) add_function(*component.sense, phase_of_beat::sense, l, node_index, item, node_hash);
+    if (component.process)
+      add_function(*component.process, phase_of_beat::process, l, node_index, item, node_hash);
+    if (component.act) add_function(*component.act, phase_of_beat::act, l, node_index, item, node_hash);
     if (!is_sound && !component.bad_hook.empty()) refuse(rule::component_hook_signature, &item, in_scope);
-    if (!is_sound && (!component.bad_field.empty() || component.forgot_parameters)) refuse(rule::parameters_unsupported_type, &item, in_scope);
+    if (!is_sound && (!component.bad_field.empty() || component.forgot_parameters))
+      refuse(rule::parameters_unsupported_type, &item, in_scope);
     if (g.found.broken == rule::none) last_sound = component.key;
     const auto kind = item.strategy->kind;
     if (kind == strategy_kind::by_default) return;
-    if (!item.stranger.empty()) refuse(rule::strategy_no_fires, &item, in_scope);
+    if (!item.unknown_type.empty()) refuse(rule::strategy_no_fires, &item, in_scope);
     check_strategy(*item.strategy, item, in_scope);
-    if (component.resource() && kind != strategy_kind::timed && kind != strategy_kind::full_speed && kind != strategy_kind::inactive)
+    if (component.resource() && kind != strategy_kind::timed && kind != strategy_kind::full_speed &&
+        kind != strategy_kind::inactive)
       refuse(rule::strategy_misplaced, &item, in_scope);
   }
 
@@ -109,7 +127,8 @@ struct flattening {
   constexpr void add_expose(const item_info& item, int in_scope) {
     const auto& from = g.scopes[in_scope];
     const auto inner = from.parent < 0 ? hash(item.from) : hash(item.from, after_dot(from.hash));
-    const auto outer = from.parent < 0 ? hash(item.to, hash(".outside.")) : hash(item.to, after_dot(from.hash));
+    const auto outer =
+        from.parent < 0 ? hash(item.to, hash(".outside.")) : hash(item.to, after_dot(from.hash));
     bool found = false;
     if (!is_name(item.to)) refuse(rule::node_bad_name, &item, in_scope, 2);
     if (names_port(item.from)) {
@@ -128,7 +147,10 @@ struct flattening {
     if (!found) refuse(rule::wire_unknown_port, &item, in_scope, 0);
   }
 
-  constexpr void add_graph(const graph_info& graph, int parent, ref<item_info> item, std::uint64_t scope_hash) {
+  constexpr void add_graph(const graph_info& graph,
+                           int parent,
+                           ref<item_info> item,
+                           std::uint64_t scope_hash) {
     const int index = g.scope_count++;
     g.scopes[index] = {parent, item, &graph, scope_hash};
     for (int i = 0; i < graph.count; ++i) {
@@ -139,7 +161,7 @@ struct flattening {
       const auto node_hash = path_hash(g.scopes[index], part.from, part.from_hash);
       if (!names.add(node_hash ^ as_node, 0)) refuse(rule::node_duplicate_name, &part, index, 0);
       if (part.kind == item_kind::node) {
-        add_leaf(part, index, node_hash);
+        add_component(part, index, node_hash);
       } else {
         if (part.strategy->kind != strategy_kind::by_default) refuse(rule::strategy_misplaced, &part, index);
         add_graph(*part.inner, index, &part, node_hash);

@@ -1,6 +1,7 @@
 // An architecture: nodes, wires, and what it shows outside. A graph is a named struct,
 //
-//   struct trot : cca::graph<cca::rate<1000>, cca::node<"cpg", hopf>, cca::wire<"cpg.phase", "gait.phase">> {};
+//   struct trot : cca::graph<cca::rate<1000>, cca::node<"cpg", hopf>, cca::wire<"cpg.phase", "gait.phase">>
+//   {};
 //
 // and a graph is a component: it can be a node of another one, with the ports that it exposes.
 #pragma once
@@ -10,7 +11,7 @@
 
 #include <cca/component/component.hpp>
 #include <cca/component/strategy.hpp>
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
@@ -50,7 +51,8 @@ struct queue {};
 template <auto... Coordinates>
 struct initial {};
 
-// Refuses a graph in which a sample of the first port can be older than the bound when the second port is read.
+// Refuses a graph in which a sample of the first port can be older than the bound when the second port is
+// read.
 template <class Property, class Bound>
 struct require {};
 template <fixed_string From, fixed_string To>
@@ -58,8 +60,7 @@ struct latency {};
 template <int Count>
 struct beats {};
 
-template <class Type>
-concept Graph = requires { typename Type::cca_items; };
+template <class Type> concept Graph = requires { typename Type::cca_items; };
 
 namespace detail {
 

@@ -1,5 +1,5 @@
-// `require<latency<"a.y", "b.x">, beats<N>>`: the greatest age, in beats, that a sample of a.y can have when b fires,
-// over all ways that close no loop; unbounded if a clock between is known only at run time.
+// `require<latency<"a.y", "b.x">, beats<N>>`: the greatest age, in beats, that a sample of a.y can have when
+// b fires, over all ways that close no loop; unbounded if a clock between is known only at run time.
 #pragma once
 
 #include <cca/graph/names.hpp>
@@ -9,15 +9,15 @@ namespace cca::detail {
 
 struct ageing {
   const flat_view& g;
-  int from;                // an output
-  scratch way;             // inputs on the way, from the last one back
-  scratch visited;         // components on the way
+  int from;         // an output
+  scratch way;      // inputs on the way, from the last one back
+  scratch visited;  // components on the way
   int length = 0;
   std::int64_t oldest = 0;
   bool unbounded = false, reached = false;
 
   constexpr ageing(const flat_view& graph, int output_index)
-      : g(graph), from(output_index), way(graph.leaf_count), visited(graph.leaf_count) {}
+      : g(graph), from(output_index), way(graph.node_count), visited(graph.node_count) {}
 
   // The newest beat, up to k, in which the writer of an input published what the input shows in beat k.
   constexpr std::int64_t published_by(const input& in, std::int64_t k, clock writer, clock reader) const {
@@ -28,14 +28,17 @@ struct ageing {
       if (in.wire->full == full_kind::drop_oldest) {
         tick -= (in.wire->number - 1) * writer.period;
       } else {
-        const auto taken_before = k - in.wire->number * reader.period;  // this sample came in right after that
+        const auto taken_before =
+            k - in.wire->number * reader.period;  // this sample came in right after that
         tick = taken_before - ((taken_before - writer.first) % writer.period) + writer.period;
       }
     }
     // One that is first read late keeps what had come by then, each read taking one while another comes.
     if (in.queue >= 0 && reader.known() && writer.period == reader.period && reader.first > writer.first) {
       const auto waiting = (reader.first - writer.first) / writer.period;
-      tick -= (in.wire->full == full_kind::drop_oldest && waiting >= in.wire->number ? in.wire->number - 1 : waiting) * writer.period;
+      tick -= (in.wire->full == full_kind::drop_oldest && waiting >= in.wire->number ? in.wire->number - 1
+                                                                                     : waiting) *
+              writer.period;
     }
     return tick;
   }
@@ -55,14 +58,15 @@ struct ageing {
         return;
       }
       start += c.first + 2 * c.period + in.delay;
-      if (in.queue >= 0) start += in.wire->number * (c.period + 2 * g.turns[in.turn].fires.period);
+      if (in.queue >= 0) start += in.wire->number * (c.period + 2 * g.calls[in.call].fires.period);
       common = common / gcd(common, c.period) * c.period;
     }
-    auto last = g.turns[g.inputs[way[0]].turn].fires;
+    auto last = g.calls[g.inputs[way[0]].call].fires;
     if (last.never()) return;
     if (last.dynamic()) last = {1, 0};  // it may fire in any beat
     common = common / gcd(common, last.period) * last.period;
-    for (auto k = last.first + ((start + common) / last.period + 1) * last.period, end = k + common; k < end; k += last.period) {
+    for (auto k = last.first + ((start + common) / last.period + 1) * last.period, end = k + common; k < end;
+         k += last.period) {
       auto at = k;
       clock reader = last;
       for (int w = 0; w < length; ++w) {
@@ -81,11 +85,11 @@ struct ageing {
     if (in.writer == from) {
       measure();
     } else {
-      const auto& t = g.turns[g.outputs[in.writer].turn];
-      if (!visited[t.leaf]) {
-        visited[t.leaf] = 1;
-        for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i) follow(i);
-        visited[t.leaf] = 0;
+      const auto& t = g.calls[g.outputs[in.writer].call];
+      if (!visited[t.node]) {
+        visited[t.node] = 1;
+        for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) follow(i);
+        visited[t.node] = 0;
       }
     }
     --length;
@@ -103,17 +107,19 @@ struct requiring {
 
   constexpr void check(const item_info& item, int in_scope) {
     const auto& s = g.scopes[in_scope];
-    const int output_index = names_port(item.from) ? find(names, mask, path_hash(s, item.from, hash(item.from)) ^ as_output) : -1;
+    const int output_index =
+        names_port(item.from) ? find(names, mask, path_hash(s, item.from, hash(item.from)) ^ as_output) : -1;
     if (output_index < 0) return refuse(rule::wire_unknown_port, item, in_scope, 0);
     bool found = false;
     name_search readers(names, mask, path_hash(s, item.to, hash(item.to)) ^ as_input);
     for (int i = names_port(item.to) ? readers.next() : -1; i >= 0; i = readers.next()) {
       found = true;
       ageing ages(g, output_index);
-      ages.visited[g.turns[g.inputs[i].turn].leaf] = 1;
+      ages.visited[g.calls[g.inputs[i].call].node] = 1;
       ages.follow(i);
       if (ages.unbounded) refuse(rule::latency_exceeded, item, in_scope, -1);
-      else if (ages.oldest > item.number) refuse(rule::latency_exceeded, item, in_scope, static_cast<int>(ages.oldest));
+      else if (ages.oldest > item.number)
+        refuse(rule::latency_exceeded, item, in_scope, static_cast<int>(ages.oldest));
     }
     if (!found) refuse(rule::wire_unknown_port, item, in_scope, 1);
   }

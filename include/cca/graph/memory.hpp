@@ -1,5 +1,5 @@
-// Last step: what outlives a beat. A sample that no later beat reads stays a local of the loop; delayed readers need
-// some past; an input whose delayed wire closes a loop does not count for the time of origin.
+// Last step: what outlives a beat. A sample that no later beat reads stays a local of the loop; delayed
+// readers need some past; an input whose delayed wire closes a loop does not count for the time of origin.
 #pragma once
 
 #include <cca/graph/clocks.hpp>
@@ -10,27 +10,36 @@ namespace cca::detail {
 // Strongly connected components over all wires, delayed ones too (Tarjan 1972, without recursion).
 struct loop_search {
   const flat_view& g;
-  scratch group, low, number, stack, frame_leaf, frame_edge, edge_head, edge_next, edge_to;
+  scratch group, low, number, stack, frame_node, frame_edge, edge_head, edge_next, edge_to;
   int counter = 0, depth = 0, edges = 0;
 
   constexpr explicit loop_search(const flat_view& graph)
-      : g(graph), group(g.leaf_count, -1), low(g.leaf_count), number(g.leaf_count, -1), stack(g.leaf_count), frame_leaf(g.leaf_count),
-        frame_edge(g.leaf_count), edge_head(g.leaf_count, -1), edge_next(g.input_count + g.link_count), edge_to(g.input_count + g.link_count) {
+      : g(graph),
+        group(g.node_count, -1),
+        low(g.node_count),
+        number(g.node_count, -1),
+        stack(g.node_count),
+        frame_node(g.node_count),
+        frame_edge(g.node_count),
+        edge_head(g.node_count, -1),
+        edge_next(g.input_count + g.link_count),
+        edge_to(g.input_count + g.link_count) {
     for (int i = 0; i < g.input_count; ++i)
-      if (g.inputs[i].writer >= 0) add_edge(g.outputs[g.inputs[i].writer].turn, g.inputs[i].turn);
-    for (int l = 0; l < g.link_count; ++l) add_edge(g.outputs[g.links[l].output].turn, g.inputs[g.links[l].input].turn);
-    for (int v = 0; v < g.leaf_count; ++v)
+      if (g.inputs[i].writer >= 0) add_edge(g.outputs[g.inputs[i].writer].call, g.inputs[i].call);
+    for (int l = 0; l < g.link_count; ++l)
+      add_edge(g.outputs[g.links[l].output].call, g.inputs[g.links[l].input].call);
+    for (int v = 0; v < g.node_count; ++v)
       if (number[v] < 0) visit(v);
   }
 
   // Is the writer of this output fed, over any wires, by the one who reads it?
-  constexpr bool closes(int reader_turn, int output) const {
-    return group[g.turns[reader_turn].leaf] == group[g.turns[g.outputs[output].turn].leaf];
+  constexpr bool closes(int reader_call, int output) const {
+    return group[g.calls[reader_call].node] == group[g.calls[g.outputs[output].call].node];
   }
 
-  constexpr void add_edge(int from_turn, int to_turn) {
-    const int from = g.turns[from_turn].leaf;
-    edge_to[edges] = g.turns[to_turn].leaf;
+  constexpr void add_edge(int from_call, int to_call) {
+    const int from = g.calls[from_call].node;
+    edge_to[edges] = g.calls[to_call].node;
     edge_next[edges] = edge_head[from];
     edge_head[from] = edges++;
   }
@@ -40,12 +49,12 @@ struct loop_search {
     const auto enter = [&](int v) {
       number[v] = low[v] = counter++;
       stack[depth++] = v;
-      frame_leaf[frames] = v;
+      frame_node[frames] = v;
       frame_edge[frames++] = edge_head[v];
     };
     enter(root);
     while (frames > 0) {
-      const int v = frame_leaf[frames - 1];
+      const int v = frame_node[frames - 1];
       const int e = frame_edge[frames - 1];
       if (e >= 0) {
         frame_edge[frames - 1] = edge_next[e];
@@ -61,7 +70,7 @@ struct loop_search {
           group[w] = v;
         } while (w != v);
       }
-      if (--frames > 0 && low[v] < low[frame_leaf[frames - 1]]) low[frame_leaf[frames - 1]] = low[v];
+      if (--frames > 0 && low[v] < low[frame_node[frames - 1]]) low[frame_node[frames - 1]] = low[v];
     }
   }
 };
@@ -84,21 +93,24 @@ struct remembering {
     const loop_search loops(g);
     for (int i = 0; i < g.input_count; ++i) {
       auto& in = g.inputs[i];
-      if (in.delay > 0) in.counts = !loops.closes(in.turn, in.writer);
+      if (in.delay > 0) in.counts = !loops.closes(in.call, in.writer);
     }
     for (int l = 0; l < g.link_count; ++l) {
       auto& link = g.links[l];
-      if (delay_of_link(link) > 0) link.counts = !loops.closes(g.inputs[link.input].turn, link.output);
+      if (delay_of_link(link) > 0) link.counts = !loops.closes(g.inputs[link.input].call, link.output);
     }
   }
 
   // It fires only when this input has just arrived: the only one, and no sample waits.
   constexpr bool fires_with(const input& i) const {
-    const auto& t = g.turns[i.turn];
-    const auto kind = strategy_of_turn(g, t).kind;
-    if (kind != strategy_kind::restless && kind != strategy_kind::moderate && kind != strategy_kind::port_triggered) return false;
+    const auto& t = g.calls[i.call];
+    const auto kind = strategy_of_call(g, t).kind;
+    if (kind != strategy_kind::restless && kind != strategy_kind::moderate &&
+        kind != strategy_kind::port_triggered)
+      return false;
     int wired = 0;
-    for (int other = t.first_input; other < t.first_input + t.half->input_count; ++other) wired += g.inputs[other].wired;
+    for (int other = t.first_input; other < t.first_input + t.function->input_count; ++other)
+      wired += g.inputs[other].wired;
     return wired == 1;
   }
 
@@ -106,18 +118,22 @@ struct remembering {
   constexpr void find_last(const output& out) {
     int last = -1;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (!is_queued(g.inputs[i]) && g.inputs[i].delay == 0 && (last < 0 || g.turns[g.inputs[i].turn].rank > g.turns[g.inputs[last].turn].rank)) last = i;
+      if (!is_queued(g.inputs[i]) && g.inputs[i].delay == 0 &&
+          (last < 0 || g.calls[g.inputs[i].call].rank > g.calls[g.inputs[last].call].rank))
+        last = i;
     if (last >= 0) g.inputs[last].is_last = true;
   }
 
   // Samples that a reader with a delay may still need: it may come before or after the writer in a beat.
-  constexpr int past(int delay, int reader_turn, int writer_turn) const {
-    return g.turns[reader_turn].rank < g.turns[writer_turn].rank ? delay : delay + 1;
+  constexpr int past(int delay, int reader_call, int writer_call) const {
+    return g.calls[reader_call].rank < g.calls[writer_call].rank ? delay : delay + 1;
   }
 
   static constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
     for (int c = 0; c < size; ++c) {
-      const auto value = [c](ref<item_info> w) { return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0; };
+      const auto value = [c](ref<item_info> w) {
+        return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0;
+      };
       if (bool(a && a->initial) != bool(b && b->initial) || value(a) != value(b)) return false;
     }
     return true;
@@ -132,11 +148,11 @@ struct remembering {
       auto& in = g.inputs[i];
       const int delay = in.delay;
       if (delay > 0) {
-        const int need = past(delay, in.turn, out.turn);
+        const int need = past(delay, in.call, out.call);
         deepest = need > deepest ? need : deepest;
       } else if (in.queue < 0) {
-        in.in_beat = contains(c, g.turns[in.turn].fires) || fires_with(in);
-        if (!in.in_beat || !in_one_part(g, in.turn, out.turn)) out.kept = true;
+        in.in_beat = contains(c, g.calls[in.call].fires) || fires_with(in);
+        if (!in.in_beat || !in_one_part(g, in.call, out.call)) out.kept = true;
       }
     }
     for (int l = 0; l < g.link_count; ++l)
@@ -144,7 +160,7 @@ struct remembering {
         out.kept = true;
         const int delay = delay_of_link(g.links[l]);
         if (delay > 0) {
-          const int need = past(delay, g.inputs[g.links[l].input].turn, out.turn);
+          const int need = past(delay, g.inputs[g.links[l].input].call, out.call);
           deepest = need > deepest ? need : deepest;
         }
       }
@@ -171,7 +187,8 @@ struct remembering {
 
   constexpr void run() {
     find_loops();
-    for (int t = 0; t < g.turn_count; ++t) g.turns[t].stored_seen = uses_coordination(strategy_of_turn(g, g.turns[t]));
+    for (int t = 0; t < g.call_count; ++t)
+      g.calls[t].stored_seen = uses_coordination(strategy_of_call(g, g.calls[t]));
     for (int o = 0; o < g.output_count; ++o) place(o);
   }
 };

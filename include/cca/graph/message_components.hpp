@@ -8,8 +8,9 @@ namespace cca::detail {
 
 constexpr void tell_unknown_item(auto& t) {
   t.where << t.graph().name;
-  t.say() << "`" << t.item().stranger << "` in " << t.graph().name
-          << " is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a component or graph; the others are cca::wire, "
+  t.say() << "`" << t.item().unknown_type << "` in " << t.graph().name
+          << " is no item of a graph, so it would be passed over: write cca::node<`name`, type> for a "
+             "component or graph; the others are cca::wire, "
              "cca::expose, cca::observe, cca::rate and cca::require<cca::latency<...>, cca::beats<N>>";
 }
 
@@ -18,9 +19,10 @@ constexpr void tell_bad_name(auto& t) {
   if (t.where.size == 0) t.where << t.graph().name;
   auto name = t.found().a == 2 ? t.item().to : t.item().from;
   for (int which = 0; t.found().a == 1 && which < 3; ++which) {
-    const auto half = telling::half(*t.item().component, which);
-    for (int i = 0; half && i < half->input_count + half->output_count; ++i) {
-      const auto& port = i < half->input_count ? half->inputs[i] : half->outputs[i - half->input_count];
+    const auto function = telling::function(*t.item().component, which);
+    for (int i = 0; function && i < function->input_count + function->output_count; ++i) {
+      const auto& port =
+          i < function->input_count ? function->inputs[i] : function->outputs[i - function->input_count];
       if (!port.space || is_name(port.name)) continue;
       name = port.name;
     }
@@ -32,21 +34,26 @@ constexpr void tell_bad_name(auto& t) {
     t.node();
   }
   if (name.empty()) t.say() << " has no name, so no wire could name it: give it one";
-  else t.say() << " is named `" << name << "`, but names are joined by dots to paths, and `*` stands for any of them: use neither in a name";
+  else
+    t.say()
+        << " is named `" << name
+        << "`, but names are joined by dots to paths, and `*` stands for any of them: use neither in a name";
 }
 
 constexpr void tell_no_fires(auto& t) {
   t.at_node();
   t.node();
-  t.say() << " has the strategy `" << t.item().stranger
-          << "`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it `template <class Inputs> static bool "
+  t.say() << " has the strategy `" << t.item().unknown_type
+          << "`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it "
+             "`template <class Inputs> static bool "
              "fires(cca::beat, const Inputs&)`";
 }
 
 constexpr void tell_duplicate_name(auto& t) {
   t.at_node();
   if (t.found().a == 1) {
-    t.say() << "two outputs are exposed as `" << t.item().to << "` by " << t.graph().name << ": give one of them another name";
+    t.say() << "two outputs are exposed as `" << t.item().to << "` by " << t.graph().name
+            << ": give one of them another name";
     return;
   }
   t.say() << "two nodes of " << t.graph().name << " are named `" << t.item().from << "`";
@@ -70,21 +77,23 @@ constexpr void tell_no_process(auto& t) {
   t.at_node();
   t.node();
   if (t.found().a == 1)
-    t.say() << " has both `process` and `" << (t.item().component->also_sense ? "sense" : "act")
+    t.say() << " has intersection_of `process` and `" << (t.item().component->also_sense ? "sense" : "act")
             << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
-  else if (t.found().a == 2) t.say() << " is const, and what a component holds changes as it runs: leave the `const` out";
+  else if (t.found().a == 2)
+    t.say() << " is const, and what a component holds changes as it runs: leave the `const` out";
   else
-    t.say() << " has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template, as in "
+    t.say() << " has no `process` from which its ports could be read: give it one, public, neither "
+               "overloaded nor a template, as in "
                "`auto process(cca::in<...>) -> cca::out<...>`; a resource node has `sense` and `act` instead";
 }
 
 // Of the inputs or the outputs of all its functions, the first name that stands twice.
 constexpr std::string_view repeated_port(const component_info& c, bool outputs) {
-  const auto ports = [&](const half_info& h) { return outputs ? h.outputs : h.inputs; };
-  const auto count = [&](const half_info& h) { return outputs ? h.output_count : h.input_count; };
+  const auto ports = [&](const function_info& h) { return outputs ? h.outputs : h.inputs; };
+  const auto count = [&](const function_info& h) { return outputs ? h.output_count : h.input_count; };
   for (int h = 0; h < 3; ++h)
     for (int earlier = 0; earlier <= h; ++earlier) {
-      const half_info *a = telling::half(c, h), *b = telling::half(c, earlier);
+      const function_info *a = telling::function(c, h), *b = telling::function(c, earlier);
       for (int i = 0; a && b && i < count(*a); ++i)
         for (int j = 0; j < (a == b ? i : count(*b)); ++j)
           if (ports(*a)[i].name == ports(*b)[j].name) return ports(*a)[i].name;
@@ -103,15 +112,17 @@ constexpr void tell_bad_signature(auto& t, bool parameter) {
   }
   constexpr std::string_view functions[] = {"sense", "process", "act"};
   for (int which = 0; which < 3; ++which) {
-    const auto half = telling::half(c, which);
-    if (!half || (parameter ? half->bad_parameter : half->bad_result).empty()) continue;
+    const auto function = telling::function(c, which);
+    if (!function || (parameter ? function->bad_parameter : function->bad_result).empty()) continue;
     t.say() << ": `" << functions[which] << (parameter ? "` takes `" : "` returns `")
-            << (parameter ? half->bad_parameter : half->bad_result);
+            << (parameter ? function->bad_parameter : function->bad_result);
     if (parameter)
-      t.say() << "`, but it may take only ports (cca::in, cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to "
+      t.say() << "`, but it may take only ports (cca::in, cca::optional_in, cca::observe) and the cca::beat, "
+                 "each by value or by reference to "
                  "const; give constants as `parameters`, and data of other components by a wire";
     else
-      t.say() << "`, but it may return only ports (cca::out, cca::maybe) and a cca::fault, one or several in a std::tuple, or void";
+      t.say() << "`, but it may return only ports (cca::out, cca::maybe) and a cca::fault, one or several in "
+                 "a std::tuple, or void";
     return;
   }
 }
@@ -129,15 +140,18 @@ constexpr void tell_parameters(auto& t) {
   t.node();
   const auto& c = *t.item().component;
   if (c.forgot_parameters) {
-    t.say() << " has a struct `parameters` but no public member `parameters p`, so nothing would ever set them: add `parameters p{...};` with the "
+    t.say() << " has a struct `parameters` but no public member `parameters p`, so nothing would ever set "
+               "them: add `parameters p{...};` with the "
                "default values";
     return;
   }
   t.say() << ": its parameter `" << c.bad_field << "` is a `" << c.bad_field_type << "`";
   if (c.bad_field == "p")
-    t.say() << ", of which nothing is known: name its fields in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied";
+    t.say() << ", of which nothing is known: name its fields in it with BOOST_HANA_DEFINE_STRUCT, and let it "
+               "be copied";
   else
-    t.say() << ", which no file can hold: use a number, bool, enum class, cca::bounded, cca::quantity, cca::text, a std::array or Eigen "
+    t.say() << ", which no file can hold: use a number, bool, enum class, cca::bounded, cca::quantity, "
+               "cca::text, a std::array or Eigen "
                "vector of fixed size of these, or a struct with BOOST_HANA_DEFINE_STRUCT";
 }
 
@@ -161,11 +175,12 @@ constexpr void tell_unknown_trigger(auto& t) {
   std::string_view best;
   std::size_t least = 64;
   for (int which = 0; which < 3; ++which) {
-    const auto half = telling::half(*t.item().component, which);
-    for (int p = 0; half && p < half->input_count; ++p)
-      if (const auto distance = edit_distance(t.unknown_trigger, half->inputs[p].name); distance < least) {
+    const auto function = telling::function(*t.item().component, which);
+    for (int p = 0; function && p < function->input_count; ++p)
+      if (const auto distance = edit_distance(t.unknown_trigger, function->inputs[p].name);
+          distance < least) {
         least = distance;
-        best = half->inputs[p].name;
+        best = function->inputs[p].name;
       }
   }
   if (!best.empty()) t.say() << "; did you mean `" << best << "`?";
@@ -175,8 +190,11 @@ constexpr void tell_unknown_trigger(auto& t) {
 constexpr void tell_misplaced(auto& t) {
   t.at_node();
   t.node();
-  if (t.item().inner) t.say() << " is a graph, and a strategy stands on components: give it to the nodes inside";
-  else t.say() << " is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive";
+  if (t.item().inner)
+    t.say() << " is a graph, and a strategy stands on components: give it to the nodes inside";
+  else
+    t.say() << " is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or "
+               "cca::inactive";
 }
 
 }  // namespace cca::detail

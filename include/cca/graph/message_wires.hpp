@@ -1,4 +1,5 @@
-// Messages about wires and what they join: names, directions, spaces, writers, and commands on their way to actuators.
+// Messages about wires and what they join: names, directions, spaces, writers, and commands on their way to
+// actuators.
 #pragma once
 
 #include <cca/graph/telling.hpp>
@@ -12,9 +13,9 @@ constexpr bool shows_output(const graph_info& graph, std::string_view shown) {
     const auto& item = graph.items[i];
     if (item.from != node) continue;
     for (int which = 0; item.component && which < 3; ++which) {
-      const auto half = telling::half(*item.component, which);
-      for (int p = 0; half && p < half->output_count; ++p)
-        if (half->outputs[p].name == port) return true;
+      const auto function = telling::function(*item.component, which);
+      for (int p = 0; function && p < function->output_count; ++p)
+        if (function->outputs[p].name == port) return true;
     }
     for (int e = 0; item.inner && e < item.inner->count; ++e)
       if (const auto& inner = item.inner->items[e];
@@ -42,9 +43,9 @@ constexpr text nearest_port(const graph_info& graph, std::string_view wrong, boo
     const auto& item = graph.items[i];
     if (item.kind == item_kind::node)
       for (int which = 0; which < 3; ++which) {
-        const auto half = telling::half(*item.component, which);
-        for (int p = 0; half && p < (outputs ? half->output_count : half->input_count); ++p)
-          if (const auto& port = (outputs ? half->outputs : half->inputs)[p]; outputs || port.space)
+        const auto function = telling::function(*item.component, which);
+        for (int p = 0; function && p < (outputs ? function->output_count : function->input_count); ++p)
+          if (const auto& port = (outputs ? function->outputs : function->inputs)[p]; outputs || port.space)
             consider(item.from, port.name);
       }
     if (item.kind == item_kind::graph)
@@ -58,7 +59,8 @@ constexpr text nearest_port(const graph_info& graph, std::string_view wrong, boo
 
 constexpr const item_info* node_named(const graph_info& graph, std::string_view name) {
   for (int i = 0; i < graph.count; ++i)
-    if ((graph.items[i].kind == item_kind::node || graph.items[i].kind == item_kind::graph) && graph.items[i].from == name)
+    if ((graph.items[i].kind == item_kind::node || graph.items[i].kind == item_kind::graph) &&
+        graph.items[i].from == name)
       return &graph.items[i];
   return nullptr;
 }
@@ -68,7 +70,8 @@ constexpr void tell_unknown_port(auto& t) {
   if (item.kind == item_kind::observe) {
     t.at_node();
     t.say() << "cca::observe<`" << item.from << "`> in " << t.graph().name
-            << " hears nothing, for no output has such a path: write it from the nodes of this graph on, as in `node.port` or "
+            << " hears nothing, for no output has such a path: write it from the nodes of this graph on, as "
+               "in `node.port` or "
                "`node.*`";
     return;
   }
@@ -76,7 +79,8 @@ constexpr void tell_unknown_port(auto& t) {
   const bool exposes = item.kind == item_kind::expose, reader = t.found().a == 1;
   const auto wrong = reader ? item.to : item.from;
   if (exposes) t.say() << "cca::expose<`" << item.from << "`, `" << item.to << "`>";
-  else if (item.kind == item_kind::require) t.say() << "cca::latency<`" << item.from << "`, `" << item.to << "`>";
+  else if (item.kind == item_kind::require)
+    t.say() << "cca::latency<`" << item.from << "`, `" << item.to << "`>";
   else {
     t.say() << "the wire ";
     t.wire();
@@ -91,18 +95,20 @@ constexpr void tell_unknown_port(auto& t) {
     const auto inside = wrong.substr(wrong.find('.') + 1), port = wrong.substr(wrong.rfind('.') + 1);
     t.say() << "a path into an inner graph cannot be wired: ";
     for (int i = 0; i < node->inner->count; ++i)
-      if (const auto& shown = node->inner->items[i]; shown.kind == item_kind::expose && shown.from == inside) {
-        t.say() << node->inner->name << " exposes this port as `" << node->from << "." << shown.to << "`, name that";
+      if (const auto& shown = node->inner->items[i];
+          shown.kind == item_kind::expose && shown.from == inside) {
+        t.say() << node->inner->name << " exposes this port as `" << node->from << "." << shown.to
+                << "`, name that";
         return;
       }
-    t.say() << "let " << node->inner->name << " show the port, with cca::expose<`" << inside << "`, `" << port << "`>, and name `"
-            << node->from << "." << port << "` here";
+    t.say() << "let " << node->inner->name << " show the port, with cca::expose<`" << inside << "`, `" << port
+            << "`>, and name `" << node->from << "." << port << "` here";
     return;
   } else if (!node) {
     t.say() << "there is no node `" << wrong.substr(0, wrong.find('.')) << "`";
   } else {
-    t.say() << "`" << node->from << "` (" << (node->inner ? node->inner->name : node->component->name()) << ") "
-            << (node->inner ? "exposes" : "has") << " no such "
+    t.say() << "`" << node->from << "` (" << (node->inner ? node->inner->name : node->component->name())
+            << ") " << (node->inner ? "exposes" : "has") << " no such "
             << (exposes  ? "port"
                 : reader ? "input"
                          : "output");
@@ -120,8 +126,9 @@ constexpr void tell_direction(auto& t) {
   t.say() << " in " << t.graph().name << " `" << (from_input ? t.item().from : t.item().to) << "` is an "
           << (from_input ? "input" : "output");
   if (t.found().b == 1) {
-    t.say() << " and `" << (from_input ? t.item().to : t.item().from) << "` an " << (from_input ? "output" : "input")
-            << ": turn it round, cca::wire<`" << t.item().to << "`, `" << t.item().from << "`>";
+    t.say() << " and `" << (from_input ? t.item().to : t.item().from) << "` an "
+            << (from_input ? "output" : "input") << ": call it round, cca::wire<`" << t.item().to << "`, `"
+            << t.item().from << "`>";
   } else {
     const auto best = nearest_port(t.graph(), from_input ? t.item().from : t.item().to, from_input);
     t.say() << ": name an " << (from_input ? "output" : "input") << " there";
@@ -141,8 +148,9 @@ constexpr void tell_two_writers(auto& t) {
   }
   t.say() << " and by ";
   t.port(t.g.outputs[t.found().b]);
-  t.say() << ", but an input has one writer: put an arbiter in front, cca::arbiter<`" << port_of(t.g, in).name << "`, "
-          << t.space(in).name << ", cca::by_priority<`first`, `second`>>, and wire each to an input of it";
+  t.say() << ", but an input has one writer: put an arbiter in front, cca::arbiter<`" << port_of(t.g, in).name
+          << "`, " << t.space(in).name
+          << ", cca::by_priority<`first`, `second`>>, and wire each to an input of it";
 }
 
 constexpr void tell_bad_option(auto& t) {
@@ -150,15 +158,15 @@ constexpr void tell_bad_option(auto& t) {
   t.say() << "the wire ";
   t.wire();
   if (t.item().number < 1 && t.item().policy != policy_kind::unstated)
-    t.say() << (t.item().policy == policy_kind::delayed ? " has a delay of " : " has a queue of ") << t.item().number
-            << ", but that is at least 1: say so, or write cca::latest instead";
+    t.say() << (t.item().policy == policy_kind::delayed ? " has a delay of " : " has a queue of ")
+            << t.item().number << ", but that is at least 1: say so, or write cca::latest instead";
   else if (t.item().full == full_kind::unknown)
-    t.say() << " has a queue that does `" << t.item().stranger
+    t.say() << " has a queue that does `" << t.item().unknown_type
             << "` when it is full: say what is lost, cca::drop_oldest or cca::drop_newest, or cca::reject";
-  else if (t.item().stranger.empty())
+  else if (t.item().unknown_type.empty())
     t.say() << " has two policies, or two initial values, of which only one could hold: leave one of each";
   else
-    t.say() << " has the option `" << t.item().stranger
+    t.say() << " has the option `" << t.item().unknown_type
             << "`, which is none: it may have a policy (cca::latest, cca::delayed<N>, cca::queue<C, F>) "
                "and a cca::initial<...>";
 }
@@ -168,7 +176,8 @@ constexpr void tell_bad_initial(auto& t) {
   const auto& in = t.g.inputs[t.found().a];
   t.say() << "cca::initial of the wire ";
   t.wire();
-  t.say() << " gives " << t.item().initial_count << (t.item().initial_count == 1 ? " number" : " numbers") << ", but ";
+  t.say() << " gives " << t.item().initial_count << (t.item().initial_count == 1 ? " number" : " numbers")
+          << ", but ";
   t.port(in);
   t.say() << " has " << t.space(in).size << ": give one for each, or one for all";
 }
@@ -203,12 +212,17 @@ constexpr void tell_mismatch(auto& t) {
   const auto base = [](std::string_view name) { return name.substr(0, name.find('<')); };
   if (a.domain != b.domain && base(a.domain) == base(b.domain))
     t.say() << ": the frames differ; put a transformation between them";
-  else if (a.domain != b.domain) t.say() << ": the domain types differ; put a mapping between them, or wire another port";
+  else if (a.domain != b.domain)
+    t.say() << ": the domain types differ; put a mapping between them, or wire another port";
   else if (same_axes_in_another_order(a, b) && !same_axes(a, b))
     t.say() << ": the axes stand in another order; give both ends one space";
-  else if (!same_axes(a, b)) t.say() << ": the axes differ; use a splitter or a collector, or give both ends one space";
-  else if (a.hz != b.hz) t.say() << ": the rates differ; give both spaces one rate, or let one of them state none";
-  else t.say() << ": their domain types, axes or frames have the same names but are different types; use those of one namespace";
+  else if (!same_axes(a, b))
+    t.say() << ": the axes differ; use a splitter or a collector, or give both ends one space";
+  else if (a.hz != b.hz)
+    t.say() << ": the rates differ; give intersection_of spaces one rate, or let one of them state none";
+  else
+    t.say() << ": their domain types, axes or frames have the same names but are different types; use those "
+               "of one namespace";
 }
 
 // An input of an inner graph is wired where it is shown.
@@ -217,13 +231,14 @@ constexpr void tell_unconnected(auto& t) {
   t.at(in);
   t.port(in);
   text shown;
-  shown << node_of(t.g, t.g.turns[in.turn]).from << "." << port_of(t.g, in).name;
+  shown << item_of_call(t.g, t.g.calls[in.call]).from << "." << port_of(t.g, in).name;
   int scope = t.found().scope;
   for (bool found = true; found && t.g.scopes[scope].parent >= 0;) {
     found = false;
     const auto& inside = t.g.scopes[scope];
     for (int i = 0; i < inside.graph->count && !found; ++i)
-      if (const auto& item = inside.graph->items[i]; item.kind == item_kind::expose && item.from == shown.view()) {
+      if (const auto& item = inside.graph->items[i];
+          item.kind == item_kind::expose && item.from == shown.view()) {
         shown = {};
         shown << inside.item->from << "." << item.to;
         found = true;
@@ -250,7 +265,8 @@ constexpr void tell_initial_beyond_limits(auto& t) {
   const auto& in = t.g.inputs[t.found().a];
   t.at_wire();
   t.port(in);
-  t.say() << " may be read before a first command has passed a limiter, and would then hold the cca::initial of its wire, which "
+  t.say() << " may be read before a first command has passed a limiter, and would then hold the cca::initial "
+             "of its wire, which "
              "lies outside of the limits of `"
           << t.space(in).axes[t.found().c] << "`, on its way to the actuator";
   if (t.found().a != t.found().b) {
@@ -269,7 +285,8 @@ constexpr void tell_unlimited(auto& t) {
   t.say() << " reaches the actuator ";
   t.port(to);
   t.say() << " without passing a limiter: put a cca::limiter<" << t.space(to).name
-          << "> between them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant";
+          << "> between them (its input is `command`, its output `safe`), or a cca::unlimited where that is "
+             "meant";
 }
 
 }  // namespace cca::detail

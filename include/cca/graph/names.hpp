@@ -1,4 +1,5 @@
-// Finding ports by path: one open-addressing table of hashes. A path's hash goes on where that of its scope ended.
+// Finding ports by path: one open-addressing table of hashes. A path's hash goes on where that of its scope
+// ended.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@
 namespace cca::detail {
 
 // One table for inputs, outputs and nodes: the salt tells them apart.
-inline constexpr std::uint64_t as_input = 0x9e3779b97f4a7c15ull, as_output = 0xc2b2ae3d27d4eb4full, as_node = 0;
+inline constexpr std::uint64_t as_input = 0x9e3779b97f4a7c15ull, as_output = 0xc2b2ae3d27d4eb4full,
+                               as_node = 0;
 
 struct name_table {
   table_entry* entries = nullptr;

@@ -1,5 +1,6 @@
-// Third step: the order of a beat. All senses, then all components, then all acts; within each the topological order
-// over wires without delay: again and again the first declared one whose predecessors have all had their turn.
+// Third step: the order of a beat. All senses, then all components, then all acts; within each the
+// topological order over wires without delay: again and again the first declared one whose predecessors have
+// all had their turn.
 #pragma once
 
 #include <cca/graph/flat.hpp>
@@ -10,7 +11,8 @@ namespace cca::detail {
 template <class Number>
 class scratch_of {
 public:
-  explicit constexpr scratch_of(int size, Number fill = 0) : numbers(new Number[static_cast<std::size_t>(size) + 1]) {
+  explicit constexpr scratch_of(int size, Number fill = 0)
+      : numbers(new Number[static_cast<std::size_t>(size) + 1]) {
     for (int i = 0; i <= size; ++i) numbers[i] = fill;
   }
   scratch_of(const scratch_of&) = delete;
@@ -24,30 +26,31 @@ private:
 };
 using scratch = scratch_of<int>;
 
-// Calls f(reader's turn) for each wire and observer without delay that leaves a turn.
+// Calls f(reader's call) for each wire and observer without delay that nodes a call.
 template <class F>
-constexpr void for_each_follower(const flat_view& g, int turn_index, F f) {
-  const auto& t = g.turns[turn_index];
-  for (int o = t.first_output; o < t.first_output + t.half->output_count; ++o) {
+constexpr void for_each_follower(const flat_view& g, int call_index, F f) {
+  const auto& t = g.calls[call_index];
+  for (int o = t.first_output; o < t.first_output + t.function->output_count; ++o) {
     for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-      if (g.inputs[i].delay == 0) f(g.inputs[i].turn);
+      if (g.inputs[i].delay == 0) f(g.inputs[i].call);
     for (int l = 0; l < g.link_count; ++l)
-      if (g.links[l].output == o && port_of(g, g.inputs[g.links[l].input]).observed_delay == 0) f(g.inputs[g.links[l].input].turn);
+      if (g.links[l].output == o && port_of(g, g.inputs[g.links[l].input]).observed_delay == 0)
+        f(g.inputs[g.links[l].input].call);
   }
 }
 
 // A heap with the lowest number on top.
-struct ready_turns {
+struct ready_calls {
   scratch heap;
   int size = 0;
 
-  constexpr void push(int turn_index) {
+  constexpr void push(int call_index) {
     int at = size++;
-    while (at > 0 && heap[(at - 1) / 2] > turn_index) {
+    while (at > 0 && heap[(at - 1) / 2] > call_index) {
       heap[at] = heap[(at - 1) / 2];
       at = (at - 1) / 2;
     }
-    heap[at] = turn_index;
+    heap[at] = call_index;
   }
   constexpr int pop() {
     const int top = heap[0], last = heap[--size];
@@ -71,7 +74,9 @@ struct ordering {
       const auto& to = g.inputs[i];
       if (to.writer < 0 || to.delay > 0) continue;
       const auto& from = g.outputs[to.writer];
-      if (g.turns[from.turn].phase == g.turns[to.turn].phase ? from.turn >= to.turn : g.turns[from.turn].phase > g.turns[to.turn].phase)
+      if (g.calls[from.call].phase == g.calls[to.call].phase
+              ? from.call >= to.call
+              : g.calls[from.call].phase > g.calls[to.call].phase)
         return false;
     }
     return g.link_count == 0;
@@ -80,30 +85,29 @@ struct ordering {
   constexpr void run() {
     int done = 0;
     const bool declared = in_declared_order();
-    scratch pending(g.turn_count);
+    scratch pending(g.call_count);
     if (!declared)
-      for (int t = 0; t < g.turn_count; ++t)
-        for_each_follower(g, t, [&](int to) { ++pending[to]; });
+      for (int t = 0; t < g.call_count; ++t) for_each_follower(g, t, [&](int to) { ++pending[to]; });
     for (const auto phase : {phase_of_beat::sense, phase_of_beat::process, phase_of_beat::act}) {
       if (declared) {
-        for (int t = 0; t < g.turn_count; ++t)
-          if (g.turns[t].phase == phase) g.order[done++] = t;
+        for (int t = 0; t < g.call_count; ++t)
+          if (g.calls[t].phase == phase) g.order[done++] = t;
         continue;
       }
-      ready_turns ready{scratch(g.turn_count)};
-      for (int t = 0; t < g.turn_count; ++t)
-        if (g.turns[t].phase == phase && pending[t] == 0) ready.push(t);
+      ready_calls ready{scratch(g.call_count)};
+      for (int t = 0; t < g.call_count; ++t)
+        if (g.calls[t].phase == phase && pending[t] == 0) ready.push(t);
       while (ready.size > 0) {
         const int t = ready.pop();
         g.order[done++] = t;
         for_each_follower(g, t, [&](int to) {
-          if (--pending[to] == 0 && g.turns[to].phase == phase) ready.push(to);
+          if (--pending[to] == 0 && g.calls[to].phase == phase) ready.push(to);
         });
       }
     }
-    for (int t = 0; t < g.turn_count; ++t) g.turns[t].rank = -1;
-    for (int i = 0; i < done; ++i) g.turns[g.order[i]].rank = i;
-    if (done < g.turn_count && g.found.broken == rule::none) g.found = {.broken = rule::graph_algebraic_loop};
+    for (int t = 0; t < g.call_count; ++t) g.calls[t].rank = -1;
+    for (int i = 0; i < done; ++i) g.calls[g.order[i]].rank = i;
+    if (done < g.call_count && g.found.broken == rule::none) g.found = {.broken = rule::graph_algebraic_loop};
   }
 };
 

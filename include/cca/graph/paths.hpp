@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cca/graph/flat.hpp>
-#include <cca/graph/text.hpp>
+#include <cca/base/text.hpp>
 
 namespace cca::detail {
 
@@ -13,18 +13,18 @@ constexpr void add_scope_path(text& t, const flat_view& g, int s) {
 }
 
 // "dmp.criterion"
-constexpr void add_leaf_path(text& t, const flat_view& g, int leaf_index) {
-  add_scope_path(t, g, g.leaves[leaf_index].scope);
-  t << g.leaves[leaf_index].item->from;
+constexpr void add_node_path(text& t, const flat_view& g, int node_index) {
+  add_scope_path(t, g, g.nodes[node_index].scope);
+  t << g.nodes[node_index].item->from;
 }
 
 // "dmp.criterion.error"
 constexpr void add_port(text& t, const flat_view& g, const input& i) {
-  add_leaf_path(t, g, g.turns[i.turn].leaf);
+  add_node_path(t, g, g.calls[i.call].node);
   t << "." << port_of(g, i).name;
 }
 constexpr void add_port(text& t, const flat_view& g, const output& o) {
-  add_leaf_path(t, g, g.turns[o.turn].leaf);
+  add_node_path(t, g, g.calls[o.call].node);
   t << "." << port_of(g, o).name;
 }
 

@@ -1,5 +1,5 @@
-// The plan of a graph: all that is settled at compile time, as one constexpr value. Each step is an evaluation of its
-// own, so that large graphs stay within the compilers' limits of constant evaluation.
+// The plan of a graph: all that is settled at compile time, as one constexpr value. Each step is an
+// evaluation of its own, so that large graphs stay within the compilers' limits of constant evaluation.
 #pragma once
 
 #include <cca/graph/actuation.hpp>
@@ -15,12 +15,17 @@ template <class Graph>
 inline constexpr graph_sizes graph_size = graph_facts<Graph>::value.sizes;
 
 template <class Graph>
-using flat_of = flat<graph_size<Graph>.scopes, graph_size<Graph>.leaves, graph_size<Graph>.turns, graph_size<Graph>.inputs,
-                     graph_size<Graph>.outputs, graph_size<Graph>.observers * graph_size<Graph>.outputs>;
+using flat_of = flat<graph_size<Graph>.scopes,
+                     graph_size<Graph>.nodes,
+                     graph_size<Graph>.calls,
+                     graph_size<Graph>.inputs,
+                     graph_size<Graph>.outputs,
+                     graph_size<Graph>.observers * graph_size<Graph>.outputs>;
 
 template <class Graph>
-inline constexpr std::uint64_t names_size = table_size(graph_size<Graph>.inputs + graph_size<Graph>.outputs + graph_size<Graph>.leaves +
-                                                       graph_size<Graph>.scopes + 4 * graph_size<Graph>.exposes);
+inline constexpr std::uint64_t names_size =
+    table_size(graph_size<Graph>.inputs + graph_size<Graph>.outputs + graph_size<Graph>.nodes +
+               graph_size<Graph>.scopes + 4 * graph_size<Graph>.exposes);
 
 template <class Graph>
 struct flattened {
@@ -60,7 +65,7 @@ template <class Graph>
 inline constexpr flat_of<Graph> ordered_of = then<Graph>(wired_of<Graph>, [](flat_view g) {
   clocking rates{g};
   rates.find_rate();
-  for (int t = 0; t < rates.g.turn_count; ++t) rates.check_strategy(t);
+  for (int t = 0; t < rates.g.call_count; ++t) rates.check_strategy(t);
   ordering order{rates.g};
   order.run();
   return order.g;
@@ -75,7 +80,7 @@ inline constexpr flat_of<Graph> clocked_of = then<Graph>(ordered_of<Graph>, [](f
 
 template <class Graph>
 inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
-  g.turns_in_part = turns_in_part<Graph>;
+  g.calls_in_part = calls_in_part<Graph>;
   g.ends_locals = simplified_once<Graph>;
   remembering memory{g};
   memory.run();

@@ -1,7 +1,7 @@
 // What messages are put together from: names of nodes, ports and wires as the user knows them.
 #pragma once
 
-#include <cca/component/nearest.hpp>
+#include <cca/base/nearest.hpp>
 #include <cca/graph/paths.hpp>
 #include <cca/graph/rules.hpp>
 
@@ -68,7 +68,7 @@ struct telling {
     done(" published", published(g, from));
     say() << " but ";
     port(to);
-    done(" read", g.turns[to.turn].fires);
+    done(" read", g.calls[to.call].fires);
   }
   constexpr void done(std::string_view what, clock c) {
     say() << (c.never() ? " is never" : " is") << what;
@@ -77,7 +77,9 @@ struct telling {
     add_clock(say(), c);
   }
 
-  static constexpr ref<half_info> half(const component_info& c, int which) { return which == 0 ? c.sense : which == 1 ? c.process : c.act; }
+  static constexpr ref<function_info> function(const component_info& c, int which) {
+    return which == 0 ? c.sense : which == 1 ? c.process : c.act;
+  }
 };
 
 }  // namespace cca::detail

@@ -36,7 +36,7 @@ struct wiring {
   constexpr bool is_port(std::string_view path) const { return g.scope_count == 1 || names_port(path); }
 
   constexpr void add_wire(const item_info& item, int in_scope) {
-    if (!item.stranger.empty() || item.repeats_option) refuse(rule::wire_bad_option, &item, in_scope);
+    if (!item.unknown_type.empty() || item.repeats_option) refuse(rule::wire_bad_option, &item, in_scope);
     const auto& from = g.scopes[in_scope];
     const auto a = path_hash(from, item.from, item.from_hash), b = path_hash(from, item.to, item.to_hash);
     const int writer = is_port(item.from) ? find(names, mask, a ^ as_output) : -1;
@@ -61,8 +61,8 @@ struct wiring {
 
   // Does the path of an output begin with the names of a scope, as in `dmp.status.*`?
   constexpr bool under(const output& o, std::string_view listened, int observer_scope) const {
-    const auto& t = g.turns[o.turn];
-    const auto& l = g.leaves[t.leaf];
+    const auto& t = g.calls[o.call];
+    const auto& l = g.nodes[t.node];
     std::array<std::string_view, 34> path{};
     int length = 0;
     path[static_cast<std::size_t>(length++)] = port_of(g, o).name;
@@ -89,9 +89,9 @@ struct wiring {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& port = port_of(g, g.inputs[i]);
       if (port.space) continue;
-      const int from = g.leaves[g.turns[g.inputs[i].turn].leaf].scope;
+      const int from = g.nodes[g.calls[g.inputs[i].call].node].scope;
       for (int o = 0; o < g.output_count && g.link_count < capacity; ++o)
-        if (g.outputs[o].turn != g.inputs[i].turn && under(g.outputs[o], port.name, from)) {
+        if (g.outputs[o].call != g.inputs[i].call && under(g.outputs[o], port.name, from)) {
           g.links[g.link_count++] = {i, o};
           g.inputs[i].wired = true;
         }
@@ -116,8 +116,8 @@ struct wiring {
     add_observers(link_capacity);
     for (int i = 0; i < g.input_count; ++i)
       if (!g.inputs[i].wired && !port_of(g, g.inputs[i]).optional)
-        refuse(rule::wire_unconnected_input, &node_of(g, g.turns[g.inputs[i].turn]),
-               g.leaves[g.turns[g.inputs[i].turn].leaf].scope, i);
+        refuse(rule::wire_unconnected_input, &item_of_call(g, g.calls[g.inputs[i].call]),
+               g.nodes[g.calls[g.inputs[i].call].node].scope, i);
   }
 };
 

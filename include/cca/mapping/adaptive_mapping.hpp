@@ -1,17 +1,17 @@
-// An Adaptive Mapping: a mapping whose function is learned (seed, chapter 3). An Adaptive Transformation: the same within one space.
+// An Adaptive Mapping: a mapping whose function is learned (seed, chapter 3). An Adaptive Transformation: the
+// same within one space.
 //
 //   using ik = cca::extreme_learning_machine<cca::elm_function<paw, leg_angles, 100>>;
 //   cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, ik>>
 //   in  "input"      From
-//   in  "teacher"    To, optional: what the output should have been for this input; an example each time it's fresh
-//   in  "learn"      learning_request, optional
-//   out "output"     To
-//   out "module"     module_status_port
+//   in  "teacher"    To, optional: what the output should have been for this input; an example each time it's
+//   fresh in  "learn"      learning_request, optional out "output"     To out "module"     module_status_port
 //
-// adaptive_transformation<Space, Rule> learns what is to be added: untaught, its output is its input. `learning`, a
-// cca::training, is for programs between two beats; parameters: the learner's settings, and files (load, save). Both are a
-// cca::Mapping, in chains, too. Preconditions: spaces of one number an axis. Errors: learner.model; `cca::refused` of files.
-// Cost: one answer; with a teacher one step of the learner more. Example: tests/runtime/adaptive/mapping.cpp.
+// adaptive_transformation<Space, Rule> learns what is to be added: untaught, its output is its input.
+// `learning`, a cca::training, is for programs between two beats; parameters: the learner's settings, and
+// files (load, save). Both are a cca::Mapping, in chains, too. Preconditions: spaces of one number an axis.
+// Errors: learner.model; `cca::refused` of files. Cost: one answer; with a teacher one step of the learner
+// more. Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <string>
@@ -33,8 +33,10 @@ constexpr bool leads_between = matching<typename Model::from, From> && matching<
 template <class Model, class From, class To, bool LeadsBetween = leads_between<Model, From, To>>
 constexpr bool check_model_of_mapping() {
   static_assert(LeadsBetween,
-                "learner.model: the learner of this adaptive mapping adapts a model between other spaces than those of the mapping (the "
-                "compiler names the model, the space that the mapping takes and the one that it gives); bind the learner to a model between these");
+                "learner.model: the learner of this adaptive mapping adapts a model between other spaces "
+                "than those of the mapping (the "
+                "compiler names the model, the space that the mapping takes and the one that it gives); bind "
+                "the learner to a model between these");
   return LeadsBetween;
 }
 
@@ -50,7 +52,9 @@ struct learned_mapping {
   parameters p{};
   training<Rule, Capacity> learning;
 
-  auto process(in<"input", From> input, optional_in<"teacher", To> teacher, optional_in<"learn", learning_request> call)
+  auto process(in<"input", From> input,
+               optional_in<"teacher", To> teacher,
+               optional_in<"learn", learning_request> call)
       -> std::tuple<out<"output", To>, out<"module", module_status_port>> {
     if constexpr (!bound) {
       return {};

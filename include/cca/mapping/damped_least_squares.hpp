@@ -1,15 +1,17 @@
 // Inverse kinematics of any serial chain: damped least squares within the joints' limits.
 //
-// It seeks the angles at which the distance to the wanted position (orientation, pose) is least. A step solves
-// (J J^T + m I) y = e, dq = J^T y, on the joints that no limit holds back; it's taken if it leads nearer, and the damping m
-// follows how well the step was foretold (Nielsen 1999). It starts from the angles given, and where that doesn't reach, once
-// more from other ones: a chain stretched towards its target has no direction to start in, and there are local minima.
-// So out of reach it gives the nearest point that these starts lead to; of a chain with limits that need not be the nearest of
-// all. Never more than `starts` times `iterations` steps.
+// It seeks the angles at which the distance to the wanted position (orientation, pose) is least. A step
+// solves (J J^T + m I) y = e, dq = J^T y, on the joints that no limit holds back; it's taken if it leads
+// nearer, and the damping m follows how well the step was foretold (Nielsen 1999). It starts from the angles
+// given, and where that doesn't reach, once more from other ones: a chain stretched towards its target has no
+// direction to start in, and there are local minima. So out of reach it gives the nearest point that these
+// starts lead to; of a chain with limits that need not be the nearest of all. Never more than `starts` times
+// `iterations` steps.
 //
-// Sources: Wampler, Manipulator inverse kinematic solutions based on vector formulations and damped least-squares methods, IEEE
-// Trans. SMC 16(1), 1986; Nielsen, Damping parameter in Marquardt's method, report IMM-REP-1999-05, Technical University of Denmark.
-// Checked: what can be reached is, and the nearest point where it is known (tests/runtime/mapping/kinematics.cpp).
+// Sources: Wampler, Manipulator inverse kinematic solutions based on vector formulations and damped
+// least-squares methods, IEEE Trans. SMC 16(1), 1986; Nielsen, Damping parameter in Marquardt's method,
+// report IMM-REP-1999-05, Technical University of Denmark. Checked: what can be reached is, and the nearest
+// point where it is known (tests/runtime/mapping/kinematics.cpp).
 #pragma once
 
 #include <algorithm>
@@ -17,7 +19,7 @@
 #include <cmath>
 #include <limits>
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/mapping/reaching.hpp>
 #include <cca/space/limits.hpp>
@@ -26,17 +28,19 @@ namespace cca {
 
 // What may be set of it, at compile time: derive from this and give another number.
 struct damped_least_squares {
-  static constexpr int iterations = 100;            // of a start
+  static constexpr int iterations = 100;  // of a start
   static constexpr int starts = 4;
-  static constexpr double tolerance = 1e-9;         // m, to have reached; of orientations: this many m of the lever
-  static constexpr double lever = 0.1;              // m: an error of 1 rad counts as so many m
+  static constexpr double tolerance = 1e-9;  // m, to have reached; of orientations: this many m of the lever
+  static constexpr double lever = 0.1;       // m: an error of 1 rad counts as so many m
 };
 
 namespace detail {
 
-// x of A x = b, A positive definite, by Cholesky's decomposition. (Eigen's own isn't part of what the core includes.)
+// x of A x = b, A positive definite, by Cholesky's decomposition. (Eigen's own isn't part of what the core
+// includes.)
 template <int Size>
-Eigen::Matrix<double, Size, 1> solve_positive(Eigen::Matrix<double, Size, Size> a, Eigen::Matrix<double, Size, 1> b) {
+Eigen::Matrix<double, Size, 1> solve_positive(Eigen::Matrix<double, Size, Size> a,
+                                              Eigen::Matrix<double, Size, 1> b) {
   for (int j = 0; j < Size; ++j) {
     for (int k = 0; k < j; ++k) a(j, j) -= a(j, k) * a(j, k);
     a(j, j) = std::sqrt(a(j, j) > 0 ? a(j, j) : std::numeric_limits<double>::min());
@@ -70,7 +74,8 @@ struct tip_task {
       e = wanted - tip_in<Space>(tip);
     } else {
       const vector4 q = wanted.template tail<4>();
-      e.template tail<3>() = Settings::lever * rotation::log(rotation::product(q, rotation::inverse(quaternion_of(tip.turn))));
+      e.template tail<3>() =
+          Settings::lever * rotation::log(rotation::product(q, rotation::inverse(quaternion_of(tip.turn))));
       if constexpr (of_pose) e.template head<3>() = wanted.template head<3>() - tip.at;
     }
     return e;
@@ -90,7 +95,8 @@ struct tip_task {
   }
 };
 
-// A finite target, and not farther than a million times what the chain spans: the direction is all that counts there.
+// A finite target, and not farther than a million times what the chain spans: the direction is all that
+// counts there.
 template <class Space>
 CCA_GLUE bool readable(typename Space::vector_type& wanted, double span) {
   double largest = 0;
@@ -128,7 +134,9 @@ struct chain_limits {
       all[i++] = slides ? length_low : angle_low;
       all[i++] = slides ? length_high : angle_high;
     };
-    (add(lower_limit_of<Axes, angle>, upper_limit_of<Axes, angle>, lower_limit_of<Axes, length>, upper_limit_of<Axes, length>), ...);
+    (add(lower_limit_of<Axes, angle>, upper_limit_of<Axes, angle>, lower_limit_of<Axes, length>,
+         upper_limit_of<Axes, length>),
+     ...);
     return all;
   }(typename Chain::axes());
 
@@ -149,7 +157,9 @@ struct chain_limits {
   // m: the chain stretched out, its sliding joints as far as their limits let them.
   static constexpr double span = [] {
     double sum = 0;
-    const auto add = [&](const std::array<double, 3>& v) { sum += constant_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); };
+    const auto add = [&](const std::array<double, 3>& v) {
+      sum += constant_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    };
     for (const auto& l : chain_links<Chain>) {
       add(l.at);
       const double high = upper(l.coordinate), low = lower(l.coordinate), far = high > -low ? high : -low;
@@ -179,7 +189,8 @@ public:
     answer best = descend(wanted, near);
     for (int start = 1; start < Settings::starts && best.status != reaching::reached; ++start) {
       const answer other = descend(wanted, other_start(start));
-      if (other.status == reaching::reached || other.distance < best.distance - 1e-6 * limits::span) best = other;
+      if (other.status == reaching::reached || other.distance < best.distance - 1e-6 * limits::span)
+        best = other;
     }
     return best;
   }
@@ -210,8 +221,10 @@ private:
           j.col(k).setZero();
           gradient[k] = 0;
         }
-      // At a tenth of a millionth of the span from the nearest point the distance is exact to the digits of a double.
-      if (gradient.dot(gradient) <= 1e-12 * span * span * cost) return {q, std::sqrt(cost), reaching::nearest};
+      // At a tenth of a millionth of the span from the nearest point the distance is exact to the digits of a
+      // double.
+      if (gradient.dot(gradient) <= 1e-12 * span * span * cost)
+        return {q, std::sqrt(cost), reaching::nearest};
 
       Eigen::Matrix<double, task::rows, task::rows> a = j * j.transpose();
       a.diagonal().array() += damping;
@@ -221,7 +234,8 @@ private:
       const auto error = task::error(wanted, there.tip());
       const double foretold = step.dot(damping * step + gradient), cost_there = error.dot(error);
       if (cost_there < cost) {
-        const double gain = 2 * (cost - cost_there) / std::max(foretold, std::numeric_limits<double>::min()) - 1;
+        const double gain =
+            2 * (cost - cost_there) / std::max(foretold, std::numeric_limits<double>::min()) - 1;
         damping = std::max(1e-12 * span * span, damping * std::clamp(1 - gain * gain * gain, 1.0 / 3, 2.0));
         growth = 2;
         q = next, now = there, e = error, cost = cost_there;
@@ -232,7 +246,8 @@ private:
         growth *= 2;
       }
     }
-    return {q, std::sqrt(cost), cost <= Settings::tolerance * Settings::tolerance ? reaching::reached : reaching::unfinished};
+    return {q, std::sqrt(cost),
+            cost <= Settings::tolerance * Settings::tolerance ? reaching::reached : reaching::unfinished};
   }
 };
 

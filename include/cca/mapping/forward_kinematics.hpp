@@ -2,9 +2,10 @@
 //
 //   cca::node<"paw", cca::forward_kinematics<leg, leg_angles, paw_in_trunk>>      in "angles", out "position"
 //
-// The output's space is one of positions (over any of the axes x, y, z), of orientations (out "orientation") or of poses (out
-// "pose"), in the frame of the chain's base. The input's axes hold those of the chain, in any order, and may hold others.
-// Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example: tests/runtime/mapping/kinematics.cpp.
+// The output's space is one of positions (over any of the axes x, y, z), of orientations (out "orientation")
+// or of poses (out "pose"), in the frame of the chain's base. The input's axes hold those of the chain, in
+// any order, and may hold others. Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example:
+// tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
 #include <cca/component/port.hpp>
@@ -22,12 +23,14 @@ constexpr auto tip_port() {
 }
 
 template <class Space>
-constexpr bool says_where_tip_is = one_kind<typename Space::domain, cartesian_position<void>> ||
-                                   one_kind<typename Space::domain, orientation<void>> || one_kind<typename Space::domain, pose<void>>;
+constexpr bool says_where_tip_is =
+    one_kind<typename Space::domain, cartesian_position<void>> ||
+    one_kind<typename Space::domain, orientation<void>> || one_kind<typename Space::domain, pose<void>>;
 
 template <class Space>
 constexpr bool has_cartesian_axes() {
-  return !one_kind<typename Space::domain, cartesian_position<void>> || cartesian_part<typename Space::axes>::named;
+  return !one_kind<typename Space::domain, cartesian_position<void>> ||
+         cartesian_part<typename Space::axes>::named;
 }
 
 template <class Space>
@@ -48,23 +51,30 @@ typename Space::vector_type tip_in(const rigid& tip) {
 }
 
 template <class Space>
-struct tip_frame_of { using type = void; };
+struct tip_frame_of {
+  using type = void;
+};
 template <CartesianSpace Space>
-struct tip_frame_of<Space> { using type = typename frame_along<typename Space::domain>::type; };
+struct tip_frame_of<Space> {
+  using type = typename frame_along<typename Space::domain>::type;
+};
 
 // In a function, for the reason that stands in mapping.hpp.
 template <class Chain, class Tip>
 constexpr auto check_tip() {
   static_assert(says_where_tip_is<Tip> && has_cartesian_axes<Tip>(),
-                "space.mismatch: kinematics lead to a space of positions over axes x, y and z, of orientations or of poses");
+                "space.mismatch: kinematics lead to a space of positions over axes x, y and z, of "
+                "orientations or of poses");
   static_assert(!says_where_tip_is<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
-                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, and this space is in another "
+                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, and "
+                "this space is in another "
                 "one; put a `cca::frame_change` in between");
 }
 template <class Chain, class Joints>
 constexpr auto check_joints_within() {
   static_assert(MovedWithin<Chain, Joints>,
-                "space.mismatch: this space of joint angles lacks an axis that the chain moves about; its axes must hold all of the chain's");
+                "space.mismatch: this space of joint angles lacks an axis that the chain moves about; its "
+                "axes must hold all of the chain's");
 }
 
 }  // namespace detail
@@ -75,7 +85,8 @@ struct forward_kinematics {
   using checked_too = decltype(detail::check_joints_within<Chain, Joints>());
 
   auto process(in<"angles", Joints> angles) -> out<detail::tip_port<Tip>(), Tip> {
-    return detail::tip_in<Tip>(chain_pose<Chain>(detail::picked<typename Chain::axes, Joints>::from(angles.vector())).tip());
+    return detail::tip_in<Tip>(
+        chain_pose<Chain>(detail::picked<typename Chain::axes, Joints>::from(angles.vector())).tip());
   }
 };
 

@@ -2,13 +2,15 @@
 //
 //   cca::node<"ik", cca::inverse_kinematics<leg, leg_angles, paw_in_trunk>>
 //
-//   in "position" ("orientation", "pose": as the space is), in the frame of the chain's base; optional "near" (rad): where to start
-//   out "angles" (rad; prismatic joints: m), within the limits that the axes state; "status": a cca::reaching
+//   in "position" ("orientation", "pose": as the space is), in the frame of the chain's base; optional "near"
+//   (rad): where to start out "angles" (rad; prismatic joints: m), within the limits that the axes state;
+//   "status": a cca::reaching
 //
-// What can't be reached is answered with the angles of the nearest point and `nearest`; what is no number with the last
-// angles and `unreadable`. So the angles are finite, always. Without "near" it starts from its last answer.
-// A leg that is a cca::pantograph_leg is solved in closed form, every other chain by damped least squares; the fourth argument
-// is their settings. Errors: frame.mismatch, space.mismatch. Example: tests/runtime/mapping/kinematics.cpp.
+// What can't be reached is answered with the angles of the nearest point and `nearest`; what is no number
+// with the last angles and `unreadable`. So the angles are finite, always. Without "near" it starts from its
+// last answer. A leg that is a cca::pantograph_leg is solved in closed form, every other chain by damped
+// least squares; the fourth argument is their settings. Errors: frame.mismatch, space.mismatch. Example:
+// tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
 #include <tuple>
@@ -19,20 +21,25 @@ namespace cca {
 namespace detail {
 
 template <class Chain, class Joints, class Tip, class Settings>
-struct solver_of { using type = least_squares_solver<Chain, Joints, Tip, Settings>; };
+struct solver_of {
+  using type = least_squares_solver<Chain, Joints, Tip, Settings>;
+};
 
 // The plane's two coordinates for two joints, if it is that of the base's x and z; all three for three.
 template <PantographLeg Leg, class Joints, class Tip, class Settings>
   requires(one_kind<typename Tip::domain, cartesian_position<void>> &&
-           ((Leg::axes::count == 2 && std::is_same_v<typename Tip::axes, axes<x, z>> && Leg::geometry.hip.rotation[0] == 0 &&
-             Leg::geometry.hip.rotation[2] == 0) ||
+           ((Leg::axes::count == 2 && std::is_same_v<typename Tip::axes, axes<x, z>> &&
+             Leg::geometry.hip.rotation[0] == 0 && Leg::geometry.hip.rotation[2] == 0) ||
             (Leg::axes::count == 3 && std::is_same_v<typename Tip::axes, axes<x, y, z>>)))
-struct solver_of<Leg, Joints, Tip, Settings> { using type = pantograph_solver<Leg, Joints, Tip, Settings>; };
+struct solver_of<Leg, Joints, Tip, Settings> {
+  using type = pantograph_solver<Leg, Joints, Tip, Settings>;
+};
 
 template <class Chain, class Joints>
 constexpr auto check_joints() {
   static_assert(MovedBy<Chain, Joints>,
-                "space.mismatch: the angles of an inverse kinematics are over the axes that the chain moves about, all of them and no others");
+                "space.mismatch: the angles of an inverse kinematics are over the axes that the chain moves "
+                "about, all of them and no others");
 }
 
 }  // namespace detail
@@ -51,7 +58,8 @@ public:
   auto process(in<detail::tip_port<Tip>(), Tip> wanted, optional_in<"near", Joints> near)
       -> std::tuple<out<"angles", Joints>, out<"status", reaching_status>> {
     auto target = wanted.vector();
-    if (!detail::readable<Tip>(target, limits::span)) return {order::to(last), status_of(reaching::unreadable)};
+    if (!detail::readable<Tip>(target, limits::span))
+      return {order::to(last), status_of(reaching::unreadable)};
     if (near) {
       const vector start = order::from(near.vector());
       for (int i = 0; i < vector::RowsAtCompileTime; ++i)

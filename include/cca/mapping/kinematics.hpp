@@ -2,11 +2,13 @@
 //
 //   const cca::chain_pose<arm> now(angles);      angles: Eigen vector over arm::axes, rad (prismatic: m)
 //   now.tip()        position and orientation of the tip in the chain's base
-//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the tip's origin, along the base's axes
+//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the tip's origin,
+//   along the base's axes
 //
-// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most a product of two 3 x 3 matrices a joint.
-// Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and Control, 2009, chapters 2 and 3 (geometric Jacobian).
-// Checked against Orocos KDL on random trees, and against differences of positions.
+// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most a product of two 3 x 3 matrices
+// a joint. Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and Control, 2009,
+// chapters 2 and 3 (geometric Jacobian). Checked against Orocos KDL on random trees, and against differences
+// of positions.
 #pragma once
 
 #include <array>
@@ -14,7 +16,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
 namespace cca {
@@ -27,13 +29,15 @@ struct rigid {
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
   CCA_GLUE rigid operator*(const placement& p) const {
-    return {turn * rotation::matrix(detail::as_vector(p.rotation)), turn * detail::as_vector(p.translation) + at};
+    return {turn * rotation::matrix(detail::as_vector(p.rotation)),
+            turn * detail::as_vector(p.translation) + at};
   }
 };
 
 namespace detail {
 
-// A rotation by columns, turned further about an axis of its own. About x, y or z two columns change; else it's Rodrigues' formula.
+// A rotation by columns, turned further about an axis of its own. About x, y or z two columns change; else
+// it's Rodrigues' formula.
 CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
   const double s = std::sin(angle), c = std::cos(angle);
   if (l.principal >= 0) {
@@ -58,7 +62,9 @@ struct placed_link {
 };
 
 template <std::size_t Count, class Coordinates>
-CCA_GLUE void place_links(const std::array<body_link, Count>& links, const Coordinates& q, std::array<placed_link, Count>& placed) {
+CCA_GLUE void place_links(const std::array<body_link, Count>& links,
+                          const Coordinates& q,
+                          std::array<placed_link, Count>& placed) {
   const rigid base;
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
@@ -74,9 +80,13 @@ CCA_GLUE void place_links(const std::array<body_link, Count>& links, const Coord
   }
 }
 
-// The velocity of a point that the last link carries, for each coordinate: its column of the geometric Jacobian.
+// The velocity of a point that the last link carries, for each coordinate: its column of the geometric
+// Jacobian.
 template <std::size_t Count, class Jacobian>
-CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, int last, const vector3& point,
+CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links,
+                            const std::array<placed_link, Count>& placed,
+                            int last,
+                            const vector3& point,
                             Jacobian& jacobian) {
   jacobian.setZero();
   for (int i = last; i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
@@ -84,14 +94,16 @@ CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links, const std
     const placed_link& at = placed[static_cast<std::size_t>(i)];
     if (l.kind == joint_kind::revolute) {
       jacobian.col(l.coordinate).template head<3>() += l.ratio * at.axis;
-      jacobian.col(l.coordinate).template tail<3>() += l.ratio * rotation::cross<double>(at.axis, point - at.frame.at);
+      jacobian.col(l.coordinate).template tail<3>() +=
+          l.ratio * rotation::cross<double>(at.axis, point - at.frame.at);
     } else {
       jacobian.col(l.coordinate).template tail<3>() += l.ratio * at.axis;
     }
   }
 }
 
-// From the columns of a rotation; the largest of the four squares is the one that is divided by (Shepperd 1978).
+// From the columns of a rotation; the largest of the four squares is the one that is divided by (Shepperd
+// 1978).
 inline vector4 quaternion_of(const matrix3& m) {
   const double trace = m(0, 0) + m(1, 1) + m(2, 2);
   int largest = 3;
@@ -122,22 +134,23 @@ struct picked<axes<Wanted...>, Space> {
   template <class Vector>
   static auto from(const Vector& v) {
     Eigen::Matrix<double, sizeof...(Wanted), 1> q;
-    for (int i = 0; i < static_cast<int>(sizeof...(Wanted)); ++i) q[i] = v[index[static_cast<std::size_t>(i)]];
+    for (int i = 0; i < static_cast<int>(sizeof...(Wanted)); ++i)
+      q[i] = v[index[static_cast<std::size_t>(i)]];
     return q;
   }
   template <class Vector>
   static typename Space::vector_type to(const Vector& q) {
     typename Space::vector_type v = Space::vector_type::Zero();
-    for (int i = 0; i < static_cast<int>(sizeof...(Wanted)); ++i) v[index[static_cast<std::size_t>(i)]] = q[i];
+    for (int i = 0; i < static_cast<int>(sizeof...(Wanted)); ++i)
+      v[index[static_cast<std::size_t>(i)]] = q[i];
     return v;
   }
 };
 
 // Whether the space has the chain's axes and no others.
-template <class Chain, class Space>
-concept MovedBy = picked<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
-template <class Chain, class Space>
-concept MovedWithin = picked<typename Chain::axes, Space>::all;
+template <class Chain, class Space> concept MovedBy =
+    picked<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
+template <class Chain, class Space> concept MovedWithin = picked<typename Chain::axes, Space>::all;
 
 }  // namespace detail
 
@@ -146,11 +159,14 @@ class chain_pose {
 public:
   static constexpr int size = Chain::axes::count;
   static constexpr std::size_t count = Chain::joints.size();
-  static_assert(detail::coordinates_exist<Chain>, "cca::serial_chain: a joint is driven by a coordinate that the chain has no axis for");
+  static_assert(detail::coordinates_exist<Chain>,
+                "cca::serial_chain: a joint is driven by a coordinate that the chain has no axis for");
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 
-  CCA_GLUE explicit chain_pose(const vector_type& q) { detail::place_links(detail::chain_links<Chain>, q, links); }
+  CCA_GLUE explicit chain_pose(const vector_type& q) {
+    detail::place_links(detail::chain_links<Chain>, q, links);
+  }
 
   // In the base: a link, and the tip.
   const rigid& link(std::size_t i) const { return links[i].frame; }

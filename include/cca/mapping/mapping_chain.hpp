@@ -2,10 +2,10 @@
 //
 //   struct foot_to_world : cca::mapping_chain<leg_forward, hip_to_trunk, trunk_to_world> {};
 //
-// Its ports are the input of the first and the output of the last, by their names; besides it publishes every status of every
-// mapping, in their order, and has none of their optional inputs. `get<0>()` is the first mapping.
-// Errors: mapping.chain, where a mapping takes another space (domain type, frame, axes, rate) than the one before gives.
-// Cost: that of its mappings. Example: tests/runtime/mapping/example.cpp.
+// Its ports are the input of the first and the output of the last, by their names; besides it publishes every
+// status of every mapping, in their order, and has none of their optional inputs. `get<0>()` is the first
+// mapping. Errors: mapping.chain, where a mapping takes another space (domain type, frame, axes, rate) than
+// the one before gives. Cost: that of its mappings. Example: tests/runtime/mapping/example.cpp.
 #pragma once
 
 #include <array>
@@ -23,8 +23,10 @@ namespace detail {
 template <class Given, class Taken, bool Meet = matching<Given, Taken>>
 constexpr auto check_link() {
   static_assert(Meet,
-                "mapping.chain: a mapping of this chain takes samples of another space (domain type, frame, axes or rate) than the "
-                "mapping before it gives; put one between them that maps the first to the second, `cca::frame_change` where only "
+                "mapping.chain: a mapping of this chain takes samples of another space (domain type, frame, "
+                "axes or rate) than the "
+                "mapping before it gives; put one between them that maps the first to the second, "
+                "`cca::frame_change` where only "
                 "the frames differ");
   return std::bool_constant<Meet>{};
 }
@@ -34,7 +36,8 @@ template <class Before, class... Rest>
 constexpr auto check_chain() {
   if constexpr (sizeof...(Rest) > 0) {
     using next = std::tuple_element_t<0, std::tuple<Rest...>>;
-    if constexpr (decltype(check_link<output_space<Before>, input_space<next>>())::value) return check_chain<Rest...>();
+    if constexpr (decltype(check_link<output_space<Before>, input_space<next>>())::value)
+      return check_chain<Rest...>();
     else return std::false_type{};
   } else {
     return std::true_type{};
@@ -45,42 +48,49 @@ template <class Result>
 struct statuses_in;
 template <class... Results>
 struct statuses_in<list<Results...>> {
-  using type = decltype(std::tuple_cat(std::declval<std::conditional_t<is_mapped<Results>, std::tuple<>, std::tuple<Results>>>()...));
+  using type = decltype(std::tuple_cat(
+      std::declval<std::conditional_t<is_mapped<Results>, std::tuple<>, std::tuple<Results>>>()...));
 };
 template <class Component>
 using statuses_of = typename statuses_in<typename process_facts<Component>::results>::type;
 
 template <class Result>
 constexpr auto as_tuple(Result&& result) {
-  if constexpr (requires { std::tuple_size<std::remove_cvref_t<Result>>::value; }) return std::forward<Result>(result);
+  if constexpr (requires { std::tuple_size<std::remove_cvref_t<Result>>::value; })
+    return std::forward<Result>(result);
   else return std::tuple<std::remove_cvref_t<Result>>(std::forward<Result>(result));
 }
 
 // The output, and the statuses, of what `process` returned.
 template <class Result>
 constexpr auto output_in(const Result& all) {
-  return std::apply([](const auto&... one) {
-    return std::get<0>(std::tuple_cat([&] {
-      using port = std::remove_cvref_t<decltype(one)>;
-      if constexpr (is_mapped<port>) return std::tuple<port>(one);
-      else return std::tuple<>();
-    }()...));
-  }, all);
+  return std::apply(
+      [](const auto&... one) {
+        return std::get<0>(std::tuple_cat([&] {
+          using port = std::remove_cvref_t<decltype(one)>;
+          if constexpr (is_mapped<port>) return std::tuple<port>(one);
+          else return std::tuple<>();
+        }()...));
+      },
+      all);
 }
 template <class Result>
 constexpr auto statuses_among(const Result& all) {
-  return std::apply([](const auto&... one) {
-    return std::tuple_cat([&] {
-      using port = std::remove_cvref_t<decltype(one)>;
-      if constexpr (is_mapped<port>) return std::tuple<>();
-      else return std::tuple<port>(one);
-    }()...);
-  }, all);
+  return std::apply(
+      [](const auto&... one) {
+        return std::tuple_cat([&] {
+          using port = std::remove_cvref_t<decltype(one)>;
+          if constexpr (is_mapped<port>) return std::tuple<>();
+          else return std::tuple<port>(one);
+        }()...);
+      },
+      all);
 }
 
 // What `process` of a mapping returns for an input, as a tuple, all other inputs as if they were not wired.
 template <class Component, class... Parameters, class Input>
-constexpr auto called(Component& component, list<Parameters...>, const Input& input, const beat& now, bool fresh) {
+constexpr auto called(
+    Component& component, list<Parameters...>, const Input& input, const beat& now, bool fresh) {
   return as_tuple(component.process([&]() -> Parameters {
     if constexpr (is_mapped<Parameters>) return Parameters(input.vector(), input.origin(), fresh);
     else if constexpr (std::is_same_v<Parameters, beat>) return now;
@@ -111,11 +121,14 @@ template <Mapping First, Mapping... Rest>
 class mapping_chain {
   using all = std::tuple<First, Rest...>;
   using last = std::tuple_element_t<sizeof...(Rest), all>;
-  using result = decltype(std::tuple_cat(std::declval<std::tuple<typename detail::mapped_outputs<last>::first>>(),
-                                         std::declval<detail::statuses_of<First>>(), std::declval<detail::statuses_of<Rest>>()...));
+  using result =
+      decltype(std::tuple_cat(std::declval<std::tuple<typename detail::mapped_outputs<last>::first>>(),
+                              std::declval<detail::statuses_of<First>>(),
+                              std::declval<detail::statuses_of<Rest>>()...));
   using meet = decltype(detail::check_chain<First, Rest...>());
   static_assert(detail::names_in<result>::distinct,
-                "cca::mapping_chain: two of its outputs have one name: at most one of its mappings may have a status of that name");
+                "cca::mapping_chain: two of its outputs have one name: at most one of its mappings may have "
+                "a status of that name");
 
 public:
   auto process(typename detail::mapped_inputs<First>::first input, beat now) -> result {
@@ -124,7 +137,9 @@ public:
   }
 
   template <std::size_t Index>
-  auto& get() { return std::get<Index>(mappings); }
+  auto& get() {
+    return std::get<Index>(mappings);
+  }
 
 private:
   template <std::size_t Index, class First_, class Input, class Statuses>
@@ -133,10 +148,10 @@ private:
     const auto made = detail::called(mapping, input, now, first.fresh());
     const auto output = detail::output_in(made);
     const auto statuses = std::tuple_cat(before, detail::statuses_among(made));
-    if constexpr (Index == sizeof...(Rest))
-      return std::tuple_cat(std::tuple(output), statuses);
+    if constexpr (Index == sizeof...(Rest)) return std::tuple_cat(std::tuple(output), statuses);
     else
-      return run<Index + 1>(first, sample<typename decltype(output)::space>(output.vector(), first.origin()), now, statuses);
+      return run<Index + 1>(first, sample<typename decltype(output)::space>(output.vector(), first.origin()),
+                            now, statuses);
   }
 
   all mappings;

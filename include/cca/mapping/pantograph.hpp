@@ -1,18 +1,22 @@
-// A leg of three segments whose lower one stays parallel to the upper: a pantograph, as Oncilla's. Kinematics in closed form.
+// A leg of three segments whose lower one stays parallel to the upper: a pantograph, as Oncilla's. Kinematics
+// in closed form.
 //
 //   struct left_front_leg : cca::pantograph_leg<trunk, paw, cca::axes<abduction, hip, knee>,
-//                                               cca::pantograph{.upper = 0.078, .middle = 0.095, .lower = 0.06, .side = 1}> {};
+//                                               cca::pantograph{.upper = 0.078, .middle = 0.095, .lower =
+//                                               0.06, .side = 1}> {};
 //
-// Frame: x forward, y left, z up, its origin in the hip, or where `hip` places it in the base. The leg's plane is that of x and
-// z, turned about x by the abduction (positive outward: to +y on side +1, the left one). In it a segment at angle t points to
-// (sin t, -cos t): the upper one stands at `hip`, the middle one at `hip - knee`, the lower one at `hip` again. So it is a leg
-// of two links, upper + lower and middle. With axes<hip, knee> it stays in its plane: then positions are over axes<x, z>, and a hip
-// that is turned out of the base's plane of x and z makes it any serial chain, solved as that.
+// Frame: x forward, y left, z up, its origin in the hip, or where `hip` places it in the base. The leg's
+// plane is that of x and z, turned about x by the abduction (positive outward: to +y on side +1, the left
+// one). In it a segment at angle t points to (sin t, -cos t): the upper one stands at `hip`, the middle one
+// at `hip - knee`, the lower one at `hip` again. So it is a leg of two links, upper + lower and middle. With
+// axes<hip, knee> it stays in its plane: then positions are over axes<x, z>, and a hip that is turned out of
+// the base's plane of x and z makes it any serial chain, solved as that.
 //
-// It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of all there are: the
-// reachable points of the plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and
-// the nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, chapter 2).
-// Preconditions: lengths are positive, a range of abduction is less than a turn. Cost: about 10 sines and arc tangents.
+// It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of
+// all there are: the reachable points of the plane are bounded by arcs on which one joint is at its limit or
+// the leg is straight or folded, and the nearest point of an arc is known (law of cosines; compare Siciliano
+// et al., Robotics, 2009, chapter 2). Preconditions: lengths are positive, a range of abduction is less than
+// a turn. Cost: about 10 sines and arc tangents.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +25,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 
 namespace cca {
@@ -34,7 +38,8 @@ struct pantograph {
 
 template <class Base, class Tip, class Axes, pantograph Geometry>
 struct pantograph_leg : serial_chain<Base, Tip, Axes> {
-  static_assert(Axes::count == 2 || Axes::count == 3, "cca::pantograph_leg: its axes are abduction, hip and knee, or hip and knee");
+  static_assert(Axes::count == 2 || Axes::count == 3,
+                "cca::pantograph_leg: its axes are abduction, hip and knee, or hip and knee");
   static constexpr pantograph geometry = Geometry;
   static constexpr placement tip = at(0, 0, -Geometry.lower);
   static constexpr auto joints = [] {
@@ -49,8 +54,9 @@ struct pantograph_leg : serial_chain<Base, Tip, Axes> {
   }();
 };
 
-template <class Type>
-concept PantographLeg = SerialChain<Type> && requires { requires std::is_same_v<std::remove_cvref_t<decltype(Type::geometry)>, pantograph>; };
+template <class Type> concept PantographLeg = SerialChain<Type> && requires {
+  requires std::is_same_v<std::remove_cvref_t<decltype(Type::geometry)>, pantograph>;
+};
 
 namespace detail {
 
@@ -73,21 +79,27 @@ struct plane_leg {
   CCA_GLUE answer solve(double x, double z, double hip_before, double knee_before) const {
     answer best;
     const auto offer = [&](double hip, double knee) {
-      const double dx = a * std::sin(hip) + b * std::sin(hip - knee) - x, dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
-      const double square = dx * dx + dz * dz, change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
+      const double dx = a * std::sin(hip) + b * std::sin(hip - knee) - x,
+                   dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
+      const double square = dx * dx + dz * dz,
+                   change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
       constexpr double same = 1e-24;  // m^2: then the one that moves less
-      if (square < best.square - same || (square <= best.square + same && change < best.change)) best = {hip, knee, square, change};
+      if (square < best.square - same || (square <= best.square + same && change < best.change))
+        best = {hip, knee, square, change};
     };
     const double towards = std::atan2(x, -z);
     // With a knee, the hip that turns the foot to the target.
     const auto with_knee = [&](double knee) {
       if (knee < knee_low || knee > knee_high) return;
-      CCA_INLINE_CALL offer(nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high), knee);
+      CCA_INLINE_CALL offer(
+          nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high),
+          knee);
     };
     // With a hip, the knee that turns the middle segment to the target.
     const auto with_hip = [&](double hip) {
       if (!std::isfinite(hip)) return;
-      CCA_INLINE_CALL offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))), knee_low, knee_high));
+      CCA_INLINE_CALL offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))),
+                                            knee_low, knee_high));
     };
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
     if (std::abs(cosine) <= 1)
@@ -108,8 +120,12 @@ class pantograph_solver {
   static constexpr bool abducted = Leg::axes::count == 3;
   static constexpr int hip = abducted, knee = hip + 1;
   static constexpr pantograph geometry = Leg::geometry;
-  static constexpr plane_leg leg{geometry.upper + geometry.lower, geometry.middle, limits::lower(hip), limits::upper(hip),
-                                 limits::lower(knee), limits::upper(knee)};
+  static constexpr plane_leg leg{geometry.upper + geometry.lower,
+                                 geometry.middle,
+                                 limits::lower(hip),
+                                 limits::upper(hip),
+                                 limits::lower(knee),
+                                 limits::upper(knee)};
 
 public:
   using vector = typename limits::vector;
@@ -125,15 +141,19 @@ public:
       const vector3 p = in_hip(wanted);
       const double radius = std::hypot(p[1], p[2]);
       // The tilt that turns the plane to the target, for a foot below the hip and for one above it.
-      const double first = radius > 0 ? std::atan2(p[1], -p[2]) : 0, second = radius > 0 ? std::atan2(-p[1], p[2]) : 0;
+      const double first = radius > 0 ? std::atan2(p[1], -p[2]) : 0,
+                   second = radius > 0 ? std::atan2(-p[1], p[2]) : 0;
       const double side = geometry.side < 0 ? -1 : 1;
-      const double low = side > 0 ? limits::lower(0) : -limits::upper(0), high = side > 0 ? limits::upper(0) : -limits::lower(0);
+      const double low = side > 0 ? limits::lower(0) : -limits::upper(0),
+                   high = side > 0 ? limits::upper(0) : -limits::lower(0);
       for (const double towards : {first, second}) {
         const double tilt = nearest_in(towards, low, high);
-        const double across = p[1] * std::cos(tilt) + p[2] * std::sin(tilt), up = p[2] * std::cos(tilt) - p[1] * std::sin(tilt);
+        const double across = p[1] * std::cos(tilt) + p[2] * std::sin(tilt),
+                     up = p[2] * std::cos(tilt) - p[1] * std::sin(tilt);
         const auto found = leg.solve(p[0], up, near[hip], near[knee]);
         const double distance = std::sqrt(found.square + across * across);
-        if (distance < best.distance - 1e-12) best = {vector(side * tilt, found.hip, found.knee), distance, reaching::nearest};
+        if (distance < best.distance - 1e-12)
+          best = {vector(side * tilt, found.hip, found.knee), distance, reaching::nearest};
       }
     } else {
       const vector3 p = in_hip(wanted);

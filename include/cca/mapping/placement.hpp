@@ -1,10 +1,12 @@
-// Placements: where one frame stands in another one, as a constant: what is built into a robot, not what moves.
+// Placements: where one frame stands in another one, as a constant: what is built into a robot, not what
+// moves.
 //
-//   struct hip_in_trunk : cca::placed<hip, trunk> { static constexpr auto where = cca::at(0.1175, 0.075, 0.0); };
+//   struct hip_in_trunk : cca::placed<hip, trunk> { static constexpr auto where = cca::at(0.1175, 0.075,
+//   0.0); };
 //
-// A placement is a translation in m and a rotation, a unit quaternion x, y, z, w: it takes coordinates in the thing's frame to
-// those in the other one. `a * b` is b placed in a; `turned_about(axis, angle)` and `at(x, y, z)` make one, at compile time.
-// Precondition: an axis has a length other than 0.
+// A placement is a translation in m and a rotation, a unit quaternion x, y, z, w: it takes coordinates in the
+// thing's frame to those in the other one. `a * b` is b placed in a; `turned_about(axis, angle)` and `at(x,
+// y, z)` make one, at compile time. Precondition: an axis has a length other than 0.
 #pragma once
 
 #include <array>
@@ -26,14 +28,16 @@ inline constexpr std::array<double, 3> along_x{1, 0, 0}, along_y{0, 1, 0}, along
 
 namespace detail {
 
-// The sine at compile time: a Taylor series within [-pi/4, pi/4], whose rest is below 1e-19, and quarter turns.
+// The sine at compile time: a Taylor series within [-pi/4, pi/4], whose rest is below 1e-19, and quarter
+// turns.
 constexpr double series_of_sine(double x, bool cosine) {
   double term = cosine ? 1 : x, sum = term;
   for (int n = cosine ? 1 : 2; n < 20; n += 2) sum += term *= -x * x / (n * (n + 1));
   return sum;
 }
 constexpr double constant_sine(double x, int quarter = 0) {
-  constexpr double quarter_turn = 1.57079632673412561417, rest = 6.07710050650619224932e-11;  // 33 bits: its multiples are exact
+  constexpr double quarter_turn = 1.57079632673412561417,
+                   rest = 6.07710050650619224932e-11;  // 33 bits: its multiples are exact
   const auto turns = static_cast<long long>(x / quarter_turn + (x < 0 ? -0.5 : 0.5));
   const double within = (x - static_cast<double>(turns) * quarter_turn) - static_cast<double>(turns) * rest;
   const auto q = ((turns + quarter) % 4 + 4) % 4;
@@ -51,8 +55,10 @@ constexpr double constant_root(double square) {
 }
 
 constexpr std::array<double, 3> turned_by(const std::array<double, 4>& q, const std::array<double, 3>& v) {
-  const double tx = 2 * (q[1] * v[2] - q[2] * v[1]), ty = 2 * (q[2] * v[0] - q[0] * v[2]), tz = 2 * (q[0] * v[1] - q[1] * v[0]);
-  return {v[0] + q[3] * tx + q[1] * tz - q[2] * ty, v[1] + q[3] * ty + q[2] * tx - q[0] * tz, v[2] + q[3] * tz + q[0] * ty - q[1] * tx};
+  const double tx = 2 * (q[1] * v[2] - q[2] * v[1]), ty = 2 * (q[2] * v[0] - q[0] * v[2]),
+               tz = 2 * (q[0] * v[1] - q[1] * v[0]);
+  return {v[0] + q[3] * tx + q[1] * tz - q[2] * ty, v[1] + q[3] * ty + q[2] * tx - q[0] * tz,
+          v[2] + q[3] * tz + q[0] * ty - q[1] * tx};
 }
 
 }  // namespace detail
@@ -70,8 +76,10 @@ constexpr placement operator*(const placement& a, const placement& b) {
   const auto &p = a.rotation, &q = b.rotation;
   const auto moved = detail::turned_by(p, b.translation);
   return {{moved[0] + a.translation[0], moved[1] + a.translation[1], moved[2] + a.translation[2]},
-          {p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1], p[3] * q[1] - p[0] * q[2] + p[1] * q[3] + p[2] * q[0],
-           p[3] * q[2] + p[0] * q[1] - p[1] * q[0] + p[2] * q[3], p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2]}};
+          {p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1],
+           p[3] * q[1] - p[0] * q[2] + p[1] * q[3] + p[2] * q[0],
+           p[3] * q[2] + p[0] * q[1] - p[1] * q[0] + p[2] * q[3],
+           p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2]}};
 }
 
 constexpr placement inverse(const placement& a) {
@@ -87,8 +95,7 @@ struct placed {
   using frame = Frame;
 };
 
-template <class Type>
-concept Placed = requires {
+template <class Type> concept Placed = requires {
   typename Type::thing;
   typename Type::frame;
   { Type::where } -> std::convertible_to<placement>;

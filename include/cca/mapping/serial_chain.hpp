@@ -1,15 +1,17 @@
 // Serial chains: joints in a row, from one frame to another, as constants of a named struct.
 //
 //   struct arm : cca::serial_chain<trunk, hand, cca::axes<shoulder, elbow>> {
-//     static constexpr std::array joints{cca::revolute(cca::along_z, cca::at(0, 0.1, 0)), cca::revolute(cca::along_y, cca::at(0.3, 0, 0))};
-//     static constexpr cca::placement tip = cca::at(0.25, 0, 0);
-//     static constexpr std::array<cca::link_inertia, 2> links{...};   // optional: what each joint carries
+//     static constexpr std::array joints{cca::revolute(cca::along_z, cca::at(0, 0.1, 0)),
+//     cca::revolute(cca::along_y, cca::at(0.3, 0, 0))}; static constexpr cca::placement tip = cca::at(0.25,
+//     0, 0); static constexpr std::array<cca::link_inertia, 2> links{...};   // optional: what each joint
+//     carries
 //   };
 //
-// A joint stands in the frame of the link before it (the first one: in the chain's base), with its angle at 0, and moves what
-// follows about or along its axis. The tip stands in the last link. Each joint has a coordinate, by default the one of its own
-// index; a coupled joint names another's, and a ratio: a pantograph is two joints of one coordinate with ratios 1 and -1.
-// Units: m, rad (a prismatic joint's coordinate: m), kg, kg m^2. An axis has a length other than 0; it is normalised.
+// A joint stands in the frame of the link before it (the first one: in the chain's base), with its angle at
+// 0, and moves what follows about or along its axis. The tip stands in the last link. Each joint has a
+// coordinate, by default the one of its own index; a coupled joint names another's, and a ratio: a pantograph
+// is two joints of one coordinate with ratios 1 and -1. Units: m, rad (a prismatic joint's coordinate: m),
+// kg, kg m^2. An axis has a length other than 0; it is normalised.
 #pragma once
 
 #include <array>
@@ -32,14 +34,20 @@ struct joint {
   double rest = 0;
 
   // The same joint moved by another coordinate.
-  constexpr joint driven_by(int other, double by = 1, double at_zero = 0) const { return {kind, axis, where, other, by, at_zero}; }
+  constexpr joint driven_by(int other, double by = 1, double at_zero = 0) const {
+    return {kind, axis, where, other, by, at_zero};
+  }
 };
 
-constexpr joint revolute(const std::array<double, 3>& axis, const placement& where = {}) { return {joint_kind::revolute, axis, where}; }
-constexpr joint prismatic(const std::array<double, 3>& axis, const placement& where = {}) { return {joint_kind::prismatic, axis, where}; }
+constexpr joint revolute(const std::array<double, 3>& axis, const placement& where = {}) {
+  return {joint_kind::revolute, axis, where};
+}
+constexpr joint prismatic(const std::array<double, 3>& axis, const placement& where = {}) {
+  return {joint_kind::prismatic, axis, where};
+}
 
-// Mass in kg, its centre in the link's frame in m, the inertia about that centre along the link's axes in kg m^2: xx, yy, zz,
-// xy, xz, yz (the products as they stand in the matrix).
+// Mass in kg, its centre in the link's frame in m, the inertia about that centre along the link's axes in kg
+// m^2: xx, yy, zz, xy, xz, yz (the products as they stand in the matrix).
 struct link_inertia {
   double mass = 0;
   std::array<double, 3> centre{};
@@ -53,8 +61,7 @@ struct serial_chain {
   using axes = Axes;
 };
 
-template <class Type>
-concept SerialChain = requires {
+template <class Type> concept SerialChain = requires {
   typename Type::base;
   typename Type::tip_frame;
   typename Type::axes;
@@ -63,12 +70,12 @@ concept SerialChain = requires {
 };
 
 // With what its links weigh.
-template <class Type>
-concept DynamicChain = SerialChain<Type> && requires { Type::links.size(); };
+template <class Type> concept DynamicChain = SerialChain<Type> && requires { Type::links.size(); };
 
 namespace detail {
 
-// A joint ready for use: its place as a matrix (by columns), its axis of length 1, which link it stands in (-1: the base).
+// A joint ready for use: its place as a matrix (by columns), its axis of length 1, which link it stands in
+// (-1: the base).
 struct body_link {
   int parent = -1;
   joint_kind kind = joint_kind::revolute;
@@ -86,7 +93,8 @@ constexpr std::array<double, 9> matrix_of(const std::array<double, 4>& q) {
   return {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]};
 }
 
-constexpr body_link body_link_of(const joint& j, int index, int parent, const placement& parent_to_base = {}, int first_coordinate = 0) {
+constexpr body_link body_link_of(
+    const joint& j, int index, int parent, const placement& parent_to_base = {}, int first_coordinate = 0) {
   body_link l;
   const placement where = parent_to_base * j.where;
   const double length = constant_root(j.axis[0] * j.axis[0] + j.axis[1] * j.axis[1] + j.axis[2] * j.axis[2]);
@@ -108,7 +116,8 @@ constexpr body_link body_link_of(const joint& j, int index, int parent, const pl
 template <std::size_t Count>
 constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& joints) {
   std::array<body_link, Count> links{};
-  for (std::size_t i = 0; i < Count; ++i) links[i] = body_link_of(joints[i], static_cast<int>(i), static_cast<int>(i) - 1);
+  for (std::size_t i = 0; i < Count; ++i)
+    links[i] = body_link_of(joints[i], static_cast<int>(i), static_cast<int>(i) - 1);
   return links;
 }
 
@@ -116,7 +125,8 @@ template <class Chain>
 inline constexpr auto chain_links = [] {
   auto links = links_of(Chain::joints);
   if constexpr (DynamicChain<Chain>) {
-    static_assert(Chain::links.size() == Chain::joints.size(), "cca::serial_chain: `links` says what each of the `joints` carries");
+    static_assert(Chain::links.size() == Chain::joints.size(),
+                  "cca::serial_chain: `links` says what each of the `joints` carries");
     for (std::size_t i = 0; i < links.size(); ++i) links[i].inertia = Chain::links[i];
   }
   return links;

@@ -1,12 +1,13 @@
 // Basis functions of dynamical movement primitives: how much each weight counts at a point of the movement.
 //
-//   discrete   Psi_i(x)   = exp(-h_i (x - c_i)^2), c_i = e^(-a i / (N - 1)): evenly spaced in time; h_i = 1 / (c_i - c_(i+1))^2
-//   rhythmic   Psi_i(phi) = exp(h (cos(phi - c_i) - 1)), c_i = 2 pi i / N; h = 2.5 N
+//   discrete   Psi_i(x)   = exp(-h_i (x - c_i)^2), c_i = e^(-a i / (N - 1)): evenly spaced in time; h_i = 1 /
+//   (c_i - c_(i+1))^2 rhythmic   Psi_i(phi) = exp(h (cos(phi - c_i) - 1)), c_i = 2 pi i / N; h = 2.5 N
 //
-// `activations` are Psi_i / sum Psi; the forcing term is their product with the weights. A learner's regressors are these
-// times what scales the forcing term. Far from all centres, where the Psi are too small for a double, they are 0.
-// Cost: an exponential a function. Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Dynamical movement primitives: learning
-// attractor models for motor behaviors, Neural Computation 25, 2013, equations 2.3, 2.4 (discrete), 2.6, 2.7 (rhythmic).
+// `activations` are Psi_i / sum Psi; the forcing term is their product with the weights. A learner's
+// regressors are these times what scales the forcing term. Far from all centres, where the Psi are too small
+// for a double, they are 0. Cost: an exponential a function. Source: Ijspeert, Nakanishi, Hoffmann, Pastor,
+// Schaal, Dynamical movement primitives: learning attractor models for motor behaviors, Neural Computation
+// 25, 2013, equations 2.3, 2.4 (discrete), 2.6, 2.7 (rhythmic).
 #pragma once
 
 #include <bit>
@@ -14,8 +15,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include <cca/component/inlining.hpp>
-#include <cca/space/eigen.hpp>
+#include <cca/base/inlining.hpp>
+#include <cca/base/eigen.hpp>
 
 namespace cca {
 
@@ -24,16 +25,29 @@ using activations = Eigen::Matrix<double, N, 1>;
 
 namespace detail {
 
-// e^x for -700 <= x <= 0, to 4e-16 of it. As arithmetic alone it is done for two functions at a time, without a call.
-// x = n ln 2 + r: n stands in the low bits of a number whose unit is one, and goes to the exponent; e^r by its series.
+// e^x for -700 <= x <= 0, to 4e-16 of it. As arithmetic alone it is done for two functions at a time, without
+// a call. x = n ln 2 + r: n stands in the low bits of a number whose unit is one, and goes to the exponent;
+// e^r by its series.
 [[gnu::always_inline]] inline double decayed(double x) {
   static_assert(__FINITE_MATH_ONLY__ == 0, "cca: -ffast-math would round this sum away");
-  constexpr double unit_is_one = 6755399441055744.0, high = 0x1.62e42fee00000p-1, low = 0x1.a39ef35793c76p-33;  // ln 2 in two parts
+  constexpr double unit_is_one = 6755399441055744.0, high = 0x1.62e42fee00000p-1,
+                   low = 0x1.a39ef35793c76p-33;  // ln 2 in two parts
   const double shifted = x * std::numbers::log2e + unit_is_one, n = shifted - unit_is_one;
   const double r = x - n * high - n * low;
-  const double series = 1 + r * (1 + r * (1. / 2 + r * (1. / 6 + r * (1. / 24 + r * (1. / 120 + r * (1. / 720 + r * (1. / 5040 + r * (1. / 40320 +
-                        r * (1. / 362880 + r * (1. / 3628800 + r * (1. / 39916800 + r * (1. / 479001600))))))))))));
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) + (std::bit_cast<std::uint64_t>(shifted) << 52));
+  const double series =
+      1 +
+      r * (1 + r * (1. / 2 +
+                    r * (1. / 6 +
+                         r * (1. / 24 +
+                              r * (1. / 120 +
+                                   r * (1. / 720 +
+                                        r * (1. / 5040 +
+                                             r * (1. / 40320 + r * (1. / 362880 +
+                                                                    r * (1. / 3628800 +
+                                                                         r * (1. / 39916800 +
+                                                                              r * (1. / 479001600))))))))))));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) +
+                               (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
 }  // namespace detail

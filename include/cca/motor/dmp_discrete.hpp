@@ -2,20 +2,19 @@
 //
 //   cca::node<"reach", cca::dmp_discrete<leg_angles, 20>, cca::timed<1>>      20 basis functions
 //   in  "goal"        S, any space of one number an axis; may change while it runs
-//   in  "start"       S, optional: where it begins (the measured position); else the space's zero. Until a first sample has
+//   in  "start"       S, optional: where it begins (the measured position); else the space's zero. Until a
+//   first sample has
 //                     come there, it waits and publishes its status alone
-//   in  "duration"    movement_duration, s, optional: else the parameter; may change while it runs; at least 1 ms
-//   in  "restart"     restart_signal, optional: each sample that arrives begins the movement anew, from where it is
-//   out "position"    S, a maybe
-//   out "velocity"    velocity_of<S>, a maybe
-//   out "progress"    movement_progress, a maybe: the canonical variable, from 1 to e^-decay at the end of the duration
-//   out "status"      ode_status_port
+//   in  "duration"    movement_duration, s, optional: else the parameter; may change while it runs; at least
+//   1 ms in  "restart"     restart_signal, optional: each sample that arrives begins the movement anew, from
+//   where it is out "position"    S, a maybe out "velocity"    velocity_of<S>, a maybe out "progress"
+//   movement_progress, a maybe: the canonical variable, from 1 to e^-decay at the end of the duration out
+//   "status"      ode_status_port
 //
-// The weights are a parameter: one row an axis; zero makes it a critically damped spring. A restart keeps position and
-// velocity.
-// Errors: none; while an input is not finite, it stays where it is and publishes its status alone. Cost: four derivatives of N + 1
-// exponentials each. Source: dmp_discrete_ode.hpp.
-// Example: tests/runtime/motor/dmp.cpp.
+// The weights are a parameter: one row an axis; zero makes it a critically damped spring. A restart keeps
+// position and velocity. Errors: none; while an input is not finite, it stays where it is and publishes its
+// status alone. Cost: four derivatives of N + 1 exponentials each. Source: dmp_discrete_ode.hpp. Example:
+// tests/runtime/motor/dmp.cpp.
 #pragma once
 
 #include <algorithm>
@@ -39,19 +38,31 @@ struct dmp_discrete {
   using weight_matrix = Eigen::Matrix<double, S::size, N>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (weight_matrix, weights), (cca::quantity<cca::duration, 0.001, 1000>, duration),
-                             (bounded<double, 0.1, 1000>, stiffness), (bounded<double, 0.1, 50>, decay),
-                             (bounded<double, 0, 1000>, goal_rate), (bool, scaled), (ode_settling, settling));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (weight_matrix, weights),
+                             (cca::quantity<cca::duration, 0.001, 1000>, duration),
+                             (bounded<double, 0.1, 1000>, stiffness),
+                             (bounded<double, 0.1, 50>, decay),
+                             (bounded<double, 0, 1000>, goal_rate),
+                             (bool, scaled),
+                             (ode_settling, settling));
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, 5.0, 12.5, true, {1e-3, 1e-2}};
 
-  auto process(in<"goal", S> goal, optional_in<"start", S> start, optional_in<"duration", movement_duration> duration,
-               optional_in<"restart", restart_signal> restart, beat now)
-      -> std::tuple<maybe<"position", S>, maybe<"velocity", velocity_of<S>>, maybe<"progress", movement_progress>, out<"status", ode_status_port>> {
+  auto process(in<"goal", S> goal,
+               optional_in<"start", S> start,
+               optional_in<"duration", movement_duration> duration,
+               optional_in<"restart", restart_signal> restart,
+               beat now) -> std::tuple<maybe<"position", S>,
+                                       maybe<"velocity", velocity_of<S>>,
+                                       maybe<"progress", movement_progress>,
+                                       out<"status", ode_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
-    const double wanted = duration ? duration[duration_axis{}] : p.duration.value(), seconds = std::max(1e-3, wanted);
-    if (!detail::all_finite(goal.vector()) || !std::isfinite(wanted) || (!begun && start && !detail::has_come(start)))
+    const double wanted = duration ? duration[duration_axis{}] : p.duration.value(),
+                 seconds = std::max(1e-3, wanted);
+    if (!detail::all_finite(goal.vector()) || !std::isfinite(wanted) ||
+        (!begun && start && !detail::has_come(start)))
       return {{}, {}, {}, status_of(status.get())};
     if (!begun) {
       from = start ? start.vector() : sample<S>{}.vector();

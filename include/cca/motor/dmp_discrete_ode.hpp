@@ -1,16 +1,16 @@
 // The equations of a discrete movement primitive of D coordinates that share a canonical system.
 //
-//   tau z' = az (az / 4 (g - y) - z) + f(x),   tau y' = z        transformation system (2.1), critically damped
-//   tau x' = -ax x                                               canonical system (2.2), from 1
-//   f(x)   = sum Psi_i w_i / sum Psi_i x (g - y0)                forcing term (2.3, 2.4: dmp_basis.hpp)
-//   tau g' = ag (goal - g)                                       a goal that jumps doesn't make the acceleration jump
+//   tau z' = az (az / 4 (g - y) - z) + f(x),   tau y' = z        transformation system (2.1), critically
+//   damped tau x' = -ax x                                               canonical system (2.2), from 1 f(x)
+//   = sum Psi_i w_i / sum Psi_i x (g - y0)                forcing term (2.3, 2.4: dmp_basis.hpp) tau g' = ag
+//   (goal - g)                                       a goal that jumps doesn't make the acceleration jump
 //
 // state: y, z, g (D each), x; input: goal, y0 (where the movement began; D each), tau (the duration in s).
-// With f not scaled, weights are in units of y, and a movement may end where it began. A changed tau changes the speed from
-// there on, not the shape; a changed goal bends the rest of the way.
-// Closed form without forcing term, from rest, g = goal: g - y = (g - y0)(1 + l t) e^(-l t), l = az / (2 tau).
-// Source: Ijspeert et al., Neural Computation 25, 2013; numbers of its equations above; the moving goal: its section 2.1. Checked
-// against the closed form, and a fitted minimum jerk (tests/runtime/motor/dmp.cpp).
+// With f not scaled, weights are in units of y, and a movement may end where it began. A changed tau changes
+// the speed from there on, not the shape; a changed goal bends the rest of the way. Closed form without
+// forcing term, from rest, g = goal: g - y = (g - y0)(1 + l t) e^(-l t), l = az / (2 tau). Source: Ijspeert
+// et al., Neural Computation 25, 2013; numbers of its equations above; the moving goal: its section 2.1.
+// Checked against the closed form, and a fitted minimum jerk (tests/runtime/motor/dmp.cpp).
 #pragma once
 
 #include <cmath>
@@ -59,8 +59,13 @@ struct dmp_discrete_ode {
     return rate / tau;
   }
 
-  // The forcing term that a demonstration asks for (2.12): position, velocity and acceleration at one time, the goal its end.
-  static vector wanted_forcing(const vector& y, const vector& velocity, const vector& acceleration, const vector& goal, double tau,
+  // The forcing term that a demonstration asks for (2.12): position, velocity and acceleration at one time,
+  // the goal its end.
+  static vector wanted_forcing(const vector& y,
+                               const vector& velocity,
+                               const vector& acceleration,
+                               const vector& goal,
+                               double tau,
                                const parameters& p) {
     return tau * tau * acceleration - p.stiffness * (p.stiffness / 4 * (goal - y) - tau * velocity);
   }

@@ -5,13 +5,13 @@
 //   phase         tau x' = -ax x, from 1, for both
 //   goals         tau g' = ag (goal - g),  tau gq' = ag log(goal gq^-1) gq / 2
 //
-// log is the rotation vector of a quaternion (twice the quaternion logarithm of the source), along the axes of the frame; e / tau is
-// the angular velocity in it; vectors are multiplied by component. The way is the shorter one.
-// state: p, z, q, e, g, gq, x; quaternions as x, y, z, w. input: goal pose (7), pose where it began (7), tau in s.
-// Closed form without forcing term, from rest: the angle left, about a fixed axis, falls as (1 + l t) e^(-l t), l = az / (2 tau),
-// as the distance does.
-// Source: Ude, Nemec, Petric, Morimoto, Orientation in Cartesian space dynamic movement primitives, ICRA 2014 (its quaternion
-// form); position and phase: Ijspeert et al., Neural Computation 25, 2013. Checked against the closed form
+// log is the rotation vector of a quaternion (twice the quaternion logarithm of the source), along the axes
+// of the frame; e / tau is the angular velocity in it; vectors are multiplied by component. The way is the
+// shorter one. state: p, z, q, e, g, gq, x; quaternions as x, y, z, w. input: goal pose (7), pose where it
+// began (7), tau in s. Closed form without forcing term, from rest: the angle left, about a fixed axis, falls
+// as (1 + l t) e^(-l t), l = az / (2 tau), as the distance does. Source: Ude, Nemec, Petric, Morimoto,
+// Orientation in Cartesian space dynamic movement primitives, ICRA 2014 (its quaternion form); position and
+// phase: Ijspeert et al., Neural Computation 25, 2013. Checked against the closed form
 // (tests/runtime/motor/dmp_pose.cpp).
 #pragma once
 
@@ -53,13 +53,16 @@ struct dmp_pose_ode {
   }
 
   // The rotation vector from one orientation to another, the shorter way.
-  static vector3 turn(const vector4& from, const vector4& to) { return rotation::log(rotation::product(to, rotation::inverse(from))); }
+  static vector3 turn(const vector4& from, const vector4& to) {
+    return rotation::log(rotation::product(to, rotation::inverse(from)));
+  }
   static vector4 turning(const vector3& angular, const vector4& q) {
     return 0.5 * rotation::product(vector4(angular[0], angular[1], angular[2], 0), q);
   }
 
   static state derivative(const state& s, const input& u, const parameters& p) {
-    const vector3 at = s.template head<3>(), z = s.template segment<3>(3), e = s.template segment<3>(10), g = s.template segment<3>(13);
+    const vector3 at = s.template head<3>(), z = s.template segment<3>(3), e = s.template segment<3>(10),
+                  g = s.template segment<3>(13);
     const vector4 q = s.template segment<4>(6), gq = s.template segment<4>(16);
     const Eigen::Matrix<double, 6, 1> shape = s[20] * (p.weights * discrete_activations<N>(s[20], p.decay));
     vector3 way = vector3::Ones(), turn_of_it = vector3::Ones();
@@ -69,7 +72,8 @@ struct dmp_pose_ode {
     }
     state rate;
     rate.template head<3>() = z;
-    rate.template segment<3>(3) = p.stiffness * (p.stiffness / 4 * (g - at) - z) + shape.template head<3>().cwiseProduct(way);
+    rate.template segment<3>(3) =
+        p.stiffness * (p.stiffness / 4 * (g - at) - z) + shape.template head<3>().cwiseProduct(way);
     rate.template segment<4>(6) = turning(e, q);
     rate.template segment<3>(10) =
         p.stiffness * (p.stiffness / 4 * turn(q, gq) - e) + shape.template tail<3>().cwiseProduct(turn_of_it);

@@ -1,19 +1,20 @@
-// A rhythmic movement primitive as a component: the DMP Transformation System of the seed's section 6.3. It makes of an
-// oscillator's phase and amplitude a learned periodic shape around a goal.
+// A rhythmic movement primitive as a component: the DMP Transformation System of the seed's section 6.3. It
+// makes of an oscillator's phase and amplitude a learned periodic shape around a goal.
 //
 //   cca::node<"dmp", cca::dmp_rhythmic<leg_angles, stride, 25>, cca::timed<1>>       25 basis functions
 //   in  "phase"       over<phase, Axis>, rad
 //   in  "amplitude"   over<amplitude, Axis>; 0 or less: no swing, it comes to the goal
 //   in  "frequency"   over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
 //   in  "goal"        S, any space of one number an axis: what it swings around; may change while it runs
-//   in  "start"       S, optional: where it begins; else at the goal. Until a first sample has come there, it waits and
+//   in  "start"       S, optional: where it begins; else at the goal. Until a first sample has come there, it
+//   waits and
 //                     publishes no position
 //   out "position"    S, a maybe
 //   out "velocity"    velocity_of<S>, a maybe
 //   out "status"      ode_status_port: converged at rest; the phase's own running doesn't count
 //
-// Precondition: the phase runs at the frequency. Between two firings it is taken to go on so; each firing takes it anew.
-// Errors: none; while an input is not finite, it stays where it is and publishes no position.
+// Precondition: the phase runs at the frequency. Between two firings it is taken to go on so; each firing
+// takes it anew. Errors: none; while an input is not finite, it stays where it is and publishes no position.
 // Cost: five times N exponentials. Source: dmp_rhythmic_ode.hpp. Example: tests/runtime/motor/dmp.cpp.
 #pragma once
 
@@ -39,13 +40,20 @@ struct dmp_rhythmic {
   using weight_matrix = Eigen::Matrix<double, S::size, N>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (weight_matrix, weights), (cca::quantity<cca::frequency, 0.01, 100>, frequency),
-                             (bounded<double, 0.1, 1000>, stiffness), (ode_settling, settling));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (weight_matrix, weights),
+                             (cca::quantity<cca::frequency, 0.01, 100>, frequency),
+                             (bounded<double, 0.1, 1000>, stiffness),
+                             (ode_settling, settling));
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, {1e-3, 1e-2}};
 
-  auto process(in<"phase", over<cca::phase, Axis>> phase, in<"amplitude", over<cca::amplitude, Axis>> size,
-               optional_in<"frequency", over<cca::frequency, Axis>> turns, in<"goal", S> goal, optional_in<"start", S> start, beat now)
+  auto process(in<"phase", over<cca::phase, Axis>> phase,
+               in<"amplitude", over<cca::amplitude, Axis>> size,
+               optional_in<"frequency", over<cca::frequency, Axis>> turns,
+               in<"goal", S> goal,
+               optional_in<"start", S> start,
+               beat now)
       -> std::tuple<maybe<"position", S>, maybe<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
@@ -54,7 +62,8 @@ struct dmp_rhythmic {
     typename ode::input u;
     u << goal.vector(), std::max(0.0, size[Axis{}]), 1 / (2 * std::numbers::pi * hertz);
     const bool can_begin = begun || (start ? detail::has_come(start) : goal.origin() != never);
-    if (!can_begin || !detail::all_finite(goal.vector()) || !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted))
+    if (!can_begin || !detail::all_finite(goal.vector()) ||
+        !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted))
       return {{}, {}, status_of(status.get())};
     typename ode::state x = solver.get();
     if (!begun) {

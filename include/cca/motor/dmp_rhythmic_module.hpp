@@ -1,12 +1,13 @@
-// The DMP Transformation System of the seed's section 6.3 as an adaptive module: a rhythmic movement primitive whose shape is
-// learned, and kept in a file.
+// The DMP Transformation System of the seed's section 6.3 as an adaptive module: a rhythmic movement
+// primitive whose shape is learned, and kept in a file.
 //
 //   cca::tracker<cca::dmp_rhythmic_module<leg_angles, stride, 25>, cca::tracking<leg_angles>>
 //   in  "phase"          over<phase, Axis>, rad
 //   in  "amplitude"      over<amplitude, Axis>; 0 or less: no swing, it comes to the reference
 //   in  "frequency"      over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
 //   in  "reference"      S, any space of one number an axis: what it swings around; may change while it runs
-//   in  "start"          S, optional: where it begins; else at the reference. Until a first sample has come there, it waits and
+//   in  "start"          S, optional: where it begins; else at the reference. Until a first sample has come
+//   there, it waits and
 //                        publishes no command
 //   in  "demonstration"  S, optional: what it shall learn, at this phase, amplitude, frequency and reference
 //   in  "learn"          learning_request, optional: what another component asks of it
@@ -15,14 +16,16 @@
 //   out "ode"            ode_status_port: converged at rest
 //   out "module"         module_status_port: what it learns, and whether this phase has been trained
 //
-// Three fresh samples of a demonstration, in three firings, make an example: position, velocity and acceleration at the middle one
-// by central differences, so noise has to be filtered before. An amplitude below a hundredth of the `swing` that it was taught
-// with is passed over. Learning, by a program between two beats: `c.get<"dmp.module">().learning`, a cca::training.
+// Three fresh samples of a demonstration, in three firings, make an example: position, velocity and
+// acceleration at the middle one by central differences, so noise has to be filtered before. An amplitude
+// below a hundredth of the `swing` that it was taught with is passed over. Learning, by a program between two
+// beats: `c.get<"dmp.module">().learning`, a cca::training.
 //
-// Parameters: frequency, stiffness, settling, settings (the learner's), files (read on load, written on save). The weights
-// depend on the stiffness: a file that was learned with another one is refused.
-// Errors: learner.model; `cca::refused` of files; while an input is not finite, it stays where it is and publishes no command.
-// Cost: five times N exponentials; with a demonstration one step of the learner more. Source: dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
+// Parameters: frequency, stiffness, settling, settings (the learner's), files (read on load, written on
+// save). The weights depend on the stiffness: a file that was learned with another one is refused. Errors:
+// learner.model; `cca::refused` of files; while an input is not finite, it stays where it is and publishes no
+// command. Cost: five times N exponentials; with a demonstration one step of the learner more. Source:
+// dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +39,7 @@
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/beat.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/dmp_rhythmic_ode.hpp>
@@ -45,7 +48,11 @@
 
 namespace cca {
 
-template <detail::LinearSpace S, class Axis, int N, Learner Rule = locally_weighted_regression<rhythmic_shape<S, N>>, int Capacity = 2000,
+template <detail::LinearSpace S,
+          class Axis,
+          int N,
+          Learner Rule = locally_weighted_regression<rhythmic_shape<S, N>>,
+          int Capacity = 2000,
           class Integrator = rk4>
 struct dmp_rhythmic_module {
   using ode = dmp_rhythmic_ode<S::size, N>;
@@ -55,16 +62,27 @@ struct dmp_rhythmic_module {
   using learner_settings = typename learner::settings;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::frequency, 0.01, 100>, frequency), (bounded<double, 0.1, 1000>, stiffness),
-                             (ode_settling, settling), (learner_settings, settings), (learned_files, files));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::quantity<cca::frequency, 0.01, 100>, frequency),
+                             (bounded<double, 0.1, 1000>, stiffness),
+                             (ode_settling, settling),
+                             (learner_settings, settings),
+                             (learned_files, files));
   };
   parameters p{1.0, 25.0, {1e-3, 1e-2}, {}, {}};
   training<learner, Capacity> learning;
 
-  auto process(in<"phase", over<cca::phase, Axis>> phase, in<"amplitude", over<cca::amplitude, Axis>> size,
-               optional_in<"frequency", over<cca::frequency, Axis>> turns, in<"reference", S> reference, optional_in<"start", S> start,
-               optional_in<"demonstration", S> demonstration, optional_in<"learn", learning_request> call, beat now)
-      -> std::tuple<maybe<"command", S>, maybe<"velocity", velocity_of<S>>, out<"ode", ode_status_port>, out<"module", module_status_port>> {
+  auto process(in<"phase", over<cca::phase, Axis>> phase,
+               in<"amplitude", over<cca::amplitude, Axis>> size,
+               optional_in<"frequency", over<cca::frequency, Axis>> turns,
+               in<"reference", S> reference,
+               optional_in<"start", S> start,
+               optional_in<"demonstration", S> demonstration,
+               optional_in<"learn", learning_request> call,
+               beat now) -> std::tuple<maybe<"command", S>,
+                                       maybe<"velocity", velocity_of<S>>,
+                                       out<"ode", ode_status_port>,
+                                       out<"module", module_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
     if (call && call.fresh()) learning.obey(call.template as<learning_call>());
@@ -74,7 +92,8 @@ struct dmp_rhythmic_module {
     typename ode::input u;
     u << reference.vector(), swing, tau;
     const bool can_begin = begun || (start ? detail::has_come(start) : reference.origin() != never);
-    if (!can_begin || !detail::all_finite(reference.vector()) || !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted)) {
+    if (!can_begin || !detail::all_finite(reference.vector()) ||
+        !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted)) {
       seen_in_a_row = 0;
       return {{}, {}, status_of(ode_state.get()), learning.status({phase[Axis{}], swing}, p.settings)};
     }
@@ -91,7 +110,8 @@ struct dmp_rhythmic_module {
     solver.advance(u, at, now.dt());
     const typename ode::state rate = solver.rate(u, at);
     return {vector(solver.get().template head<D>()), vector(rate.template head<D>()),
-            status_of(ode_state.update(rate.template head<2 * D>().norm(), p.settling)), learning.status({phase[Axis{}], swing}, p.settings)};
+            status_of(ode_state.update(rate.template head<2 * D>().norm(), p.settling)),
+            learning.status({phase[Axis{}], swing}, p.settings)};
   }
 
   void on_load() {
@@ -118,15 +138,23 @@ private:
     double tau;
   };
 
-  CCA_GLUE void observe_demonstration(const optional_in<"demonstration", S>& y, const input& x, const typename ode::vector& goal, double tau, double dt) {
+  CCA_GLUE void observe_demonstration(const optional_in<"demonstration", S>& y,
+                                      const input& x,
+                                      const typename ode::vector& goal,
+                                      double tau,
+                                      double dt) {
     if (!y || !y.fresh()) {
       seen_in_a_row = 0;
       return;
     }
     last = {last[1], last[2], moment{y.vector(), goal, x, tau}};
     if (++seen_in_a_row < 3 || last[1].x[1] <= least_swing) return;
-    const typename ode::vector velocity = (last[2].y - last[0].y) / (2 * dt), acceleration = (last[2].y - 2 * last[1].y + last[0].y) / (dt * dt);
-    learning.teach(last[1].x, ode::wanted_forcing(last[1].y, velocity, acceleration, last[1].goal, last[1].tau, {{}, p.stiffness}), p.settings);
+    const typename ode::vector velocity = (last[2].y - last[0].y) / (2 * dt),
+                               acceleration = (last[2].y - 2 * last[1].y + last[0].y) / (dt * dt);
+    learning.teach(
+        last[1].x,
+        ode::wanted_forcing(last[1].y, velocity, acceleration, last[1].goal, last[1].tau, {{}, p.stiffness}),
+        p.settings);
   }
   static constexpr double least_swing = 1e-3;
 

@@ -1,16 +1,18 @@
 // The shapes of movement primitives as models that a learner adapts: the weights of their forcing terms.
 //
-//   rhythmic_shape<S, N>   input: phase (rad), amplitude; output: the forcing term f = r W Psi(phi), a row an axis
-//   discrete_shape<S, N>   input: canonical variable x;   output: f / (g - y0) where it's scaled, else f: x W Psi(x)
+//   rhythmic_shape<S, N>   input: phase (rad), amplitude; output: the forcing term f = r W Psi(phi), a row an
+//   axis discrete_shape<S, N>   input: canonical variable x;   output: f / (g - y0) where it's scaled, else
+//   f: x W Psi(x)
 //
-// Psi are the normalised activations of dmp_basis.hpp. Source: Ijspeert et al., Neural Computation 25, 2013, equations 2.3
-// and 2.7. The forcing term that a demonstration asks for is `wanted_forcing` of the primitives' odes (2.12).
+// Psi are the normalised activations of dmp_basis.hpp. Source: Ijspeert et al., Neural Computation 25, 2013,
+// equations 2.3 and 2.7. The forcing term that a demonstration asks for is `wanted_forcing` of the
+// primitives' odes (2.12).
 #pragma once
 
 #include <string>
 
-#include <cca/component/inlining.hpp>
-#include <cca/component/reflect.hpp>
+#include <cca/base/inlining.hpp>
+#include <cca/base/reflect.hpp>
 #include <cca/motor/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
 #include <cca/space/info.hpp>
@@ -47,7 +49,10 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   static double scale(const input& x) { return x[1]; }
   static cca::activations<N> regressors(const input& x) { return scale(x) * activations(x); }
   static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }
-  static std::string title() { return detail::title_over("rhythmic_shape", detail::space_of<S>, "with " + std::to_string(N) + " functions"); }
+  static std::string title() {
+    return detail::title_over("rhythmic_shape", detail::space_of<S>,
+                              "with " + std::to_string(N) + " functions");
+  }
 };
 
 // Decay: a of the canonical system, in thousandths, since it settles where the functions lie.
@@ -57,12 +62,16 @@ struct discrete_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 1, 1>;
 
-  CCA_GLUE static cca::activations<N> activations(const input& x) { return discrete_activations<N>(x[0], 1e-3 * Decay); }
+  CCA_GLUE static cca::activations<N> activations(const input& x) {
+    return discrete_activations<N>(x[0], 1e-3 * Decay);
+  }
   static double scale(const input& x) { return x[0]; }
   static cca::activations<N> regressors(const input& x) { return scale(x) * activations(x); }
   static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }
   static std::string title() {
-    return detail::title_over("discrete_shape", detail::space_of<S>, "with " + std::to_string(N) + " functions, decay " + std::to_string(Decay) + "e-3");
+    return detail::title_over(
+        "discrete_shape", detail::space_of<S>,
+        "with " + std::to_string(N) + " functions, decay " + std::to_string(Decay) + "e-3");
   }
 };
 

@@ -1,11 +1,12 @@
-// What a movement may be made of. A state that NaN has come into is lost for good, so no component of this folder takes one in: a
-// sample that is not finite is as good as none, in whatever state it would go.
+// What a movement may be made of. A state that NaN has come into is lost for good, so no component of this
+// folder takes one in: a sample that is not finite is as good as none, in whatever state it would go.
 //
 //   detail::all_finite(v)     neither NaN nor infinity among the coordinates: a sum and a comparison
-//   detail::has_come(port)    a movement can begin there: a sample has arrived, no initial value, and it is finite
+//   detail::has_come(port)    a movement can begin there: a sample has arrived, no initial value, and it is
+//   finite
 #pragma once
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca::detail {

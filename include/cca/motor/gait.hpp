@@ -1,13 +1,13 @@
 // Gaits of a quadruped, as phases of its legs: left front, right front, left hind, right hind.
 //
 //   gait    phases of the legs, in turns   meaning
-//   walk    0, 1/2, 1/4, 3/4               one after the other: left hind, left front, right hind, right front
-//   trot    0, 1/2, 1/2, 0                 diagonal legs together
-//   pace    0, 1/2, 0, 1/2                 legs of a side together
-//   bound   0, 0, 1/2, 1/2                 both front legs together, both hind legs together
+//   walk    0, 1/2, 1/4, 3/4               one after the other: left hind, left front, right hind, right
+//   front trot    0, 1/2, 1/2, 0                 diagonal legs together pace    0, 1/2, 0, 1/2 legs of a side
+//   together bound   0, 0, 1/2, 1/2                 both front legs together, both hind legs together
 //
-// Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped locomotion, ICRA 2008 (the four);
-// the walk is the lateral sequence of Hildebrand, Symmetrical gaits of horses, Science 150, 1965.
+// Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped
+// locomotion, ICRA 2008 (the four); the walk is the lateral sequence of Hildebrand, Symmetrical gaits of
+// horses, Science 150, 1965.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 #include <cca/space/circle.hpp>
 #include <cca/space/dimension.hpp>
-#include <cca/space/eigen.hpp>
+#include <cca/base/eigen.hpp>
 #include <cca/space/scalar.hpp>
 #include <cca/space/space.hpp>
 
@@ -29,7 +29,8 @@ struct gait_choice : space<status, axes<gait_axis>> {};
 
 // In rad; an unknown number is taken for the walk.
 constexpr std::array<double, 4> gait_phases(gait which) {
-  constexpr std::array<std::array<double, 4>, 4> turns{{{0, 0.5, 0.25, 0.75}, {0, 0.5, 0.5, 0}, {0, 0.5, 0, 0.5}, {0, 0, 0.5, 0.5}}};
+  constexpr std::array<std::array<double, 4>, 4> turns{
+      {{0, 0.5, 0.25, 0.75}, {0, 0.5, 0.5, 0}, {0, 0.5, 0, 0.5}, {0, 0, 0.5, 0.5}}};
   const auto row = static_cast<std::size_t>(which);
   auto phases = turns[row < turns.size() ? row : 0];
   for (double& one : phases) one *= 2 * pi;
@@ -41,7 +42,8 @@ inline Eigen::Matrix<double, 4, 4> phase_matrix(gait which) {
   const auto phases = gait_phases(which);
   Eigen::Matrix<double, 4, 4> ahead;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) ahead(i, j) = phases[static_cast<std::size_t>(j)] - phases[static_cast<std::size_t>(i)];
+    for (int j = 0; j < 4; ++j)
+      ahead(i, j) = phases[static_cast<std::size_t>(j)] - phases[static_cast<std::size_t>(i)];
   return ahead;
 }
 

@@ -6,15 +6,16 @@
 //   in  "gait"        gait_choice, a number of enum gait, optional: else the parameter
 //   out "phase"       over<phase, legs>, rad in [0, 2 pi)
 //   out "amplitude"   over<amplitude, legs>
-//   out "status"      ode_status_port: converged once phases are locked and amplitudes stand, apart from the common turning
+//   out "status"      ode_status_port: converged once phases are locked and amplitudes stand, apart from the
+//   common turning
 //
-// From one gait to another half of the phase differences may have to change by exactly pi, where the coupling is zero: an
-// unstable equilibrium, in which it would stay. So a change of gait moves leg i by i `nudge`s (0.06 degrees by default).
-// Coupling acts through the amplitudes: at amplitude 0 legs don't draw each other.
-// Precondition: one frequency for all legs, or ones that differ by less than the coupling can hold. Errors: an unknown
-// number at "gait" is taken for the walk; while another input is not finite, the legs stay where they
-// are. Cost: 60 sines a beat (RK4). Source: oscillator_network_ode.hpp, gait.hpp.
-// Example: tests/runtime/motor/gait_network.cpp.
+// From one gait to another half of the phase differences may have to change by exactly pi, where the coupling
+// is zero: an unstable equilibrium, in which it would stay. So a change of gait moves leg i by i `nudge`s
+// (0.06 degrees by default). Coupling acts through the amplitudes: at amplitude 0 legs don't draw each other.
+// Precondition: one frequency for all legs, or ones that differ by less than the coupling can hold. Errors:
+// an unknown number at "gait" is taken for the walk; while another input is not finite, the legs stay where
+// they are. Cost: 60 sines a beat (RK4). Source: oscillator_network_ode.hpp, gait.hpp. Example:
+// tests/runtime/motor/gait_network.cpp.
 #pragma once
 
 #include <tuple>
@@ -38,7 +39,9 @@ struct gait_network {
   using legs = over<Domain, LeftFront, RightFront, LeftHind, RightHind>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::gait, gait), (cca::quantity<cca::frequency, 0, 100>, frequency),
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::gait, gait),
+                             (cca::quantity<cca::frequency, 0, 100>, frequency),
                              (bounded<double, 0, 1000>, coupling),     // w, 1/s
                              (bounded<double, 0, 1000>, convergence),  // a, 1/s
                              (bounded<double, 0, 1>, nudge),           // rad
@@ -46,9 +49,12 @@ struct gait_network {
   };
   parameters p{cca::gait::trot, 1.0, 4.0, 20.0, 1e-3, {0.02, 0.05}};
 
-  auto process(in<"amplitude", legs<cca::amplitude>> wanted, optional_in<"frequency", legs<cca::frequency>> turns,
-               optional_in<"gait", gait_choice> choice, beat now)
-      -> std::tuple<out<"phase", legs<cca::phase>>, out<"amplitude", legs<cca::amplitude>>, out<"status", ode_status_port>> {
+  auto process(in<"amplitude", legs<cca::amplitude>> wanted,
+               optional_in<"frequency", legs<cca::frequency>> turns,
+               optional_in<"gait", gait_choice> choice,
+               beat now) -> std::tuple<out<"phase", legs<cca::phase>>,
+                                       out<"amplitude", legs<cca::amplitude>>,
+                                       out<"status", ode_status_port>> {
     const cca::gait next = choice ? choice.template as<cca::gait>() : p.gait;
     ode::state x = solver.get();
     if (!begun) start(x, next);
@@ -67,7 +73,8 @@ struct gait_network {
     solver.set(x);
     ode::state rate = solver.rate(u, at);
     rate.template head<4>().array() -= rate.template head<4>().mean();
-    return {x.template head<4>().eval(), x.template segment<4>(4).eval(), status_of(status.update(rate.norm(), p.settling))};
+    return {x.template head<4>().eval(), x.template segment<4>(4).eval(),
+            status_of(status.update(rate.norm(), p.settling))};
   }
 
   // Starts again, from amplitude 0, in the gait.

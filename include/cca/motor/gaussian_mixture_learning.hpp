@@ -1,16 +1,18 @@
 // Gaussian mixture regression as a learner: a mixture over inputs and outputs, by expectation-maximisation.
 //
 //   r_kt = prior_k N(z_t; m_k, S_k) / sum_k     responsibilities, z = (x, y)
-//   n_k = sum_t r_kt,  prior_k = n_k / T,  m_k = sum r_kt z_t / n_k,  S_k = sum r_kt (z_t - m_k)(z_t - m_k)^T / n_k + floor
+//   n_k = sum_t r_kt,  prior_k = n_k / T,  m_k = sum r_kt z_t / n_k,  S_k = sum r_kt (z_t - m_k)(z_t - m_k)^T
+//   / n_k + floor
 //
-// It begins with examples that lie far apart (covered_region.hpp) and their nearest neighbours, and ends when the likelihood
-// grows by less than `tolerance` an example. `floor` keeps a Gaussian of few examples from collapsing; with it the likelihood may
-// fall by a little in the last steps. Inside the trained region: the input is as likely as the least likely example was.
-// The model's parameters are those of cca::gmr: `c.get<"motion">().p.mixture = learned.function`. It learns in batches only.
-// Cost: of a batch K (I + O)^3 an example and an iteration, at most `iterations`. Errors: none.
-// Source: Dempster, Laird, Rubin, Maximum likelihood from incomplete data via the EM algorithm, Journal of the Royal Statistical
-// Society B 39, 1977; regression: gaussian_mixture.hpp. Checked: the likelihood grows, and is a direct sum of densities.
-// Example: tests/runtime/adaptive/learners.cpp.
+// It begins with examples that lie far apart (covered_region.hpp) and their nearest neighbours, and ends when
+// the likelihood grows by less than `tolerance` an example. `floor` keeps a Gaussian of few examples from
+// collapsing; with it the likelihood may fall by a little in the last steps. Inside the trained region: the
+// input is as likely as the least likely example was. The model's parameters are those of cca::gmr:
+// `c.get<"motion">().p.mixture = learned.function`. It learns in batches only. Cost: of a batch K (I + O)^3
+// an example and an iteration, at most `iterations`. Errors: none. Source: Dempster, Laird, Rubin, Maximum
+// likelihood from incomplete data via the EM algorithm, Journal of the Royal Statistical Society B 39, 1977;
+// regression: gaussian_mixture.hpp. Checked: the likelihood grows, and is a direct sum of densities. Example:
+// tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <limits>
@@ -35,10 +37,13 @@ struct mixture_function {
   static constexpr int I = Input::size, O = S::size, count = K;
 
   static output answer(const parameters& p, const input& x) {
-    return regress<I, O, K>(p, p.priors, x, [](const input& at, const input& mean) { return input(at - mean); }).mean;
+    return regress<I, O, K>(p, p.priors, x,
+                            [](const input& at, const input& mean) { return input(at - mean); })
+        .mean;
   }
   static std::string title() {
-    return "mixture_function from " + std::string(detail::space_of<Input>.name) + " to " + std::string(detail::space_of<S>.name) + " with " + std::to_string(K) + " Gaussians";
+    return "mixture_function from " + std::string(detail::space_of<Input>.name) + " to " +
+           std::string(detail::space_of<S>.name) + " with " + std::to_string(K) + " Gaussians";
   }
 };
 
@@ -54,16 +59,25 @@ struct expectation_maximisation {
   static constexpr std::string_view name = "expectation_maximisation";
 
   struct settings {
-    BOOST_HANA_DEFINE_STRUCT(settings, (bounded<double, 0, infinity>, floor), (bounded<double, 0, infinity>, tolerance), (bounded<int, 1, 10000>, iterations));
-    constexpr settings(double least = 1e-6, double small = 1e-6, int most = 200) : floor(least), tolerance(small), iterations(most) {}
+    BOOST_HANA_DEFINE_STRUCT(settings,
+                             (bounded<double, 0, infinity>, floor),
+                             (bounded<double, 0, infinity>, tolerance),
+                             (bounded<int, 1, 10000>, iterations));
+    constexpr settings(double least = 1e-6, double small = 1e-6, int most = 200)
+        : floor(least), tolerance(small), iterations(most) {}
   };
 
   struct learned {
-    BOOST_HANA_DEFINE_STRUCT(learned, (parameters, function), (double, least_likely), (double, likelihood));  // logarithms; of inputs, of all an example
+    BOOST_HANA_DEFINE_STRUCT(learned,
+                             (parameters, function),
+                             (double, least_likely),
+                             (double, likelihood));  // logarithms; of inputs, of all an example
     learned() : function(), least_likely(std::numeric_limits<double>::max()), likelihood(0) {}
   };
 
-  static bool inside(const learned& known, const input& x, const settings&) { return input_likelihood(known.function, x) >= known.least_likely; }
+  static bool inside(const learned& known, const input& x, const settings&) {
+    return input_likelihood(known.function, x) >= known.least_likely;
+  }
 
   static learned batch(std::span<const example<model>> examples, const settings& s) {
     learned known;
@@ -79,7 +93,8 @@ struct expectation_maximisation {
       known.likelihood = likelihood;
       if (done) break;
     }
-    for (const auto& one : examples) known.least_likely = std::min(known.least_likely, input_likelihood(known.function, one.x));
+    for (const auto& one : examples)
+      known.least_likely = std::min(known.least_likely, input_likelihood(known.function, one.x));
     return known;
   }
 
@@ -90,7 +105,8 @@ private:
     const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(S);
     double half_log_determinant = 0;
     for (int i = 0; i < N; ++i) half_log_determinant += std::log(factor.matrixLLT()(i, i));
-    return -0.5 * off.dot(factor.solve(off)) - half_log_determinant - 0.5 * N * std::log(2 * std::numbers::pi);
+    return -0.5 * off.dot(factor.solve(off)) - half_log_determinant -
+           0.5 * N * std::log(2 * std::numbers::pi);
   }
   template <class Logarithms>
   static double log_sum(const Logarithms& logarithms) {
@@ -100,7 +116,9 @@ private:
   static double input_likelihood(const parameters& p, const input& x) {
     Eigen::Matrix<double, K, 1> each;
     for (int k = 0; k < K; ++k)
-      each[k] = std::log(p.priors[k]) + density<model::I>(x - p.means.col(k).template head<model::I>(), p.block(p.covariances[static_cast<std::size_t>(k)]));
+      each[k] =
+          std::log(p.priors[k]) + density<model::I>(x - p.means.col(k).template head<model::I>(),
+                                                    p.block(p.covariances[static_cast<std::size_t>(k)]));
     return log_sum(each);
   }
 
@@ -110,19 +128,26 @@ private:
     Eigen::MatrixXd r = Eigen::MatrixXd::Zero(K, static_cast<Eigen::Index>(points.size()));
     for (std::size_t t = 0; t < points.size(); ++t) {
       Eigen::Index nearest = 0;
-      (apart.width.cwiseInverse().asDiagonal() * (apart.centres.colwise() - points[t])).colwise().squaredNorm().minCoeff(&nearest);
+      (apart.width.cwiseInverse().asDiagonal() * (apart.centres.colwise() - points[t]))
+          .colwise()
+          .squaredNorm()
+          .minCoeff(&nearest);
       r(nearest, static_cast<Eigen::Index>(t)) = 1;
     }
     return r;
   }
-  static void maximise(parameters& p, const std::vector<point>& points, const Eigen::MatrixXd& r, double floor) {
+  static void maximise(parameters& p,
+                       const std::vector<point>& points,
+                       const Eigen::MatrixXd& r,
+                       double floor) {
     for (int k = 0; k < K; ++k) {
       const double n = std::max(r.row(k).sum(), 1e-12);
       point mean = point::Zero();
       for (std::size_t t = 0; t < points.size(); ++t) mean += r(k, static_cast<Eigen::Index>(t)) * points[t];
       mean /= n;
       square S = square::Zero();
-      for (std::size_t t = 0; t < points.size(); ++t) S += r(k, static_cast<Eigen::Index>(t)) * (points[t] - mean) * (points[t] - mean).transpose();
+      for (std::size_t t = 0; t < points.size(); ++t)
+        S += r(k, static_cast<Eigen::Index>(t)) * (points[t] - mean) * (points[t] - mean).transpose();
       p.priors[k] = n / static_cast<double>(points.size());
       p.means.col(k) = mean;
       p.covariances[static_cast<std::size_t>(k)] = (S + S.transpose()) / (2 * n) + floor * square::Identity();
@@ -132,7 +157,9 @@ private:
     double sum = 0;
     for (std::size_t t = 0; t < points.size(); ++t) {
       Eigen::Matrix<double, K, 1> each;
-      for (int k = 0; k < K; ++k) each[k] = std::log(p.priors[k]) + density<size>(points[t] - p.means.col(k), p.covariances[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < K; ++k)
+        each[k] = std::log(p.priors[k]) +
+                  density<size>(points[t] - p.means.col(k), p.covariances[static_cast<std::size_t>(k)]);
       const double all = log_sum(each);
       r.col(static_cast<Eigen::Index>(t)) = (each.array() - all).exp();
       sum += all;

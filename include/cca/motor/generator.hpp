@@ -1,17 +1,17 @@
-// A Generator: an adaptive component that oscillates (seed, chapter 3): an oscillator, a learned periodic shape on its phase, and
-// a criterion.
+// A Generator: an adaptive component that oscillates (seed, chapter 3): an oscillator, a learned periodic
+// shape on its phase, and a criterion.
 //
-//   struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg_angles, stride, 25>, cca::tracking<leg_angles>> {};
-//   in  "centre"       what it swings around (the shape's reference)
-//   in  "amplitude"    over<amplitude, Axis>; negative: it comes to rest at the centre
-//   in  "phase"        over<phase, Axis>, optional: how far it runs ahead of its oscillator, rad
-//   in  "frequency"    over<frequency, Axis>, Hz: of oscillator and shape
-//   in  "feedback"     what is measured
-//   out "command", "ode_status", "module_status", "component_status", "error", and the shape's other ports
+//   struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg_angles, stride, 25>,
+//   cca::tracking<leg_angles>> {}; in  "centre"       what it swings around (the shape's reference) in
+//   "amplitude"    over<amplitude, Axis>; negative: it comes to rest at the centre in  "phase" over<phase,
+//   Axis>, optional: how far it runs ahead of its oscillator, rad in  "frequency"    over<frequency, Axis>,
+//   Hz: of oscillator and shape in  "feedback"     what is measured out "command", "ode_status",
+//   "module_status", "component_status", "error", and the shape's other ports
 //
-// Inside: `module`, a graph of `oscillator`, `shift` and `pattern`, `criterion`, `status`. The oscillator is a hopf<Axis>, or
-// the fourth argument: one with inputs "amplitude", "frequency" and outputs "phase", "amplitude". Options: those of an
-// adaptive component. Cost: that of its parts. Example: tests/runtime/adaptive/kinds.cpp.
+// Inside: `module`, a graph of `oscillator`, `shift` and `pattern`, `criterion`, `status`. The oscillator is
+// a hopf<Axis>, or the fourth argument: one with inputs "amplitude", "frequency" and outputs "phase",
+// "amplitude". Options: those of an adaptive component. Cost: that of its parts. Example:
+// tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <cca/adaptive/adaptive_component.hpp>
@@ -23,34 +23,37 @@ namespace cca {
 // A phase, further by so much.
 template <class Axis>
 struct phase_shift {
-  auto process(in<"phase", over<phase, Axis>> at, optional_in<"by", over<phase, Axis>> by) -> out<"shifted", over<phase, Axis>> {
+  auto process(in<"phase", over<phase, Axis>> at, optional_in<"by", over<phase, Axis>> by)
+      -> out<"shifted", over<phase, Axis>> {
     return at[Axis{}] + by[Axis{}];
   }
 };
 
 template <class Axis, class Pattern, class Oscillator, class Strategy>
-struct oscillation : graph<
-    node<"oscillator", Oscillator, Strategy>,
-    node<"shift", phase_shift<Axis>, Strategy>,
-    node<"pattern", Pattern, Strategy>,
-    wire<"oscillator.phase", "shift.phase", latest>,
-    wire<"shift.shifted", "pattern.phase", latest>,
-    wire<"oscillator.amplitude", "pattern.amplitude", latest>,
-    expose<"oscillator.amplitude", "amplitude">,
-    expose<"oscillator.frequency", "frequency">,
-    expose<"pattern.frequency", "frequency">,
-    expose<"shift.by", "phase">,
-    expose<"pattern.reference", "centre">,
-    expose<"pattern.start", "start">,
-    expose<"pattern.demonstration", "demonstration">,
-    expose<"pattern.learn", "learn">,
-    expose<"pattern.command", "command">,
-    expose<"pattern.velocity", "velocity">,
-    expose<"pattern.ode", "ode">,
-    expose<"pattern.module", "module">> {};
+struct oscillation : graph<node<"oscillator", Oscillator, Strategy>,
+                           node<"shift", phase_shift<Axis>, Strategy>,
+                           node<"pattern", Pattern, Strategy>,
+                           wire<"oscillator.phase", "shift.phase", latest>,
+                           wire<"shift.shifted", "pattern.phase", latest>,
+                           wire<"oscillator.amplitude", "pattern.amplitude", latest>,
+                           expose<"oscillator.amplitude", "amplitude">,
+                           expose<"oscillator.frequency", "frequency">,
+                           expose<"pattern.frequency", "frequency">,
+                           expose<"shift.by", "phase">,
+                           expose<"pattern.reference", "centre">,
+                           expose<"pattern.start", "start">,
+                           expose<"pattern.demonstration", "demonstration">,
+                           expose<"pattern.learn", "learn">,
+                           expose<"pattern.command", "command">,
+                           expose<"pattern.velocity", "velocity">,
+                           expose<"pattern.ode", "ode">,
+                           expose<"pattern.module", "module">> {};
 
 template <class Axis, class Pattern, Criterion Measure, class Oscillator = hopf<Axis>, class... Options>
 struct generator
-    : adaptive_component<oscillation<Axis, Pattern, Oscillator, typename detail::strategy_among<Options...>::type>, Measure, Options...> {};
+    : adaptive_component<
+          oscillation<Axis, Pattern, Oscillator, typename detail::strategy_among<Options...>::type>,
+          Measure,
+          Options...> {};
 
 }  // namespace cca

@@ -1,14 +1,14 @@
 // A motion model by Gaussian mixture regression over a phase or a time.
 //
 //   cca::node<"motion", cca::gmr<progress, leg_angles, 6>>           6 Gaussians over (input, axes)
-//   in  "input"       Input, a space of one axis: a phase (then it is taken round the circle), a time, a progress
-//   out "position"    S, any space of one number an axis
-//   out "spread"      over the same axes, number: the standard deviation, what the demonstrations left free
+//   in  "input"       Input, a space of one axis: a phase (then it is taken round the circle), a time, a
+//   progress out "position"    S, any space of one number an axis out "spread"      over the same axes,
+//   number: the standard deviation, what the demonstrations left free
 //
-// On a circle each Gaussian is taken at the nearest turn; with standard deviations of more than a quarter of a turn that is
-// not the wrapped Gaussian any more.
-// Errors: none; an input that is not finite gives no number. Cost: a logarithm, an exponential and O^2 products a Gaussian.
-// Source: gaussian_mixture.hpp. Example: tests/runtime/motor/gmr.cpp.
+// On a circle each Gaussian is taken at the nearest turn; with standard deviations of more than a quarter of
+// a turn that is not the wrapped Gaussian any more. Errors: none; an input that is not finite gives no
+// number. Cost: a logarithm, an exponential and O^2 products a Gaussian. Source: gaussian_mixture.hpp.
+// Example: tests/runtime/motor/gmr.cpp.
 #pragma once
 
 #include <algorithm>
@@ -39,10 +39,12 @@ struct gmr {
 
   auto process(in<"input", Input> input) -> std::tuple<out<"position", S>, out<"spread", spread_of<S>>> {
     using scalar = typename model::input;
-    const auto answer = regress<1, S::size, K>(p.mixture, p.mixture.priors, scalar(input.vector()), [](const scalar& x, const scalar& mean) {
-      if constexpr (std::is_same_v<typename Input::domain, cca::phase>) return scalar(wrap_signed(x[0] - mean[0]));
-      else return scalar(x - mean);
-    });
+    const auto answer = regress<1, S::size, K>(
+        p.mixture, p.mixture.priors, scalar(input.vector()), [](const scalar& x, const scalar& mean) {
+          if constexpr (std::is_same_v<typename Input::domain, cca::phase>)
+            return scalar(wrap_signed(x[0] - mean[0]));
+          else return scalar(x - mean);
+        });
     typename spread_of<S>::vector_type spread;
     for (int i = 0; i < S::size; ++i) spread[i] = std::sqrt(std::max(0.0, answer.covariance(i, i)));
     return {answer.mean, spread};

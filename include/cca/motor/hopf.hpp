@@ -1,5 +1,6 @@
-// A Hopf oscillator as a component: a phase that runs, and an amplitude that comes to what is wanted. Where a negative one
-// is wanted the circle shrinks to the origin, a stable fixed point: what follows it comes to rest.
+// A Hopf oscillator as a component: a phase that runs, and an amplitude that comes to what is wanted. Where a
+// negative one is wanted the circle shrinks to the origin, a stable fixed point: what follows it comes to
+// rest.
 //
 //   cca::node<"cpg", cca::hopf<stride>, cca::timed<1>>
 //   in  "amplitude"   over<amplitude, Axis>; negative: rest
@@ -8,10 +9,10 @@
 //   out "amplitude"   over<amplitude, Axis>, the radius now
 //   out "status"      ode_status_port: converged at rest, transient on the cycle, whose point moves
 //
-// The origin is an equilibrium that no positive amplitude would leave: the radius is held at `ember` or above, so a resting
-// oscillator still has a phase and wakes up, in ln(A / ember) / (c A^2) s.
-// Errors: none; while an input is not finite, it stays where it is. Cost: four derivatives, an atan2 and a root. Source: hopf_ode.hpp.
-// Example: tests/runtime/motor/hopf.cpp.
+// The origin is an equilibrium that no positive amplitude would leave: the radius is held at `ember` or
+// above, so a resting oscillator still has a phase and wakes up, in ln(A / ember) / (c A^2) s. Errors: none;
+// while an input is not finite, it stays where it is. Cost: four derivatives, an atan2 and a root. Source:
+// hopf_ode.hpp. Example: tests/runtime/motor/hopf.cpp.
 #pragma once
 
 #include <cmath>
@@ -31,13 +32,19 @@ namespace cca {
 template <class Axis, class Integrator = rk4>
 struct hopf {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::frequency, 0, 100>, frequency),
-                             (bounded<double, 0, 1000>, convergence), (bounded<double, 1e-9, 1>, ember), (ode_settling, settling));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::quantity<cca::frequency, 0, 100>, frequency),
+                             (bounded<double, 0, 1000>, convergence),
+                             (bounded<double, 1e-9, 1>, ember),
+                             (ode_settling, settling));
   };
   parameters p{1.0, 10.0, 1e-3, {0.05, 0.1}};
 
-  auto process(in<"amplitude", over<cca::amplitude, Axis>> wanted, optional_in<"frequency", over<cca::frequency, Axis>> turns, beat now)
-      -> std::tuple<out<"phase", over<cca::phase, Axis>>, out<"amplitude", over<cca::amplitude, Axis>>, out<"status", ode_status_port>> {
+  auto process(in<"amplitude", over<cca::amplitude, Axis>> wanted,
+               optional_in<"frequency", over<cca::frequency, Axis>> turns,
+               beat now) -> std::tuple<out<"phase", over<cca::phase, Axis>>,
+                                       out<"amplitude", over<cca::amplitude, Axis>>,
+                                       out<"status", ode_status_port>> {
     const hopf_ode::input u(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value());
     if (detail::all_finite(u)) solver.advance(u, {p.convergence}, now.dt());
     hopf_ode::state x = solver.get();

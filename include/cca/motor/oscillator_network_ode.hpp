@@ -4,11 +4,12 @@
 //   r_i''    = a (a / 4 (R_i - r_i) - r_i')
 //
 // state: theta_1..N (rad), r_1..N, r'_1..N; input: f_1..N (Hz), R_1..N (wanted amplitudes).
-// Closed forms: r_i comes to R_i critically damped, R_i + (r0 - R_i)(1 + a t / 2) e^(-a t / 2) from rest. Two oscillators of one
-// frequency at r = 1, w both ways: D = theta_2 - theta_1 - phi_12 obeys D' = -2 w sin D, so tan(D/2) = tan(D0/2) e^(-2 w t).
-// N of them, all coupled by w: a small disturbance of the phase differences decays as e^(-N w t).
-// Source: Ijspeert, Crespi, Ryczko, Cabelguen, From swimming to walking with a salamander robot driven by a spinal cord
-// model, Science 315, 2007; phi_ij is the lead of j over i. Checked against the three closed forms (tests/runtime/motor/gait_network.cpp).
+// Closed forms: r_i comes to R_i critically damped, R_i + (r0 - R_i)(1 + a t / 2) e^(-a t / 2) from rest. Two
+// oscillators of one frequency at r = 1, w both ways: D = theta_2 - theta_1 - phi_12 obeys D' = -2 w sin D,
+// so tan(D/2) = tan(D0/2) e^(-2 w t). N of them, all coupled by w: a small disturbance of the phase
+// differences decays as e^(-N w t). Source: Ijspeert, Crespi, Ryczko, Cabelguen, From swimming to walking
+// with a salamander robot driven by a spinal cord model, Science 315, 2007; phi_ij is the lead of j over i.
+// Checked against the three closed forms (tests/runtime/motor/gait_network.cpp).
 #pragma once
 
 #include <cmath>
@@ -34,7 +35,8 @@ struct oscillator_network_ode {
     for (int i = 0; i < N; ++i) {
       double drawn = 2 * std::numbers::pi * u[i];
       for (int j = 0; j < N; ++j)
-        if (p.weights(i, j) != 0) drawn += x[N + j] * p.weights(i, j) * std::sin(x[j] - x[i] - p.phases(i, j));
+        if (p.weights(i, j) != 0)
+          drawn += x[N + j] * p.weights(i, j) * std::sin(x[j] - x[i] - p.phases(i, j));
       rate[i] = drawn;
       rate[N + i] = x[2 * N + i];
       rate[2 * N + i] = p.convergence * (p.convergence / 4 * (u[N + i] - x[N + i]) - x[2 * N + i]);

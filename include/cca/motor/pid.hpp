@@ -9,14 +9,15 @@
 //
 //   v = kp (r - y) + I + D,  u = v cut to the limits
 //   I' = ki (r - y) + (u - v) / tracking      back-calculation: no wind-up
-//   D  = -kd y_f',  filter y_f' = y - y_f     derivative on the measurement: a step of the reference doesn't kick
+//   D  = -kd y_f',  filter y_f' = y - y_f     derivative on the measurement: a step of the reference doesn't
+//   kick
 //
-// Bumpless: from manual to automatic, and when gains are set while it runs, the command goes on from where it was; what
-// had to be taken up fades by the integral or, with ki = 0, within the tracking time. Numbers that are not finite at an
-// input are not taken: the last command is held.
-// Gains are in Command's unit per Measured's (and per s, times s); `filter` and `tracking` in s. Forward differences for I,
-// backward ones for D: any filter time is stable. Errors: none. Cost: about 20 operations an axis.
-// Source: Astrom and Murray, Feedback Systems, 2008, sections 10.4, 10.5; Astrom and Hagglund, PID Controllers, 1995, section 3.5.
+// Bumpless: from manual to automatic, and when gains are set while it runs, the command goes on from where it
+// was; what had to be taken up fades by the integral or, with ki = 0, within the tracking time. Numbers that
+// are not finite at an input are not taken: the last command is held. Gains are in Command's unit per
+// Measured's (and per s, times s); `filter` and `tracking` in s. Forward differences for I, backward ones for
+// D: any filter time is stable. Errors: none. Cost: about 20 operations an axis. Source: Astrom and Murray,
+// Feedback Systems, 2008, sections 10.4, 10.5; Astrom and Hagglund, PID Controllers, 1995, section 3.5.
 // Example: tests/runtime/motor/pid.cpp.
 #pragma once
 
@@ -38,17 +39,26 @@ struct pid {
   using vector = Eigen::Matrix<double, Measured::size, 1>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (vector, proportional), (vector, integral), (vector, derivative),
-                             (cca::quantity<cca::duration, 0, 100>, filter), (cca::quantity<cca::duration, 0.001, 1000>, tracking), (vector, largest));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (vector, proportional),
+                             (vector, integral),
+                             (vector, derivative),
+                             (cca::quantity<cca::duration, 0, 100>, filter),
+                             (cca::quantity<cca::duration, 0.001, 1000>, tracking),
+                             (vector, largest));
     std::string_view check() const {
-      if (proportional.minCoeff() < 0 || integral.minCoeff() < 0 || derivative.minCoeff() < 0) return "a gain is negative";
+      if (proportional.minCoeff() < 0 || integral.minCoeff() < 0 || derivative.minCoeff() < 0)
+        return "a gain is negative";
       return largest.minCoeff() < 0 ? "`largest` is negative" : "";
     }
   };
   parameters p{vector::Ones(), vector::Zero(), vector::Zero(), 0.01, 0.1, vector::Constant(1e30)};
 
-  auto process(in<"reference", Measured> reference, in<"measured", Measured> measured, optional_in<"manual", Command> manual,
-               optional_in<"automatic", over<cca::status, automatic_axis>> automatic, beat now) -> out<"command", Command> {
+  auto process(in<"reference", Measured> reference,
+               in<"measured", Measured> measured,
+               optional_in<"manual", Command> manual,
+               optional_in<"automatic", over<cca::status, automatic_axis>> automatic,
+               beat now) -> out<"command", Command> {
     const bool by_hand = manual && automatic && automatic[automatic_axis{}] == 0;
     const vector y = measured.vector(), e = reference.vector() - y;
     if (!e.allFinite() || (by_hand && !manual.vector().allFinite())) return command;
@@ -60,7 +70,8 @@ struct pid {
     const double dt = now.dt();
     const vector slope = (y - filtered) / (p.filter + dt);
     filtered += dt * slope;
-    integral += (proportional - p.proportional).cwiseProduct(e) - (derivative - p.derivative).cwiseProduct(slope);
+    integral +=
+        (proportional - p.proportional).cwiseProduct(e) - (derivative - p.derivative).cwiseProduct(slope);
     proportional = p.proportional, derivative = p.derivative;
 
     const vector direct = proportional.cwiseProduct(e) - derivative.cwiseProduct(slope);
@@ -73,7 +84,8 @@ struct pid {
     command = limited(wanted);
     const double back = std::min(1.0, dt / p.tracking);
     for (int i = 0; i < vector::RowsAtCompileTime; ++i)
-      integral[i] += p.integral[i] > 0 ? dt * p.integral[i] * e[i] + back * (command[i] - wanted[i]) : -back * integral[i];
+      integral[i] += p.integral[i] > 0 ? dt * p.integral[i] * e[i] + back * (command[i] - wanted[i])
+                                       : -back * integral[i];
     return command;
   }
 

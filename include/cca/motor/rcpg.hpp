@@ -1,17 +1,18 @@
-// A reservoir pattern generator (RCPG): an echo state network whose output, fed back, goes on as the pattern it was trained on.
+// A reservoir pattern generator (RCPG): an echo state network whose output, fed back, goes on as the pattern
+// it was trained on.
 //
 //   cca::node<"cpg", cca::rcpg<leg_angles, 100>, cca::timed<10>>      100 units; a step each 10 beats
-//   in  "teacher"    S, optional: each sample that arrives is fed back instead of the network's own output, and published
-//   out "pattern"    S, any space of one number an axis
+//   in  "teacher"    S, optional: each sample that arrives is fed back instead of the network's own output,
+//   and published out "pattern"    S, any space of one number an axis
 //
-// The pattern runs by firings: at the clock that it was trained at. The readout is a parameter, a row an axis: a weight for each
-// unit and then a constant; `activity()` are the regressors, while a teacher is present (ridge regression finds the weights; the
-// network must be the same: seed, radius, leak, feedback, bias). The network is made on load, or in the first firing.
-// Errors: none; the activity is bounded by 1, so is the pattern by its weights; a teacher that is not finite is not taken.
-// Cost: N (10 + D) products and N hyperbolic tangents a firing; memory 120 bytes a unit. Source: reservoir.hpp;
-// as a pattern generator: Wyffels and Schrauwen, Design of a central pattern generator using reservoir computing for learning
-// human motion, ATEQUAL 2009.
-// Example: tests/runtime/motor/rcpg.cpp.
+// The pattern runs by firings: at the clock that it was trained at. The readout is a parameter, a row an
+// axis: a weight for each unit and then a constant; `activity()` are the regressors, while a teacher is
+// present (ridge regression finds the weights; the network must be the same: seed, radius, leak, feedback,
+// bias). The network is made on load, or in the first firing. Errors: none; the activity is bounded by 1, so
+// is the pattern by its weights; a teacher that is not finite is not taken. Cost: N (10 + D) products and N
+// hyperbolic tangents a firing; memory 120 bytes a unit. Source: reservoir.hpp; as a pattern generator:
+// Wyffels and Schrauwen, Design of a central pattern generator using reservoir computing for learning human
+// motion, ATEQUAL 2009. Example: tests/runtime/motor/rcpg.cpp.
 #pragma once
 
 #include <cca/component/parameters.hpp>
@@ -28,8 +29,13 @@ struct rcpg {
   using readout_matrix = Eigen::Matrix<double, S::size, N + 1>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (readout_matrix, readout), (bounded<int, 0, 1000000>, seed), (bounded<double, 0, 2>, spectral_radius),
-                             (bounded<double, 0, 1>, leak), (bounded<double, 0, 100>, feedback), (bounded<double, 0, 100>, bias));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (readout_matrix, readout),
+                             (bounded<int, 0, 1000000>, seed),
+                             (bounded<double, 0, 2>, spectral_radius),
+                             (bounded<double, 0, 1>, leak),
+                             (bounded<double, 0, 100>, feedback),
+                             (bounded<double, 0, 100>, bias));
   };
   parameters p{readout_matrix::Zero(), 1, 0.9, 0.3, 1.0, 0.2};
 

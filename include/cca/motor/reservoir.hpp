@@ -2,13 +2,15 @@
 //
 //   x <- (1 - a) x + a tanh(W x + w_y y + b)
 //
-// y is what is fed back (D numbers). W has `Connections` entries a unit, uniform in (-1, 1), scaled to a spectral radius; w_y is
-// uniform in +-feedback, b in +-bias. The same seed gives the same network on every machine: the numbers come from SplitMix64.
-// Preconditions: `make` before `step`. Cost: make: 500 N Connections products, not for a beat; step: N (Connections + D) products
-// and N hyperbolic tangents. A power iteration measures the spectral radius to about 1 %.
-// Source: Jaeger, The "echo state" approach to analysing and training recurrent neural networks, GMD report 148, 2001; leaky
-// units: Jaeger, Lukosevicius, Popovici, Siewert, Optimization and applications of echo state networks with leaky-integrator neurons,
-// Neural Networks 20, 2007. Checked: the spectral radius against eigenvalues, echo states (tests/runtime/motor/rcpg.cpp).
+// y is what is fed back (D numbers). W has `Connections` entries a unit, uniform in (-1, 1), scaled to a
+// spectral radius; w_y is uniform in +-feedback, b in +-bias. The same seed gives the same network on every
+// machine: the numbers come from SplitMix64. Preconditions: `make` before `step`. Cost: make: 500 N
+// Connections products, not for a beat; step: N (Connections + D) products and N hyperbolic tangents. A power
+// iteration measures the spectral radius to about 1 %. Source: Jaeger, The "echo state" approach to analysing
+// and training recurrent neural networks, GMD report 148, 2001; leaky units: Jaeger, Lukosevicius, Popovici,
+// Siewert, Optimization and applications of echo state networks with leaky-integrator neurons, Neural
+// Networks 20, 2007. Checked: the spectral radius against eigenvalues, echo states
+// (tests/runtime/motor/rcpg.cpp).
 #pragma once
 
 #include <array>
@@ -16,7 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/space/eigen.hpp>
+#include <cca/base/eigen.hpp>
 
 namespace cca {
 
@@ -85,7 +87,8 @@ private:
   }
   static double uniform(std::uint64_t& bits) { return static_cast<double>(drawn(bits) >> 11) * 0x1p-52 - 1; }
 
-  // The largest eigenvalues may be a complex pair, under which a vector turns as it grows: so the mean growth, in the long run.
+  // The largest eigenvalues may be a complex pair, under which a vector turns as it grows: so the mean
+  // growth, in the long run.
   double radius() const {
     activity v = activity::Constant(1 / std::sqrt(static_cast<double>(N)));
     double growth = 0;
@@ -99,8 +102,8 @@ private:
     return std::exp(growth / 400);
   }
 
-  std::array<int, static_cast<std::size_t>(N * Connections)> from{};
-  std::array<double, static_cast<std::size_t>(N * Connections)> weight{};
+  std::array<int, static_cast<std::size_t>(N* Connections)> from{};
+  std::array<double, static_cast<std::size_t>(N* Connections)> weight{};
   Eigen::Matrix<double, N, D> back = Eigen::Matrix<double, N, D>::Zero();
   activity bias = activity::Zero(), x = activity::Zero();
 };

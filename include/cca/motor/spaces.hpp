@@ -29,7 +29,8 @@ struct rate_domain<joint_velocities> {
 
 // How fast a sample of Whole changes, along the same axes.
 template <class Whole>
-struct velocity_of : space<typename detail::rate_domain<typename Whole::domain>::type, typename Whole::axes> {};
+struct velocity_of : space<typename detail::rate_domain<typename Whole::domain>::type, typename Whole::axes> {
+};
 
 struct duration_axis : dimension<"duration"> {};
 struct movement_duration : space<number, axes<duration_axis>> {};  // s
@@ -42,9 +43,9 @@ struct movement_progress : space<number, axes<progress_axis>> {};  // the canoni
 
 namespace detail {
 
-// Real numbers along each axis, which can be added: what a component that computes on bare vectors can work in.
-template <class Type>
-concept LinearSpace = Space<Type> && Type::size == Type::axes::count;
+// Real numbers along each axis, which can be added: what a component that computes on bare vectors can work
+// in.
+template <class Type> concept LinearSpace = Space<Type> && Type::size == Type::axes::count;
 
 }  // namespace detail
 }  // namespace cca

@@ -2,17 +2,18 @@
 //
 //   cca::node<"reach", cca::vite<leg_angles>, cca::timed<1>>
 //   in  "target"     S, any space of one number an axis
-//   in  "start"      S, optional: where it is when it begins (the measured position); else the space's zero. Until a first
+//   in  "start"      S, optional: where it is when it begins (the measured position); else the space's zero.
+//   Until a first
 //                    sample has come there, it waits and publishes no position
 //   in  "go"         over<amplitude, go_axis>, optional: a factor on the speed; 0 holds still
 //   out "position"   S, a maybe
 //   out "velocity"   velocity_of<S>, a maybe
 //   out "status"     ode_status_port: converged once it has arrived
 //
-// The GO signal's clock starts when the movement does: when what had converged is given another target. A target that moves
-// while it is under way is followed without a jump of the velocity.
-// Parameters: `convergence` a (1/s), `speed` G0 (1/s), `rise` b (s), `exponent` n. With the defaults it has done 99 % of the
-// way after 1.1 s. Errors: none; while an input is not finite, it stays where it is and publishes no
+// The GO signal's clock starts when the movement does: when what had converged is given another target. A
+// target that moves while it is under way is followed without a jump of the velocity. Parameters:
+// `convergence` a (1/s), `speed` G0 (1/s), `rise` b (s), `exponent` n. With the defaults it has done 99 % of
+// the way after 1.1 s. Errors: none; while an input is not finite, it stays where it is and publishes no
 // position. Cost: four derivatives. Source: vite_ode.hpp.
 // Example: tests/runtime/motor/vite.cpp.
 #pragma once
@@ -22,7 +23,7 @@
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/beat.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
@@ -38,18 +39,26 @@ struct vite {
   using ode = vite_ode<S::size>;
 
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (bounded<double, 0, 1000>, convergence), (bounded<double, 0, 1000>, speed),
-                             (cca::quantity<cca::duration, 0, 100>, rise), (bounded<int, 1, 8>, exponent), (ode_settling, settling));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (bounded<double, 0, 1000>, convergence),
+                             (bounded<double, 0, 1000>, speed),
+                             (cca::quantity<cca::duration, 0, 100>, rise),
+                             (bounded<int, 1, 8>, exponent),
+                             (ode_settling, settling));
   };
   parameters p{30.0, 7.5, 0.4, 2, {1e-3, 1e-2}};
 
-  auto process(in<"target", S> target, optional_in<"start", S> start, optional_in<"go", over<cca::amplitude, go_axis>> go, beat now)
+  auto process(in<"target", S> target,
+               optional_in<"start", S> start,
+               optional_in<"go", over<cca::amplitude, go_axis>> go,
+               beat now)
       -> std::tuple<maybe<"position", S>, maybe<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
     constexpr int D = S::size;
     typename ode::input u;
     u.template head<D>() = target.vector();
     u[D] = p.speed * (go ? go[go_axis{}] : 1.0);
-    if (!detail::all_finite(u) || (!begun && start && !detail::has_come(start))) return {{}, {}, status_of(status.get())};
+    if (!detail::all_finite(u) || (!begun && start && !detail::has_come(start)))
+      return {{}, {}, status_of(status.get())};
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();
@@ -63,7 +72,8 @@ struct vite {
     solver.advance(u, at, now.dt());
     x = solver.get();
     const typename ode::state moving = solver.rate(u, at);
-    return {x.template head<D>().eval(), moving.template head<D>().eval(), status_of(status.update(rate(x, u, at), p.settling))};
+    return {x.template head<D>().eval(), moving.template head<D>().eval(),
+            status_of(status.update(rate(x, u, at), p.settling))};
   }
 
   // Begins at "start" again.
@@ -74,7 +84,9 @@ struct vite {
 
 private:
   // Of positions and difference vectors: the clock never rests.
-  CCA_GLUE static double rate(const typename ode::state& x, const typename ode::input& u, const typename ode::parameters& at) {
+  CCA_GLUE static double rate(const typename ode::state& x,
+                              const typename ode::input& u,
+                              const typename ode::parameters& at) {
     return ode::derivative(x, u, at).template head<2 * S::size>().norm();
   }
 

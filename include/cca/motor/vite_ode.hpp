@@ -1,23 +1,24 @@
 // The equations of VITE (vector integration to endpoint): a straight reach with a bell-shaped velocity.
 //
 //   V' = a (T - P - V)        the difference vector, smoothed
-//   P' = G(t) V               the present position; G(t) = G0 t^n / (b^n + t^n), the GO signal, t since the movement began
+//   P' = G(t) V               the present position; G(t) = G0 t^n / (b^n + t^n), the GO signal, t since the
+//   movement began
 //
-// state: P, V (D numbers each), t in s; input: T (the target), G0 in 1/s. Negative components of V are not cut off: each
-// coordinate stands for a pair of antagonists.
-// Properties: all is linear in T - P, so coordinates run in step and a longer way takes the same time (synergy, isochrony); the
-// larger G0, the faster. Closed form for G = G0 at once (b = 0) and a = 4 G0 (critical damping), from rest at distance D:
-// T - P = D (1 + l t) e^(-l t) with l = a / 2; the speed D l^2 t e^(-l t) has its peak at 1 / l. A smaller `a` overshoots.
-// Source: Bullock and Grossberg, Neural dynamics of planned arm movements: emergent invariants and speed-accuracy properties
-// during trajectory formation, Psychological Review 95, 1988 (the difference vector, present position and GO equations of
-// the VITE circuit, with the sigmoid GO signal). Checked against the closed form, and a reference integration with the rising GO signal
-// (tests/runtime/motor/vite.cpp).
+// state: P, V (D numbers each), t in s; input: T (the target), G0 in 1/s. Negative components of V are not
+// cut off: each coordinate stands for a pair of antagonists. Properties: all is linear in T - P, so
+// coordinates run in step and a longer way takes the same time (synergy, isochrony); the larger G0, the
+// faster. Closed form for G = G0 at once (b = 0) and a = 4 G0 (critical damping), from rest at distance D: T
+// - P = D (1 + l t) e^(-l t) with l = a / 2; the speed D l^2 t e^(-l t) has its peak at 1 / l. A smaller `a`
+// overshoots. Source: Bullock and Grossberg, Neural dynamics of planned arm movements: emergent invariants
+// and speed-accuracy properties during trajectory formation, Psychological Review 95, 1988 (the difference
+// vector, present position and GO equations of the VITE circuit, with the sigmoid GO signal). Checked against
+// the closed form, and a reference integration with the rising GO signal (tests/runtime/motor/vite.cpp).
 #pragma once
 
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -43,7 +44,8 @@ struct vite_ode {
   CCA_GLUE static state derivative(const state& x, const input& u, const parameters& p) {
     state rate;
     rate.template head<D>() = u[D] * go(x[2 * D], p) * x.template segment<D>(D);
-    rate.template segment<D>(D) = p.convergence * (u.template head<D>() - x.template head<D>() - x.template segment<D>(D));
+    rate.template segment<D>(D) =
+        p.convergence * (u.template head<D>() - x.template head<D>() - x.template segment<D>(D));
     rate[2 * D] = 1;
     return rate;
   }

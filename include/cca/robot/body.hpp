@@ -1,18 +1,22 @@
-// A body: body parts, each a serial chain that hangs on another part or on the body's base, as types (seed, figure 4.5).
+// A body: body parts, each a serial chain that hangs on another part or on the body's base, as types (seed,
+// figure 4.5).
 //
 //   struct oncilla_body : cca::body<trunk,
 //       cca::part<"left_front_leg", left_front_leg, cca::driven_by<"left_front_hip", "left_front_knee">>,
 //       cca::part<"left_front_paw", left_front_paw>, ...> {
-//     static constexpr cca::link_inertia base{3.66, {0, 0, 0.02}, {...}};      // optional: what the base itself weighs
+//     static constexpr cca::link_inertia base{3.66, {0, 0, 0.02}, {...}};      // optional: what the base
+//     itself weighs
 //   };
 //
-// A part hangs where its chain begins: on the part whose chain ends in that frame, else on the base. So the frames make the
-// tree; if all parts begin in the base, it's a star. A part may have no joints: then it is a place on another one. What its
-// links weigh is optional (`links` of the chain, serial_chain.hpp).
-// `driven_by` ties a part to the resource nodes that move and feel it; `cca::embodied<Body, Graph>` checks that they are there.
+// A part hangs where its chain begins: on the part whose chain ends in that frame, else on the base. So the
+// frames make the tree; if all parts begin in the base, it's a star. A part may have no joints: then it is a
+// place on another one. What its links weigh is optional (`links` of the chain, serial_chain.hpp).
+// `driven_by` ties a part to the resource nodes that move and feel it; `cca::embodied<Body, Graph>` checks
+// that they are there.
 //
 // Coordinates of a body are those of its parts, in the order of declaration: `axes_of<Body>`.
-// Errors: body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp; docs/body.md.
+// Errors: body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp;
+// docs/body.md.
 #pragma once
 
 #include <array>
@@ -24,7 +28,7 @@
 #include <cca/component/component.hpp>
 #include <cca/graph/graph.hpp>
 #include <cca/mapping/serial_chain.hpp>
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 #include <cca/space/limits.hpp>
 
 namespace cca {
@@ -54,7 +58,8 @@ struct attachments {
   static constexpr int parent_of() {
     if (std::is_same_v<typename Part::chain::base, Base>) return base;
     int found = nothing, i = 0;
-    ((found = std::is_same_v<typename Part::chain::base, typename Parts::chain::tip_frame> ? i : found, ++i), ...);
+    ((found = std::is_same_v<typename Part::chain::base, typename Parts::chain::tip_frame> ? i : found, ++i),
+     ...);
     return found;
   }
   static constexpr std::array<int, count> parent{parent_of<Parts>()...};
@@ -85,20 +90,23 @@ struct attachments {
   }();
 };
 
-// In functions, for the reason that stands in mapping.hpp, whose arguments the compilers name; each rule is reported for the
-// first part that breaks it, and a loop before what hangs on nothing.
+// In functions, for the reason that stands in mapping.hpp, whose arguments the compilers name; each rule is
+// reported for the first part that breaks it, and a loop before what hangs on nothing.
 template <class Part, bool HangsInTree>
 constexpr auto check_tree() {
   static_assert(HangsInTree,
-                "body.cycle: the parts of this body close a loop: a part hangs, by way of others, on itself, or two chains end in "
-                "one frame (or one in the base); a body is a tree or a star, so let each chain end in a frame of its own, and leave "
+                "body.cycle: the parts of this body close a loop: a part hangs, by way of others, on itself, "
+                "or two chains end in "
+                "one frame (or one in the base); a body is a tree or a star, so let each chain end in a "
+                "frame of its own, and leave "
                 "out the joint that closes the loop");
   return std::bool_constant<HangsInTree>{};
 }
 template <class Part, bool HangsOnSomething>
 constexpr auto check_parent() {
   static_assert(HangsOnSomething,
-                "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is neither the body's base "
+                "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is "
+                "neither the body's base "
                 "nor the end of another part; begin it in one of those, or add the part that leads there");
   return std::bool_constant<HangsOnSomething>{};
 }
@@ -106,7 +114,8 @@ template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_cycles() {
   if constexpr (Index < sizeof...(Parts)) {
     using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
-    if constexpr (decltype(check_tree<part, !Attachments::template closes_loop<part, Index>>())::value) return check_cycles<Attachments, Index + 1, Parts...>();
+    if constexpr (decltype(check_tree<part, !Attachments::template closes_loop<part, Index>>())::value)
+      return check_cycles<Attachments, Index + 1, Parts...>();
     else return std::false_type{};
   } else {
     return std::true_type{};
@@ -116,16 +125,21 @@ template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_attached() {
   if constexpr (Index < sizeof...(Parts)) {
     using part = std::tuple_element_t<Index, std::tuple<Parts...>>;
-    if constexpr (decltype(check_parent<part, Attachments::parent[Index] != Attachments::nothing>())::value) return check_attached<Attachments, Index + 1, Parts...>();
+    if constexpr (decltype(check_parent<part, Attachments::parent[Index] != Attachments::nothing>())::value)
+      return check_attached<Attachments, Index + 1, Parts...>();
     else return std::false_type{};
   } else {
     return std::true_type{};
   }
 }
 template <class... Axes>
-struct joined_axes { using type = axes<>; };
+struct joined_axes {
+  using type = axes<>;
+};
 template <class... A>
-struct joined_axes<axes<A...>> { using type = axes<A...>; };
+struct joined_axes<axes<A...>> {
+  using type = axes<A...>;
+};
 template <class... A, class... B, class... Rest>
 struct joined_axes<axes<A...>, axes<B...>, Rest...> : joined_axes<axes<A..., B...>, Rest...> {};
 
@@ -151,8 +165,11 @@ struct body {
 };
 
 // In one line: where a rule is broken, clang shows all of them.
-template <class Type>
-concept Body = requires { typename Type::parts; typename Type::attached; typename Type::base_frame; };
+template <class Type> concept Body = requires {
+  typename Type::parts;
+  typename Type::attached;
+  typename Type::base_frame;
+};
 
 template <Body Type>
 using axes_of = typename Type::axes;
@@ -193,8 +210,7 @@ struct nodes_among<list<Items...>> {
   static constexpr bool has(std::string_view path) { return (resource_under<Items>::has(path) || ...); }
 };
 
-template <class Part, class Graph>
-concept DrivenIn = [] {
+template <class Part, class Graph> concept DrivenIn = [] {
   for (const auto name : Part::nodes::names)
     if (!has_resource<Graph>(name)) return false;
   return true;
@@ -207,8 +223,10 @@ constexpr auto check_driven() {
   } else {
     return []<class First, class... Rest>(std::type_identity<std::tuple<First, Rest...>>) {
       static_assert(DrivenIn<First, Graph>,
-                    "body.unattached: a part of this body is driven by a resource node that the graph doesn't have: a node with "
-                    "`sense` or `act` and that name; add it, or name the one that is meant (of an inner graph by its path)");
+                    "body.unattached: a part of this body is driven by a resource node that the graph "
+                    "doesn't have: a node with "
+                    "`sense` or `act` and that name; add it, or name the one that is meant (of an inner "
+                    "graph by its path)");
       if constexpr (DrivenIn<First, Graph>) return check_driven<Graph, Rest...>();
       else return std::false_type{};
     }(std::type_identity<std::tuple<Parts...>>());
@@ -223,7 +241,8 @@ struct driven_in<Graph, std::tuple<Parts...>> {
 
 }  // namespace detail
 
-// Refuses a graph that lacks a resource node which a part of the body names: `static_assert(cca::embodied<body, graph>);`
+// Refuses a graph that lacks a resource node which a part of the body names:
+// `static_assert(cca::embodied<body, graph>);`
 template <Body Type, class Graph>
 inline constexpr bool embodied = detail::driven_in<Graph, typename Type::parts>::checked::value;
 

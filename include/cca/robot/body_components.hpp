@@ -3,17 +3,20 @@
 //   cca::gravity_compensation<Body, Angles, Torques, Attitude>
 //     in "angles" (rad), optional "attitude"; out "torques" (N m) that hold the body against gravity
 //   cca::inverse_dynamics_of<Body, Angles, Velocities, Accelerations, Torques, Attitude>
-//     in "angles", "velocities" (rad/s), "accelerations" (rad/s^2), optional "attitude"; out "torques" that this motion takes
+//     in "angles", "velocities" (rad/s), "accelerations" (rad/s^2), optional "attitude"; out "torques" that
+//     this motion takes
 //   cca::part_kinematics<Body, "left_front_leg", Angles, Tip>
-//     in "angles"; out "position" ("orientation", "pose": as the space is) of the part's end, in the frame of the base
+//     in "angles"; out "position" ("orientation", "pose": as the space is) of the part's end, in the frame of
+//     the base
 //
-// The spaces' axes hold those of the body, in any order; Angles and the like may hold others, too. "attitude" is the base's
-// orientation in a world whose z is up; not wired, the base stands upright. Parameter: `gravity`, m/s^2.
-// Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example: tests/runtime/body/example.cpp.
+// The spaces' axes hold those of the body, in any order; Angles and the like may hold others, too. "attitude"
+// is the base's orientation in a world whose z is up; not wired, the base stands upright. Parameter:
+// `gravity`, m/s^2. Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example:
+// tests/runtime/body/example.cpp.
 #pragma once
 
 #include <cca/component/port.hpp>
-#include <cca/component/reflect.hpp>
+#include <cca/base/reflect.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/robot/body.hpp>
 #include <cca/robot/body_dynamics.hpp>
@@ -39,14 +42,17 @@ struct body_as_chain {
 template <class Body, class Domain, class Space, bool HasAxes = MovedWithin<body_as_chain<Body>, Space>>
 constexpr auto check_moves() {
   static_assert(std::is_same_v<typename Space::domain, Domain>,
-                "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, accelerations and torques, in this order");
+                "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, "
+                "accelerations and torques, in this order");
   static_assert(HasAxes,
-                "space.mismatch: this space lacks an axis that the body moves about; its axes must hold all of the body's");
+                "space.mismatch: this space lacks an axis that the body moves about; its axes must hold all "
+                "of the body's");
 }
 template <class Body, class Space, bool HasAxes = MovedBy<body_as_chain<Body>, Space>>
 constexpr auto check_torques() {
   static_assert(HasAxes,
-                "space.mismatch: the torques of a body are over the axes that it moves about, all of them and no others");
+                "space.mismatch: the torques of a body are over the axes that it moves about, all of them "
+                "and no others");
 }
 
 template <class Attitude>
@@ -59,27 +65,38 @@ vector3 gravity_seen(const Attitude& attitude, double gravity) {
 
 template <Body Type, class Angles, class Torques, class Attitude = base_attitude>
 struct gravity_compensation {
-  using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()), decltype(detail::check_moves<Type, joint_torques, Torques>()),
+  using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()),
+                              decltype(detail::check_moves<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
   parameters p{9.81};
 
-  auto process(in<"angles", Angles> angles, optional_in<"attitude", Attitude> attitude) -> out<"torques", Torques> {
+  auto process(in<"angles", Angles> angles, optional_in<"attitude", Attitude> attitude)
+      -> out<"torques", Torques> {
     const body_pose<Type> now(detail::picked<axes_of<Type>, Angles>::from(angles.vector()));
-    return detail::picked<axes_of<Type>, Torques>::to(gravity_torques(now, detail::gravity_seen(attitude, p.gravity)));
+    return detail::picked<axes_of<Type>, Torques>::to(
+        gravity_torques(now, detail::gravity_seen(attitude, p.gravity)));
   }
 };
 
-template <Body Type, class Angles, class Velocities, class Accelerations, class Torques, class Attitude = base_attitude>
+template <Body Type,
+          class Angles,
+          class Velocities,
+          class Accelerations,
+          class Torques,
+          class Attitude = base_attitude>
 struct inverse_dynamics_of {
   using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()),
                               decltype(detail::check_moves<Type, joint_velocities, Velocities>()),
                               decltype(detail::check_moves<Type, joint_accelerations, Accelerations>()),
-                              decltype(detail::check_moves<Type, joint_torques, Torques>()), decltype(detail::check_torques<Type, Torques>())>;
+                              decltype(detail::check_moves<Type, joint_torques, Torques>()),
+                              decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
   parameters p{9.81};
 
-  auto process(in<"angles", Angles> angles, in<"velocities", Velocities> velocities, in<"accelerations", Accelerations> accelerations,
+  auto process(in<"angles", Angles> angles,
+               in<"velocities", Velocities> velocities,
+               in<"accelerations", Accelerations> accelerations,
                optional_in<"attitude", Attitude> attitude) -> out<"torques", Torques> {
     const body_pose<Type> now(detail::picked<axes_of<Type>, Angles>::from(angles.vector()));
     base_motion base;
@@ -97,7 +114,8 @@ struct part_kinematics {
                               decltype(detail::check_moves<Type, joint_angles, Angles>())>;
 
   auto process(in<"angles", Angles> angles) -> out<detail::tip_port<Tip>(), Tip> {
-    return detail::tip_in<Tip>(body_pose<Type>(detail::picked<axes_of<Type>, Angles>::from(angles.vector())).template tip<Part>());
+    return detail::tip_in<Tip>(
+        body_pose<Type>(detail::picked<axes_of<Type>, Angles>::from(angles.vector())).template tip<Part>());
   }
 };
 

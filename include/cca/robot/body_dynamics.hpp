@@ -2,15 +2,17 @@
 //
 //   const cca::body_pose<oncilla_body> now(q);
 //   cca::inverse_dynamics(now, dq, ddq)                    over axes_of<oncilla_body>: N m (prismatic: N)
-//   cca::inverse_dynamics(now, dq, ddq, base).wrench       what the base must be held with: torque about its origin, then force
-//   cca::gravity_torques(now, gravity)                     the same at rest, in half the time
+//   cca::inverse_dynamics(now, dq, ddq, base).wrench       what the base must be held with: torque about its
+//   origin, then force cca::gravity_torques(now, gravity)                     the same at rest, in half the
+//   time
 //
-// `base` says how the base moves and where gravity pulls, along the axes of the base: for a robot that stands on the ground its
-// gravity is (0, 0, -9.81) turned back by the trunk's orientation. A wrench f on the end of a part takes -J^T f more.
-// Parts that say nothing of what their links weigh weigh nothing.
+// `base` says how the base moves and where gravity pulls, along the axes of the base: for a robot that stands
+// on the ground its gravity is (0, 0, -9.81) turned back by the trunk's orientation. A wrench f on the end of
+// a part takes -J^T f more. Parts that say nothing of what their links weigh weigh nothing.
 //
-// Source: the recursive Newton-Euler algorithm (Luh, Walker, Paul 1980; Featherstone, Rigid Body Dynamics Algorithms, 2008,
-// section 5.3), all vectors along the base's axes. Checked against Orocos KDL on random trees, and by power and energy. Cost: linear in the joints, nothing allocates.
+// Source: the recursive Newton-Euler algorithm (Luh, Walker, Paul 1980; Featherstone, Rigid Body Dynamics
+// Algorithms, 2008, section 5.3), all vectors along the base's axes. Checked against Orocos KDL on random
+// trees, and by power and energy. Cost: linear in the joints, nothing allocates.
 #pragma once
 
 #include <array>
@@ -22,10 +24,10 @@ namespace cca {
 
 struct base_motion {
   using vector = Eigen::Matrix<double, 3, 1>;
-  vector gravity{0, 0, -9.81};                       // m/s^2
-  vector angular_velocity = vector::Zero();          // rad/s
-  vector angular_acceleration = vector::Zero();      // rad/s^2
-  vector acceleration = vector::Zero();              // of the base's origin, without gravity, m/s^2
+  vector gravity{0, 0, -9.81};                   // m/s^2
+  vector angular_velocity = vector::Zero();      // rad/s
+  vector angular_acceleration = vector::Zero();  // rad/s^2
+  vector acceleration = vector::Zero();          // of the base's origin, without gravity, m/s^2
 };
 
 template <int Size>
@@ -55,7 +57,8 @@ struct frame_motion {
 // What a body needs to move so, about its frame's origin (Newton and Euler).
 inline load needed(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
   const vector3 c = turn * as_vector(of.centre);
-  const vector3 acceleration = m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
+  const vector3 acceleration =
+      m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
   // The inertia in its own axes, where it's constant.
   const matrix3 inertia = matrix_of(of.about_centre);
   const vector3 dw = turn.transpose() * m.dw, w = turn.transpose() * m.w;
@@ -67,21 +70,26 @@ inline load needed(const link_inertia& of, const matrix3& turn, const frame_moti
 }
 
 template <std::size_t Count, int Size>
-dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed,
-                                   const link_inertia& base_weight, const Eigen::Matrix<double, Size, 1>& dq,
-                                   const Eigen::Matrix<double, Size, 1>& ddq, const base_motion& base) {
+dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
+                                   const std::array<placed_link, Count>& placed,
+                                   const link_inertia& base_weight,
+                                   const Eigen::Matrix<double, Size, 1>& dq,
+                                   const Eigen::Matrix<double, Size, 1>& ddq,
+                                   const base_motion& base) {
   const frame_motion root{base.angular_velocity, base.angular_acceleration, base.acceleration - base.gravity};
   std::array<frame_motion, Count> motion;
   std::array<load, Count> loads;
   const auto arm = [&](std::size_t i) {
     const int p = links[i].parent;
-    return p < 0 ? placed[i].frame.at : vector3(placed[i].frame.at - placed[static_cast<std::size_t>(p)].frame.at);
+    return p < 0 ? placed[i].frame.at
+                 : vector3(placed[i].frame.at - placed[static_cast<std::size_t>(p)].frame.at);
   };
 
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
     const frame_motion& p = l.parent < 0 ? root : motion[static_cast<std::size_t>(l.parent)];
-    const vector3 r = arm(i), along = l.ratio * dq[l.coordinate] * placed[i].axis, along_change = l.ratio * ddq[l.coordinate] * placed[i].axis;
+    const vector3 r = arm(i), along = l.ratio * dq[l.coordinate] * placed[i].axis,
+                  along_change = l.ratio * ddq[l.coordinate] * placed[i].axis;
     frame_motion& m = motion[i];
     m = p;
     m.a += rotation::cross<double>(p.dw, r) + rotation::cross<double>(p.w, rotation::cross<double>(p.w, r));
@@ -99,7 +107,8 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links, co
   load at_base = needed(base_weight, matrix3::Identity(), root);
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
-    result.torques[l.coordinate] += l.ratio * placed[i].axis.dot(l.kind == joint_kind::revolute ? loads[i].moment : loads[i].force);
+    result.torques[l.coordinate] +=
+        l.ratio * placed[i].axis.dot(l.kind == joint_kind::revolute ? loads[i].moment : loads[i].force);
     load& below = l.parent < 0 ? at_base : loads[static_cast<std::size_t>(l.parent)];
     below.force += loads[i].force;
     below.moment += loads[i].moment + rotation::cross<double>(arm(i), loads[i].force);
@@ -111,7 +120,8 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links, co
 
 // At rest only weights count: of all that a joint carries, by mass and centre.
 template <int Size, std::size_t Count>
-Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed,
+Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links,
+                                       const std::array<placed_link, Count>& placed,
                                        const vector3& gravity) {
   std::array<double, Count> mass;
   std::array<vector3, Count> moment;  // mass times centre, from the base's origin
@@ -124,9 +134,9 @@ Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links
     const body_link& l = links[i];
     const vector3& axis = placed[i].axis;
     if (l.kind == joint_kind::revolute)
-      torques[l.coordinate] -= l.ratio * axis.dot(rotation::cross<double>(vector3(moment[i] - mass[i] * placed[i].frame.at), gravity));
-    else
-      torques[l.coordinate] -= l.ratio * mass[i] * axis.dot(gravity);
+      torques[l.coordinate] -= l.ratio * axis.dot(rotation::cross<double>(
+                                             vector3(moment[i] - mass[i] * placed[i].frame.at), gravity));
+    else torques[l.coordinate] -= l.ratio * mass[i] * axis.dot(gravity);
     if (l.parent >= 0) {
       mass[static_cast<std::size_t>(l.parent)] += mass[i];
       moment[static_cast<std::size_t>(l.parent)] += moment[i];
@@ -138,15 +148,19 @@ Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links
 }  // namespace detail
 
 template <Body Type>
-auto inverse_dynamics(const body_pose<Type>& now, const typename body_pose<Type>::vector_type& velocities,
-                      const typename body_pose<Type>::vector_type& accelerations, const base_motion& base = {}) {
+auto inverse_dynamics(const body_pose<Type>& now,
+                      const typename body_pose<Type>::vector_type& velocities,
+                      const typename body_pose<Type>::vector_type& accelerations,
+                      const base_motion& base = {}) {
   return detail::newton_euler<detail::body_tree_of<Type>.links.size(), body_pose<Type>::size>(
-      detail::body_tree_of<Type>.links, now.links(), detail::base_inertia_of<Type>(), velocities, accelerations, base);
+      detail::body_tree_of<Type>.links, now.links(), detail::base_inertia_of<Type>(), velocities,
+      accelerations, base);
 }
 
 // Gravity along the base's axes, m/s^2.
 template <Body Type>
-auto gravity_torques(const body_pose<Type>& now, const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
+auto gravity_torques(const body_pose<Type>& now,
+                     const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
   return detail::weights<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(), gravity);
 }
 

@@ -1,11 +1,14 @@
-// Where all parts of a body are: forward kinematics, Jacobians and the centre of mass, in the frame of the body's base.
+// Where all parts of a body are: forward kinematics, Jacobians and the centre of mass, in the frame of the
+// body's base.
 //
 //   const cca::body_pose<oncilla_body> now(q);        q over axes_of<oncilla_body>, rad (prismatic: m)
 //   now.tip<"left_front_leg">()                        position and orientation of the part's end
-//   now.jacobian<"left_front_leg">()                   6 x coordinates: angular velocity, then velocity of its end's origin
-//   now.centre_of_mass()                               of all that weighs something, the base included; m
+//   now.jacobian<"left_front_leg">()                   6 x coordinates: angular velocity, then velocity of
+//   its end's origin now.centre_of_mass()                               of all that weighs something, the
+//   base included; m
 //
-// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most two products of 3 x 3 matrices a joint.
+// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most two products of 3 x 3 matrices
+// a joint.
 #pragma once
 
 #include <array>
@@ -48,7 +51,8 @@ struct tree_facts;
 template <class Body, class... Parts>
 struct tree_facts<Body, std::tuple<Parts...>> {
   static constexpr std::size_t count = sizeof...(Parts), links = (Parts::chain::joints.size() + ... + 0u);
-  static_assert((coordinates_exist<typename Parts::chain> && ...), "cca::body: a joint is driven by a coordinate that its chain has no axis for");
+  static_assert((coordinates_exist<typename Parts::chain> && ...),
+                "cca::body: a joint is driven by a coordinate that its chain has no axis for");
 
   static constexpr auto value = [] {
     body_tree<links, count> tree;
@@ -83,7 +87,9 @@ constexpr link_inertia base_inertia_of() {
 
 // The centre of mass of all links, and of the base.
 template <std::size_t Count>
-vector3 centre_of_mass(const std::array<body_link, Count>& links, const std::array<placed_link, Count>& placed, const link_inertia& base) {
+vector3 centre_of_mass(const std::array<body_link, Count>& links,
+                       const std::array<placed_link, Count>& placed,
+                       const link_inertia& base) {
   double mass = base.mass;
   vector3 moment = base.mass * as_vector(base.centre);
   for (std::size_t i = 0; i < Count; ++i) {
@@ -109,7 +115,9 @@ public:
   explicit body_pose(const vector_type& q) { detail::place_links(tree.links, q, placed); }
 
   template <fixed_string Part>
-  rigid tip() const { return end(number<Part>()); }
+  rigid tip() const {
+    return end(number<Part>());
+  }
 
   template <fixed_string Part>
   jacobian_type jacobian() const {

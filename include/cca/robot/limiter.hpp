@@ -2,21 +2,27 @@
 //
 //   cca::node<"limits", cca::limiter<leg_angles>>      in "command", optional "measured"; out "safe"
 //
-// What it publishes is finite and lies within the limits that its axes state for the domain type's own quantity, always.
-// Besides, it changes from one safe command to the next at most as fast as the axes allow: an angle by their `velocity`, a
-// velocity by `acceleration`, a torque by `torque_rate`, an axis that states none at will. Each number is checked for
+// What it publishes is finite and lies within the limits that its axes state for the domain type's own
+// quantity, always. Besides, it changes from one safe command to the next at most as fast as the axes allow:
+// an angle by their `velocity`, a velocity by `acceleration`, a torque by `torque_rate`, an axis that states
+// none at will. Each number is checked for
 //
-//   finite   NaN and infinity are no commands: an angle or a stiffness stays as it last was, a velocity, acceleration or
-//            torque goes to the allowed number nearest to zero (a torque that is held would go on to accelerate);
+//   finite   NaN and infinity are no commands: an angle or a stiffness stays as it last was, a velocity,
+//   acceleration or
+//            torque goes to the allowed number nearest to zero (a torque that is held would go on to
+//            accelerate);
 //   range    then the nearest allowed number is taken;
-//   rate     and of those, the nearest that can be reached since the last safe command: in the time since then, but no
+//   rate     and of those, the nearest that can be reached since the last safe command: in the time since
+//   then, but no
 //            more than one period of the space's rate, so that a pause is no leave to jump.
 //
-// It starts from "measured", where that is wired and has come, and holds it until a first command has; else the first command
-// is taken as it is. Each number changed is counted, and the first cause kept: which axis, which check, in which beat.
+// It starts from "measured", where that is wired and has come, and holds it until a first command has; else
+// the first command is taken as it is. Each number changed is counted, and the first cause kept: which axis,
+// which check, in which beat.
 //
-// Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest runs only when
-// a command is changed. Errors: space.missing_limits. Example: tests/runtime/robot/limiter.cpp; docs/robot.md.
+// Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest
+// runs only when a command is changed. Errors: space.missing_limits. Example:
+// tests/runtime/robot/limiter.cpp; docs/robot.md.
 #pragma once
 
 #include <array>
@@ -28,7 +34,7 @@
 #include <utility>
 
 #include <cca/component/beat.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/limits.hpp>
@@ -52,10 +58,26 @@ struct limiting {
   using rate = void;
   static constexpr bool holds = true;
 };
-template <> struct limiting<angle> { using rate = velocity; static constexpr bool holds = true; };
-template <> struct limiting<velocity> { using rate = acceleration; static constexpr bool holds = false; };
-template <> struct limiting<acceleration> { using rate = void; static constexpr bool holds = false; };
-template <> struct limiting<torque> { using rate = torque_rate; static constexpr bool holds = false; };
+template <>
+struct limiting<angle> {
+  using rate = velocity;
+  static constexpr bool holds = true;
+};
+template <>
+struct limiting<velocity> {
+  using rate = acceleration;
+  static constexpr bool holds = false;
+};
+template <>
+struct limiting<acceleration> {
+  using rate = void;
+  static constexpr bool holds = false;
+};
+template <>
+struct limiting<torque> {
+  using rate = torque_rate;
+  static constexpr bool holds = false;
+};
 
 // `a` where the comparison is false, so also where `b` is NaN: one instruction each.
 constexpr double at_least(double a, double b) { return b > a ? b : a; }
@@ -67,21 +89,25 @@ struct limits_of {
   static constexpr std::size_t size = Space::size;
   using quantity = typename Space::domain::quantity;
   using rate_quantity = typename limiting<quantity>::rate;
-  struct bounds { double lower, upper; };
+  struct bounds {
+    double lower, upper;
+  };
 
   // An axis without limits has those of a double, so that infinity lies outside in any case.
   static constexpr std::array<bounds, size> range = [] {
     std::array<bounds, size> all{};
     constexpr double largest = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < size; ++i)
-      all[i] = {at_least(-largest, lower_limits<Space, quantity>[i]), at_most(largest, upper_limits<Space, quantity>[i])};
+      all[i] = {at_least(-largest, lower_limits<Space, quantity>[i]),
+                at_most(largest, upper_limits<Space, quantity>[i])};
     return all;
   }();
 
   static constexpr std::array<bounds, size> rate = [] {
     std::array<bounds, size> all{};
     for (std::size_t i = 0; i < size; ++i) {
-      if constexpr (std::is_void_v<rate_quantity>) all[i] = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+      if constexpr (std::is_void_v<rate_quantity>)
+        all[i] = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
       else all[i] = {lower_limits<Space, rate_quantity>[i], upper_limits<Space, rate_quantity>[i]};
     }
     return all;
@@ -99,13 +125,16 @@ struct limits_of {
     return true;
   }();
 
-  static constexpr double in_range(std::size_t i, double value) { return at_most(range[i].upper, at_least(range[i].lower, value)); }
+  static constexpr double in_range(std::size_t i, double value) {
+    return at_most(range[i].upper, at_least(range[i].lower, value));
+  }
 
-  // The range, and of it what can be reached from the last number within dt: all of it where the rate is infinite, also
-  // in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
+  // The range, and of it what can be reached from the last number within dt: all of it where the rate is
+  // infinite, also in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
   CCA_GLUE static constexpr bounds window(std::size_t i, double last, double dt) {
     if constexpr (!has_any_rate) return range[i];
-    return {at_least(range[i].lower, last + rate[i].lower * dt), at_most(range[i].upper, last + rate[i].upper * dt)};
+    return {at_least(range[i].lower, last + rate[i].lower * dt),
+            at_most(range[i].upper, last + rate[i].upper * dt)};
   }
 };
 
@@ -113,8 +142,10 @@ struct limits_of {
 
 template <class Space>
 class limiter {
-  static_assert(Space::size == Space::axes::count, "cca::limiter: this domain type has no number per axis, and so no limits");
-  static_assert(__FINITE_MATH_ONLY__ == 0, "cca::limiter: -ffinite-math-only (of -ffast-math) would let NaN pass to the actuators");
+  static_assert(Space::size == Space::axes::count,
+                "cca::limiter: this domain type has no number per axis, and so no limits");
+  static_assert(__FINITE_MATH_ONLY__ == 0,
+                "cca::limiter: -ffinite-math-only (of -ffast-math) would let NaN pass to the actuators");
   using limits = detail::limits_of<Space>;
   static_assert(limits::may_rest, "cca::limiter: the limits of how fast a command may change must include 0");
 
@@ -122,9 +153,11 @@ public:
   static constexpr bool limits_commands = true;
   using vector_type = typename Space::vector_type;
 
-  auto process(in<"command", Space> command, optional_in<"measured", Space> measured, beat now) -> out<"safe", Space> {
+  auto process(in<"command", Space> command, optional_in<"measured", Space> measured, beat now)
+      -> out<"safe", Space> {
     if ((limits::has_any_rate || measured) && !begun) [[unlikely]] {
-      begin(command.vector(), measured.vector(), measured && measured.origin() != never, command.fresh() || !measured);
+      begin(command.vector(), measured.vector(), measured && measured.origin() != never,
+            command.fresh() || !measured);
       if (!begun) return last;
     }
     const double dt = time_since(now);
@@ -136,7 +169,8 @@ public:
       value[axis] = detail::at_most(high, detail::at_least(low, wanted));
       changed |= value[axis] != wanted;
     });
-    if (changed) [[unlikely]] value = corrected(command.vector(), now.index(), dt);
+    if (changed) [[unlikely]]
+      value = corrected(command.vector(), now.index(), dt);
     last = value;
     return value;
   }
@@ -159,7 +193,8 @@ private:
   }
 
   static double time_since(const beat& now) {
-    if constexpr (detail::hz_of<typename Space::rate> > 0) return detail::at_most(1 / detail::hz_of<typename Space::rate>, now.dt());
+    if constexpr (detail::hz_of<typename Space::rate> > 0)
+      return detail::at_most(1 / detail::hz_of<typename Space::rate>, now.dt());
     else return now.dt();
   }
 
@@ -170,20 +205,29 @@ private:
       const auto [low, high] = limits::window(axis, last[axis], dt);
       if (wanted >= low && wanted <= high) return;
       const bool lost = !std::isfinite(wanted);
-      const double goal = !lost ? wanted : detail::limiting<typename limits::quantity>::holds ? last[axis] : 0;
+      const double goal = !lost                                                ? wanted
+                          : detail::limiting<typename limits::quantity>::holds ? last[axis]
+                                                                               : 0;
       value[axis] = detail::at_most(high, detail::at_least(low, goal));
       ++count;
       if (first.cause == limited_by::nothing)
-        first = {lost ? limited_by::finite : limits::has_any_rate && limits::in_range(axis, wanted) == wanted ? limited_by::rate : limited_by::range, axis, k};
+        first = {lost                                                               ? limited_by::finite
+                 : limits::has_any_rate && limits::in_range(axis, wanted) == wanted ? limited_by::rate
+                                                                                    : limited_by::range,
+                 axis, k};
     });
     return value;
   }
 
   // By itself clang would leave a call to each of these, since they do many axes at once.
   template <class F, int... Axis>
-  CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) { CCA_INLINE_CALL (f(std::integral_constant<int, Axis>{}), ...); }
+  CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) {
+    CCA_INLINE_CALL(f(std::integral_constant<int, Axis>{}), ...);
+  }
   template <class F>
-  CCA_GLUE static void each_axis(F f) { at_each(f, std::make_integer_sequence<int, Space::size>{}); }
+  CCA_GLUE static void each_axis(F f) {
+    at_each(f, std::make_integer_sequence<int, Space::size>{});
+  }
 
   // In a loop that stays one: what is seldom done is to be short, not fast.
   template <class F>

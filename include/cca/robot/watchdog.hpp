@@ -1,14 +1,15 @@
 // The watchdog: looks at the age of a command in each beat, and faults when it is stale.
 //
-//   cca::node<"watchdog", cca::watchdog<leg_angles, 5>>      in "command"; out "fresh", passed on as it came, origin included
+//   cca::node<"watchdog", cca::watchdog<leg_angles, 5>>      in "command"; out "fresh", passed on as it came,
+//   origin included
 //
-// The age is that of the data that the command was made from (the beat's time less its origin), or of its arrival, if
-// that was longer ago: a command that claims to be of the future grows stale too. One older than `Beats` beats is a fault,
-// so every resource node's `on_fault` runs in the same beat. As long as no command has come at all, the age counts from
-// the first beat.
+// The age is that of the data that the command was made from (the beat's time less its origin), or of its
+// arrival, if that was longer ago: a command that claims to be of the future grows stale too. One older than
+// `Beats` beats is a fault, so every resource node's `on_fault` runs in the same beat. As long as no command
+// has come at all, the age counts from the first beat.
 //
-// It is a graph of one node, since it has to look when nothing arrives: its clock is `timed<1>` wherever it stands.
-// Errors: the fault `stale command`. Example: tests/runtime/robot/watchdog.cpp; docs/robot.md.
+// It is a graph of one node, since it has to look when nothing arrives: its clock is `timed<1>` wherever it
+// stands. Errors: the fault `stale command`. Example: tests/runtime/robot/watchdog.cpp; docs/robot.md.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +52,7 @@ private:
 
 template <class Space, std::int64_t Beats>
 struct watchdog : graph<node<"watch", detail::age_watch<Space, Beats>, timed<1>>,
-                        expose<"watch.command", "command">, expose<"watch.fresh", "fresh">> {};
+                        expose<"watch.command", "command">,
+                        expose<"watch.fresh", "fresh">> {};
 
 }  // namespace cca

@@ -3,8 +3,8 @@
 //   cca::controller<trot<cca::sim::oncilla>> c;
 //   c.load(); c.start(); c.run(cca::for_<10>{});
 //
-// Outside of the loop, what can't be done is refused by `cca::refused` with a message. In the loop nothing throws,
-// allocates or locks.
+// Outside of the loop, what can't be done is refused by `cca::refused` with a message. In the loop nothing
+// throws, allocates or locks.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 #include <cca/graph/find.hpp>
 #include <cca/runtime/loop.hpp>
 #include <cca/runtime/pace.hpp>
@@ -24,11 +24,12 @@ namespace detail {
 // Reading and writing files, in cca/config.hpp.
 template <class Controller>
 struct config_backend;
-template <class Controller>
-concept HasConfig = requires { sizeof(config_backend<Controller>); };
+template <class Controller> concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
 template <class Graph>
-struct is_watched { static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; } };
+struct is_watched {
+  static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; }
+};
 
 }  // namespace detail
 
@@ -43,15 +44,18 @@ public:
       if constexpr (HasParameters<C>) check_parameters(component.p, path);
     });
     // A hook may refuse, where a file is damaged: then the state stays as it was.
-    visit([]<class C>(int, C& component) {
-      if constexpr (detail::OnLoad<C>) component.on_load();
-    }, state_of_all);
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::OnLoad<C>) component.on_load();
+        },
+        state_of_all);
     move(detail::transition::load, "load()");
   }
 
   // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
   void load(std::string_view file) {
-    static_assert(detail::HasConfig<controller>, "cca::controller: load(file) needs #include <cca/config.hpp>");
+    static_assert(detail::HasConfig<controller>,
+                  "cca::controller: load(file) needs #include <cca/config.hpp>");
     check(detail::transition::load, "load(file)");
     detail::config_backend<controller>::load(*this, file);
     load();
@@ -59,14 +63,17 @@ public:
 
   void save() {
     check(detail::transition::save, "save()");
-    visit([]<class C>(int, C& component) {
-      if constexpr (detail::OnSave<C>) component.on_save();
-    }, state_of_all);
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::OnSave<C>) component.on_save();
+        },
+        state_of_all);
     move(detail::transition::save, "save()");
   }
 
   void save(std::string_view file) {
-    static_assert(detail::HasConfig<controller>, "cca::controller: save(file) needs #include <cca/config.hpp>");
+    static_assert(detail::HasConfig<controller>,
+                  "cca::controller: save(file) needs #include <cca/config.hpp>");
     check(detail::transition::save, "save(file)");
     detail::config_backend<controller>::save(*this, file);
     save();
@@ -74,17 +81,21 @@ public:
 
   void start() {
     move(detail::transition::start, "start()");
-    visit([]<class C>(int, C& component) {
-      if constexpr (detail::OnStart<C>) component.on_start();
-    }, state_of_all);
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::OnStart<C>) component.on_start();
+        },
+        state_of_all);
   }
 
   void stop() {
     move(detail::transition::stop, "stop()");
     reason = {};
-    visit([]<class C>(int, C& component) {
-      if constexpr (detail::OnStop<C>) component.on_stop();
-    }, state_of_all);
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::OnStop<C>) component.on_stop();
+        },
+        state_of_all);
   }
 
   // Goes on after a fault.
@@ -93,7 +104,8 @@ public:
     reason = {};
   }
 
-  // One beat. False, and nothing happens, where the life-cycle does not allow it: before start(), and after a fault.
+  // One beat. False, and nothing happens, where the life-cycle does not allow it: before start(), and after a
+  // fault.
   bool step() noexcept {
     if (!detail::is_legal(detail::transition::run, now)) return false;
     advance();
@@ -125,20 +137,20 @@ public:
 
   // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
   cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
-  std::string fault_path() const { return reason.fault ? path_of(reason.leaf) : std::string(); }
+  std::string fault_path() const { return reason.fault ? path_of(reason.node) : std::string(); }
 
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
   decltype(auto) get() {
-    return at<detail::hash(Path.view()), detail::leaf_at<Graph>(Path.view())>(*this);
+    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
   }
   template <fixed_string Path>
   decltype(auto) get() const {
-    return at<detail::hash(Path.view()), detail::leaf_at<Graph>(Path.view())>(*this);
+    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
   }
 
-  // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest sample;
-  // fresh: published in the last beat.
+  // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest
+  // sample; fresh: published in the last beat.
   template <class F>
   void observed(F f) const {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
@@ -147,9 +159,11 @@ public:
     }(detail::chosen<detail::counts_of<Graph>.output_count, detail::is_watched<Graph>>{});
   }
 
-  // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't hold.
-  // In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
-  template <fixed_string Path, class Parameters = typename detail::parameters_at<Graph, detail::leaf_at<Graph>(Path.view())>::type>
+  // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
+  // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
+  template <
+      fixed_string Path,
+      class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>
   void set(const Parameters& parameters) {
     detail::apply_parameters(get<Path>(), parameters, Path.view());
   }
@@ -157,25 +171,28 @@ public:
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
   void for_each_component(F f) {
-    visit([&](int leaf, auto& component) { f(std::string_view(path_of(leaf)), component); }, state_of_all);
+    visit([&](int node, auto& component) { f(std::string_view(path_of(node)), component); }, state_of_all);
   }
   template <class F>
   void for_each_component(F f) const {
-    visit([&](int leaf, const auto& component) { f(std::string_view(path_of(leaf)), component); }, state_of_all);
+    visit([&](int node, const auto& component) { f(std::string_view(path_of(node)), component); },
+          state_of_all);
   }
 
 private:
-  // f(number, component) for each. By way of a table, so that what `f` does with components of one type is compiled once.
+  // f(number, component) for each. By way of a table, so that what `f` does with components of one type is
+  // compiled once.
   template <class F, class Memory, int First>
-  static void visit_one(F& f, Memory& m, int leaf) {
-    f(leaf, detail::cells_at<Graph, First>(m).at(detail::layout_of<Graph>.cells[leaf].slot));
+  static void visit_one(F& f, Memory& m, int node) {
+    f(node, detail::cells_at<Graph, First>(m).at(detail::layout_of<Graph>.cells[node].slot));
   }
   template <class F, class Memory>
   static void visit(F f, Memory& m) {
-    [&]<int... Leaf>(std::integer_sequence<int, Leaf...>) {
-      static constexpr void (*visitors[])(F&, Memory&, int) = {visit_one<F, Memory, detail::layout_of<Graph>.cells[Leaf].group>..., nullptr};
-      for (int leaf = 0; leaf < static_cast<int>(sizeof...(Leaf)); ++leaf) visitors[leaf](f, m, leaf);
-    }(std::make_integer_sequence<int, detail::counts_of<Graph>.leaf_count>{});
+    [&]<int... Node>(std::integer_sequence<int, Node...>) {
+      static constexpr void (*visitors[])(F&, Memory&, int) = {
+          visit_one<F, Memory, detail::layout_of<Graph>.cells[Node].group>..., nullptr};
+      for (int node = 0; node < static_cast<int>(sizeof...(Node)); ++node) visitors[node](f, m, node);
+    }(std::make_integer_sequence<int, detail::counts_of<Graph>.node_count>{});
   }
 
   // The nodes of an inner graph, whose path has this hash.
@@ -186,14 +203,14 @@ private:
     template <fixed_string Path>
     decltype(auto) get() const {
       constexpr auto path = detail::hash(Path.view(), detail::after_dot(Scope));
-      return at<path, detail::leaf_with_hash<Graph>(path)>(of);
+      return at<path, detail::node_with_hash<Graph>(path)>(of);
     }
   };
 
-  template <std::uint64_t Path, int Leaf, class Controller>
+  template <std::uint64_t Path, int Node, class Controller>
   static decltype(auto) at(Controller& controller) {
-    if constexpr (Leaf >= 0) {
-      return (detail::component_at<Graph, Leaf>(controller.state_of_all));
+    if constexpr (Node >= 0) {
+      return (detail::component_at<Graph, Node>(controller.state_of_all));
     } else {
       static_assert(detail::has_scope<Graph>(Path), "cca::controller::get: no node has this path");
       return nodes<Controller, Path>{controller};
@@ -207,20 +224,23 @@ private:
     bool is_fresh;
     if constexpr (detail::output_of<Graph, Output>.stamped) is_fresh = s.when == k - 1;
     else is_fresh = detail::newest_tick(detail::published_of<Graph, Output>, k - 1) == k - 1 && k > 0;
-    f(observation{detail::path_of_output<Graph, Output>(), {s.value, std::size(s.value)}, s.origin, is_fresh});
+    f(observation{
+        detail::path_of_output<Graph, Output>(), {s.value, std::size(s.value)}, s.origin, is_fresh});
   }
 
-  static std::string path_of(int leaf) {
+  static std::string path_of(int node) {
     const auto& plan = detail::plan_of<Graph>;
-    std::string path(plan.leaves[static_cast<std::size_t>(leaf)].item->from);
-    for (int s = plan.leaves[static_cast<std::size_t>(leaf)].scope; plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
+    std::string path(plan.nodes[static_cast<std::size_t>(node)].item->from);
+    for (int s = plan.nodes[static_cast<std::size_t>(node)].scope;
+         plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
       path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
     return path;
   }
 
   void check(detail::transition what, const char* call) const {
     if (!detail::is_legal(what, now))
-      throw refused(std::string("cca::controller: ") + call + " is refused in the state `" + std::string(to_string(now)) + "`: " + std::string(detail::remedy(what, now)));
+      throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +
+                    std::string(to_string(now)) + "`: " + std::string(detail::remedy(what, now)));
   }
   void move(detail::transition what, const char* call) {
     check(what, call);
@@ -228,25 +248,27 @@ private:
   }
 
   [[gnu::flatten]] void advance() noexcept {
-    detail::course course;
-    detail::take_beat(state_of_all, course, k);
+    detail::beat_outcome beat_outcome;
+    detail::take_beat(state_of_all, beat_outcome, k);
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
-      if (course.fault) fail(course);
+      if (beat_outcome.fault) fail(beat_outcome);
   }
 
   // In the beat of the fault, instead of what would still have come.
-  [[gnu::noinline]] void fail(const detail::course& course) noexcept {
-    reason = course;
-    visit([]<class C>(int, C& component) {
-      if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
-    }, state_of_all);
+  [[gnu::noinline]] void fail(const detail::beat_outcome& beat_outcome) noexcept {
+    reason = beat_outcome;
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
+        },
+        state_of_all);
     now = detail::after(detail::transition::fail, now);
   }
 
   detail::memory<Graph> state_of_all{};
   std::int64_t k = 0;
-  detail::course reason{};
+  detail::beat_outcome reason{};
   cca::state now = cca::state::created;
 };
 

@@ -1,4 +1,5 @@
-// Whether a component fires in beat k: settled at compile time wherever its clock is known, else asked of its strategy.
+// Whether a component fires in beat k: settled at compile time wherever its clock is known, else asked of its
+// strategy.
 #pragma once
 
 #include <tuple>
@@ -13,22 +14,25 @@ CCA_GLUE constexpr bool ticks(std::int64_t k) {
   if constexpr (Clock.never()) return false;
   else if constexpr (Clock.every_beat()) return true;
   else if constexpr (Clock.period == 1) return k >= Clock.first;
-  else if constexpr (Clock.first < Clock.period) return static_cast<std::uint64_t>(k) % static_cast<std::uint64_t>(Clock.period) == static_cast<std::uint64_t>(Clock.first);
+  else if constexpr (Clock.first < Clock.period)
+    return static_cast<std::uint64_t>(k) % static_cast<std::uint64_t>(Clock.period) ==
+           static_cast<std::uint64_t>(Clock.first);
   else return k >= Clock.first && (k - Clock.first) % Clock.period == 0;
 }
 
 // The state of a function whose clock is known only at run time, when its strategy is asked.
-template <class Graph, int Turn>
+template <class Graph, int Call>
 struct question {
   const memory<Graph>& m;
-  const seats<Graph, Turn>& places;
+  const seats<Graph, Call>& places;
   std::int64_t k;
   const last_firing& self;
 
   template <int Position>
   CCA_GLUE bool fresh() const {
-    constexpr int input = input_like<Graph, Turn, Position>;
-    if constexpr (is_wired<Graph, input>) return is_fresh<Graph, input>(input_in<Position>(places), k, self.last);
+    constexpr int input = input_like<Graph, Call, Position>;
+    if constexpr (is_wired<Graph, input>)
+      return is_fresh<Graph, input>(input_in<Position>(places), k, self.last);
     else return false;
   }
   template <int... Position>
@@ -37,7 +41,8 @@ struct question {
   }
   template <int... Position>
   CCA_GLUE bool all_fresh(std::integer_sequence<int, Position...>) const {
-    return ((!is_wired<Graph, input_like<Graph, Turn, Position>> || fresh<Position>()) && ... && (!has_observers(turn_of<Graph, Turn>) || any_observed()));
+    return ((!is_wired<Graph, input_like<Graph, Call, Position>> || fresh<Position>()) && ... &&
+            (!has_observers(call_of<Graph, Call>) || any_observed()));
   }
 
   // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
@@ -50,7 +55,7 @@ struct question {
   }
   template <int Position>
   CCA_GLUE void join(std::int64_t& common, bool& all) const {
-    constexpr int input = input_like<Graph, Turn, Position>;
+    constexpr int input = input_like<Graph, Call, Position>;
     if constexpr (is_wired<Graph, input>) {
       const auto origin = origin_of<Graph, input>(input_in<Position>(places), k);
       if (common == never) common = origin;
@@ -61,23 +66,25 @@ struct question {
   // Does an observer of this function listen to something fresh?
   CCA_GLUE bool any_observed() const {
     bool any = false;
-    if constexpr (has_observers(turn_of<Graph, Turn>)) for_each_observed<Graph, Turn>([&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
+    if constexpr (has_observers(call_of<Graph, Call>))
+      for_each_observed<Graph, Call>(
+          [&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
     return any;
   }
 };
 
-template <class Graph, int Turn>
+template <class Graph, int Call>
 CCA_GLUE beat beat_of(std::int64_t k, const last_firing& self) {
   return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
 }
 
 // The path of a component, to be named by the compilers.
-template <class Graph, int Leaf>
-consteval auto path_of_leaf() {
+template <class Graph, int Node>
+consteval auto path_of_node() {
   constexpr text path = [] {
     auto plan = plan_of<Graph>;
     text t;
-    add_leaf_path(t, plan.view(), Leaf);
+    add_node_path(t, plan.view(), Node);
     return t;
   }();
   char letters[path.size + 1]{};
@@ -87,18 +94,21 @@ consteval auto path_of_leaf() {
 template <fixed_string Node, class Component, fixed_string Input, bool HasInput>
 constexpr auto check_input() {
   static_assert(HasInput,
-                "strategy.unknown_port: the strategy of this node looks at an input by a name that its component has no input of (the compiler names "
-                "the node, the component and the input); look at one that the component has, or give the node another strategy");
+                "strategy.unknown_port: the strategy of this node looks at an input by a name that its "
+                "component has no input of (the compiler names "
+                "the node, the component and the input); look at one that the component has, or give the "
+                "node another strategy");
 }
 
 // What a user's strategy looks at.
-template <class Graph, int Turn>
+template <class Graph, int Call>
 struct inputs_view {
-  const question<Graph, Turn>& asked;
+  const question<Graph, Call>& asked;
 
   template <fixed_string Name>
   auto get() const {
-    using function = typename function_of<typename leaf_of<Graph, turn_of<Graph, Turn>.leaf>::component, turn_of<Graph, Turn>.phase>::type;
+    using function = typename function_of<typename node_types<Graph, call_of<Graph, Call>.node>::component,
+                                          call_of<Graph, Call>.phase>::type;
     return find<Name>(typename function_facts<function>::parameters{});
   }
 
@@ -106,111 +116,120 @@ private:
   template <fixed_string Name, class... Parameters>
   auto find(list<Parameters...>) const {
     constexpr int position = [] {
-      const half_info& half = *turn_of<Graph, Turn>.half;
-      for (int p = 0; p < half.input_count; ++p)
-        if (half.inputs[p].name == Name.view()) return p;
+      const function_info& function = *call_of<Graph, Call>.function;
+      for (int p = 0; p < function.input_count; ++p)
+        if (function.inputs[p].name == Name.view()) return p;
       return -1;
     }();
-    if constexpr (position < 0) check_input<path_of_leaf<Graph, turn_of<Graph, Turn>.leaf>(), typename leaf_of<Graph, turn_of<Graph, Turn>.leaf>::component, Name, false>();
+    if constexpr (position < 0)
+      check_input<path_of_node<Graph, call_of<Graph, Call>.node>(),
+                  typename node_types<Graph, call_of<Graph, Call>.node>::component, Name, false>();
     constexpr int parameter = [] {
-      const auto& positions = half_facts<list<Parameters...>, list<>>::input_of_parameter;
+      const auto& positions = port_facts<list<Parameters...>, list<>>::input_of_parameter;
       for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
         if (positions[i] == position) return static_cast<int>(i);
       return 0;
     }();
     constexpr int input = position < 0 ? 0 : position;  // the message says the rest
     std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>> port{to_be_filled{}};
-    fill_port<Graph, input_like<Graph, Turn, input>>(port, input_in<input>(asked.places), asked.k, asked.self.last);
+    fill_port<Graph, input_like<Graph, Call, input>>(port, input_in<input>(asked.places), asked.k,
+                                                     asked.self.last);
     return port;
   }
 };
 
 template <class Strategy>
 struct asking {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return Strategy{}.fires(beat_of<Graph, Turn>(q.k, q.self), inputs_view<Graph, Turn>{q});
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return Strategy{}.fires(beat_of<Graph, Call>(q.k, q.self), inputs_view<Graph, Call>{q});
   }
 };
 
 template <std::int64_t N, std::int64_t Phase>
 struct asking<timed<N, Phase>> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return ticks<pure_clock(strategy_of<timed<N, Phase>>)>(q.k);
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return ticks<clock_of_strategy(strategy_of<timed<N, Phase>>)>(q.k);
   }
 };
 
 template <>
 struct asking<full_speed> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>&) { return true; }
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>&) {
+    return true;
+  }
 };
 
 template <>
 struct asking<inactive> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>&) { return false; }
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>&) {
+    return false;
+  }
 };
 
 template <>
 struct asking<restless> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return q.any_fresh(input_positions<Graph, Turn>{});
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return q.any_fresh(input_positions<Graph, Call>{});
   }
 };
 
 template <>
 struct asking<moderate> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return q.all_fresh(input_positions<Graph, Turn>{});
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return q.all_fresh(input_positions<Graph, Call>{});
   }
 };
 
 template <fixed_string... Names>
 struct asking<port_triggered<Names...>> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return any_named(q, input_positions<Graph, Turn>{});
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return any_named(q, input_positions<Graph, Call>{});
   }
-  template <class Graph, int Turn, int... Position>
-  CCA_GLUE static bool any_named(const question<Graph, Turn>& q, std::integer_sequence<int, Position...>) {
-    return ((is_named(turn_of<Graph, Turn>.half->inputs[Position].name) && q.template fresh<Position>()) || ...);
+  template <class Graph, int Call, int... Position>
+  CCA_GLUE static bool any_named(const question<Graph, Call>& q, std::integer_sequence<int, Position...>) {
+    return (
+        (is_named(call_of<Graph, Call>.function->inputs[Position].name) && q.template fresh<Position>()) ||
+        ...);
   }
   static constexpr bool is_named(std::string_view name) { return ((name == Names.view()) || ...); }
 };
 
 template <std::int64_t N>
 struct asking<timeout<N>> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
     return q.k - (q.self.last < 0 ? 0 : q.self.last) >= N;
   }
 };
 
 template <>
 struct asking<coordinated> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return q.together(input_positions<Graph, Turn>{});
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return q.together(input_positions<Graph, Call>{});
   }
 };
 
 template <class... Strategies>
 struct asking<any_of<Strategies...>> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return (asking<Strategies>::template fires<Graph, Turn>(q) || ...);
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return (asking<Strategies>::template fires<Graph, Call>(q) || ...);
   }
 };
 
 template <class... Strategies>
 struct asking<all_of<Strategies...>> {
-  template <class Graph, int Turn>
-  CCA_GLUE static bool fires(const question<Graph, Turn>& q) {
-    return (asking<Strategies>::template fires<Graph, Turn>(q) && ...);
+  template <class Graph, int Call>
+  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+    return (asking<Strategies>::template fires<Graph, Call>(q) && ...);
   }
 };
 

@@ -1,5 +1,6 @@
 // What a controller remembers between beats: components, and of the samples only what a later beat reads.
-// All of it is plain values, so a copy is a snapshot. What is alike lies side by side in one array (graph/layout.hpp).
+// All of it is plain values, so a copy is a snapshot. What is alike lies side by side in one array
+// (graph/layout.hpp).
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <type_traits>
 
 #include <cca/graph/lookup.hpp>
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 
 namespace cca::detail {
 
@@ -15,7 +16,8 @@ namespace cca::detail {
 template <class Component>
 struct cell {
   static_assert(std::is_default_constructible_v<Component>,
-                "cca::controller: a component starts from its default values, so it needs a constructor without arguments; what differs between nodes is "
+                "cca::controller: a component starts from its default values, so it needs a constructor "
+                "without arguments; what differs between nodes is "
                 "a template argument or one of its `parameters`");
   [[no_unique_address]] Component component{};
 };
@@ -33,7 +35,7 @@ struct cells<Component, Count> {
   CCA_GLUE const Component& at(int) const { return one; }
 };
 template <class Graph, int First>
-struct cells_of : cells<typename leaf_of<Graph, First>::component, layout_of<Graph>.cell_counts[First]> {};
+struct cells_of : cells<typename node_types<Graph, First>::component, layout_of<Graph>.cell_counts[First]> {};
 
 // Coordinates and origin of one sample.
 template <int Size>
@@ -48,7 +50,9 @@ struct sure_sample : coordinates<Size> {
   sure_sample() noexcept {}
 };
 
-struct stamp { std::int64_t when = -1; };
+struct stamp {
+  std::int64_t when = -1;
+};
 
 // The newest sample of an output, where a later beat may read it; its origin is `never` until there is one.
 template <int Size>
@@ -79,20 +83,34 @@ struct possible_sample : coordinates<Size> {
 };
 
 template <storage_kind Kind, int Size, int Depth>
-struct stored { using type = coordinates<Size>; };
+struct stored {
+  using type = coordinates<Size>;
+};
 template <int Size, int Depth>
-struct stored<storage_kind::local, Size, Depth> { using type = sure_sample<Size>; };
+struct stored<storage_kind::local, Size, Depth> {
+  using type = sure_sample<Size>;
+};
 template <int Size, int Depth>
-struct stored<storage_kind::local_if_published, Size, Depth> { using type = possible_sample<Size>; };
+struct stored<storage_kind::local_if_published, Size, Depth> {
+  using type = possible_sample<Size>;
+};
 template <int Size, int Depth>
-struct stored<storage_kind::kept_with_beat, Size, Depth> { using type = stamped_sample<Size>; };
+struct stored<storage_kind::kept_with_beat, Size, Depth> {
+  using type = stamped_sample<Size>;
+};
 template <int Size, int Depth>
-struct stored<storage_kind::past, Size, Depth> { using type = past_samples<Size, Depth>; };
+struct stored<storage_kind::past, Size, Depth> {
+  using type = past_samples<Size, Depth>;
+};
 template <int Size, int Depth>
-struct stored<storage_kind::queue, Size, Depth> { using type = waiting_samples<Size, Depth>; };
+struct stored<storage_kind::queue, Size, Depth> {
+  using type = waiting_samples<Size, Depth>;
+};
 
 template <class Graph, int Group>
-using stored_of = typename stored<group_of<Graph, Group>.kind, group_of<Graph, Group>.size, group_of<Graph, Group>.depth>::type;
+using stored_of = typename stored<group_of<Graph, Group>.kind,
+                                  group_of<Graph, Group>.size,
+                                  group_of<Graph, Group>.depth>::type;
 
 template <class Graph, int Group, class Stored>
 struct initial_samples {
@@ -121,11 +139,14 @@ struct storage {
 };
 template <class Graph, int Group>
 struct storage<Graph, Group, storage_kind::kept> : initial_samples<Graph, Group, stored_of<Graph, Group>> {
-  constexpr storage() : initial_samples<Graph, Group, stored_of<Graph, Group>>(initial_of_group<Graph, Group>) {}
+  constexpr storage()
+      : initial_samples<Graph, Group, stored_of<Graph, Group>>(initial_of_group<Graph, Group>) {}
 };
 template <class Graph, int Group>
-struct storage<Graph, Group, storage_kind::kept_with_beat> : initial_samples<Graph, Group, stored_of<Graph, Group>> {
-  constexpr storage() : initial_samples<Graph, Group, stored_of<Graph, Group>>(initial_of_group<Graph, Group>) {}
+struct storage<Graph, Group, storage_kind::kept_with_beat>
+    : initial_samples<Graph, Group, stored_of<Graph, Group>> {
+  constexpr storage()
+      : initial_samples<Graph, Group, stored_of<Graph, Group>>(initial_of_group<Graph, Group>) {}
 };
 
 // One by one and not as an array: a loop that sets them up would keep all of them out of registers.
@@ -141,8 +162,8 @@ struct storage<Graph, Group, storage_kind::local_if_published>
 
 // What a component whose clock is known only at run time remembers of itself.
 struct last_firing {
-  std::int64_t last = -1;        // beat, or -1
-  std::int64_t oldest = never;   // origin that it saw then
+  std::int64_t last = -1;       // beat, or -1
+  std::int64_t oldest = never;  // origin that it saw then
 };
 template <int Count>
 struct last_firings {
@@ -158,17 +179,25 @@ struct memory_of<Graph, std::integer_sequence<int, C...>, std::integer_sequence<
     : cells_of<Graph, C>..., storage<Graph, S>..., last_firings<layout_of<Graph>.firing_count> {};
 
 template <class Graph>
-struct is_first_cell { static constexpr bool holds(std::size_t l) { return layout_of<Graph>.cell_counts[l] > 0; } };
+struct is_first_cell {
+  static constexpr bool holds(std::size_t l) { return layout_of<Graph>.cell_counts[l] > 0; }
+};
 template <class Graph>
-struct outlives_beat { static constexpr bool holds(std::size_t s) { return !layout_of<Graph>.groups[s].in_beat(); } };
+struct outlives_beat {
+  static constexpr bool holds(std::size_t s) { return !layout_of<Graph>.groups[s].in_beat(); }
+};
 template <class Graph>
-struct ends_with_beat { static constexpr bool holds(std::size_t s) { return layout_of<Graph>.groups[s].in_beat(); } };
+struct ends_with_beat {
+  static constexpr bool holds(std::size_t s) { return layout_of<Graph>.groups[s].in_beat(); }
+};
 
 template <class Graph>
-struct memory : memory_of<Graph, chosen<counts_of<Graph>.leaf_count, is_first_cell<Graph>>, chosen<layout_of<Graph>.group_count, outlives_beat<Graph>>> {};
+struct memory : memory_of<Graph,
+                          chosen<counts_of<Graph>.node_count, is_first_cell<Graph>>,
+                          chosen<layout_of<Graph>.group_count, outlives_beat<Graph>>> {};
 
-// Samples that live for one beat. They are written before they are read, by the order of the beat; where it is known
-// only at run time whether one is published, it says so.
+// Samples that live for one beat. They are written before they are read, by the order of the beat; where it
+// is known only at run time whether one is published, it says so.
 template <class Graph, class Groups>
 struct locals_of;
 template <class Graph, int... S>
@@ -188,11 +217,13 @@ CCA_GLUE auto& stored_at(Memory& m, Locals& l, int slot) {
 }
 
 template <class Graph, int First, class Memory>
-CCA_GLUE auto& cells_at(Memory& m) { return part_of<cells_of<Graph, First>>(m); }
+CCA_GLUE auto& cells_at(Memory& m) {
+  return part_of<cells_of<Graph, First>>(m);
+}
 
-template <class Graph, int Leaf, class Memory>
+template <class Graph, int Node, class Memory>
 CCA_GLUE auto& component_at(Memory& m) {
-  constexpr seat place = layout_of<Graph>.cells[Leaf];
+  constexpr seat place = layout_of<Graph>.cells[Node];
   return cells_at<Graph, place.group>(m).at(place.slot);
 }
 
@@ -201,7 +232,9 @@ inline constexpr bool is_sure = !published_of<Graph, Output>.dynamic();
 
 // Where something lies; empty where there is nothing.
 template <class Stored>
-struct reference { Stored& at; };
+struct reference {
+  Stored& at;
+};
 struct no_reference {};
 
 template <class Graph, int Group>
@@ -210,7 +243,8 @@ CCA_GLUE auto refer(memory<Graph>& m, locals<Graph>& l, int slot) {
   else return reference<stored_of<Graph, Group>>{stored_at<Graph, Group>(m, l, slot)};
 }
 template <class Graph, int Group>
-using reference_to = decltype(refer<Graph, Group>(std::declval<memory<Graph>&>(), std::declval<locals<Graph>&>(), 0));
+using reference_to =
+    decltype(refer<Graph, Group>(std::declval<memory<Graph>&>(), std::declval<locals<Graph>&>(), 0));
 
 // Where one input reads, and where one output goes: for all that are alike.
 template <class Graph, int Input>
@@ -222,28 +256,50 @@ struct output_seat {
 };
 
 template <int Position, class Seat>
-struct input_at { Seat seat; };
+struct input_at {
+  Seat seat;
+};
 template <int Position, class Seat>
-struct output_at { Seat seat; };
+struct output_at {
+  Seat seat;
+};
 template <int Position, class Seat>
-CCA_GLUE const Seat& input_in(const input_at<Position, Seat>& place) { return place.seat; }
+CCA_GLUE const Seat& input_in(const input_at<Position, Seat>& place) {
+  return place.seat;
+}
 template <int Position, class Seat>
-CCA_GLUE const Seat& output_in(const output_at<Position, Seat>& place) { return place.seat; }
+CCA_GLUE const Seat& output_in(const output_at<Position, Seat>& place) {
+  return place.seat;
+}
 
-// All places that a function of the beat touches. They are of one type for all functions that read and publish alike; the
-// numbers of the ports are constants once this is inlined.
+// All places that a function of the beat touches. They are of one type for all functions that read and
+// publish alike; the numbers of the ports are constants once this is inlined.
 template <class Graph, class Inputs, class LikeInputs, class Outputs, class LikeOutputs>
 struct seats_of;
 template <class Graph, int... P, int... Input, int... Q, int... Output>
-struct seats_of<Graph, std::integer_sequence<int, P...>, std::integer_sequence<int, Input...>, std::integer_sequence<int, Q...>, std::integer_sequence<int, Output...>>
-    : input_at<P, input_seat<Graph, Input>>..., output_at<Q, output_seat<Graph, Output>>... {
-  CCA_GLUE seats_of([[maybe_unused]] memory<Graph>& m, [[maybe_unused]] locals<Graph>& l, [[maybe_unused]] const turn_place& of)
-      : input_at<P, input_seat<Graph, Input>>{{{refer<Graph, layout_of<Graph>.sources[Input].group>(m, l, layout_of<Graph>.sources[of.first_input + P].slot)}}}...,
-        output_at<Q, output_seat<Graph, Output>>{{refer<Graph, layout_of<Graph>.newest[Output].group>(m, l, layout_of<Graph>.newest[of.first_output + Q].slot),
-                                                  refer<Graph, layout_of<Graph>.past[Output].group>(m, l, layout_of<Graph>.past[of.first_output + Q].slot)}}... {}
+struct seats_of<Graph,
+                std::integer_sequence<int, P...>,
+                std::integer_sequence<int, Input...>,
+                std::integer_sequence<int, Q...>,
+                std::integer_sequence<int, Output...>> : input_at<P, input_seat<Graph, Input>>...,
+                                                         output_at<Q, output_seat<Graph, Output>>... {
+  CCA_GLUE seats_of([[maybe_unused]] memory<Graph>& m,
+                    [[maybe_unused]] locals<Graph>& l,
+                    [[maybe_unused]] const call_place& of)
+      : input_at<P, input_seat<Graph, Input>>{{{refer<Graph, layout_of<Graph>.sources[Input].group>(
+            m, l, layout_of<Graph>.sources[of.first_input + P].slot)}}}...,
+        output_at<Q, output_seat<Graph, Output>>{
+            {refer<Graph, layout_of<Graph>.newest[Output].group>(
+                 m, l, layout_of<Graph>.newest[of.first_output + Q].slot),
+             refer<Graph, layout_of<Graph>.past[Output].group>(
+                 m, l, layout_of<Graph>.past[of.first_output + Q].slot)}}... {}
 };
 
-template <class Graph, int Turn>
-using seats = seats_of<Graph, input_positions<Graph, Turn>, inputs_like<Graph, Turn>, output_positions<Graph, Turn>, outputs_like<Graph, Turn>>;
+template <class Graph, int Call>
+using seats = seats_of<Graph,
+                       input_positions<Graph, Call>,
+                       inputs_like<Graph, Call>,
+                       output_positions<Graph, Call>,
+                       outputs_like<Graph, Call>>;
 
 }  // namespace cca::detail

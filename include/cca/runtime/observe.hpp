@@ -1,28 +1,30 @@
 // Listening to a scope: the samples of all outputs under it, as an array of observations.
 #pragma once
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/runtime/read.hpp>
 
 namespace cca::detail {
 
-constexpr bool has_observers(const turn& t) {
-  for (int p = 0; p < t.half->input_count; ++p)
-    if (!t.half->inputs[p].space) return true;
+constexpr bool has_observers(const call& t) {
+  for (int p = 0; p < t.function->input_count; ++p)
+    if (!t.function->inputs[p].space) return true;
   return false;
 }
 
 // Calls f.template operator()<Link>() for each link of the observers of a function, or of one of them.
-template <class Graph, int Turn, int OnlyInput = -1, class F>
+template <class Graph, int Call, int OnlyInput = -1, class F>
 CCA_GLUE void for_each_observed(F f) {
-  if constexpr (has_observers(turn_of<Graph, Turn>)) {
-    CCA_INLINE_CALL [&]<int... L>(std::integer_sequence<int, L...>) {
+  if constexpr (has_observers(call_of<Graph, Call>)) {
+    CCA_INLINE_CALL[&]<int... L>(std::integer_sequence<int, L...>) {
       [[maybe_unused]] const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
         constexpr int input = plan_of<Graph>.links[Link].input;
-        if constexpr (input_of<Graph, input>.turn == Turn && (OnlyInput < 0 || OnlyInput == input)) f.template operator()<Link>();
+        if constexpr (input_of<Graph, input>.call == Call && (OnlyInput < 0 || OnlyInput == input))
+          f.template operator()<Link>();
       };
-      if constexpr (sizeof...(L) > 0) CCA_INLINE_CALL (one(std::integral_constant<int, L>{}), ...);
-    }(std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
+      if constexpr (sizeof...(L) > 0) CCA_INLINE_CALL(one(std::integral_constant<int, L>{}), ...);
+    }
+    (std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
   }
 }
 
@@ -35,12 +37,13 @@ template <class Graph, int Link>
 CCA_GLUE auto observe_one(const memory<Graph>& m, std::int64_t k) {
   constexpr int output = plan_of<Graph>.links[Link].output;
   constexpr const auto& in = input_of<Graph, plan_of<Graph>.links[Link].input>;
-  constexpr int delay = turn_of<Graph, in.turn>.half->inputs[in.port].observed_delay;
+  constexpr int delay = call_of<Graph, in.call>.function->inputs[in.port].observed_delay;
   constexpr int size = size_of_output<Graph, output>;
   held<size> h{{{}, never}, -1};
   if constexpr (delay > 0 && output_of<Graph, output>.ring > 0) {
     constexpr seat place = layout_of<Graph>.past[output];
-    if (const auto* entry = arrived_entry<Graph, output, delay>(stored_at<Graph, place.group>(m, m, place.slot), k)) {
+    if (const auto* entry =
+            arrived_entry<Graph, output, delay>(stored_at<Graph, place.group>(m, m, place.slot), k)) {
       copy_coordinates<size>(h.value, entry->value);
       h.origin = entry->origin;
       h.arrived = entry->when + delay;
@@ -73,12 +76,12 @@ inline constexpr auto output_path = [] {
   std::array<std::string_view, 32> parts{};
   std::size_t count = 0;
   constexpr const auto& o = output_of<Graph, Output>;
-  constexpr const auto& t = turn_of<Graph, o.turn>;
-  constexpr const auto& leaf = plan_of<Graph>.leaves[t.leaf];
+  constexpr const auto& t = call_of<Graph, o.call>;
+  constexpr const auto& node = plan_of<Graph>.nodes[t.node];
   const auto* scopes = plan_of<Graph>.scopes.data();
-  parts[count++] = t.half->outputs[o.port].name;
-  parts[count++] = leaf.item->from;
-  for (int s = leaf.scope; scopes[s].item; s = scopes[s].parent) parts[count++] = scopes[s].item->from;
+  parts[count++] = t.function->outputs[o.port].name;
+  parts[count++] = node.item->from;
+  for (int s = node.scope; scopes[s].item; s = scopes[s].parent) parts[count++] = scopes[s].item->from;
   while (count-- > 0) {
     for (const char c : parts[count]) path.letters[path.size++] = c;
     if (count > 0) path.letters[path.size++] = '.';
@@ -98,12 +101,12 @@ class observations {
   static constexpr auto sizes = [] {
     std::pair<std::size_t, std::size_t> total{};
     const auto* outputs = plan_of<Graph>.outputs.data();
-    const auto* turns = plan_of<Graph>.turns.data();
+    const auto* calls = plan_of<Graph>.calls.data();
     const auto* link = plan_of<Graph>.links.data();
     for (int l = 0; l < counts_of<Graph>.link_count; ++l, ++link)
       if (link->input == Input) {
         const auto& o = outputs[link->output];
-        total.first += static_cast<std::size_t>(turns[o.turn].half->outputs[o.port].space->size);
+        total.first += static_cast<std::size_t>(calls[o.call].function->outputs[o.port].space->size);
         ++total.second;
       }
     return total;
@@ -112,12 +115,15 @@ class observations {
 public:
   CCA_GLUE observations(const memory<Graph>& m, std::int64_t k, std::int64_t last) {
     double* next = values.data();
-    for_each_observed<Graph, input_of<Graph, Input>.turn, Input>([&]<int Link>() {
+    for_each_observed<Graph, input_of<Graph, Input>.call, Input>([&]<int Link>() {
       constexpr int output = plan_of<Graph>.links[Link].output;
       constexpr int size = size_of_output<Graph, output>;
       const auto h = observe_one<Graph, Link>(m, k);
       copy_coordinates<size>(next, h.value);
-      entries[count++] = {path_of_output<Graph, output>(), {next, static_cast<std::size_t>(size)}, h.origin, h.arrived > last};
+      entries[count++] = {path_of_output<Graph, output>(),
+                          {next, static_cast<std::size_t>(size)},
+                          h.origin,
+                          h.arrived > last};
       next += size;
     });
   }
@@ -125,7 +131,9 @@ public:
   observations& operator=(const observations&) = delete;
 
   template <fixed_string Scope, class Policy>
-  operator observe<Scope, Policy>() const { return {entries.data(), count}; }
+  operator observe<Scope, Policy>() const {
+    return {entries.data(), count};
+  }
 
 private:
   std::array<observation, sizes.second + 1> entries;

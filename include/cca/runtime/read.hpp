@@ -1,8 +1,8 @@
-// What an input sees when its component fires: a value, its origin, and whether it is fresh. Each is a function of its own
-// that reads where the sample lies, so that nothing is copied on the way to the port.
+// What an input sees when its component fires: a value, its origin, and whether it is fresh. Each is a
+// function of its own that reads where the sample lies, so that nothing is copied on the way to the port.
 #pragma once
 
-#include <cca/component/inlining.hpp>
+#include <cca/base/inlining.hpp>
 #include <cca/runtime/memory.hpp>
 
 namespace cca::detail {
@@ -28,7 +28,8 @@ struct initial_sample {
   static constexpr coordinates<size_of_input<Graph, Input>> sample = [] {
     coordinates<size_of_input<Graph, Input>> initial{{}, never};
     for (int c = 0; c < size_of_input<Graph, Input>; ++c)
-      initial.value[c] = initial_coordinate(input_of<Graph, Input>.wire, *input_port_of<Graph, Input>.space, c);
+      initial.value[c] =
+          initial_coordinate(input_of<Graph, Input>.wire, *input_port_of<Graph, Input>.space, c);
     return initial;
   }();
 };

@@ -25,14 +25,16 @@ class controller {
   static_assert(sizeof(detail::refusal<Graph>) != 0);
 
   // A component, or the nodes of an inner graph; also where there is neither.
-  template <std::uint64_t Path, int Leaf>
-  struct part { using type = typename detail::leaf_of<Graph, Leaf>::component&; };
+  template <std::uint64_t Path, int Node>
+  struct part {
+    using type = typename detail::node_types<Graph, Node>::component&;
+  };
   template <std::uint64_t Scope>
   struct part<Scope, -1> {
     using type = part;
 
     template <fixed_string Path, std::uint64_t Whole = detail::hash(Path.view(), detail::after_dot(Scope))>
-    auto get() const -> typename part<Whole, detail::leaf_with_hash<Graph>(Whole)>::type;
+    auto get() const -> typename part<Whole, detail::node_with_hash<Graph>(Whole)>::type;
   };
 
 public:
@@ -43,14 +45,16 @@ public:
   void resume() {}
   bool step() noexcept { return false; }
   template <class... Options>
-  cca::state run(Options...) { return {}; }
+  cca::state run(Options...) {
+    return {};
+  }
   cca::state state() const noexcept { return {}; }
   cca::fault fault() const noexcept { return {}; }
   std::string fault_path() const { return {}; }
   std::int64_t beat_index() const noexcept { return 0; }
   static constexpr std::int64_t period() { return detail::counts_of<Graph>.period; }
   template <fixed_string Path>
-  auto get() const -> typename part<detail::hash(Path.view()), detail::leaf_at<Graph>(Path.view())>::type;
+  auto get() const -> typename part<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>::type;
   template <fixed_string Path, class Parameters>
   void set(const Parameters&) {}
   template <fixed_string Path>

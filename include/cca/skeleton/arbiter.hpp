@@ -5,12 +5,12 @@
 //   out "angles"           Space: what the one says that is heard, and its origin
 //   out "writer"           a status over x: its number, from 0 in the order of their names
 //
-// by_priority: the first named of those that have something new, or had within the last `patience` seconds; so a writer that wants
-// to be overruled stays silent (`maybe`). If none has, the one that was heard last stays. by_freshness: the one whose sample has
-// the latest origin; of several the first named.
-// It jumps from one writer to the next: a limiter belongs behind it, or a switch_between in its place.
-// Parameters: `patience`, of by_priority. Errors: skeleton.arity. Cost: a comparison or two a writer.
-// Example: tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
+// by_priority: the first named of those that have something new, or had within the last `patience` seconds;
+// so a writer that wants to be overruled stays silent (`maybe`). If none has, the one that was heard last
+// stays. by_freshness: the one whose sample has the latest origin; of several the first named. It jumps from
+// one writer to the next: a limiter belongs behind it, or a switch_between in its place. Parameters:
+// `patience`, of by_priority. Errors: skeleton.arity. Cost: a comparison or two a writer. Example:
+// tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
 #pragma once
 
 #include <cstdint>
@@ -43,11 +43,13 @@ struct arbiter_of<Output, Space, by_priority<Writers...>> {
   };
   parameters p{0.0};
 
-  auto process(in<Writers, Space>... writers, beat now) -> std::tuple<out<Output, Space>, out<"writer", choice>> {
+  auto process(in<Writers, Space>... writers, beat now)
+      -> std::tuple<out<Output, Space>, out<"writer", choice>> {
     const auto waits = static_cast<std::int64_t>(p.patience * 1e9 + 0.5);
     int i = 0, first = -1;
     ((heard[i] = writers.fresh() ? now.time() : heard[i],
-      first = first < 0 && now.time() - heard[i] <= waits ? i : first, ++i), ...);
+      first = first < 0 && now.time() - heard[i] <= waits ? i : first, ++i),
+     ...);
     if (first >= 0) chosen = first;
     const auto said = one_of<Space>(chosen, writers...);
     return {out<Output, Space>(said).with_origin(said.origin()), out<"writer", choice>(chosen)};
@@ -65,7 +67,9 @@ struct arbiter_of<Output, Space, by_freshness<Writers...>> {
   auto process(in<Writers, Space>... writers) -> std::tuple<out<Output, Space>, out<"writer", choice>> {
     int i = 0, chosen = 0;
     std::int64_t latest = never;
-    ((chosen = writers.origin() > latest ? i : chosen, latest = writers.origin() > latest ? writers.origin() : latest, ++i), ...);
+    ((chosen = writers.origin() > latest ? i : chosen,
+      latest = writers.origin() > latest ? writers.origin() : latest, ++i),
+     ...);
     const auto said = one_of<Space>(chosen, writers...);
     return {out<Output, Space>(said).with_origin(said.origin()), out<"writer", choice>(chosen)};
   }
@@ -81,7 +85,8 @@ constexpr int writers_of<by_freshness<Writers...>> = sizeof...(Writers);
 }  // namespace detail
 
 template <fixed_string Output, class Space, class Policy>
-struct arbiter : std::conditional_t<(detail::writers_of<Policy> >= 2), detail::arbiter_of<Output, Space, Policy>,
+struct arbiter : std::conditional_t<(detail::writers_of<Policy> >= 2),
+                                    detail::arbiter_of<Output, Space, Policy>,
                                     detail::uneven<detail::too_few_sources<detail::writers_of<Policy>>>> {};
 
 }  // namespace cca

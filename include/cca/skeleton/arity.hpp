@@ -1,13 +1,16 @@
-// What a skeleton is made of where its parts don't come out even: a component without anything, which says why.
+// What a skeleton is made of where its parts don't come out even: a component without anything, which says
+// why.
 //
-//   template <...> struct blend : std::conditional_t<is_even, detail::blend_of<...>, detail::uneven<problem>> {};
+//   template <...> struct blend : std::conditional_t<is_even, detail::blend_of<...>, detail::uneven<problem>>
+//   {};
 //
-// The rule skeleton.arity reports it as the message of the graph: the node, then what the skeleton says of itself.
+// The rule skeleton.arity reports it as the message of the graph: the node, then what the skeleton says of
+// itself.
 #pragma once
 
 #include <string_view>
 
-#include <cca/graph/text.hpp>
+#include <cca/base/text.hpp>
 
 namespace cca::detail {
 
@@ -23,7 +26,9 @@ template <int Count>
 struct too_few_sources {
   static constexpr text told() {
     text t;
-    t << "has " << Count << (Count == 1 ? " source" : " sources") << ", but between fewer than two there is nothing to choose or to mix: name two or more, or leave it out and wire its reader directly";
+    t << "has " << Count << (Count == 1 ? " source" : " sources")
+      << ", but between fewer than two there is nothing to choose or to mix: name two or more, or leave it "
+         "out and wire its reader directly";
     return t;
   }
 };

@@ -1,15 +1,17 @@
-// A blend: what lies between its sources, by weights that another component gives, an oscillator's amplitude say.
+// A blend: what lies between its sources, by weights that another component gives, an oscillator's amplitude
+// say.
 //
 //   cca::node<"paw", cca::blend<"angles", leg_angles, cpg_amplitude, "reach", "trot">>
 //   in  "reach", "trot"   Space: its sources
-//   in  "weight"          Weight: of two sources one number, how much of the second; else a number for each source
-//   out "angles"          Space, which originates at the oldest of the sources that have a part in it
+//   in  "weight"          Weight: of two sources one number, how much of the second; else a number for each
+//   source out "angles"          Space, which originates at the oldest of the sources that have a part in it
 //
-// One number: up to `none` it is the first source, from `full` on the second, to the bit; between them in proportion. Several
-// numbers: what is not above zero counts as zero, the others in proportion; if none is above zero it's the first source. It's
-// the domain's own interpolation: the shorter arc for a phase, slerp for an orientation.
-// Parameters: `none`, `full`, of one number. Errors: skeleton.arity. A limiter belongs behind it. Cost: an interpolation for each
-// source but the first. Example: tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
+// One number: up to `none` it is the first source, from `full` on the second, to the bit; between them in
+// proportion. Several numbers: what is not above zero counts as zero, the others in proportion; if none is
+// above zero it's the first source. It's the domain's own interpolation: the shorter arc for a phase, slerp
+// for an orientation. Parameters: `none`, `full`, of one number. Errors: skeleton.arity. A limiter belongs
+// behind it. Cost: an interpolation for each source but the first. Example:
+// tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once
 
 #include <array>
@@ -33,7 +35,8 @@ struct blend_of_two {
   };
   parameters p{0.0, 1.0};
 
-  auto process(in<First, Space> first, in<Second, Space> second, in<"weight", Weight> weight) -> out<Output, Space> {
+  auto process(in<First, Space> first, in<Second, Space> second, in<"weight", Weight> weight)
+      -> out<Output, Space> {
     const auto mean = mixed<Space>(first, second, (weight.vector().coeff(0) - p.none) / (p.full - p.none));
     return out<Output, Space>(mean).with_origin(mean.origin());
   }
@@ -57,7 +60,8 @@ struct uneven_weights {
   static constexpr text told() {
     text t;
     t << "blends " << Sources << " sources by " << Weights << (Weights == 1 ? " weight" : " weights")
-      << ", but it takes one for each source, or of two sources one: give it a space of weights with " << Sources << " axes";
+      << ", but it takes one for each source, or of two sources one: give it a space of weights with "
+      << Sources << " axes";
     if constexpr (Sources == 2) t << ", or with one";
     return t;
   }
@@ -67,8 +71,10 @@ template <fixed_string Output, class Space, class Weight, fixed_string... Source
 constexpr auto blend_kind() {
   constexpr int count = sizeof...(Sources);
   if constexpr (count < 2) return std::type_identity<uneven<too_few_sources<count>>>();
-  else if constexpr (count == 2 && Weight::size == 1) return std::type_identity<blend_of_two<Output, Space, Weight, Sources...>>();
-  else if constexpr (Weight::size == count) return std::type_identity<blend_of<Output, Space, Weight, Sources...>>();
+  else if constexpr (count == 2 && Weight::size == 1)
+    return std::type_identity<blend_of_two<Output, Space, Weight, Sources...>>();
+  else if constexpr (Weight::size == count)
+    return std::type_identity<blend_of<Output, Space, Weight, Sources...>>();
   else return std::type_identity<uneven<uneven_weights<count, Weight::size>>>();
 }
 

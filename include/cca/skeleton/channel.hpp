@@ -1,9 +1,11 @@
-// A bounded channel from one thread to one other one, without locks: a ring whose two ends are counted up, each by its own thread.
+// A bounded channel from one thread to one other one, without locks: a ring whose two ends are counted up,
+// each by its own thread.
 //
-// Who reads asks `empty()` first; the answer stays true until the asking thread acts on it. Who writes knows by the counts of what was
-// ever written and read that less than Capacity is in it. Neither ever waits.
-// Source: Lamport, "Specifying concurrent program modules", ACM TOPLAS 5(2), 1983, the ring of one producer and one consumer; here with
-// acquire and release, so that what a thread did before it wrote is seen by the one that reads. Cost: an atomic load and store.
+// Who reads asks `empty()` first; the answer stays true until the asking thread acts on it. Who writes knows
+// by the counts of what was ever written and read that less than Capacity is in it. Neither ever waits.
+// Source: Lamport, "Specifying concurrent program modules", ACM TOPLAS 5(2), 1983, the ring of one producer
+// and one consumer; here with acquire and release, so that what a thread did before it wrote is seen by the
+// one that reads. Cost: an atomic load and store.
 #pragma once
 
 #include <array>
@@ -18,7 +20,8 @@ class channel {
 public:
   channel() = default;
   // Only while neither thread uses the other one.
-  channel(const channel& other) : written(other.written.load()), taken(other.taken.load()), ring(other.ring) {}
+  channel(const channel& other)
+      : written(other.written.load()), taken(other.taken.load()), ring(other.ring) {}
   channel& operator=(const channel&) = delete;
 
   // For the one that writes.
@@ -29,7 +32,9 @@ public:
   }
 
   // For the one that reads. What `front` shows is there until `pop`.
-  bool empty() const { return taken.load(std::memory_order_relaxed) == written.load(std::memory_order_acquire); }
+  bool empty() const {
+    return taken.load(std::memory_order_relaxed) == written.load(std::memory_order_acquire);
+  }
   const Value& front() const { return ring[taken.load(std::memory_order_relaxed) % Capacity]; }
   void pop() { taken.store(taken.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 

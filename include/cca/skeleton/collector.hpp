@@ -1,10 +1,12 @@
-// The collector: samples of single axes become one of all axes (seed, section 4.4.3). Use it `moderate`, so that it
-// publishes once every axis has a new sample.
+// The collector: samples of single axes become one of all axes (seed, section 4.4.3). Use it `moderate`, so
+// that it publishes once every axis has a new sample.
 //
-//   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>      in "hip", "knee"; out "angles"
+//   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>      in "hip", "knee"; out
+//   "angles"
 //
-// The inputs' spaces are sub-spaces of the output's, and its origin is the oldest of theirs. Errors: skeleton.arity. Cost: none after inlining.
-// Example: tests/runtime/skeleton/splitter_collector.cpp; docs/skeletons.md.
+// The inputs' spaces are sub-spaces of the output's, and its origin is the oldest of theirs. Errors:
+// skeleton.arity. Cost: none after inlining. Example: tests/runtime/skeleton/splitter_collector.cpp;
+// docs/skeletons.md.
 #pragma once
 
 #include <cca/component/port.hpp>
@@ -32,8 +34,10 @@ template <class Space>
 struct not_together {
   static constexpr text told() {
     text t;
-    t << "is to put " << type_name<Space>() << " together, which has " << Space::size << " numbers over " << Space::axes::count
-      << " axes, so it is not made of one for each: collect what it is computed from, and compute it in a component";
+    t << "is to put " << type_name<Space>() << " together, which has " << Space::size << " numbers over "
+      << Space::axes::count
+      << " axes, so it is not made of one for each: collect what it is computed from, and compute it in a "
+         "component";
     return t;
   }
 };
@@ -41,7 +45,8 @@ struct not_together {
 }  // namespace detail
 
 template <fixed_string Output, class Space>
-struct collector : std::conditional_t<Space::size == Space::axes::count, detail::collector_of<Output, Space, typename Space::axes>,
+struct collector : std::conditional_t<Space::size == Space::axes::count,
+                                      detail::collector_of<Output, Space, typename Space::axes>,
                                       detail::uneven<detail::not_together<Space>>> {};
 
 }  // namespace cca

@@ -1,8 +1,9 @@
 // The threads of a farm: a lane for each worker, with a channel of tasks to it and one of results back.
 //
-// Only one thread, that of the loop, hands out and takes back; `hand_out` and `take` never wait. A worker's thread looks for a task every
-// `rest`, since waking it would be a system call in a beat. At most Capacity tasks of a lane are under way, from being handed out to
-// being taken back, so a worker always finds room for its result.
+// Only one thread, that of the loop, hands out and takes back; `hand_out` and `take` never wait. A worker's
+// thread looks for a task every `rest`, since waking it would be a system call in a beat. At most Capacity
+// tasks of a lane are under way, from being handed out to being taken back, so a worker always finds room for
+// its result.
 #pragma once
 
 #include <atomic>
@@ -30,7 +31,8 @@ public:
   // Once the other one's tasks are done: the same workers, and the same results to take.
   crew(const crew& other) : pause(other.pause) {
     other.wait();
-    for (std::size_t i = 0; i < Count; ++i) lanes[i].reset(new lane{other.lanes[i]->by, other.lanes[i]->tasks, other.lanes[i]->results, {}});
+    for (std::size_t i = 0; i < Count; ++i)
+      lanes[i].reset(new lane{other.lanes[i]->by, other.lanes[i]->tasks, other.lanes[i]->results, {}});
     start();
   }
   crew& operator=(const crew&) = delete;
@@ -44,7 +46,9 @@ public:
   }
 
   // From being handed out to being taken back.
-  std::size_t under_way(std::size_t i) const { return static_cast<std::size_t>(lanes[i]->tasks.writes() - lanes[i]->results.reads()); }
+  std::size_t under_way(std::size_t i) const {
+    return static_cast<std::size_t>(lanes[i]->tasks.writes() - lanes[i]->results.reads());
+  }
   bool room() const {
     for (std::size_t i = 0; i < Count; ++i)
       if (under_way(i) >= Capacity) return false;

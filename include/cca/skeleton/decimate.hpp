@@ -5,10 +5,11 @@
 //   in  "input"    From
 //   out "output"   To, a `maybe`
 //
-// It counts samples, so it fires with each (`restless`, as is the default). `picked`: the first, and every n-th after it, with its
-// origin. `averaged`: the mean of n, by the domain's own interpolation, with the oldest origin; it comes with the last of them.
-// Errors: skeleton.arity, where From's rate is no multiple of To's. Cost: a counter; averaged, an interpolation a sample.
-// Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
+// It counts samples, so it fires with each (`restless`, as is the default). `picked`: the first, and every
+// n-th after it, with its origin. `averaged`: the mean of n, by the domain's own interpolation, with the
+// oldest origin; it comes with the last of them. Errors: skeleton.arity, where From's rate is no multiple of
+// To's. Cost: a counter; averaged, an interpolation a sample. Example: tests/runtime/skeleton/rates.cpp;
+// docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -58,7 +59,9 @@ private:
 }  // namespace detail
 
 template <class From, class To, class How = picked>
-struct decimate : std::conditional_t<detail::differ_in_rate_only<From, To> && detail::rate_ratio<From, To> != 0, detail::decimate_of<From, To, How>,
-                                     detail::uneven<detail::uneven_rates<From, To, true>>> {};
+struct decimate
+    : std::conditional_t<detail::differ_in_rate_only<From, To> && detail::rate_ratio<From, To> != 0,
+                         detail::decimate_of<From, To, How>,
+                         detail::uneven<detail::uneven_rates<From, To, true>>> {};
 
 }  // namespace cca

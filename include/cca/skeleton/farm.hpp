@@ -1,13 +1,14 @@
 // A farm: equal workers, each on its part of an array-valued sample (seed, section 4.4.3).
 //
-//   cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>    in "input", out "output"
-//   cca::node<"ik", cca::farm<leg_ik, all_paws, all_angles>>                                            axes in order, leg by leg
+//   cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>    in
+//   "input", out "output" cca::node<"ik", cca::farm<leg_ik, all_paws, all_angles>> axes in order, leg by leg
 //
-// How many workers: as many as the first space has of what a worker takes; the second must have as many of what it gives. A worker is
-// a component with one input that must be wired and one output besides those of status, or a pipeline. It's a graph: `split` shares
-// out, `worker0`, `worker1`, ... each fire with their part, `join` gathers once all parts are new (`moderate`). All in one beat, and
-// inlined; farm_on_threads.hpp has the same with its workers on threads.
-// Errors: skeleton.arity. Cost: that of the workers. Example: tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
+// How many workers: as many as the first space has of what a worker takes; the second must have as many of
+// what it gives. A worker is a component with one input that must be wired and one output besides those of
+// status, or a pipeline. It's a graph: `split` shares out, `worker0`, `worker1`, ... each fire with their
+// part, `join` gathers once all parts are new (`moderate`). All in one beat, and inlined; farm_on_threads.hpp
+// has the same with its workers on threads. Errors: skeleton.arity. Cost: that of the workers. Example:
+// tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -20,12 +21,17 @@
 namespace cca {
 namespace detail {
 
-template <class Worker> using part_taken = typename input_of_stage<Worker>::space;
-template <class Worker> using part_given = typename output_of_stage<Worker>::space;
+template <class Worker>
+using part_taken = typename input_of_stage<Worker>::space;
+template <class Worker>
+using part_given = typename output_of_stage<Worker>::space;
 
 template <class Worker, class From, class To>
 constexpr int workers_in = [] {
-  if constexpr (GoesThrough<Worker>) return parts_in<From, part_taken<Worker>> == parts_in<To, part_given<Worker>> ? parts_in<From, part_taken<Worker>> : 0;
+  if constexpr (GoesThrough<Worker>)
+    return parts_in<From, part_taken<Worker>> == parts_in<To, part_given<Worker>>
+               ? parts_in<From, part_taken<Worker>>
+               : 0;
   else return 0;
 }();
 
@@ -39,19 +45,24 @@ struct farm_of<Worker, From, To, std::index_sequence<I...>>
     : graph<node<"split", share_out<From, part_taken<Worker>, sizeof...(I)>>,
             node<worker_name<I>, Worker, typename fires_with_input<Worker>::type>...,
             node<"join", gather<To, part_given<Worker>, sizeof...(I)>, moderate>,
-            wire<joined_name<"split", part_name<I>>, joined_name<worker_name<I>, input_of_stage<Worker>::name>>...,
-            wire<joined_name<worker_name<I>, output_of_stage<Worker>::name>, joined_name<"join", part_name<I>>>...,
-            expose<"split.input", "input">, expose<"join.output", "output">> {
+            wire<joined_name<"split", part_name<I>>,
+                 joined_name<worker_name<I>, input_of_stage<Worker>::name>>...,
+            wire<joined_name<worker_name<I>, output_of_stage<Worker>::name>,
+                 joined_name<"join", part_name<I>>>...,
+            expose<"split.input", "input">,
+            expose<"join.output", "output">> {
   using passage_in = passage<"input", From>;
   using passage_out = passage<"output", To>;
 };
 
 template <class Whole, class Part>
 constexpr void say_parts(text& t) {
-  t << type_name<Whole>() << " (" << type_name<typename Whole::domain>() << " over " << Whole::axes::count << (Whole::axes::count == 1 ? " axis)" : " axes)");
+  t << type_name<Whole>() << " (" << type_name<typename Whole::domain>() << " over " << Whole::axes::count
+    << (Whole::axes::count == 1 ? " axis)" : " axes)");
   if (constexpr int count = parts_in<Whole, Part>; count > 0) t << " is " << count << " of ";
   else t << " is no whole number of ";
-  t << type_name<Part>() << " (" << type_name<typename Part::domain>() << " over " << Part::axes::count << ")";
+  t << type_name<Part>() << " (" << type_name<typename Part::domain>() << " over " << Part::axes::count
+    << ")";
 }
 
 template <class Worker, class From, class To>
@@ -66,7 +77,9 @@ struct uneven_farm {
       say_parts<From, part_taken<Worker>>(t);
       t << ", what goes out, ";
       say_parts<To, part_given<Worker>>(t);
-      t << "; give it spaces with as many parts of what a worker takes as of what it gives, like cca::array_of<" << type_name<part_taken<Worker>>() << ", 4>";
+      t << "; give it spaces with as many parts of what a worker takes as of what it gives, like "
+           "cca::array_of<"
+        << type_name<part_taken<Worker>>() << ", 4>";
     }
     return t;
   }
@@ -76,8 +89,7 @@ template <class Worker, class From, class To>
 constexpr auto farm_kind() {
   if constexpr (constexpr int count = workers_in<Worker, From, To>; count > 0)
     return std::type_identity<farm_of<Worker, From, To, std::make_index_sequence<count>>>();
-  else
-    return std::type_identity<uneven<uneven_farm<Worker, From, To>>>();
+  else return std::type_identity<uneven<uneven_farm<Worker, From, To>>>();
 }
 
 }  // namespace detail

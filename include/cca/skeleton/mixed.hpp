@@ -1,8 +1,10 @@
-// A sample between others, by the domain's own interpolation: on a line, on a circle, between orientations by slerp.
+// A sample between others, by the domain's own interpolation: on a line, on a circle, between orientations by
+// slerp.
 //
-// Of several with weights each is interpolated with the mean of those before it, which on a line is the weighted mean. What has
-// no part in the result does not touch it, be it NaN; its origin is the oldest of those that have. A domain type without
-// interpolation (a status) gives the nearer one. Cost: that of an interpolation for each source but the first.
+// Of several with weights each is interpolated with the mean of those before it, which on a line is the
+// weighted mean. What has no part in the result does not touch it, be it NaN; its origin is the oldest of
+// those that have. A domain type without interpolation (a status) gives the nearer one. Cost: that of an
+// interpolation for each source but the first.
 #pragma once
 
 #include <array>
@@ -25,7 +27,9 @@ constexpr sample<Space> mixed(const sample<Space>& a, const sample<Space>& b, do
 }
 
 template <class Space, std::size_t Count, class... Rest>
-constexpr sample<Space> mixed_of(const std::array<double, Count>& weights, const sample<Space>& first, const Rest&... rest) {
+constexpr sample<Space> mixed_of(const std::array<double, Count>& weights,
+                                 const sample<Space>& first,
+                                 const Rest&... rest) {
   sample<Space> mean = first;
   double sum = weights[0];
   std::size_t i = 1;

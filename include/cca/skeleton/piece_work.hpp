@@ -55,7 +55,8 @@ private:
   template <class... Ports>
   static result made(const task& t, const std::tuple<Ports...>& ports) {
     result one;
-    ((goes_through<Ports> ? void(one = made_if<goes_through<Ports>>(t, std::get<Ports>(ports))) : void()), ...);
+    ((goes_through<Ports> ? void(one = made_if<goes_through<Ports>>(t, std::get<Ports>(ports))) : void()),
+     ...);
     return one;
   }
   template <bool Is, class Port>

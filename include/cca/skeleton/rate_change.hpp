@@ -1,5 +1,6 @@
-// From one rate to another: what hold, decimate and interpolate have in common. Their two spaces agree in domain type and axes,
-// and differ in their rates; how many samples of the faster there are to one of the slower is a whole number, or skeleton.arity.
+// From one rate to another: what hold, decimate and interpolate have in common. Their two spaces agree in
+// domain type and axes, and differ in their rates; how many samples of the faster there are to one of the
+// slower is a whole number, or skeleton.arity.
 #pragma once
 
 #include <type_traits>
@@ -13,7 +14,8 @@ template <class Space>
 constexpr double rate_of = hz_of<typename Space::rate>;
 
 template <class From, class To>
-constexpr bool differ_in_rate_only = std::is_same_v<typename From::domain, typename To::domain> && std::is_same_v<typename From::axes, typename To::axes>;
+constexpr bool differ_in_rate_only = std::is_same_v<typename From::domain, typename To::domain> &&
+                                     std::is_same_v<typename From::axes, typename To::axes>;
 
 // So many samples of Fast to one of Slow; 0 if that is no whole number from 2 on.
 template <class Fast, class Slow>
@@ -40,10 +42,13 @@ struct uneven_rates {
     say_rate<From>(t);
     t << " to ";
     say_rate<To>(t);
-    if (!differ_in_rate_only<From, To>) t << ", which differ in more than their rate: name two spaces of one domain type over the same axes";
+    if (!differ_in_rate_only<From, To>)
+      t << ", which differ in more than their rate: name two spaces of one domain type over the same axes";
     else
-      t << ", but the first must have a rate that is " << (Down ? "a whole multiple of that of the second" : "a whole part of that of the second")
-        << ", at least " << (Down ? "twice it" : "half of it") << ": state rates like " << (Down ? "1000 and 100 Hz" : "100 and 1000 Hz");
+      t << ", but the first must have a rate that is "
+        << (Down ? "a whole multiple of that of the second" : "a whole part of that of the second")
+        << ", at least " << (Down ? "twice it" : "half of it") << ": state rates like "
+        << (Down ? "1000 and 100 Hz" : "100 and 1000 Hz");
     return t;
   }
 };

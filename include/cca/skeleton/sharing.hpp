@@ -3,8 +3,9 @@
 //   share_out<Whole, Part, N>   in "input": Whole;  out "part0", "part1", ...: Part
 //   gather<Whole, Part, N>      in "part0", "part1", ...: Part;  out "output": Whole; use it `moderate`
 //
-// Whole is `array_of<Part, N>`, or has the domain type of Part and its axes stand in the order of the parts: eight joint angles are
-// four parts of two. Then the axes change their names on the way, and with them what limits them. Cost: none after inlining.
+// Whole is `array_of<Part, N>`, or has the domain type of Part and its axes stand in the order of the parts:
+// eight joint angles are four parts of two. Then the axes change their names on the way, and with them what
+// limits them. Cost: none after inlining.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +24,15 @@ constexpr int parts_in = [] {
   else {
     constexpr int count = Whole::axes::count / Part::axes::count;
     if constexpr (std::is_same_v<typename Whole::domain, array_domain<typename Part::domain, count>>)
-      return std::is_same_v<typename Whole::axes, typename array_axes<typename Part::axes, std::make_index_sequence<count>>::type> ? count : 0;
+      return std::is_same_v<typename Whole::axes,
+                            typename array_axes<typename Part::axes, std::make_index_sequence<count>>::type>
+                 ? count
+                 : 0;
     else
-      return std::is_same_v<typename Whole::domain, typename Part::domain> && Whole::size == count * Part::size ? count : 0;
+      return std::is_same_v<typename Whole::domain, typename Part::domain> &&
+                     Whole::size == count * Part::size
+                 ? count
+                 : 0;
   }
 }();
 
@@ -37,7 +44,8 @@ struct share_out_of;
 template <class Whole, class Part, std::size_t... I>
 struct share_out_of<Whole, Part, std::index_sequence<I...>> {
   auto process(in<"input", Whole> whole) -> std::tuple<out<part_name<I>, Part>...> {
-    return {out<part_name<I>, Part>(whole.vector().template segment<Part::size>(static_cast<int>(I) * Part::size))...};
+    return {out<part_name<I>, Part>(
+        whole.vector().template segment<Part::size>(static_cast<int>(I) * Part::size))...};
   }
 };
 

@@ -2,8 +2,8 @@
 //
 //   cca::splitter<"angles", leg_angles>      in "angles"; out "hip", "knee": one port an axis, under its name
 //
-// The outputs' spaces are sub-spaces of the input's, so each keeps within the limits of its axis. Taken together again by a
-// collector they are the same, to the bit. Needs a domain type with one number an axis.
+// The outputs' spaces are sub-spaces of the input's, so each keeps within the limits of its axis. Taken
+// together again by a collector they are the same, to the bit. Needs a domain type with one number an axis.
 // Errors: skeleton.arity. Cost: none after inlining.
 // Example: tests/runtime/skeleton/splitter_collector.cpp; docs/skeletons.md.
 #pragma once
@@ -13,7 +13,7 @@
 
 #include <cca/component/port.hpp>
 #include <cca/skeleton/arity.hpp>
-#include <cca/space/type_name.hpp>
+#include <cca/base/type_name.hpp>
 
 namespace cca {
 
@@ -39,8 +39,10 @@ template <class Space>
 struct not_per_axis {
   static constexpr text told() {
     text t;
-    t << "is to take " << type_name<Space>() << " apart, which has " << Space::size << " numbers over " << Space::axes::count
-      << " axes, so none of them belongs to one axis: take a space with a number for each, the roll, pitch and yaw of an orientation say";
+    t << "is to take " << type_name<Space>() << " apart, which has " << Space::size << " numbers over "
+      << Space::axes::count
+      << " axes, so none of them belongs to one axis: take a space with a number for each, the roll, pitch "
+         "and yaw of an orientation say";
     return t;
   }
 };
@@ -48,7 +50,8 @@ struct not_per_axis {
 }  // namespace detail
 
 template <fixed_string Input, class Space>
-struct splitter : std::conditional_t<Space::size == Space::axes::count, detail::splitter_of<Input, Space, typename Space::axes>,
+struct splitter : std::conditional_t<Space::size == Space::axes::count,
+                                     detail::splitter_of<Input, Space, typename Space::axes>,
                                      detail::uneven<detail::not_per_axis<Space>>> {};
 
 }  // namespace cca

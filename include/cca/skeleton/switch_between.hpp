@@ -2,16 +2,19 @@
 //
 //   cca::node<"mode", cca::switch_between<"angles", leg_angles, "stand", "trot", "reach">>
 //   in  "stand", "trot", "reach"   Space: its sources
-//   in  "choice"                   a status over x: the number of a source, from 0 in the order of their names
-//   out "angles"                   Space, which originates at the oldest of the sources that have a part in it
-//   out "settled"                  a status over x: 1 once the chosen source is all that goes on, 0 during a hand-over
+//   in  "choice"                   a status over x: the number of a source, from 0 in the order of their
+//   names out "angles"                   Space, which originates at the oldest of the sources that have a
+//   part in it out "settled"                  a status over x: 1 once the chosen source is all that goes on,
+//   0 during a hand-over
 //
-// A hand-over takes `duration` seconds. Both sources go on being heard; the weights move from what they are to the chosen source
-// alone along s(u) = u^3 (10 - 15 u + 6 u^2), which begins and ends with velocity and acceleration zero (minimum jerk: Flash and
-// Hogan 1985). Between them it's the domain's own interpolation. Another choice during a hand-over begins a new one from where it is.
-// A choice that names no source, or one that has not published yet, is not followed until it does.
-// Parameters: `duration`; what is set during a hand-over holds from the next one on. Errors: skeleton.arity. A limiter belongs behind it. Cost: an interpolation for each source but the
-// first, and only during a hand-over. Example: tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
+// A hand-over takes `duration` seconds. Both sources go on being heard; the weights move from what they are
+// to the chosen source alone along s(u) = u^3 (10 - 15 u + 6 u^2), which begins and ends with velocity and
+// acceleration zero (minimum jerk: Flash and Hogan 1985). Between them it's the domain's own interpolation.
+// Another choice during a hand-over begins a new one from where it is. A choice that names no source, or one
+// that has not published yet, is not followed until it does. Parameters: `duration`; what is set during a
+// hand-over holds from the next one on. Errors: skeleton.arity. A limiter belongs behind it. Cost: an
+// interpolation for each source but the first, and only during a hand-over. Example:
+// tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once
 
 #include <array>
@@ -37,7 +40,8 @@ struct switch_of {
   };
   parameters p{0.5};
 
-  auto process(in<Sources, Space>... sources, in<"choice", choice> wanted, beat now) -> std::tuple<out<Output, Space>, out<"settled", flag>> {
+  auto process(in<Sources, Space>... sources, in<"choice", choice> wanted, beat now)
+      -> std::tuple<out<Output, Space>, out<"settled", flag>> {
     const bool spoken[] = {sources.origin() != never...};
     const double number = wanted.vector().coeff(0);
     int next = number >= 0 && number < count ? static_cast<int>(number) : chosen;
@@ -68,7 +72,8 @@ private:
     const double u = passed + dt < span ? (passed += dt) / span : 1;
     const double s = u * u * u * (10 - 15 * u + 6 * u * u);
     if (u < 1) {
-      for (std::size_t i = 0; i < count; ++i) weights[i] = begin[i] + s * ((static_cast<int>(i) == chosen) - begin[i]);
+      for (std::size_t i = 0; i < count; ++i)
+        weights[i] = begin[i] + s * ((static_cast<int>(i) == chosen) - begin[i]);
       return false;
     }
     weights = {};
@@ -85,7 +90,8 @@ private:
 }  // namespace detail
 
 template <fixed_string Output, class Space, fixed_string... Sources>
-struct switch_between : std::conditional_t<(sizeof...(Sources) >= 2), detail::switch_of<Output, Space, Sources...>,
+struct switch_between : std::conditional_t<(sizeof...(Sources) >= 2),
+                                           detail::switch_of<Output, Space, Sources...>,
                                            detail::uneven<detail::too_few_sources<sizeof...(Sources)>>> {};
 
 }  // namespace cca

@@ -1,9 +1,10 @@
 // An array-valued space: so many samples of one space, one after another, as one sample.
 //
-//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, element<x, 1>, ...
+//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, element<x, 1>,
+//   ...
 //
-// Its rate is that of the space; its domain type is `array_domain`. A sample has `template part<I>()`, the sample of element I, and
-// interpolates element by element. An axis keeps its limits in each element.
+// Its rate is that of the space; its domain type is `array_domain`. A sample has `template part<I>()`, the
+// sample of element I, and interpolates element by element. An axis keeps its limits in each element.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 #include <utility>
 
 #include <cca/space/frame.hpp>
-#include <cca/space/joined_names.hpp>
+#include <cca/base/joined_names.hpp>
 #include <cca/space/linear.hpp>
 #include <cca/space/sample.hpp>
 
@@ -30,14 +31,17 @@ struct array_domain {
   using frames = typename detail::frames_of<Domain>::type;
   static constexpr bool actuated = Domain::actuated;
   static constexpr int width(int axes) { return Count * Domain::width(axes / Count); }
-  static constexpr double zero(int i, int axes) { return Domain::zero(i % Domain::width(axes / Count), axes / Count); }
+  static constexpr double zero(int i, int axes) {
+    return Domain::zero(i % Domain::width(axes / Count), axes / Count);
+  }
 
   template <class Self>
   struct methods : detail::mixin<Self> {
     template <int Number>
     constexpr auto part() const {
       using one = typename Self::space::element_space;
-      return sample<one>(this->self().vector().template segment<one::size>(Number * one::size), this->self().origin());
+      return sample<one>(this->self().vector().template segment<one::size>(Number * one::size),
+                         this->self().origin());
     }
 
     // Each element on its own; t = 0 is this one, t = 1 is `to`.
@@ -47,7 +51,9 @@ struct array_domain {
       if constexpr (detail::meet<Self, To>())
         [&]<int... Number>(std::integer_sequence<int, Number...>) {
           constexpr int size = Self::space::element_space::size;
-          ((v.template segment<size>(Number * size) = part<Number>().interpolated(to.template part<Number>(), t).vector()), ...);
+          ((v.template segment<size>(Number * size) =
+                part<Number>().interpolated(to.template part<Number>(), t).vector()),
+           ...);
         }(std::make_integer_sequence<int, Count>());
       return Self(v, detail::older(this->self().origin(), to.origin()));
     }
@@ -65,7 +71,9 @@ struct array_axes<axes<Axes...>, std::index_sequence<Number...>> {
   template <class... All>
   struct all;
   template <class... A>
-  struct all<axes<A...>> { using type = axes<A...>; };
+  struct all<axes<A...>> {
+    using type = axes<A...>;
+  };
   template <class... A, class... B, class... Rest>
   struct all<axes<A...>, axes<B...>, Rest...> : all<axes<A..., B...>, Rest...> {};
   using type = typename all<one<Number>...>::type;
@@ -74,8 +82,10 @@ struct array_axes<axes<Axes...>, std::index_sequence<Number...>> {
 }  // namespace detail
 
 template <class Element, int Count>
-struct array_of : space<array_domain<typename Element::domain, Count>,
-                        typename detail::array_axes<typename Element::axes, std::make_index_sequence<Count>>::type, typename Element::rate> {
+struct array_of
+    : space<array_domain<typename Element::domain, Count>,
+            typename detail::array_axes<typename Element::axes, std::make_index_sequence<Count>>::type,
+            typename Element::rate> {
   static_assert(Count > 0, "cca::array_of<Space, N>: N is a number of elements, at least one");
   using element_space = Element;
 };

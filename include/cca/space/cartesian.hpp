@@ -2,8 +2,8 @@
 //
 //   struct foot_in_hip : cca::space<cca::cartesian_position<hip_frame>, cca::axes<cca::x, cca::z>> {};
 //
-// The zero is the frame's origin. Points have no sum: their difference is a vector, and a point plus a vector is a point.
-// Errors: `frame.mismatch`.
+// The zero is the frame's origin. Points have no sum: their difference is a vector, and a point plus a vector
+// is a point. Errors: `frame.mismatch`.
 #pragma once
 
 #include <cmath>
@@ -49,13 +49,13 @@ constexpr bool is_position = false;
 template <class Frame>
 constexpr bool is_position<cartesian_position<Frame>> = true;
 
-template <class Type>
-concept PositionSample = Sample<Type> && is_position<typename Type::space::domain>;
+template <class Type> concept PositionSample = Sample<Type> && is_position<typename Type::space::domain>;
 
 // Moved by a rigid motion: only over three axes, which are x, y and z by their order.
 template <class Position>
 constexpr bool spatial() {
-  static_assert(Position::space::size == 3, "space.mismatch: a rotation moves positions over three axes, axes<x, y, z>");
+  static_assert(Position::space::size == 3,
+                "space.mismatch: a rotation moves positions over three axes, axes<x, y, z>");
   return Position::space::size == 3;
 }
 

@@ -1,13 +1,15 @@
-// A dimension is a named axis: a type, shared by all quantities that are measured along it, with a limit per quantity.
+// A dimension is a named axis: a type, shared by all quantities that are measured along it, with a limit per
+// quantity.
 //
-//   struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}}; };
+//   struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}};
+//   };
 #pragma once
 
 #include <concepts>
 #include <string_view>
 #include <type_traits>
 
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca {
@@ -18,8 +20,9 @@ struct dimension {
   static constexpr auto label = Name;  // the name as a template argument
 };
 
-template <class Type>
-concept Dimension = requires { { Type::name } -> std::convertible_to<std::string_view>; };
+template <class Type> concept Dimension = requires {
+  { Type::name } -> std::convertible_to<std::string_view>;
+};
 
 namespace detail {
 
@@ -28,7 +31,8 @@ constexpr bool axis_has_limits = false;
 
 template <class Axis, class Quantity>
   requires requires { Axis::limits; }
-constexpr bool axis_has_limits<Axis, Quantity> = std::remove_cvref_t<decltype(Axis::limits)>::template has<Quantity>;
+constexpr bool axis_has_limits<Axis, Quantity> =
+    std::remove_cvref_t<decltype(Axis::limits)>::template has<Quantity>;
 
 }  // namespace detail
 

@@ -1,4 +1,5 @@
-// Frames: what coordinates are expressed in, and which point a twist or a wrench is that of. Any class type will do:
+// Frames: what coordinates are expressed in, and which point a twist or a wrench is that of. Any class type
+// will do:
 //
 //   struct trunk;                             or, with a name of its own: cca::frame<"trunk">
 //   struct foot_in_trunk : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 
 namespace cca {
 
@@ -37,10 +38,9 @@ struct frames_of<Domain> {
 }  // namespace detail
 
 // A concept, and not a constant, for its messages: the compilers then name the two frames that differ.
-template <class FrameA, class FrameB>
-concept SameFrame = std::is_same_v<FrameA, FrameB>;
+template <class FrameA, class FrameB> concept SameFrame = std::is_same_v<FrameA, FrameB>;
 
-template <class DomainA, class DomainB>
-concept SameFrames = std::is_same_v<typename detail::frames_of<DomainA>::type, typename detail::frames_of<DomainB>::type>;
+template <class DomainA, class DomainB> concept SameFrames =
+    std::is_same_v<typename detail::frames_of<DomainA>::type, typename detail::frames_of<DomainB>::type>;
 
 }  // namespace cca

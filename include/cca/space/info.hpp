@@ -7,7 +7,7 @@
 
 #include <cca/space/limits.hpp>
 #include <cca/space/space.hpp>
-#include <cca/space/type_name.hpp>
+#include <cca/base/type_name.hpp>
 
 namespace cca::detail {
 
@@ -24,7 +24,8 @@ struct space_info {
   int duplicate_axis;  // index, or -1
   int missing_limits;  // index of the first axis without limits for the domain's quantity, or -1
   std::string_view quantity;
-  const double *lower, *upper;  // limits of that quantity, one number an axis; infinite where an axis states none
+  const double *lower,
+      *upper;  // limits of that quantity, one number an axis; infinite where an axis states none
 };
 
 template <class Axes>

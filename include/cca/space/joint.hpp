@@ -1,4 +1,5 @@
-// Domain types at joint level, one number an axis. All are actuated: where one is a command its axes must state limits.
+// Domain types at joint level, one number an axis. All are actuated: where one is a command its axes must
+// state limits.
 //
 //   domain type           unit      zero   methods
 //   joint_angles          rad       0      normalised, difference, plus, interpolated, within_limits, clamped
@@ -21,8 +22,9 @@ struct joint_domain : linear_domain {
 
 }  // namespace detail
 
-// Interpolation is the straight line between the two numbers and never the short way around: two angles within the
-// limits have all between them within, which the short way would not keep. A joint that turns on and on is a `phase`.
+// Interpolation is the straight line between the two numbers and never the short way around: two angles
+// within the limits have all between them within, which the short way would not keep. A joint that turns on
+// and on is a `phase`.
 struct joint_angles : detail::joint_domain {
   using quantity = angle;
 
@@ -40,7 +42,8 @@ struct joint_angles : detail::joint_domain {
     constexpr auto difference(const Other& from) const {
       auto v = this->self().vector();
       if constexpr (detail::meet<Self, Other>())
-        for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
+        for (int i = 0; i < Self::space::size; ++i)
+          v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
       return v;
     }
 
@@ -79,9 +82,10 @@ struct joint_torques : detail::joint_domain {
     // W, into the joints.
     template <Sample Velocities>
     constexpr double power(const Velocities& velocities) const {
-      static_assert(std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
-                        std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
-                    "space.mismatch: the power of joint torques is that with joint_velocities over the same axes");
+      static_assert(
+          std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
+              std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
+          "space.mismatch: the power of joint torques is that with joint_velocities over the same axes");
       return this->self().vector().dot(velocities.vector());
     }
   };
@@ -92,7 +96,8 @@ struct joint_stiffness : detail::joint_domain {
 
   template <class Self>
   struct methods : detail::additive<Self> {
-    // N m: of springs that are turned by this much (rad) out of their rest; it draws back, so its sign is the opposite.
+    // N m: of springs that are turned by this much (rad) out of their rest; it draws back, so its sign is the
+    // opposite.
     template <class Vector>
     constexpr auto torque(const Eigen::MatrixBase<Vector>& deflection) const {
       using vector = typename Self::space::vector_type;

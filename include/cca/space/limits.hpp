@@ -50,7 +50,8 @@ constexpr const auto& upper_limits = limits_along<typename Space::axes, Quantity
 
 // Index of the first axis without limits for the domain type's quantity, or -1.
 template <class Space>
-constexpr int missing_limits = limits_along<typename Space::axes, typename Space::domain::quantity>::first_missing();
+constexpr int missing_limits =
+    limits_along<typename Space::axes, typename Space::domain::quantity>::first_missing();
 
 template <class Axes>
 struct repeated_in;

@@ -1,7 +1,7 @@
 // What domain types with one real number an axis share: limits, interpolation on a straight line, sums.
 //
-// Each is a mixin that `sample` inherits, by way of its domain type's `methods`. Nothing here changes a sample: the result
-// is another one, of the same space, and originates where the older of the two does.
+// Each is a mixin that `sample` inherits, by way of its domain type's `methods`. Nothing here changes a
+// sample: the result is another one, of the same space, and originates where the older of the two does.
 #pragma once
 
 #include <concepts>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <cca/space/eigen.hpp>
+#include <cca/base/eigen.hpp>
 #include <cca/space/frame.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/origin.hpp>
@@ -18,8 +18,7 @@
 namespace cca {
 
 // A sample, an input or an output.
-template <class Type>
-concept Sample = requires(const Type& s) {
+template <class Type> concept Sample = requires(const Type& s) {
   typename Type::space;
   s.vector();
   { s.origin() } -> std::same_as<std::int64_t>;
@@ -38,11 +37,14 @@ constexpr bool meet() {
   using domain_b = typename B::space::domain;
   constexpr bool one_frame = SameFrames<domain_a, domain_b>;
   static_assert(SameFrames<domain_a, domain_b>,
-                "frame.mismatch: these two samples are of different frames (expressed in, or acting at), so their numbers "
-                "cannot be combined; bring one into the other's frame first, with `express(...)` or `moved_to<...>(...)`");
-  static_assert(!one_frame || alike<typename A::space, typename B::space>,
-                "space.mismatch: these two samples differ in domain type or axes, so their numbers cannot be combined; "
-                "take the part that they share with `on<...>()`, or use `vector()` if you mean the bare numbers");
+                "frame.mismatch: these two samples are of different frames (expressed in, or acting at), so "
+                "their numbers "
+                "cannot be combined; bring one into the other's frame first, with `express(...)` or "
+                "`moved_to<...>(...)`");
+  static_assert(
+      !one_frame || alike<typename A::space, typename B::space>,
+      "space.mismatch: these two samples differ in domain type or axes, so their numbers cannot be combined; "
+      "take the part that they share with `on<...>()`, or use `vector()` if you mean the bare numbers");
   return alike<typename A::space, typename B::space>;
 }
 
@@ -52,15 +54,16 @@ protected:
   constexpr const Self& self() const { return static_cast<const Self&>(*this); }
 };
 
-// One number an axis. Limits are those that the axes state for the domain type's quantity; an axis without any has none.
-// Domain types without one number an axis (twists) have neither.
+// One number an axis. Limits are those that the axes state for the domain type's quantity; an axis without
+// any has none. Domain types without one number an axis (twists) have neither.
 template <class Self>
 struct per_axis : mixin<Self> {
   // False if a number is NaN.
   constexpr bool within_limits() const {
     using space = typename Self::space;
     using quantity = typename space::domain::quantity;
-    static_assert(space::size == space::axes::count, "cca: this domain type has no number per axis, and so no limits");
+    static_assert(space::size == space::axes::count,
+                  "cca: this domain type has no number per axis, and so no limits");
     bool within = true;
     for (int i = 0; i < space::size; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -74,7 +77,8 @@ struct per_axis : mixin<Self> {
   constexpr Self clamped() const {
     using space = typename Self::space;
     using quantity = typename space::domain::quantity;
-    static_assert(space::size == space::axes::count, "cca: this domain type has no number per axis, and so no limits");
+    static_assert(space::size == space::axes::count,
+                  "cca: this domain type has no number per axis, and so no limits");
     typename space::vector_type v;
     for (int i = 0; i < space::size; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -86,7 +90,8 @@ struct per_axis : mixin<Self> {
   }
 };
 
-// Interpolation on the straight line: t = 0 is this one, t = 1 is `to`, exactly; outside of that it extrapolates.
+// Interpolation on the straight line: t = 0 is this one, t = 1 is `to`, exactly; outside of that it
+// extrapolates.
 template <class Self>
 struct on_a_line : per_axis<Self> {
   template <Sample To>
@@ -94,8 +99,7 @@ struct on_a_line : per_axis<Self> {
     const Self& from = this->self();
     if constexpr (meet<Self, To>())
       return Self(((1 - t) * from.vector() + t * to.vector()).eval(), older(from.origin(), to.origin()));
-    else
-      return from;
+    else return from;
   }
 };
 
@@ -105,17 +109,21 @@ struct additive : on_a_line<Self> {
   template <Sample Other>
   constexpr Self operator+(const Other& b) const {
     const Self& a = this->self();
-    if constexpr (meet<Self, Other>()) return Self((a.vector() + b.vector()).eval(), older(a.origin(), b.origin()));
+    if constexpr (meet<Self, Other>())
+      return Self((a.vector() + b.vector()).eval(), older(a.origin(), b.origin()));
     else return a;
   }
   template <Sample Other>
   constexpr Self operator-(const Other& b) const {
     const Self& a = this->self();
-    if constexpr (meet<Self, Other>()) return Self((a.vector() - b.vector()).eval(), older(a.origin(), b.origin()));
+    if constexpr (meet<Self, Other>())
+      return Self((a.vector() - b.vector()).eval(), older(a.origin(), b.origin()));
     else return a;
   }
   constexpr Self operator-() const { return Self((-this->self().vector()).eval(), this->self().origin()); }
-  constexpr Self operator*(double factor) const { return Self((factor * this->self().vector()).eval(), this->self().origin()); }
+  constexpr Self operator*(double factor) const {
+    return Self((factor * this->self().vector()).eval(), this->self().origin());
+  }
   friend constexpr Self operator*(double factor, const Self& a) { return a * factor; }
 };
 

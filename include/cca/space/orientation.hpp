@@ -1,13 +1,15 @@
 // Orientations: rotations in a frame, as unit quaternions in the order x, y, z, w. The zero is the identity.
 //
-//   struct trunk_attitude : cca::space<cca::orientation<world>, cca::axes<cca::x, cca::y, cca::z>, cca::rate<1000>> {};
+//   struct trunk_attitude : cca::space<cca::orientation<world>, cca::axes<cca::x, cca::y, cca::z>,
+//   cca::rate<1000>> {};
 //
-// `orientation<Frame>` is how something (a body, another frame) is turned in Frame: it turns Frame's axes into that
-// thing's. `a * b` turns by b first, then by a, both about axes of Frame. `express(s)` takes a sample whose coordinates are
-// along the axes of the thing, in a frame of its own, to Frame; it's the one operation that changes a frame.
-// It has no value per axis; it's made with `from` (of Eigen::Quaterniond, Eigen::AngleAxisd), `about`,
-// `from_roll_pitch_yaw`, `from_rotation_vector`; `Eigen::Quaterniond(o.vector())` is the way back.
-// Preconditions: unit length, to rounding; `normalised()` sees to that. Errors: `frame.mismatch`. Sources: rotation.hpp.
+// `orientation<Frame>` is how something (a body, another frame) is turned in Frame: it turns Frame's axes
+// into that thing's. `a * b` turns by b first, then by a, both about axes of Frame. `express(s)` takes a
+// sample whose coordinates are along the axes of the thing, in a frame of its own, to Frame; it's the one
+// operation that changes a frame. It has no value per axis; it's made with `from` (of Eigen::Quaterniond,
+// Eigen::AngleAxisd), `about`, `from_roll_pitch_yaw`, `from_rotation_vector`;
+// `Eigen::Quaterniond(o.vector())` is the way back. Preconditions: unit length, to rounding; `normalised()`
+// sees to that. Errors: `frame.mismatch`. Sources: rotation.hpp.
 #pragma once
 
 #include <cca/space/cartesian.hpp>
@@ -30,8 +32,8 @@ constexpr bool is_orientation = false;
 template <class Frame>
 constexpr bool is_orientation<orientation<Frame>> = true;
 
-template <class Type>
-concept OrientationSample = Sample<Type> && is_orientation<typename Type::space::domain>;
+template <class Type> concept OrientationSample =
+    Sample<Type> && is_orientation<typename Type::space::domain>;
 
 // The domain type whose coordinates are along the axes of another frame.
 template <class Domain, class In>
@@ -50,7 +52,8 @@ struct expressed_in<wrench<At, Old>, In> {
 };
 
 template <class Type, class In>
-using express = sample<with_domain<typename Type::space, typename expressed_in<typename Type::space::domain, In>::type>>;
+using express =
+    sample<with_domain<typename Type::space, typename expressed_in<typename Type::space::domain, In>::type>>;
 
 // Three numbers are turned, and so is each three of six.
 template <class Quaternion, class Vector>
@@ -77,7 +80,9 @@ struct orientation {
   using frame = Frame;
   using frames = detail::frame_list<Frame>;
   static constexpr bool actuated = false;
-  static constexpr int width(int axes) { return axes == 3 ? 4 : throw "cca::orientation: its axes are axes<x, y, z>"; }
+  static constexpr int width(int axes) {
+    return axes == 3 ? 4 : throw "cca::orientation: its axes are axes<x, y, z>";
+  }
   static constexpr double zero(int i, int) { return i == 3 ? 1 : 0; }
 
   template <class Self>
@@ -101,12 +106,17 @@ struct orientation {
     template <detail::OrientationSample Other>
     Self operator*(const Other& b) const {
       static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
-                    "frame.mismatch: two orientations are composed that are rotations in different frames; bring both into "
-                    "one frame first (what is given along a thing's axes goes through `express(...)` of its orientation)");
-      return Self(rotation::product(this->self().vector(), b.vector()), detail::older(this->self().origin(), b.origin()));
+                    "frame.mismatch: two orientations are composed that are rotations in different frames; "
+                    "bring both into "
+                    "one frame first (what is given along a thing's axes goes through `express(...)` of its "
+                    "orientation)");
+      return Self(rotation::product(this->self().vector(), b.vector()),
+                  detail::older(this->self().origin(), b.origin()));
     }
     Self inverse() const { return Self(rotation::inverse(this->self().vector()), this->self().origin()); }
-    Self normalised() const { return Self(rotation::normalised(this->self().vector()), this->self().origin()); }
+    Self normalised() const {
+      return Self(rotation::normalised(this->self().vector()), this->self().origin());
+    }
 
     // The one of its two quaternions with positive w.
     Self canonical() const { return Self(rotation::canonical(this->self().vector()), this->self().origin()); }
@@ -119,7 +129,8 @@ struct orientation {
       return rotation::angle(rotation::product(this->self().vector(), rotation::inverse(b.vector())));
     }
 
-    // From the other one to this one the shorter way, as a rotation vector in Frame: b.plus(a.difference(b)) is a.
+    // From the other one to this one the shorter way, as a rotation vector in Frame: b.plus(a.difference(b))
+    // is a.
     template <detail::OrientationSample Other>
     vector_3 difference(const Other& from) const {
       (void)detail::meet<Self, Other>();
@@ -135,7 +146,8 @@ struct orientation {
     template <detail::OrientationSample To>
     Self interpolated(const To& to, double t) const {
       (void)detail::meet<Self, To>();
-      return Self(rotation::slerp(this->self().vector(), to.vector(), t), detail::older(this->self().origin(), to.origin()));
+      return Self(rotation::slerp(this->self().vector(), to.vector(), t),
+                  detail::older(this->self().origin(), to.origin()));
     }
 
     // It turns by roll about x, then by pitch about y, then by yaw about z, all axes of Frame.
@@ -150,17 +162,19 @@ struct orientation {
     template <detail::PositionSample Position>
     auto rotate(const Position& p) const {
       static_assert(SameFrame<Frame, typename Position::space::domain::frame>,
-                    "frame.mismatch: a position is rotated by an orientation of another frame; if the position is given "
-                    "along the axes of the thing whose orientation this is, `express(position)` takes it to this frame");
+                    "frame.mismatch: a position is rotated by an orientation of another frame; if the "
+                    "position is given "
+                    "along the axes of the thing whose orientation this is, `express(position)` takes it to "
+                    "this frame");
       using result = sample<typename Position::space>;
       if constexpr (detail::spatial<Position>())
-        return result(rotation::rotate(this->self().vector(), p.vector()), detail::older(this->self().origin(), p.origin()));
-      else
-        return result(p.vector());
+        return result(rotation::rotate(this->self().vector(), p.vector()),
+                      detail::older(this->self().origin(), p.origin()));
+      else return result(p.vector());
     }
 
-    // A position, twist or wrench along the axes of the thing whose orientation this is: the same along those of Frame.
-    // A position keeps its origin: the two frames share it (if they don't, it takes a pose).
+    // A position, twist or wrench along the axes of the thing whose orientation this is: the same along those
+    // of Frame. A position keeps its origin: the two frames share it (if they don't, it takes a pose).
     template <Sample Other>
     auto express(const Other& s) const {
       return detail::express<Other, Frame>(detail::turned(this->self().vector(), s.vector()),

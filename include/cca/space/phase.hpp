@@ -1,9 +1,9 @@
 // Phases: points on a circle, in rad, one an axis. 0 and 2 pi are the same phase.
 //
-// A sample holds the number that it was given; `wrapped()` is its one name in [0, 2 pi). Everything else gives the same
-// for each of a phase's numbers.
-// Source of mean and coherence: Mardia and Jupp, Directional Statistics, 2000, chapter 2 (mean direction and mean
-// resultant length; the order parameter of coupled oscillators, Kuramoto 1984, is the latter).
+// A sample holds the number that it was given; `wrapped()` is its one name in [0, 2 pi). Everything else
+// gives the same for each of a phase's numbers. Source of mean and coherence: Mardia and Jupp, Directional
+// Statistics, 2000, chapter 2 (mean direction and mean resultant length; the order parameter of coupled
+// oscillators, Kuramoto 1984, is the latter).
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,8 @@ struct phase : detail::linear_domain {
     constexpr auto difference(const Other& from) const {
       auto v = this->self().vector();
       if constexpr (detail::meet<Self, Other>())
-        for (int i = 0; i < Self::space::size; ++i) v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
+        for (int i = 0; i < Self::space::size; ++i)
+          v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
       return v;
     }
 

@@ -1,11 +1,12 @@
-// Poses: a position and an orientation in a frame, as seven numbers: x, y, z in m, then a unit quaternion x, y, z, w.
-// The zero is the frame's own pose.
+// Poses: a position and an orientation in a frame, as seven numbers: x, y, z in m, then a unit quaternion x,
+// y, z, w. The zero is the frame's own pose.
 //
 //   struct foot_pose : cca::space<cca::pose<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
 //
-// `pose<Frame>` is where something (a body, another frame) is in Frame: the rigid motion that takes Frame to that thing.
-// `a * b` moves by b first, then by a, both in Frame. `express(p)` takes a position in the frame of the thing to Frame.
-// Preconditions: the quaternion is of unit length, to rounding. Errors: `frame.mismatch`.
+// `pose<Frame>` is where something (a body, another frame) is in Frame: the rigid motion that takes Frame to
+// that thing. `a * b` moves by b first, then by a, both in Frame. `express(p)` takes a position in the frame
+// of the thing to Frame. Preconditions: the quaternion is of unit length, to rounding. Errors:
+// `frame.mismatch`.
 #pragma once
 
 #include <cca/space/orientation.hpp>
@@ -22,8 +23,7 @@ constexpr bool is_pose = false;
 template <class Frame>
 constexpr bool is_pose<pose<Frame>> = true;
 
-template <class Type>
-concept PoseSample = Sample<Type> && is_pose<typename Type::space::domain>;
+template <class Type> concept PoseSample = Sample<Type> && is_pose<typename Type::space::domain>;
 
 }  // namespace detail
 
@@ -33,7 +33,9 @@ struct pose {
   using frame = Frame;
   using frames = detail::frame_list<Frame>;
   static constexpr bool actuated = false;
-  static constexpr int width(int axes) { return axes == 3 ? 7 : throw "cca::pose: its axes are axes<x, y, z>"; }
+  static constexpr int width(int axes) {
+    return axes == 3 ? 7 : throw "cca::pose: its axes are axes<x, y, z>";
+  }
   static constexpr double zero(int i, int) { return i == 6 ? 1 : 0; }
 
   template <class Self>
@@ -46,24 +48,29 @@ struct pose {
     static Self of(const Position& p, const Orientation& o) {
       static_assert(SameFrame<Frame, typename Position::space::domain::frame> &&
                         SameFrame<Frame, typename Orientation::space::domain::frame>,
-                    "frame.mismatch: a pose is made of a position and an orientation in its own frame, and here one of them "
+                    "frame.mismatch: a pose is made of a position and an orientation in its own frame, and "
+                    "here one of them "
                     "is in another; bring it there first, with `express(...)`");
       return make(p.vector(), o.vector(), detail::older(p.origin(), o.origin()));
     }
     auto position() const {
-      return sample<with_domain<typename Self::space, cartesian_position<Frame>>>(translation(), this->self().origin());
+      return sample<with_domain<typename Self::space, cartesian_position<Frame>>>(translation(),
+                                                                                  this->self().origin());
     }
     auto orientation() const {
-      return sample<with_domain<typename Self::space, cca::orientation<Frame>>>(quaternion(), this->self().origin());
+      return sample<with_domain<typename Self::space, cca::orientation<Frame>>>(quaternion(),
+                                                                                this->self().origin());
     }
 
     // First b, then this one.
     template <detail::PoseSample Other>
     Self operator*(const Other& b) const {
       static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
-                    "frame.mismatch: two poses are composed that are motions in different frames; bring both into one frame "
+                    "frame.mismatch: two poses are composed that are motions in different frames; bring both "
+                    "into one frame "
                     "first (what is given in a thing's frame goes through `express(...)` of its pose)");
-      return make(moved(vector_3(b.vector().template head<3>())), rotation::product(quaternion(), vector_4(b.vector().template tail<4>())),
+      return make(moved(vector_3(b.vector().template head<3>())),
+                  rotation::product(quaternion(), vector_4(b.vector().template tail<4>())),
                   detail::older(this->self().origin(), b.origin()));
     }
     Self inverse() const {
@@ -75,13 +82,13 @@ struct pose {
     template <detail::PositionSample Position>
     auto transform(const Position& p) const {
       static_assert(SameFrame<Frame, typename Position::space::domain::frame>,
-                    "frame.mismatch: a position is moved by a pose of another frame; if the position is given in the frame of "
+                    "frame.mismatch: a position is moved by a pose of another frame; if the position is "
+                    "given in the frame of "
                     "the thing whose pose this is, `express(position)` takes it to this frame");
       using result = sample<typename Position::space>;
       if constexpr (detail::spatial<Position>())
         return result(moved(p.vector()), detail::older(this->self().origin(), p.origin()));
-      else
-        return result(p.vector());
+      else return result(p.vector());
     }
     vector_3 transform(const vector_3& p) const { return moved(p); }
 
@@ -89,10 +96,12 @@ struct pose {
     template <detail::PositionSample Position>
     auto express(const Position& p) const {
       (void)detail::spatial<Position>();
-      return detail::express<Position, Frame>(moved(p.vector()), detail::older(this->self().origin(), p.origin()));
+      return detail::express<Position, Frame>(moved(p.vector()),
+                                              detail::older(this->self().origin(), p.origin()));
     }
 
-    // The position on a straight line, the orientation by slerp, each at its constant speed (not a screw motion).
+    // The position on a straight line, the orientation by slerp, each at its constant speed (not a screw
+    // motion).
     template <detail::PoseSample To>
     Self interpolated(const To& to, double t) const {
       (void)detail::meet<Self, To>();
@@ -103,9 +112,13 @@ struct pose {
 
     // In m, and in rad.
     template <detail::PoseSample Other>
-    double distance(const Other& to) const { return position().distance(to.position()); }
+    double distance(const Other& to) const {
+      return position().distance(to.position());
+    }
     template <detail::PoseSample Other>
-    double angle_to(const Other& to) const { return orientation().angle_to(to.orientation()); }
+    double angle_to(const Other& to) const {
+      return orientation().angle_to(to.orientation());
+    }
 
   private:
     static Self make(const vector_3& p, const vector_4& q, std::int64_t origin) {

@@ -1,15 +1,18 @@
-// Rotations as unit quaternions (x, y, z, w), as ordinary functions on Eigen vectors; made without Eigen/Geometry.
+// Rotations as unit quaternions (x, y, z, w), as ordinary functions on Eigen vectors; made without
+// Eigen/Geometry.
 //
-// Preconditions: the quaternions are of unit length, to rounding; products keep that to rounding. q and -q are the same
-// rotation. Sources: Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985 (slerp); the exponential map is
-// that of Sola, Deray, Atchuthan, A micro Lie theory for state estimation in robotics, 2018, on S^3.
+// Preconditions: the quaternions are of unit length, to rounding; products keep that to rounding. q and -q
+// are the same rotation. Sources: Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985 (slerp);
+// the exponential map is that of Sola, Deray, Atchuthan, A micro Lie theory for state estimation in robotics,
+// 2018, on S^3.
 //
-// Cost: all are templates, so that a file which turns nothing compiles nothing (as plain functions they took 0.3 s a file).
+// Cost: all are templates, so that a file which turns nothing compiles nothing (as plain functions they took
+// 0.3 s a file).
 #pragma once
 
 #include <cmath>
 
-#include <cca/space/eigen.hpp>
+#include <cca/base/eigen.hpp>
 
 namespace cca::rotation {
 
@@ -24,9 +27,13 @@ inline vector3<Scalar> cross(const vector3<Scalar>& a, const vector3<Scalar>& b)
 }
 
 template <class Scalar = double>
-inline vector4<Scalar> identity() { return {0, 0, 0, 1}; }
+inline vector4<Scalar> identity() {
+  return {0, 0, 0, 1};
+}
 template <class Scalar = double>
-inline vector4<Scalar> inverse(const vector4<Scalar>& q) { return {-q[0], -q[1], -q[2], q[3]}; }
+inline vector4<Scalar> inverse(const vector4<Scalar>& q) {
+  return {-q[0], -q[1], -q[2], q[3]};
+}
 
 // First b, then a.
 template <class Scalar = double>
@@ -63,7 +70,9 @@ inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
 
 // In [0, pi].
 template <class Scalar = double>
-inline Scalar angle(const vector4<Scalar>& q) { return 2 * std::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3])); }
+inline Scalar angle(const vector4<Scalar>& q) {
+  return 2 * std::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
+}
 
 // By so many rad about an axis, of any length but 0.
 template <class Scalar = double>
@@ -93,22 +102,26 @@ inline vector3<Scalar> log(const vector4<Scalar>& q) {
 // Roll about x, then pitch about the old y, then yaw about the old z.
 template <class Scalar = double>
 inline vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw) {
-  const vector4<Scalar> r{std::sin(roll / 2), 0, 0, std::cos(roll / 2)}, p{0, std::sin(pitch / 2), 0, std::cos(pitch / 2)},
-      y{0, 0, std::sin(yaw / 2), std::cos(yaw / 2)};
+  const vector4<Scalar> r{std::sin(roll / 2), 0, 0, std::cos(roll / 2)},
+      p{0, std::sin(pitch / 2), 0, std::cos(pitch / 2)}, y{0, 0, std::sin(yaw / 2), std::cos(yaw / 2)};
   return product(y, product(p, r));
 }
 
-// From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw turn about one axis, and only their
-// difference (sum) means something.
+// From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw turn about one axis, and only
+// their difference (sum) means something.
 template <class Scalar = double>
-inline Scalar roll(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1])); }
+inline Scalar roll(const vector4<Scalar>& q) {
+  return std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
+}
 template <class Scalar = double>
 inline Scalar pitch(const vector4<Scalar>& q) {
   const Scalar s = 2 * (q[3] * q[1] - q[2] * q[0]);
   return std::asin(s > 1 ? 1 : s < -1 ? -1 : s);
 }
 template <class Scalar = double>
-inline Scalar yaw(const vector4<Scalar>& q) { return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2])); }
+inline Scalar yaw(const vector4<Scalar>& q) {
+  return std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
+}
 
 // The shorter way at constant speed: a at t = 0, b at t = 1 (or -b, which is the same rotation).
 template <class Scalar = double>
@@ -116,7 +129,8 @@ inline vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b,
   const Scalar sign = a.dot(b) < 0 ? -1 : 1;
   const vector4<Scalar> difference = a - sign * b, sum = a + sign * b;
   const Scalar angle = 2 * std::atan2(std::sqrt(difference.dot(difference)), std::sqrt(sum.dot(sum)));
-  if (angle < 1e-6) return normalised(vector4<Scalar>((1 - t) * a + t * sign * b));  // sin would cancel; the chord is the arc
+  if (angle < 1e-6)
+    return normalised(vector4<Scalar>((1 - t) * a + t * sign * b));  // sin would cancel; the chord is the arc
   const Scalar s = std::sin(angle);
   return (std::sin((1 - t) * angle) / s) * a + (sign * std::sin(t * angle) / s) * b;
 }

@@ -1,8 +1,8 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
 // It is read by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
-// Cost: up to 16 coordinates are copied one by one. A packet copy of what has just been stored one by one waits for the
-// stores (8 ns); and one by one the compiler drops the copy.
+// Cost: up to 16 coordinates are copied one by one. A packet copy of what has just been stored one by one
+// waits for the stores (8 ns); and one by one the compiler drops the copy.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ namespace detail {
 struct to_be_filled {};  // leaves the coordinates to the loop
 
 // The other space says the same by another name.
-template <class From, class To>
-concept Renames = !std::is_same_v<From, To> && std::is_same_v<typename From::domain, typename To::domain> &&
-                  std::is_same_v<typename From::axes, typename To::axes> &&
-                  (hz_of<typename From::rate> == hz_of<typename To::rate> || hz_of<typename From::rate> == 0 ||
-                   hz_of<typename To::rate> == 0);
+template <class From, class To> concept Renames =
+    !std::is_same_v<From, To> && std::is_same_v<typename From::domain, typename To::domain> &&
+    std::is_same_v<typename From::axes, typename To::axes> &&
+    (hz_of<typename From::rate> == hz_of<typename To::rate> || hz_of<typename From::rate> == 0 ||
+     hz_of<typename To::rate> == 0);
 
 }  // namespace detail
 
@@ -33,15 +33,21 @@ public:
   using vector_type = typename Space::vector_type;
 
   constexpr sample() {
-    for (int i = 0; i < Space::size; ++i) value.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
+    for (int i = 0; i < Space::size; ++i)
+      value.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
   }
   explicit sample(detail::to_be_filled) {}
   explicit constexpr sample(const vector_type& v, std::int64_t from = never) : time(from) { copy(v); }
   template <class Vector>
-  explicit constexpr sample(const Eigen::MatrixBase<Vector>& v, std::int64_t from = never) : value(v), time(from) {}
+  explicit constexpr sample(const Eigen::MatrixBase<Vector>& v, std::int64_t from = never)
+      : value(v), time(from) {}
   template <detail::Renames<Space> Other>
-  constexpr sample(const sample<Other>& other) : time(other.origin()) { copy(other.vector()); }
-  constexpr sample(const sample& other) : Space::domain::template methods<sample<Space>>(), time(other.time) { copy(other.value); }
+  constexpr sample(const sample<Other>& other) : time(other.origin()) {
+    copy(other.vector());
+  }
+  constexpr sample(const sample& other) : Space::domain::template methods<sample<Space>>(), time(other.time) {
+    copy(other.value);
+  }
   constexpr sample& operator=(const sample& other) {
     copy(other.value);
     time = other.time;
@@ -77,8 +83,7 @@ private:
   constexpr void copy(const vector_type& from) {
     if constexpr (Space::size <= 16)
       for (int i = 0; i < Space::size; ++i) value.coeffRef(i) = from.coeff(i);
-    else
-      value = from;
+    else value = from;
   }
 };
 

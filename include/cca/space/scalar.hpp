@@ -47,22 +47,29 @@ struct number : detail::linear_domain {
   struct methods : detail::additive<Self> {};
 };
 
-// A state out of a few: the number of an enumerator. States have no order and no distance, so nothing is interpolated.
+// A state out of a few: the number of an enumerator. States have no order and no distance, so nothing is
+// interpolated.
 struct status : detail::linear_domain {
   template <class Self>
   struct methods : detail::mixin<Self> {
-    // The state along an axis, or the only one. What isn't a number that `Enum` could hold (NaN, too large) is `Enum{}`.
+    // The state along an axis, or the only one. What isn't a number that `Enum` could hold (NaN, too large)
+    // is `Enum{}`.
     template <class Enum, class Axis>
-    constexpr Enum as(Axis axis) const { return read<Enum>(this->self()[axis]); }
+    constexpr Enum as(Axis axis) const {
+      return read<Enum>(this->self()[axis]);
+    }
 
     template <class Enum>
     constexpr Enum as() const {
-      static_assert(Self::space::size == 1, "cca::status: this space has several axes; name one: as<state>(axis{})");
+      static_assert(Self::space::size == 1,
+                    "cca::status: this space has several axes; name one: as<state>(axis{})");
       return read<Enum>(this->self().vector().coeff(0));
     }
 
     template <class Enum>
-    constexpr bool is(Enum state) const { return as<Enum>() == state; }
+    constexpr bool is(Enum state) const {
+      return as<Enum>() == state;
+    }
 
   private:
     template <class Enum>

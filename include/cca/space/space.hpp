@@ -2,8 +2,8 @@
 //
 //   struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 //
-// Spaces match when domain type (with its frame), ordered axes and rate agree, whatever their names; a rate that only
-// one of them states does not count.
+// Spaces match when domain type (with its frame), ordered axes and rate agree, whatever their names; a rate
+// that only one of them states does not count.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #include <cca/space/dimension.hpp>
-#include <cca/space/eigen.hpp>
+#include <cca/base/eigen.hpp>
 
 namespace cca {
 
@@ -21,7 +21,9 @@ namespace detail {
 template <auto Hz>
 consteval double checked_rate() {
   constexpr bool is_positive = Hz > 0;
-  static_assert(is_positive, "rate.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where none is meant, leave it out");
+  static_assert(is_positive,
+                "rate.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; "
+                "where none is meant, leave it out");
   return is_positive ? static_cast<double>(Hz) : 1;
 }
 
@@ -53,12 +55,12 @@ struct space {
   using domain = Domain;
   using axes = Axes;
   using rate = Rate;
-  static constexpr int size = Domain::width(Axes::count);  // stored coordinates; an orientation has four of them
+  static constexpr int size =
+      Domain::width(Axes::count);  // stored coordinates; an orientation has four of them
   using vector_type = Eigen::Matrix<double, size, 1>;
 };
 
-template <class Type>
-concept Space = requires {
+template <class Type> concept Space = requires {
   typename Type::domain;
   typename Type::axes;
   typename Type::rate;
@@ -80,7 +82,8 @@ namespace detail {
 template <class Space>
 constexpr auto zero_of = [] {
   std::array<double, static_cast<std::size_t>(Space::size)> zero{};
-  for (int i = 0; i < Space::size; ++i) zero[static_cast<std::size_t>(i)] = Space::domain::zero(i, Space::axes::count);
+  for (int i = 0; i < Space::size; ++i)
+    zero[static_cast<std::size_t>(i)] = Space::domain::zero(i, Space::axes::count);
   return zero;
 }();
 

@@ -1,12 +1,13 @@
-// Twists and wrenches: how a body moves, and what acts on it, in six numbers. Source of all equations: Featherstone, Rigid
-// Body Dynamics Algorithms, 2008, chapter 2 (spatial vectors in Pluecker coordinates, angular part first).
+// Twists and wrenches: how a body moves, and what acts on it, in six numbers. Source of all equations:
+// Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 2 (spatial vectors in Pluecker coordinates,
+// angular part first).
 //
-//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the body's point at At's origin, in m/s
-//   wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
+//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the body's point at At's origin,
+//   in m/s wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
 //
-// `At` is the frame whose origin it acts at, `In` the frame along whose axes the numbers are: they change apart.
-// `orientation.express(t)` changes In; `moved_to<Point>(lever)` changes At. The zero is rest, and no load.
-// Errors: `frame.mismatch`, where two differ in At or In.
+// `At` is the frame whose origin it acts at, `In` the frame along whose axes the numbers are: they change
+// apart. `orientation.express(t)` changes In; `moved_to<Point>(lever)` changes At. The zero is rest, and no
+// load. Errors: `frame.mismatch`, where two differ in At or In.
 #pragma once
 
 #include <cca/space/orientation.hpp>
@@ -22,7 +23,9 @@ struct spatial_domain {
   using in = In;
   using frames = frame_list<At, In>;
   static constexpr bool actuated = false;
-  static constexpr int width(int axes) { return axes == 3 ? 6 : throw "cca::twist, cca::wrench: the axes are axes<x, y, z>"; }
+  static constexpr int width(int axes) {
+    return axes == 3 ? 6 : throw "cca::twist, cca::wrench: the axes are axes<x, y, z>";
+  }
   static constexpr double zero(int, int) { return 0; }
 };
 
@@ -31,7 +34,8 @@ template <class In, class Lever>
 typename spatial_types<Lever>::vector lever_along(const Lever& lever) {
   if constexpr (Sample<Lever>) {
     static_assert(SameFrame<In, typename Lever::space::domain::frame>,
-                  "frame.mismatch: the lever arm is not expressed in the frame that the twist or wrench is expressed in; "
+                  "frame.mismatch: the lever arm is not expressed in the frame that the twist or wrench is "
+                  "expressed in; "
                   "bring one into the other's frame first, with `express(...)` of an orientation");
     return lever.vector();
   } else {
@@ -44,8 +48,7 @@ constexpr bool is_twist = false;
 template <class At, class In>
 constexpr bool is_twist<twist<At, In>> = true;
 
-template <class Type>
-concept TwistSample = Sample<Type> && is_twist<typename Type::space::domain>;
+template <class Type> concept TwistSample = Sample<Type> && is_twist<typename Type::space::domain>;
 
 }  // namespace detail
 
@@ -92,10 +95,12 @@ struct wrench : detail::spatial_domain<At, In> {
     double power(const Twist& motion) const {
       using of = typename Twist::space::domain;
       static_assert(SameFrame<At, typename of::at>,
-                    "frame.mismatch: the power of a wrench with a twist that acts at another point; move one to the other's "
+                    "frame.mismatch: the power of a wrench with a twist that acts at another point; move one "
+                    "to the other's "
                     "point first, with `moved_to<point>(lever)`");
       static_assert(!SameFrame<At, typename of::at> || SameFrame<In, typename of::in>,
-                    "frame.mismatch: the power of a wrench with a twist that is expressed in another frame; express one in "
+                    "frame.mismatch: the power of a wrench with a twist that is expressed in another frame; "
+                    "express one in "
                     "the other's frame first, with `orientation.express(...)`");
       return this->self().vector().dot(motion.vector());
     }

@@ -1,8 +1,8 @@
 // The units in which a quantity may be written in a file: `"30 deg"` is 0.5236 rad.
 //
-// `units_of<angle>` lists them: the SI unit first, as in `angle::unit`, the others with their size in it; an empty one
-// ends the list. A quantity of one's own is written in its unit alone, unless `units_of` is specialised for it.
-// Only factors: a unit with a zero of its own (degrees Celsius) has no place here.
+// `units_of<angle>` lists them: the SI unit first, as in `angle::unit`, the others with their size in it; an
+// empty one ends the list. A quantity of one's own is written in its unit alone, unless `units_of` is
+// specialised for it. Only factors: a unit with a zero of its own (degrees Celsius) has no place here.
 #pragma once
 
 #include <numbers>
@@ -28,24 +28,46 @@ inline constexpr double turns_per_minute = std::numbers::pi / 30;
 template <class Quantity>
 inline constexpr unit units_of[] = {{Quantity::unit}, {}};
 
-template <> inline constexpr unit units_of<angle>[] = {{"rad"}, {"mrad", 1e-3}, {"deg", detail::degree}, {"turn", 360 * detail::degree}, {}};
-template <> inline constexpr unit units_of<velocity>[] = {{"rad/s"}, {"deg/s", detail::degree}, {"rpm", detail::turns_per_minute}, {}};
-template <> inline constexpr unit units_of<acceleration>[] = {{"rad/s^2"}, {"deg/s^2", detail::degree}, {}};
-template <> inline constexpr unit units_of<torque>[] = {{"N m"}, {"Nm"}, {"mN m", 1e-3}, {"mNm", 1e-3}, {}};
-template <> inline constexpr unit units_of<torque_rate>[] = {{"N m/s"}, {"Nm/s"}, {}};
-template <> inline constexpr unit units_of<stiffness>[] = {{"N m/rad"}, {"Nm/rad"}, {"N m/deg", 1 / detail::degree}, {"Nm/deg", 1 / detail::degree}, {}};
-template <> inline constexpr unit units_of<damping>[] = {{"N m s/rad"}, {"Nms/rad"}, {}};
-template <> inline constexpr unit units_of<length>[] = {{"m"}, {"cm", 1e-2}, {"mm", 1e-3}, {}};
-template <> inline constexpr unit units_of<speed>[] = {{"m/s"}, {"cm/s", 1e-2}, {"mm/s", 1e-3}, {"km/h", 1 / 3.6}, {}};
-template <> inline constexpr unit units_of<force>[] = {{"N"}, {"mN", 1e-3}, {"kN", 1e3}, {}};
-template <> inline constexpr unit units_of<linear_stiffness>[] = {{"N/m"}, {"N/mm", 1e3}, {"kN/m", 1e3}, {}};
-template <> inline constexpr unit units_of<linear_damping>[] = {{"N s/m"}, {"Ns/m"}, {}};
-template <> inline constexpr unit units_of<mass>[] = {{"kg"}, {"g", 1e-3}, {}};
-template <> inline constexpr unit units_of<duration>[] = {{"s"}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {}};
-template <> inline constexpr unit units_of<frequency>[] = {{"Hz"}, {"mHz", 1e-3}, {"kHz", 1e3}, {}};
-template <> inline constexpr unit units_of<power>[] = {{"W"}, {"mW", 1e-3}, {}};
-template <> inline constexpr unit units_of<voltage>[] = {{"V"}, {"mV", 1e-3}, {}};
-template <> inline constexpr unit units_of<current>[] = {{"A"}, {"mA", 1e-3}, {}};
-template <> inline constexpr unit units_of<value>[] = {{""}, {"%", 1e-2}, {}};
+template <>
+inline constexpr unit units_of<angle>[] = {
+    {"rad"}, {"mrad", 1e-3}, {"deg", detail::degree}, {"turn", 360 * detail::degree}, {}};
+template <>
+inline constexpr unit units_of<velocity>[] = {
+    {"rad/s"}, {"deg/s", detail::degree}, {"rpm", detail::turns_per_minute}, {}};
+template <>
+inline constexpr unit units_of<acceleration>[] = {{"rad/s^2"}, {"deg/s^2", detail::degree}, {}};
+template <>
+inline constexpr unit units_of<torque>[] = {{"N m"}, {"Nm"}, {"mN m", 1e-3}, {"mNm", 1e-3}, {}};
+template <>
+inline constexpr unit units_of<torque_rate>[] = {{"N m/s"}, {"Nm/s"}, {}};
+template <>
+inline constexpr unit units_of<stiffness>[] = {
+    {"N m/rad"}, {"Nm/rad"}, {"N m/deg", 1 / detail::degree}, {"Nm/deg", 1 / detail::degree}, {}};
+template <>
+inline constexpr unit units_of<damping>[] = {{"N m s/rad"}, {"Nms/rad"}, {}};
+template <>
+inline constexpr unit units_of<length>[] = {{"m"}, {"cm", 1e-2}, {"mm", 1e-3}, {}};
+template <>
+inline constexpr unit units_of<speed>[] = {{"m/s"}, {"cm/s", 1e-2}, {"mm/s", 1e-3}, {"km/h", 1 / 3.6}, {}};
+template <>
+inline constexpr unit units_of<force>[] = {{"N"}, {"mN", 1e-3}, {"kN", 1e3}, {}};
+template <>
+inline constexpr unit units_of<linear_stiffness>[] = {{"N/m"}, {"N/mm", 1e3}, {"kN/m", 1e3}, {}};
+template <>
+inline constexpr unit units_of<linear_damping>[] = {{"N s/m"}, {"Ns/m"}, {}};
+template <>
+inline constexpr unit units_of<mass>[] = {{"kg"}, {"g", 1e-3}, {}};
+template <>
+inline constexpr unit units_of<duration>[] = {{"s"}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {}};
+template <>
+inline constexpr unit units_of<frequency>[] = {{"Hz"}, {"mHz", 1e-3}, {"kHz", 1e3}, {}};
+template <>
+inline constexpr unit units_of<power>[] = {{"W"}, {"mW", 1e-3}, {}};
+template <>
+inline constexpr unit units_of<voltage>[] = {{"V"}, {"mV", 1e-3}, {}};
+template <>
+inline constexpr unit units_of<current>[] = {{"A"}, {"mA", 1e-3}, {}};
+template <>
+inline constexpr unit units_of<value>[] = {{""}, {"%", 1e-2}, {}};
 
 }  // namespace cca

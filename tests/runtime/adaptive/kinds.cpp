@@ -28,22 +28,31 @@ template <class Criterion>
 struct of_angles {
   using criterion = Criterion;
   using space = leg;
-  static auto at(double error) { return std::pair(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.3 + error / 2, -0.2 - error)); }
+  static auto at(double error) {
+    return std::pair(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.3 + error / 2, -0.2 - error));
+  }
 };
 struct of_positions {
   using criterion = cca::reaching_goal<paw>;
   using space = paw;
-  static auto at(double error) { return std::pair(Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.1 + 0.6 * error, 0.1 - 0.8 * error)); }
+  static auto at(double error) {
+    return std::pair(Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.1 + 0.6 * error, 0.1 - 0.8 * error));
+  }
 };
 struct of_orientations {
   using criterion = cca::tracking<attitude>;
   using space = attitude;
-  static auto at(double error) { return std::pair(Eigen::Vector4d(0, 0, 0, -1), Eigen::Vector4d(0, std::sin(error / 2), 0, std::cos(error / 2))); }
+  static auto at(double error) {
+    return std::pair(Eigen::Vector4d(0, 0, 0, -1),
+                     Eigen::Vector4d(0, std::sin(error / 2), 0, std::cos(error / 2)));
+  }
 };
 struct of_phases {
   using criterion = cca::tracking<phases>;
   using space = phases;
-  static auto at(double error) { return std::pair(Eigen::Vector2d(0.1, 3), Eigen::Vector2d(0.1 - 2 * cca::pi, 3 + error + 2 * cca::pi)); }
+  static auto at(double error) {
+    return std::pair(Eigen::Vector2d(0.1, 3), Eigen::Vector2d(0.1 - 2 * cca::pi, 3 + error + 2 * cca::pi));
+  }
 };
 
 struct jaw : cca::dimension<"jaw"> {};
@@ -61,19 +70,24 @@ struct of_a_grip {
     using in_target = cca::in<"target", aperture>;
     using in_width = cca::in<"feedback", aperture>;
     using in_effort = cca::in<"effort", grip>;
-    const double effort = what == laws::circumstance::as_wanted ? 2.0 : what == laws::circumstance::not_yet ? 0.1 : std::nan("");
+    const double effort = what == laws::circumstance::as_wanted ? 2.0
+                          : what == laws::circumstance::not_yet ? 0.1
+                                                                : std::nan("");
     const auto [e, s] = what == laws::circumstance::nothing
                             ? c.process(in_target(), in_width(), in_effort(), cca::beat(k, 1'000'000, 1))
-                            : c.process(in_target(one(0.0), k, true), in_width(one(0.05), k, true), in_effort(one(effort), k, true), cca::beat(k, 1'000'000, 1));
+                            : c.process(in_target(one(0.0), k, true), in_width(one(0.05), k, true),
+                                        in_effort(one(effort), k, true), cca::beat(k, 1'000'000, 1));
     return static_cast<cca::criterion_state>(s.vector()[0]);
   }
 };
 
 // Asks for one place, then for another; phase and amplitude of an oscillator that runs.
 struct script {
-  auto process(cca::beat now) -> std::tuple<cca::out<"reference", leg>, cca::out<"phase", cca::over<cca::phase, stride>>,
+  auto process(cca::beat now) -> std::tuple<cca::out<"reference", leg>,
+                                            cca::out<"phase", cca::over<cca::phase, stride>>,
                                             cca::out<"amplitude", cca::over<cca::amplitude, stride>>> {
-    return {now.index() < 2600 ? Eigen::Vector2d(0.1, -0.8) : Eigen::Vector2d(0.6, -1.2), 2e-9 * cca::pi * static_cast<double>(now.time()), 1.0};
+    return {now.index() < 2600 ? Eigen::Vector2d(0.1, -0.8) : Eigen::Vector2d(0.6, -1.2),
+            2e-9 * cca::pi * static_cast<double>(now.time()), 1.0};
   }
 };
 struct late_robot {  // follows; and sticks for a while
@@ -85,15 +99,25 @@ struct late_robot {  // follows; and sticks for a while
 };
 
 template <class Skill>
-struct plain_bench : cca::graph<
-    cca::rate<1000>, cca::node<"script", script>, cca::node<"skill", Skill>, cca::node<"robot", late_robot>,
-    cca::wire<"script.reference", "skill.reference">, cca::wire<"skill.command", "robot.command">,
-    cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.*">> {};
+struct plain_bench : cca::graph<cca::rate<1000>,
+                                cca::node<"script", script>,
+                                cca::node<"skill", Skill>,
+                                cca::node<"robot", late_robot>,
+                                cca::wire<"script.reference", "skill.reference">,
+                                cca::wire<"skill.command", "robot.command">,
+                                cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
+                                cca::observe<"skill.*">> {};
 template <class Skill>
-struct phase_bench : cca::graph<
-    cca::rate<1000>, cca::node<"script", script>, cca::node<"skill", Skill>, cca::node<"robot", late_robot>,
-    cca::wire<"script.reference", "skill.reference">, cca::wire<"script.phase", "skill.phase">, cca::wire<"script.amplitude", "skill.amplitude">,
-    cca::wire<"skill.command", "robot.command">, cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.*">> {};
+struct phase_bench : cca::graph<cca::rate<1000>,
+                                cca::node<"script", script>,
+                                cca::node<"skill", Skill>,
+                                cca::node<"robot", late_robot>,
+                                cca::wire<"script.reference", "skill.reference">,
+                                cca::wire<"script.phase", "skill.phase">,
+                                cca::wire<"script.amplitude", "skill.amplitude">,
+                                cca::wire<"skill.command", "robot.command">,
+                                cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
+                                cca::observe<"skill.*">> {};
 
 using vite_names = cca::named<"target", "position", "status">;
 struct arm : cca::adaptive_component<cca::vite<leg>, cca::reaching_goal<leg>, vite_names> {};
@@ -105,27 +129,35 @@ struct arm_case {
   using graph = plain_bench<arm>;
   static constexpr int beats = 6000;
   static constexpr bool at_rest = true;
-  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, cca::infinity, 0.05}; }
+  static void prepare(cca::controller<graph>& c) {
+    c.get<"skill.criterion">().p.limits = {0.02, 0.04, cca::infinity, 0.05};
+  }
   static std::set<cca::component_status> expected() { return {converging, reached}; }
 };
 struct follower_case {
   using graph = plain_bench<follower>;
   static constexpr int beats = 6000;
   static constexpr bool at_rest = false;
-  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05}; }
+  static void prepare(cca::controller<graph>& c) {
+    c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05};
+  }
   static std::set<cca::component_status> expected() { return {converging, reached, diverged}; }
 };
 struct untaught_case {
   using graph = phase_bench<untaught>;
   static constexpr int beats = 6000;
   static constexpr bool at_rest = false;
-  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05}; }
+  static void prepare(cca::controller<graph>& c) {
+    c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05};
+  }
   static std::set<cca::component_status> expected() { return {outside_trained_region, reached, diverged}; }
 };
 
 }  // namespace
 
-TEST_CASE("the laws of a criterion hold for tracking and reaching, over angles, positions, orientations and phases") {
+TEST_CASE(
+    "the laws of a criterion hold for tracking and reaching, over angles, positions, orientations and "
+    "phases") {
   laws::criterion<of_angles<cca::tracking<leg>>>();
   laws::criterion<of_angles<cca::reaching_goal<leg>>>();
   laws::criterion<of_positions>();
@@ -148,14 +180,15 @@ TEST_CASE("a grasp is firm, still, and around something") {
   const auto feel = [&](double width, double effort, int beats) {
     double state = 0;
     for (int i = 0; i < beats; ++i, ++k) {
-      const auto [e, s] = c.process({one(0.0), k, true}, {one(width), k, true}, {one(effort), k, true}, cca::beat(k, 1'000'000, 1));
+      const auto [e, s] = c.process({one(0.0), k, true}, {one(width), k, true}, {one(effort), k, true},
+                                    cca::beat(k, 1'000'000, 1));
       state = s.vector()[0];
     }
     return static_cast<cca::criterion_state>(state);
   };
   using enum cca::criterion_state;
-  CHECK(feel(0.5, 0.1, 20) == open);      // not firm
-  CHECK(feel(0.5, -0.6, 9) == open);      // not for long
+  CHECK(feel(0.5, 0.1, 20) == open);  // not firm
+  CHECK(feel(0.5, -0.6, 9) == open);  // not for long
   CHECK(feel(0.5, -0.6, 1) == fulfilled);
   CHECK(feel(0.5, -0.3, 20) == fulfilled);  // slacker, but not slack
   CHECK(feel(0.5, -0.1, 1) == open);
@@ -167,10 +200,10 @@ TEST_CASE("a grasp is firm, still, and around something") {
   CHECK(feel(0.3, 0.0, 1) == open);
   CHECK(feel(std::numeric_limits<double>::quiet_NaN(), 0.6, 20) == lost);
   CHECK(feel(0.3, 0.6, 5) == open);
-  CHECK(feel(0.01, 0.6, 9) == open);   // not for long enough to be lost
-  CHECK(feel(0.3, 0.6, 1) == open);    // it moved
+  CHECK(feel(0.01, 0.6, 9) == open);  // not for long enough to be lost
+  CHECK(feel(0.3, 0.6, 1) == open);   // it moved
   CHECK(feel(0.3, 0.6, 9) == open);
-  CHECK(feel(0.3, 0.1, 1) == open);    // and held for 9 ms: then slack
+  CHECK(feel(0.3, 0.1, 1) == open);  // and held for 9 ms: then slack
   CHECK(feel(0.3, 0.6, 9) == open);
   CHECK(feel(0.3, 0.6, 1) == fulfilled);
   for (int again = 0; again < 2; ++again) {  // a start begins anew, however far it had come
@@ -182,7 +215,8 @@ TEST_CASE("a grasp is firm, still, and around something") {
   }
   c.p.still = 10;
   CHECK(feel(0.0205, 0.6, 10) == open);
-  CHECK(feel(0.0195, 0.6, 1) == open);  // it held for 9 ms, of the first it was not known: closing is no holding, however slow
+  CHECK(feel(0.0195, 0.6, 1) ==
+        open);  // it held for 9 ms, of the first it was not known: closing is no holding, however slow
   CHECK(feel(0.0195, 0.6, 9) == lost);
   c.p.hold = 0.1;
   CHECK(feel(0.0195, 0.6, 1) == lost);  // a longer wait does not open what is closed
@@ -221,29 +255,49 @@ struct from_angle {
   Eigen::Vector2d operator()(const Eigen::Vector2d& v) const { return v * (PerTurn / (2 * cca::pi)); }
 };
 struct slower {
-  auto process(cca::in<"input", cca::over<cca::amplitude, cca::go_axis>> x) -> cca::out<"output", cca::over<cca::amplitude, cca::go_axis>> { return 0.5 * x.vector(); }
+  auto process(cca::in<"input", cca::over<cca::amplitude, cca::go_axis>> x)
+      -> cca::out<"output", cca::over<cca::amplitude, cca::go_axis>> {
+    return 0.5 * x.vector();
+  }
 };
-struct mapped : cca::tracker<cca::vite<leg>, cca::tracking<leg>, vite_names, cca::timed<1>,
+struct mapped : cca::tracker<cca::vite<leg>,
+                             cca::tracking<leg>,
+                             vite_names,
+                             cca::timed<1>,
                              cca::reference_through<cca::mapping<degrees, leg, to_angle<360>>>,
                              cca::feedback_through<cca::mapping<counts, leg, to_angle<36000>>>,
-                             cca::command_through<cca::mapping<leg, counts, from_angle<36000>>>, cca::control_through<"go", slower>> {};
+                             cca::command_through<cca::mapping<leg, counts, from_angle<36000>>>,
+                             cca::control_through<"go", slower>> {};
 
 struct wishes {
-  auto process(cca::beat) -> std::tuple<cca::out<"angles", leg>, cca::out<"degrees", degrees>, cca::out<"go", cca::over<cca::amplitude, cca::go_axis>>,
+  auto process(cca::beat) -> std::tuple<cca::out<"angles", leg>,
+                                        cca::out<"degrees", degrees>,
+                                        cca::out<"go", cca::over<cca::amplitude, cca::go_axis>>,
                                         cca::out<"half", cca::over<cca::amplitude, cca::go_axis>>> {
     return {Eigen::Vector2d(0.5, -0.25) * cca::pi, Eigen::Vector2d(90, -45), 1.0, 0.5};
   }
 };
 struct counting_robot {
-  auto process(cca::in<"command", counts> wanted) -> cca::out<"counts", counts> { return now += 0.2 * (wanted.vector() - now); }
+  auto process(cca::in<"command", counts> wanted) -> cca::out<"counts", counts> {
+    return now += 0.2 * (wanted.vector() - now);
+  }
   Eigen::Vector2d now{0, 0};
 };
-struct side_by_side : cca::graph<
-    cca::rate<1000>, cca::node<"wish", wishes>, cca::node<"plain", follower>, cca::node<"robot", late_robot>, cca::node<"mapped", mapped>,
-    cca::node<"counting", counting_robot>, cca::wire<"wish.angles", "plain.reference">, cca::wire<"wish.half", "plain.go">,
-    cca::wire<"plain.command", "robot.command">, cca::wire<"robot.angles", "plain.feedback", cca::delayed<1>>,
-    cca::wire<"wish.degrees", "mapped.reference">, cca::wire<"wish.go", "mapped.go">, cca::wire<"mapped.command", "counting.command">,
-    cca::wire<"counting.counts", "mapped.feedback", cca::delayed<1>>, cca::observe<"*.criterion.*">> {};
+struct side_by_side : cca::graph<cca::rate<1000>,
+                                 cca::node<"wish", wishes>,
+                                 cca::node<"plain", follower>,
+                                 cca::node<"robot", late_robot>,
+                                 cca::node<"mapped", mapped>,
+                                 cca::node<"counting", counting_robot>,
+                                 cca::wire<"wish.angles", "plain.reference">,
+                                 cca::wire<"wish.half", "plain.go">,
+                                 cca::wire<"plain.command", "robot.command">,
+                                 cca::wire<"robot.angles", "plain.feedback", cca::delayed<1>>,
+                                 cca::wire<"wish.degrees", "mapped.reference">,
+                                 cca::wire<"wish.go", "mapped.go">,
+                                 cca::wire<"mapped.command", "counting.command">,
+                                 cca::wire<"counting.counts", "mapped.feedback", cca::delayed<1>>,
+                                 cca::observe<"*.criterion.*">> {};
 
 }  // namespace
 
@@ -265,25 +319,35 @@ namespace {
 // A hand whose fingers press by a motor, of which the current is measured.
 struct current : cca::space<cca::number, cca::axes<jaw>> {};
 struct to_torque {
-  Eigen::Matrix<double, 1, 1> operator()(const Eigen::Matrix<double, 1, 1>& amperes) const { return 0.25 * amperes; }
+  Eigen::Matrix<double, 1, 1> operator()(const Eigen::Matrix<double, 1, 1>& amperes) const {
+    return 0.25 * amperes;
+  }
 };
-struct gripper : cca::adaptive_component<cca::vite<aperture>, cca::grasping<aperture, grip>, vite_names,
-                                         cca::control_through<"effort", cca::mapping<current, grip, to_torque>>> {};
+struct gripper
+    : cca::adaptive_component<cca::vite<aperture>,
+                              cca::grasping<aperture, grip>,
+                              vite_names,
+                              cca::control_through<"effort", cca::mapping<current, grip, to_torque>>> {};
 struct closing {
   auto process(cca::beat) -> cca::out<"aperture", aperture> { return 0.0; }
 };
 struct fingers {  // follow, down to what is between them, and press the harder the further they were to close
-  auto process(cca::in<"command", aperture> wanted) -> std::tuple<cca::out<"aperture", aperture>, cca::out<"current", current>> {
+  auto process(cca::in<"command", aperture> wanted)
+      -> std::tuple<cca::out<"aperture", aperture>, cca::out<"current", current>> {
     const double command = wanted.vector()[0];
     return {std::max(command, width), 400 * std::max(width - command, 0.0)};
   }
   double width = 0.05;  // of the thing
 };
-struct grasp : cca::graph<
-    cca::rate<1000>, cca::node<"wish", closing>, cca::node<"grip", gripper>, cca::node<"fingers", fingers>,
-    cca::wire<"wish.aperture", "grip.reference">, cca::wire<"grip.command", "fingers.command">,
-    cca::wire<"fingers.aperture", "grip.feedback", cca::delayed<1>>, cca::wire<"fingers.current", "grip.effort", cca::delayed<1>>,
-    cca::observe<"grip.status.*">> {};
+struct grasp : cca::graph<cca::rate<1000>,
+                          cca::node<"wish", closing>,
+                          cca::node<"grip", gripper>,
+                          cca::node<"fingers", fingers>,
+                          cca::wire<"wish.aperture", "grip.reference">,
+                          cca::wire<"grip.command", "fingers.command">,
+                          cca::wire<"fingers.aperture", "grip.feedback", cca::delayed<1>>,
+                          cca::wire<"fingers.current", "grip.effort", cca::delayed<1>>,
+                          cca::observe<"grip.status.*">> {};
 
 }  // namespace
 
@@ -300,7 +364,8 @@ TEST_CASE("a grasp is a component's criterion, whose effort comes through a mapp
     if (told.empty() || told.back() != component()) told.push_back(component());
   }
   using cca::status_of;
-  CHECK(told == std::vector<double>{status_of(converging), status_of(reached), status_of(converging), status_of(diverged)});
+  CHECK(told == std::vector<double>{status_of(converging), status_of(reached), status_of(converging),
+                                    status_of(diverged)});
 }
 
 namespace {
@@ -309,42 +374,53 @@ namespace {
 struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg, stride, 25>, cca::tracking<leg>> {};
 
 struct hand {  // turns all four knobs
-  auto process(cca::beat) -> std::tuple<cca::out<"centre", leg>, cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
-                                        cca::out<"phase", cca::over<cca::phase, stride>>, cca::out<"frequency", cca::over<cca::frequency, stride>>> {
+  auto process(cca::beat) -> std::tuple<cca::out<"centre", leg>,
+                                        cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                        cca::out<"phase", cca::over<cca::phase, stride>>,
+                                        cca::out<"frequency", cca::over<cca::frequency, stride>>> {
     return {centre, amplitude, phase, frequency};
   }
   Eigen::Vector2d centre{0.1, -0.8};
   double amplitude = 1, phase = 0, frequency = 1.5;
 };
-struct swinging : cca::graph<
-    cca::rate<1000>,
-    cca::node<"hand",  hand>,
-    cca::node<"swing", swing>,
-    cca::node<"robot", late_robot>,
-    cca::wire<"hand.centre",    "swing.centre">,
-    cca::wire<"hand.amplitude", "swing.amplitude">,
-    cca::wire<"hand.phase",     "swing.phase">,
-    cca::wire<"hand.frequency", "swing.frequency">,
-    cca::wire<"swing.command",  "robot.command">,
-    cca::wire<"robot.angles",   "swing.feedback", cca::delayed<1>>,
-    cca::observe<"swing.status.*">> {};
+struct swinging : cca::graph<cca::rate<1000>,
+                             cca::node<"hand", hand>,
+                             cca::node<"swing", swing>,
+                             cca::node<"robot", late_robot>,
+                             cca::wire<"hand.centre", "swing.centre">,
+                             cca::wire<"hand.amplitude", "swing.amplitude">,
+                             cca::wire<"hand.phase", "swing.phase">,
+                             cca::wire<"hand.frequency", "swing.frequency">,
+                             cca::wire<"swing.command", "robot.command">,
+                             cca::wire<"robot.angles", "swing.feedback", cca::delayed<1>>,
+                             cca::observe<"swing.status.*">> {};
 // [generator end]
 
 struct other_centre {  // while the robot sticks
-  auto process(cca::beat now) -> std::tuple<cca::out<"centre", leg>, cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
-                                            cca::out<"phase", cca::over<cca::phase, stride>>, cca::out<"frequency", cca::over<cca::frequency, stride>>> {
+  auto process(cca::beat now) -> std::tuple<cca::out<"centre", leg>,
+                                            cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                            cca::out<"phase", cca::over<cca::phase, stride>>,
+                                            cca::out<"frequency", cca::over<cca::frequency, stride>>> {
     return {now.index() < 2600 ? Eigen::Vector2d(0.1, -0.8) : Eigen::Vector2d(0.6, -1.2), 1.0, 0.0, 1.5};
   }
 };
 struct generator_case {
-  struct graph : cca::graph<
-      cca::rate<1000>, cca::node<"script", other_centre>, cca::node<"skill", swing>, cca::node<"robot", late_robot>,
-      cca::wire<"script.centre", "skill.centre">, cca::wire<"script.amplitude", "skill.amplitude">, cca::wire<"script.phase", "skill.phase">,
-      cca::wire<"script.frequency", "skill.frequency">, cca::wire<"skill.command", "robot.command">,
-      cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.*">> {};
+  struct graph : cca::graph<cca::rate<1000>,
+                            cca::node<"script", other_centre>,
+                            cca::node<"skill", swing>,
+                            cca::node<"robot", late_robot>,
+                            cca::wire<"script.centre", "skill.centre">,
+                            cca::wire<"script.amplitude", "skill.amplitude">,
+                            cca::wire<"script.phase", "skill.phase">,
+                            cca::wire<"script.frequency", "skill.frequency">,
+                            cca::wire<"skill.command", "robot.command">,
+                            cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
+                            cca::observe<"skill.*">> {};
   static constexpr int beats = 6000;
   static constexpr bool at_rest = false;
-  static void prepare(cca::controller<graph>& c) { c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05}; }
+  static void prepare(cca::controller<graph>& c) {
+    c.get<"skill.criterion">().p.limits = {0.02, 0.04, 0.3, 0.05};
+  }
   static std::set<cca::component_status> expected() { return {outside_trained_region, reached, diverged}; }
 };
 
@@ -377,7 +453,8 @@ range over(cca::controller<Graph>& c, int beats) {
 TEST_CASE("a generator swings around its centre, and rests there at a negative amplitude") {
   cca::controller<swinging> c;
   using learner = cca::dmp_rhythmic_module<leg, stride, 25>::learner;
-  c.get<"swing">().get<"module">().get<"pattern">().learning.hand_over(taught<learner>([](double f) -> Eigen::Vector2d { return 60 * Eigen::Vector2d(std::sin(f), std::cos(f)); }));
+  c.get<"swing">().get<"module">().get<"pattern">().learning.hand_over(taught<learner>(
+      [](double f) -> Eigen::Vector2d { return 60 * Eigen::Vector2d(std::sin(f), std::cos(f)); }));
   c.load();
   c.start();
   c.run(cca::for_beats<1000>{});
@@ -385,7 +462,9 @@ TEST_CASE("a generator swings around its centre, and rests there at a negative a
   CHECK((first.high + first.low) / 2 == doctest::Approx(0.1).epsilon(0.05));
   const double width = first.high - first.low;
   CHECK(width > 0.2);
-  CHECK(laws::told(c).at("swing.status.module") == std::vector<double>{cca::status_of(cca::learning::trained), cca::status_of(cca::trained_region::inside)});
+  CHECK(laws::told(c).at("swing.status.module") ==
+        std::vector<double>{cca::status_of(cca::learning::trained),
+                            cca::status_of(cca::trained_region::inside)});
   auto ahead = c;  // half a turn further: where the one is high, the other is low
   ahead.get<"hand">().phase = cca::pi;
   c.run(cca::for_beats<600>{});
@@ -409,22 +488,33 @@ struct caller {  // asks to be taught for a second
   }
 };
 struct demonstrator {
-  auto process(cca::beat now) -> std::tuple<cca::out<"angles", leg>, cca::out<"centre", leg>, cca::out<"phase", cca::over<cca::phase, stride>>,
+  auto process(cca::beat now) -> std::tuple<cca::out<"angles", leg>,
+                                            cca::out<"centre", leg>,
+                                            cca::out<"phase", cca::over<cca::phase, stride>>,
                                             cca::out<"amplitude", cca::over<cca::amplitude, stride>>> {
     const double f = 2e-9 * cca::pi * static_cast<double>(now.time());
     return {shape(f), Eigen::Vector2d(0.1, -0.8), f, 1.0};
   }
-  static Eigen::Vector2d shape(double f) { return {0.1 + 0.3 * std::sin(f), -0.8 + 0.2 * std::cos(2 * f + 1)}; }
+  static Eigen::Vector2d shape(double f) {
+    return {0.1 + 0.3 * std::sin(f), -0.8 + 0.2 * std::cos(2 * f + 1)};
+  }
 };
 template <class Learner>
 struct taught_skill : cca::tracker<cca::dmp_rhythmic_module<leg, stride, 50, Learner>, cca::tracking<leg>> {};
 template <class Learner>
-struct school : cca::graph<
-    cca::rate<1000>, cca::node<"caller", caller>, cca::node<"demonstrator", demonstrator>, cca::node<"skill", taught_skill<Learner>>,
-    cca::node<"robot", late_robot>, cca::wire<"caller.learn", "skill.learn">, cca::wire<"demonstrator.angles", "skill.demonstration">,
-    cca::wire<"demonstrator.centre", "skill.reference">, cca::wire<"demonstrator.phase", "skill.phase">,
-    cca::wire<"demonstrator.amplitude", "skill.amplitude">, cca::wire<"skill.command", "robot.command">,
-    cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>, cca::observe<"skill.module.*">> {};
+struct school : cca::graph<cca::rate<1000>,
+                           cca::node<"caller", caller>,
+                           cca::node<"demonstrator", demonstrator>,
+                           cca::node<"skill", taught_skill<Learner>>,
+                           cca::node<"robot", late_robot>,
+                           cca::wire<"caller.learn", "skill.learn">,
+                           cca::wire<"demonstrator.angles", "skill.demonstration">,
+                           cca::wire<"demonstrator.centre", "skill.reference">,
+                           cca::wire<"demonstrator.phase", "skill.phase">,
+                           cca::wire<"demonstrator.amplitude", "skill.amplitude">,
+                           cca::wire<"skill.command", "robot.command">,
+                           cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
+                           cca::observe<"skill.module.*">> {};
 
 // How far the command is from the demonstration at most, over a turn, in parts of the swing.
 template <class Learner>
@@ -466,9 +556,12 @@ using fifty = cca::rhythmic_shape<leg, 50>;
 }  // namespace
 
 TEST_CASE("a shape is learned from a demonstration in a batch on another thread, or online, and reproduced") {
-  const double lwr = shape_error<cca::locally_weighted_regression<fifty>>(false), lwr_online = shape_error<cca::locally_weighted_regression<fifty>>(true),
-               rls = shape_error<cca::recursive_least_squares<fifty>>(false), rls_online = shape_error<cca::recursive_least_squares<fifty>>(true);
-  MESSAGE("of the swing: locally weighted " << lwr << ", online " << lwr_online << "; least squares " << rls << ", online " << rls_online);
+  const double lwr = shape_error<cca::locally_weighted_regression<fifty>>(false),
+               lwr_online = shape_error<cca::locally_weighted_regression<fifty>>(true),
+               rls = shape_error<cca::recursive_least_squares<fifty>>(false),
+               rls_online = shape_error<cca::recursive_least_squares<fifty>>(true);
+  MESSAGE("of the swing: locally weighted " << lwr << ", online " << lwr_online << "; least squares " << rls
+                                            << ", online " << rls_online);
   CHECK(lwr < 0.05);
   CHECK(lwr_online < 0.05);
   CHECK(rls < 0.005);
@@ -508,7 +601,9 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the laws of an adaptive component hold for a generator") { laws::adaptive_component<generator_case>(); }
+TEST_CASE("the laws of an adaptive component hold for a generator") {
+  laws::adaptive_component<generator_case>();
+}
 
 TEST_CASE("the picture of a generator is that of its page") {
   test::check_picture<swinging>(picture_of_generator);

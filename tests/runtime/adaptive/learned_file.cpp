@@ -10,13 +10,19 @@ using module_of = cca::dmp_rhythmic_module<leg, stride, N>;
 using module = module_of<8>;
 
 struct inputs {
-  auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, stride>>, cca::out<"one", cca::over<cca::amplitude, stride>>, cca::out<"centre", leg>> {
+  auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, stride>>,
+                                            cca::out<"one", cca::over<cca::amplitude, stride>>,
+                                            cca::out<"centre", leg>> {
     return {1e-9 * static_cast<double>(now.time()), 1.0, Eigen::Vector2d(0.1, -0.2)};
   }
 };
 template <class Module>
-struct alone : cca::graph<cca::rate<1000>, cca::node<"in", inputs>, cca::node<"dmp", Module, cca::timed<1>>, cca::wire<"in.phase", "dmp.phase">,
-                          cca::wire<"in.one", "dmp.amplitude">, cca::wire<"in.centre", "dmp.reference">> {};
+struct alone : cca::graph<cca::rate<1000>,
+                          cca::node<"in", inputs>,
+                          cca::node<"dmp", Module, cca::timed<1>>,
+                          cca::wire<"in.phase", "dmp.phase">,
+                          cca::wire<"in.one", "dmp.amplitude">,
+                          cca::wire<"in.centre", "dmp.reference">> {};
 
 module::learner::learned taught() {
   module::learner::learned known;
@@ -70,7 +76,9 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 TEST_CASE("what is saved comes back to the bit, and is written again as it was") {
   const temporary file("shape"), again("shape_again");
   const auto text = saved(file);
-  CHECK(text.starts_with("cca learned 1\nmodel rhythmic_shape over hip, knee with 8 functions\nlearner locally_weighted_regression\nconstant stiffness 25\n"));
+  CHECK(
+      text.starts_with("cca learned 1\nmodel rhythmic_shape over hip, knee with 8 functions\nlearner "
+                       "locally_weighted_regression\nconstant stiffness 25\n"));
   cca::controller<alone<module>> c;
   auto& dmp = c.get<"dmp">();
   REQUIRE(dmp.p.files.load.assign(file.path));
@@ -90,19 +98,30 @@ TEST_CASE("a file of another model, learner, version or constant is refused, wit
   auto text = saved(file);
   CHECK(refusal_by<module>(file.path).empty());
   CHECK(refusal_by<module_of<9>>(file.path) ==
-        file.path + ":2: it belongs to another model: it says `model rhythmic_shape over hip, knee with 8 functions`, expected `model rhythmic_shape over hip, knee with 9 functions`");
-  CHECK(refusal_by<module>(file.path, 30) == file.path + ":4: it was learned for another value; set it as it was, or learn anew: it says `constant stiffness 25`, expected `constant stiffness 30`");
+        file.path +
+            ":2: it belongs to another model: it says `model rhythmic_shape over hip, knee with 8 "
+            "functions`, expected `model rhythmic_shape over hip, knee with 9 functions`");
+  CHECK(refusal_by<module>(file.path, 30) ==
+        file.path +
+            ":4: it was learned for another value; set it as it was, or learn anew: it says `constant "
+            "stiffness 25`, expected `constant stiffness 30`");
   const auto changed = [&](const std::string& what, const std::string& by) {
     auto other = text;
     replace(other, what, by);
     file.write(other);
     return refusal_by<module>(file.path);
   };
-  CHECK(changed("cca learned 1", "cca learned 2").starts_with(file.path + ":1: the format is of another version: `cca learned 2`, expected `cca learned 1`"));
-  CHECK(changed("locally_weighted", "globally_weighted").starts_with(file.path + ":3: it is of another learner"));
-  CHECK(changed("numbers function.weights 16", "numbers function.weights 17").starts_with(file.path + ":5: it has other fields"));
-  CHECK(changed("numbers seen 8\n", "numbers seen 8\nnan ") == file.path + ":11: seen[0]: expected a finite number, got `nan`");
-  CHECK(changed("cca learned 1", "[cpg]\nfrequency").starts_with(file.path + ":1: this is no file of what a module has learned"));
+  CHECK(changed("cca learned 1", "cca learned 2")
+            .starts_with(file.path +
+                         ":1: the format is of another version: `cca learned 2`, expected `cca learned 1`"));
+  CHECK(changed("locally_weighted", "globally_weighted")
+            .starts_with(file.path + ":3: it is of another learner"));
+  CHECK(changed("numbers function.weights 16", "numbers function.weights 17")
+            .starts_with(file.path + ":5: it has other fields"));
+  CHECK(changed("numbers seen 8\n", "numbers seen 8\nnan ") ==
+        file.path + ":11: seen[0]: expected a finite number, got `nan`");
+  CHECK(changed("cca learned 1", "[cpg]\nfrequency")
+            .starts_with(file.path + ":1: this is no file of what a module has learned"));
 }
 
 TEST_CASE("a file that is damaged anywhere is refused") {

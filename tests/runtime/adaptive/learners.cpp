@@ -21,7 +21,9 @@ struct time_of_it : cca::space<cca::number, cca::axes<cca::x>> {};
 // A periodic shape, times its amplitude.
 struct rhythmic_case {
   static shape::input input(laws::ode_source& random) { return {random(0, 2 * cca::pi), random(0.2, 1)}; }
-  static shape::output truth(const shape::input& x) { return x[1] * Eigen::Vector2d(std::sin(x[0]), 0.5 * std::cos(2 * x[0] + 1)); }
+  static shape::output truth(const shape::input& x) {
+    return x[1] * Eigen::Vector2d(std::sin(x[0]), 0.5 * std::cos(2 * x[0] + 1));
+  }
   static shape::input far() { return {1, 0.5}; }
 };
 // Half a turn of it: the other half is outside.
@@ -41,15 +43,21 @@ struct rls_case : half_of<rhythmic_case> {
 struct discrete_case {
   using learner = cca::locally_weighted_regression<discrete>;
   static constexpr double left = 0.2;
-  static discrete::input input(laws::ode_source& random) { return discrete::input(std::exp(-2.5 * random(0, 1))); }
-  static discrete::output truth(const discrete::input& x) { return x[0] * Eigen::Vector2d(std::sin(1.5 * std::log(x[0])), std::cos(std::log(x[0]))); }
+  static discrete::input input(laws::ode_source& random) {
+    return discrete::input(std::exp(-2.5 * random(0, 1)));
+  }
+  static discrete::output truth(const discrete::input& x) {
+    return x[0] * Eigen::Vector2d(std::sin(1.5 * std::log(x[0])), std::cos(std::log(x[0])));
+  }
   static discrete::input far() { return discrete::input(std::exp(-4.5)); }
 };
 struct elm_case {
   using learner = cca::extreme_learning_machine<cca::elm_function<place, leg, 60>>;
   static constexpr double left = 1e-3;
   static Eigen::Vector2d input(laws::ode_source& random) { return {random(-1, 1), random(2, 3)}; }
-  static Eigen::Vector2d truth(const Eigen::Vector2d& x) { return {std::sin(x[0]) * x[1], std::exp(-x[0] * x[0]) + x[1]}; }
+  static Eigen::Vector2d truth(const Eigen::Vector2d& x) {
+    return {std::sin(x[0]) * x[1], std::exp(-x[0] * x[0]) + x[1]};
+  }
   static Eigen::Vector2d far() { return {3, 2.5}; }
 };
 struct gmr_case {
@@ -82,8 +90,11 @@ TEST_CASE("locally weighted regression is its formula, and online the same as in
   for (int i = 0; i < 25; ++i) {
     Eigen::Vector2d above = Eigen::Vector2d::Zero();
     double under = 0;
-    for (const auto& one : all) above += one.x[1] * shape::activations(one.x)[i] * one.y, under += one.x[1] * one.x[1] * shape::activations(one.x)[i];
-    if (under > 1e-9) CHECK((known.function.weights.col(i) - above / under).norm() < 1e-9 * (1 + (above / under).norm()));
+    for (const auto& one : all)
+      above += one.x[1] * shape::activations(one.x)[i] * one.y,
+          under += one.x[1] * one.x[1] * shape::activations(one.x)[i];
+    if (under > 1e-9)
+      CHECK((known.function.weights.col(i) - above / under).norm() < 1e-9 * (1 + (above / under).norm()));
   }
 }
 
@@ -116,7 +127,9 @@ TEST_CASE("recursive least squares is the solution of the normal equations, and 
   for (const auto& one : all) learner::step(online, one.x, one.y, s);
   Eigen::Matrix<double, 25, 25> A = 1e-3 * Eigen::Matrix<double, 25, 25>::Identity();
   Eigen::Matrix<double, 25, 2> b = Eigen::Matrix<double, 25, 2>::Zero();
-  for (const auto& one : all) A += shape::regressors(one.x) * shape::regressors(one.x).transpose(), b += shape::regressors(one.x) * one.y.transpose();
+  for (const auto& one : all)
+    A += shape::regressors(one.x) * shape::regressors(one.x).transpose(),
+        b += shape::regressors(one.x) * one.y.transpose();
   const Eigen::Matrix<double, 2, 25> wanted = A.fullPivLu().solve(b).transpose();
   CHECK((online.function.weights - wanted).norm() < 1e-7 * wanted.norm());
   CHECK((learner::batch(all, s).function.weights - wanted).norm() < 1e-9 * wanted.norm());
@@ -146,9 +159,12 @@ TEST_CASE("an extreme learning machine is ridge regression over its hidden layer
   const auto all = laws::examples<elm_case>(300, 11);
   const auto known = learner::batch(all, s);
   Eigen::MatrixXd H(300, 61), Y(300, 2);
-  for (int t = 0; t < 300; ++t) H.row(t) = function::hidden(known.function, all[static_cast<std::size_t>(t)].x), Y.row(t) = all[static_cast<std::size_t>(t)].y;
+  for (int t = 0; t < 300; ++t)
+    H.row(t) = function::hidden(known.function, all[static_cast<std::size_t>(t)].x),
+    Y.row(t) = all[static_cast<std::size_t>(t)].y;
   // The stationary point of |H W^T - Y|^2 + ridge |W|^2.
-  const Eigen::MatrixXd gradient = H.transpose() * (H * known.function.weights.transpose() - Y) + 1e-3 * known.function.weights.transpose();
+  const Eigen::MatrixXd gradient = H.transpose() * (H * known.function.weights.transpose() - Y) +
+                                   1e-3 * known.function.weights.transpose();
   CHECK(gradient.norm() < 1e-8 * (H.transpose() * Y).norm());
 }
 
@@ -170,7 +186,8 @@ TEST_CASE("the likelihood of a mixture grows with each iteration, and equals a d
     for (int k = 0; k < 8; ++k) {
       const Eigen::Matrix3d& S = known.function.covariances[static_cast<std::size_t>(k)];
       const Eigen::Vector3d off = z - known.function.means.col(k);
-      density += known.function.priors[k] * std::exp(-0.5 * off.dot(S.inverse() * off)) / std::sqrt(std::pow(2 * cca::pi, 3) * S.determinant());
+      density += known.function.priors[k] * std::exp(-0.5 * off.dot(S.inverse() * off)) /
+                 std::sqrt(std::pow(2 * cca::pi, 3) * S.determinant());
     }
     sum += std::log(density);
   }

@@ -1,5 +1,5 @@
-// An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say, against the
-// analytic one. An adaptive transformation: what a camera sees, corrected.
+// An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say,
+// against the analytic one. An adaptive transformation: what a camera sees, corrected.
 #include <array>
 #include <string_view>
 
@@ -24,15 +24,18 @@ struct angles : cca::space<cca::joint_angles, cca::axes<hip_joint, knee>> {};
 struct paw : cca::space<cca::cartesian_position<mapping_test::hip>, cca::axes<cca::x, cca::z>> {};
 using machine = cca::extreme_learning_machine<cca::elm_function<paw, angles, 120>>;
 
-using learned_ik = cca::adaptive_mapping<paw, angles, machine, 2000>;       // in "input", "teacher"; out "output", "module"
-using analytic_ik = cca::inverse_kinematics<leg_in_plane, angles, paw>;     // in "position"; out "angles", "status"
+using learned_ik =
+    cca::adaptive_mapping<paw, angles, machine, 2000>;  // in "input", "teacher"; out "output", "module"
+using analytic_ik =
+    cca::inverse_kinematics<leg_in_plane, angles, paw>;  // in "position"; out "angles", "status"
 using forward = cca::forward_kinematics<leg_in_plane, angles, paw>;
 // [adaptive mapping end]
 
 // Angles within the limits, the knee bent one way.
 Eigen::Vector2d posture(laws::ode_source& random) {
   constexpr auto hip_range = oncilla.hip_range, knee_range = oncilla.knee_range;
-  const double low = knee_range.low + 0.1 * (knee_range.high - knee_range.low), high = knee_range.low + 0.8 * (knee_range.high - knee_range.low);
+  const double low = knee_range.low + 0.1 * (knee_range.high - knee_range.low),
+               high = knee_range.low + 0.8 * (knee_range.high - knee_range.low);
   return {random(0.9 * hip_range.low, 0.9 * hip_range.high), random(low, high)};
 }
 
@@ -76,7 +79,8 @@ TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or
   double square = 0, worst = 0, furthest = 0;
   for (int k = 0; k < 2000; ++k) {
     const Eigen::Vector2d posed = posture(random), p = laws::map(there, posed);
-    cca::optional_in<"near", angles> near(posed, k, true);  // of its two answers, that with the knee bent this way
+    cca::optional_in<"near", angles> near(posed, k,
+                                          true);  // of its two answers, that with the knee bent this way
     near.set_wired();
     const auto [solved, reached] = exact.process(cca::in<"position", paw>(p, k, true), near);
     const auto [q, status] = ik->process(input(p, k, true), {}, {});
@@ -84,7 +88,8 @@ TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or
     square += off * off, worst = std::max(worst, off);
     furthest = std::max(furthest, (laws::map(there, q.vector()) - p).norm());
   }
-  MESSAGE("angles: rms " << std::sqrt(square / 2000) << " rad, at most " << worst << " rad; paw: at most " << 1000 * furthest << " mm");
+  MESSAGE("angles: rms " << std::sqrt(square / 2000) << " rad, at most " << worst << " rad; paw: at most "
+                         << 1000 * furthest << " mm");
   CHECK(std::sqrt(square / 2000) < 2e-3);
   CHECK(worst < 0.03);
   CHECK(furthest < 0.003);
@@ -96,14 +101,22 @@ TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or
 TEST_CASE("inverse kinematics are learned from postures that the learner chooses") {
   const auto ik = std::make_unique<learned_ik>();
   forward there;
-  const Eigen::Vector2d low(0.9 * oncilla.hip_range.low, oncilla.knee_range.low + 0.1 * (oncilla.knee_range.high - oncilla.knee_range.low));
-  const Eigen::Vector2d high(0.9 * oncilla.hip_range.high, oncilla.knee_range.low + 0.8 * (oncilla.knee_range.high - oncilla.knee_range.low));
-  const auto ask = [&](const Eigen::Vector2d& q) { return cca::example<machine::model>{laws::map(there, q), q}; };
+  const Eigen::Vector2d low(
+      0.9 * oncilla.hip_range.low,
+      oncilla.knee_range.low + 0.1 * (oncilla.knee_range.high - oncilla.knee_range.low));
+  const Eigen::Vector2d high(
+      0.9 * oncilla.hip_range.high,
+      oncilla.knee_range.low + 0.8 * (oncilla.knee_range.high - oncilla.knee_range.low));
+  const auto ask = [&](const Eigen::Vector2d& q) {
+    return cca::example<machine::model>{laws::map(there, q), q};
+  };
   CHECK_THROWS_WITH_AS(cca::sample_examples(ik->learning, low, high, 10, ik->p.settings, ask),
-                       "cca::sample_examples: refused while it is `idle`: collect() or learn() first", cca::refused);
+                       "cca::sample_examples: refused while it is `idle`: collect() or learn() first",
+                       cca::refused);
   // [sampling]
   ik->learning.collect();
-  cca::sample_examples(ik->learning, low, high, 1000, ik->p.settings, ask);  // of a posture, where it puts the paw
+  cca::sample_examples(ik->learning, low, high, 1000, ik->p.settings,
+                       ask);  // of a posture, where it puts the paw
   ik->learning.hand_over(ik->learning.begin_batch(ik->p.settings)());
   // [sampling end]
   laws::ode_source random{std::mt19937_64{23}};
@@ -128,27 +141,39 @@ TEST_CASE("spread points cover a box evenly, whatever their number") {
     }
     for (const int in_octant : octants) CHECK(std::abs(in_octant - count / 8.0) <= 4);
   }
-  CHECK(cca::spread_point(low, high, 0) == Eigen::Vector3d(0, 0.5 / 3, 12));  // a half, a third, a fifth of the way
+  CHECK(cca::spread_point(low, high, 0) ==
+        Eigen::Vector3d(0, 0.5 / 3, 12));  // a half, a third, a fifth of the way
 }
 
 namespace {
 
 // A leg that is led through postures, its paw seen by a camera; it asks for learning by a port.
 struct led_leg {
-  auto process(cca::beat now) -> std::tuple<cca::out<"paw", paw>, cca::out<"angles", angles>, cca::out<"learn", cca::learning_request>> {
-    const Eigen::Vector2d q = cca::spread_point(Eigen::Vector2d(-0.5, -1.4), Eigen::Vector2d(0.5, -0.6), now.index());
+  auto process(cca::beat now) -> std::
+      tuple<cca::out<"paw", paw>, cca::out<"angles", angles>, cca::out<"learn", cca::learning_request>> {
+    const Eigen::Vector2d q =
+        cca::spread_point(Eigen::Vector2d(-0.5, -1.4), Eigen::Vector2d(0.5, -0.6), now.index());
     forward there;
-    return {laws::map(there, q), q, cca::status_of(now.index() == 0 ? cca::learning_call::collect : cca::learning_call::nothing)};
+    return {laws::map(there, q), q,
+            cca::status_of(now.index() == 0 ? cca::learning_call::collect : cca::learning_call::nothing)};
   }
 };
 struct heard {
-  void process(cca::in<"angles", angles> q, cca::in<"module", cca::module_status_port> s) { answer = q.vector(), learning = s.vector()[0]; }
+  void process(cca::in<"angles", angles> q, cca::in<"module", cca::module_status_port> s) {
+    answer = q.vector(), learning = s.vector()[0];
+  }
   Eigen::Vector2d answer{0, 0};
   double learning = -1;
 };
-struct taught : cca::graph<
-    cca::rate<1000>, cca::node<"leg", led_leg>, cca::node<"ik", learned_ik>, cca::node<"ear", heard>, cca::wire<"leg.paw", "ik.input">,
-    cca::wire<"leg.angles", "ik.teacher">, cca::wire<"leg.learn", "ik.learn">, cca::wire<"ik.output", "ear.angles">, cca::wire<"ik.module", "ear.module">> {};
+struct taught : cca::graph<cca::rate<1000>,
+                           cca::node<"leg", led_leg>,
+                           cca::node<"ik", learned_ik>,
+                           cca::node<"ear", heard>,
+                           cca::wire<"leg.paw", "ik.input">,
+                           cca::wire<"leg.angles", "ik.teacher">,
+                           cca::wire<"leg.learn", "ik.learn">,
+                           cca::wire<"ik.output", "ear.angles">,
+                           cca::wire<"ik.module", "ear.module">> {};
 
 constexpr std::string_view picture = R"(// [picture]
 flowchart LR
@@ -164,10 +189,13 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of a mapping that is taught is that of its page") { test::check_picture<taught>(picture); }
+TEST_CASE("the picture of a mapping that is taught is that of its page") {
+  test::check_picture<taught>(picture);
+}
 
 TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned in a file") {
-  const auto first = std::make_unique<cca::controller<taught>>(), second = std::make_unique<cca::controller<taught>>();
+  const auto first = std::make_unique<cca::controller<taught>>(),
+             second = std::make_unique<cca::controller<taught>>();
   const adaptive_test::temporary file("inverse_kinematics");
   for (auto* c : {first.get(), second.get()}) {
     auto& files = c->get<"ik">().p.files;
@@ -189,7 +217,8 @@ TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned 
   for (int k = 0; k < 1000; ++k) {
     second->step();
     // What it answered is what was asked for, and to the bit what the first one answers.
-    const Eigen::Vector2d wanted = cca::spread_point(Eigen::Vector2d(-0.5, -1.4), Eigen::Vector2d(0.5, -0.6), k);
+    const Eigen::Vector2d wanted =
+        cca::spread_point(Eigen::Vector2d(-0.5, -1.4), Eigen::Vector2d(0.5, -0.6), k);
     forward there;
     square += (second->get<"ear">().answer - wanted).squaredNorm() / 2;
     CHECK(second->get<"ear">().answer == module.learning.answer(laws::map(there, wanted)));
@@ -198,13 +227,17 @@ TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned 
 }
 
 TEST_CASE("an adaptive transformation changes nothing until it has learned a correction") {
-  using correction = cca::adaptive_transformation<here, cca::extreme_learning_machine<cca::elm_function<here, here, 40>>>;
+  using correction =
+      cca::adaptive_transformation<here, cca::extreme_learning_machine<cca::elm_function<here, here, 40>>>;
   static_assert(cca::Transformation<correction>);
   correction c;
-  const auto bent = [](const Eigen::Vector2d& v) { return Eigen::Vector2d(v[0] + 0.1 * v[1] * v[1], 0.9 * v[1] - 0.05); };
+  const auto bent = [](const Eigen::Vector2d& v) {
+    return Eigen::Vector2d(v[0] + 0.1 * v[1] * v[1], 0.9 * v[1] - 0.05);
+  };
   using input = cca::in<"input", here>;
   using teacher = cca::optional_in<"teacher", here>;
-  CHECK(std::get<0>(c.process(input(Eigen::Vector2d(0.3, 0.4), 0, true), {}, {})).vector() == Eigen::Vector2d(0.3, 0.4));
+  CHECK(std::get<0>(c.process(input(Eigen::Vector2d(0.3, 0.4), 0, true), {}, {})).vector() ==
+        Eigen::Vector2d(0.3, 0.4));
   laws::ode_source random{std::mt19937_64{22}};
   c.learning.collect();
   for (int k = 0; k < 500; ++k) {

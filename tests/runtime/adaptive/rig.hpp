@@ -25,7 +25,9 @@ using motor_test::stride;
 // A file of its own for each name, that is gone at the end.
 struct temporary {
   std::string path;
-  explicit temporary(const std::string& name) : path((std::filesystem::temp_directory_path() / ("cca_" + std::to_string(::getpid()) + "_" + name)).string()) {}
+  explicit temporary(const std::string& name)
+      : path((std::filesystem::temp_directory_path() / ("cca_" + std::to_string(::getpid()) + "_" + name))
+                 .string()) {}
   ~temporary() { std::filesystem::remove(path); }
   temporary(const temporary&) = delete;
   temporary& operator=(const temporary&) = delete;
@@ -41,9 +43,7 @@ template <class F>
 std::string words_of(F f) {
   try {
     f();
-  } catch (const cca::refused& refusal) {
-    return refusal.what();
-  }
+  } catch (const cca::refused& refusal) { return refusal.what(); }
   return {};
 }
 

@@ -1,4 +1,5 @@
-// A sequence by itself: its conditions, what has to hold on end, what takes too long. No controller: what is told is an array.
+// A sequence by itself: its conditions, what has to hold on end, what takes too long. No controller: what is
+// told is an array.
 #include <array>
 
 #include <cca/adaptive/sequencer.hpp>
@@ -25,24 +26,24 @@ struct running {
   }
 };
 
-struct conditions : cca::steps<
-    cca::step<"low",    cca::then<"first">>,
-    cca::step<"first",  cca::below<"s.a", 1.0>>,
-    cca::step<"second", cca::above<"s.a", 2.0>>,
-    cca::step<"third",  cca::is<"s.b", 3, 1>>,
-    cca::step<"fourth", cca::any<cca::is<"s.b", 4>, cca::is<"s.b", 5>>>,
-    cca::step<"fifth",  cca::all<cca::is<"s.b", 6>, cca::is<"s.b", 7, 1>>>,
-    cca::step<"sixth",  cca::no<cca::is<"s.b", 6>>>,
-    cca::step<"last">> {};
+struct conditions : cca::steps<cca::step<"low", cca::then<"first">>,
+                               cca::step<"first", cca::below<"s.a", 1.0>>,
+                               cca::step<"second", cca::above<"s.a", 2.0>>,
+                               cca::step<"third", cca::is<"s.b", 3, 1>>,
+                               cca::step<"fourth", cca::any<cca::is<"s.b", 4>, cca::is<"s.b", 5>>>,
+                               cca::step<"fifth", cca::all<cca::is<"s.b", 6>, cca::is<"s.b", 7, 1>>>,
+                               cca::step<"sixth", cca::no<cca::is<"s.b", 6>>>,
+                               cca::step<"last">> {};
 
-struct on_end : cca::steps<cca::step<"wait">, cca::step<"held", cca::above<"s.a", 0.0>, cca::held_for<3>>,
-                               cca::step<"held again", cca::above<"s.a", 0.0>, cca::held_for<3>>> {};
+struct on_end : cca::steps<cca::step<"wait">,
+                           cca::step<"held", cca::above<"s.a", 0.0>, cca::held_for<3>>,
+                           cca::step<"held again", cca::above<"s.a", 0.0>, cca::held_for<3>>> {};
 
-struct too_long : cca::steps<
-    cca::step<"try">,
-    cca::step<"done",  cca::above<"s.a", 0.0>, cca::or_after<5, "again">, cca::then<"done2">>,
-    cca::step<"again", cca::after<2>, cca::then<"done">>,
-    cca::step<"done2", cca::after<3>>> {};
+struct too_long
+    : cca::steps<cca::step<"try">,
+                 cca::step<"done", cca::above<"s.a", 0.0>, cca::or_after<5, "again">, cca::then<"done2">>,
+                 cca::step<"again", cca::after<2>, cca::then<"done">>,
+                 cca::step<"done2", cca::after<3>>> {};
 
 }  // namespace
 
@@ -95,7 +96,8 @@ TEST_CASE("a condition has to hold on end, and anew") {
   CHECK_EQ(r.step(), "held again");
 }
 
-TEST_CASE("what takes too long leads elsewhere, beats counted from the step before; what holds in time does not") {
+TEST_CASE(
+    "what takes too long leads elsewhere, beats counted from the step before; what holds in time does not") {
   running<too_long> r;
   r.k = 100;  // the beat in which it begins does not matter
   CHECK_EQ(r.step(5), "try");
@@ -113,12 +115,19 @@ TEST_CASE("what takes too long leads elsewhere, beats counted from the step befo
 }
 
 TEST_CASE("many paths are found again and again, more than it remembers") {
-  struct several : cca::steps<cca::step<"first">, cca::step<"second", cca::any<
-      cca::is<"p00", 1>, cca::is<"p01", 1>, cca::is<"p02", 1>, cca::is<"p03", 1>, cca::is<"p04", 1>, cca::is<"p05", 1>, cca::is<"p06", 1>,
-      cca::is<"p07", 1>, cca::is<"p08", 1>, cca::is<"p09", 1>, cca::is<"p10", 1>, cca::is<"p11", 1>, cca::is<"p12", 1>, cca::is<"p13", 1>,
-      cca::is<"p14", 1>, cca::is<"p15", 1>, cca::is<"p16", 1>, cca::is<"p17", 1>, cca::is<"p18", 1>, cca::is<"p19", 1>, cca::is<"p20", 1>,
-      cca::is<"p21", 1>, cca::is<"p22", 1>, cca::is<"p23", 1>, cca::is<"p24", 1>, cca::is<"p25", 1>, cca::is<"p26", 1>, cca::is<"p27", 1>,
-      cca::is<"p28", 1>, cca::is<"p29", 1>, cca::is<"p30", 1>, cca::is<"p31", 1>, cca::is<"p32", 1>, cca::is<"p33", 1>>>> {};
+  struct several
+      : cca::steps<
+            cca::step<"first">,
+            cca::step<"second",
+                      cca::any<cca::is<"p00", 1>, cca::is<"p01", 1>, cca::is<"p02", 1>, cca::is<"p03", 1>,
+                               cca::is<"p04", 1>, cca::is<"p05", 1>, cca::is<"p06", 1>, cca::is<"p07", 1>,
+                               cca::is<"p08", 1>, cca::is<"p09", 1>, cca::is<"p10", 1>, cca::is<"p11", 1>,
+                               cca::is<"p12", 1>, cca::is<"p13", 1>, cca::is<"p14", 1>, cca::is<"p15", 1>,
+                               cca::is<"p16", 1>, cca::is<"p17", 1>, cca::is<"p18", 1>, cca::is<"p19", 1>,
+                               cca::is<"p20", 1>, cca::is<"p21", 1>, cca::is<"p22", 1>, cca::is<"p23", 1>,
+                               cca::is<"p24", 1>, cca::is<"p25", 1>, cca::is<"p26", 1>, cca::is<"p27", 1>,
+                               cca::is<"p28", 1>, cca::is<"p29", 1>, cca::is<"p30", 1>, cca::is<"p31", 1>,
+                               cca::is<"p32", 1>, cca::is<"p33", 1>>>> {};
   std::array<std::string, 34> names;
   std::array<double, 34> values{};
   std::vector<cca::observation> all;
@@ -145,23 +154,34 @@ TEST_CASE("a path that nobody publishes never holds, and is told") {
 
 namespace {
 
-struct two_steps : cca::steps<cca::step<"first">, cca::step<"second", cca::after<4>, cca::or_after<9, "first">>> {};
-struct late : cca::steps<cca::step<"first">, cca::step<"second", cca::is<"somebody.status", 1>, cca::or_after<3, "third">>, cca::step<"third", cca::after<1000>>> {};
+struct two_steps
+    : cca::steps<cca::step<"first">, cca::step<"second", cca::after<4>, cca::or_after<9, "first">>> {};
+struct late : cca::steps<cca::step<"first">,
+                         cca::step<"second", cca::is<"somebody.status", 1>, cca::or_after<3, "third">>,
+                         cca::step<"third", cca::after<1000>>> {};
 struct somebody {
   auto process(cca::beat) -> cca::out<"status", cca::ode_status_port> { return 0.0; }
 };
 struct ear {
   double step = -1, running = -1, timed_out = -1;
   cca::component_status status{};
-  void process(cca::in<"step", cca::step_port> a, cca::in<"running", cca::step_time> b, cca::in<"timed_out", cca::step_flag> c,
+  void process(cca::in<"step", cca::step_port> a,
+               cca::in<"running", cca::step_time> b,
+               cca::in<"timed_out", cca::step_flag> c,
                cca::in<"status", cca::component_status_port> d) {
-    step = a.vector()[0], running = b.vector()[0], timed_out = c.vector()[0], status = d.as<cca::component_status>();
+    step = a.vector()[0], running = b.vector()[0], timed_out = c.vector()[0],
+    status = d.as<cca::component_status>();
   }
 };
 template <class Plan>
-struct heard : cca::graph<cca::rate<500>, cca::node<"somebody", somebody>, cca::node<"sequencer", cca::sequencer<"*.status.*", Plan>, cca::timed<1>>,
-                          cca::node<"ear", ear>, cca::wire<"sequencer.step", "ear.step">, cca::wire<"sequencer.running", "ear.running">,
-                          cca::wire<"sequencer.timed_out", "ear.timed_out">, cca::wire<"sequencer.status", "ear.status">> {};
+struct heard : cca::graph<cca::rate<500>,
+                          cca::node<"somebody", somebody>,
+                          cca::node<"sequencer", cca::sequencer<"*.status.*", Plan>, cca::timed<1>>,
+                          cca::node<"ear", ear>,
+                          cca::wire<"sequencer.step", "ear.step">,
+                          cca::wire<"sequencer.running", "ear.running">,
+                          cca::wire<"sequencer.timed_out", "ear.timed_out">,
+                          cca::wire<"sequencer.status", "ear.status">> {};
 
 }  // namespace
 

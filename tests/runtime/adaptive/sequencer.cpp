@@ -1,4 +1,5 @@
-// A Sequencer and the skills that it leads through: it goes on by what they tell, and elsewhere when that takes too long.
+// A Sequencer and the skills that it leads through: it goes on by what they tell, and elsewhere when that
+// takes too long.
 #include <string>
 #include <string_view>
 
@@ -14,42 +15,52 @@ using namespace adaptive_test;
 namespace {
 
 // [sequencer]
-struct plan : cca::steps<
-    cca::step<"trot">,
-    cca::step<"stop",  cca::after<1000>>,
-    cca::step<"reach", cca::is<"cpg.status", cca::ode_status::converged>,                         cca::or_after<3000, "trot">>,
-    cca::step<"hold",  cca::is<"arm.status.component", cca::component_status::reached>, cca::held_for<100>, cca::or_after<4000, "lift">, cca::then<"lift">>,
-    cca::step<"lift",  cca::after<300>,                                                             cca::then<"trot">>> {};
+struct plan
+    : cca::steps<
+          cca::step<"trot">,
+          cca::step<"stop", cca::after<1000>>,
+          cca::step<"reach", cca::is<"cpg.status", cca::ode_status::converged>, cca::or_after<3000, "trot">>,
+          cca::step<"hold",
+                    cca::is<"arm.status.component", cca::component_status::reached>,
+                    cca::held_for<100>,
+                    cca::or_after<4000, "lift">,
+                    cca::then<"lift">>,
+          cca::step<"lift", cca::after<300>, cca::then<"trot">>> {};
 
 struct leader {  // what each step means for the skills
-  auto process(cca::in<"step", cca::step_port> step) -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>, cca::out<"target", leg>> {
+  auto process(cca::in<"step", cca::step_port> step)
+      -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>, cca::out<"target", leg>> {
     const int now = static_cast<int>(step[cca::step_axis{}]);
     const bool reaching = now == plan::at<"reach"> || now == plan::at<"hold">;
-    return {now == plan::at<"trot"> ? 1.0 : -1.0, reaching ? Eigen::Vector2d(0.5, -0.2) : Eigen::Vector2d(0.1, -0.8)};
+    return {now == plan::at<"trot"> ? 1.0 : -1.0,
+            reaching ? Eigen::Vector2d(0.5, -0.2) : Eigen::Vector2d(0.1, -0.8)};
   }
 };
 
 // VITE, whose ports have other names, as the module of an adaptive component.
-struct arm : cca::adaptive_component<cca::vite<leg>, cca::reaching_goal<leg>, cca::named<"target", "position", "status">> {};
+struct arm : cca::adaptive_component<cca::vite<leg>,
+                                     cca::reaching_goal<leg>,
+                                     cca::named<"target", "position", "status">> {};
 
 struct held_arm {  // follows, until it is held
-  auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> { return angles += held ? 0 * angles : Eigen::Vector2d(0.2 * (wanted.vector() - angles)); }
+  auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> {
+    return angles += held ? 0 * angles : Eigen::Vector2d(0.2 * (wanted.vector() - angles));
+  }
   Eigen::Vector2d angles{0, 0};
   bool held = false;
 };
 
-struct skills : cca::graph<
-    cca::rate<1000>,
-    cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>,
-    cca::node<"leader",    leader>,
-    cca::node<"cpg",       cca::hopf<stride>, cca::timed<1>>,
-    cca::node<"arm",       arm>,
-    cca::node<"robot",     held_arm>,
-    cca::wire<"sequencer.step",   "leader.step">,
-    cca::wire<"leader.amplitude", "cpg.amplitude", cca::latest>,
-    cca::wire<"leader.target",    "arm.reference", cca::latest>,
-    cca::wire<"arm.command",      "robot.command">,
-    cca::wire<"robot.angles",     "arm.feedback", cca::delayed<1>>> {};
+struct skills : cca::graph<cca::rate<1000>,
+                           cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>,
+                           cca::node<"leader", leader>,
+                           cca::node<"cpg", cca::hopf<stride>, cca::timed<1>>,
+                           cca::node<"arm", arm>,
+                           cca::node<"robot", held_arm>,
+                           cca::wire<"sequencer.step", "leader.step">,
+                           cca::wire<"leader.amplitude", "cpg.amplitude", cca::latest>,
+                           cca::wire<"leader.target", "arm.reference", cca::latest>,
+                           cca::wire<"arm.command", "robot.command">,
+                           cca::wire<"robot.angles", "arm.feedback", cca::delayed<1>>> {};
 // [sequencer end]
 
 }  // namespace
@@ -109,10 +120,17 @@ struct nothing {
   auto process(cca::beat) -> cca::out<"status", cca::ode_status_port> { return 0.0; }
 };
 struct misspelt : cca::steps<cca::step<"first">, cca::step<"second", cca::is<"nobody.status", 1>>> {};
-struct deaf : cca::graph<cca::rate<1000>, cca::node<"somebody", nothing>, cca::node<"sequencer", cca::sequencer<"*.status.*", misspelt>, cca::timed<1>>> {};
+struct deaf : cca::graph<cca::rate<1000>,
+                         cca::node<"somebody", nothing>,
+                         cca::node<"sequencer", cca::sequencer<"*.status.*", misspelt>, cca::timed<1>>> {};
 
-struct counted : cca::steps<cca::step<"a">, cca::step<"b", cca::all<cca::after<10>, cca::no<cca::is<"somebody.status", 1>>>, cca::held_for<5>>> {};
-struct counting : cca::graph<cca::rate<1000>, cca::node<"somebody", nothing>, cca::node<"sequencer", cca::sequencer<"*.status.*", counted>, cca::timed<1>>> {};
+struct counted : cca::steps<cca::step<"a">,
+                            cca::step<"b",
+                                      cca::all<cca::after<10>, cca::no<cca::is<"somebody.status", 1>>>,
+                                      cca::held_for<5>>> {};
+struct counting : cca::graph<cca::rate<1000>,
+                             cca::node<"somebody", nothing>,
+                             cca::node<"sequencer", cca::sequencer<"*.status.*", counted>, cca::timed<1>>> {};
 
 }  // namespace
 

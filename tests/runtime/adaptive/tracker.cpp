@@ -1,4 +1,5 @@
-// The DMP Transformation System as a Tracker (seed, figure 6.3): it is shown a shape, learns it, and follows it.
+// The DMP Transformation System as a Tracker (seed, figure 6.3): it is shown a shape, learns it, and follows
+// it.
 #include "../picture.hpp"
 #include "rig.hpp"
 
@@ -13,17 +14,22 @@ struct dmp : cca::tracker<cca::dmp_rhythmic_module<leg, stride, 25>, cca::tracki
 
 // What it is shown: two harmonics around a reference.
 struct teacher {
-  auto process(cca::in<"phase", cca::over<cca::phase, stride>> phase) -> std::tuple<cca::out<"angles", leg>, cca::out<"centre", leg>> {
+  auto process(cca::in<"phase", cca::over<cca::phase, stride>> phase)
+      -> std::tuple<cca::out<"angles", leg>, cca::out<"centre", leg>> {
     const double f = phase[stride{}];
-    return {Eigen::Vector2d(0.1 + 0.3 * std::sin(f), -0.8 + 0.2 * std::cos(2 * f + 1)), Eigen::Vector2d(0.1, -0.8)};
+    return {Eigen::Vector2d(0.1 + 0.3 * std::sin(f), -0.8 + 0.2 * std::cos(2 * f + 1)),
+            Eigen::Vector2d(0.1, -0.8)};
   }
 };
 struct servo {  // follows, a little late
-  auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> { return angles += 0.2 * (wanted.vector() - angles); }
+  auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> {
+    return angles += 0.2 * (wanted.vector() - angles);
+  }
   Eigen::Vector2d angles{0, 0};
 };
 struct wish {
-  auto process(cca::beat) -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>, cca::out<"frequency", cca::over<cca::frequency, stride>>> {
+  auto process(cca::beat) -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                        cca::out<"frequency", cca::over<cca::frequency, stride>>> {
     return {1.0, hertz};
   }
 };
@@ -31,7 +37,9 @@ struct ear {  // listens to whatever is told under dmp.status
   void process(cca::observe<"dmp.status.*"> all) {
     for (const cca::observation& one : all) {
       if (one.path == "dmp.status.component") component = static_cast<cca::component_status>(one.values[0]);
-      if (one.path == "dmp.status.module") learning = static_cast<cca::learning>(one.values[0]), region = static_cast<cca::trained_region>(one.values[1]);
+      if (one.path == "dmp.status.module")
+        learning = static_cast<cca::learning>(one.values[0]),
+        region = static_cast<cca::trained_region>(one.values[1]);
       if (one.path == "dmp.status.ode") ode = static_cast<cca::ode_status>(one.values[0]);
     }
     heard = all.size();
@@ -43,29 +51,31 @@ struct ear {  // listens to whatever is told under dmp.status
   cca::ode_status ode{};
 };
 
-struct shown : cca::graph<
-    cca::rate<1000>,
-    cca::node<"wish",    wish>,
-    cca::node<"cpg",     cca::hopf<stride>, cca::timed<1>>,
-    cca::node<"teacher", teacher>,
-    cca::node<"dmp",     dmp>,
-    cca::node<"servo",   servo>,
-    cca::node<"ear",     ear>,
-    cca::wire<"wish.amplitude", "cpg.amplitude">,
-    cca::wire<"wish.frequency", "cpg.frequency">,
-    cca::wire<"wish.frequency", "dmp.frequency">,
-    cca::wire<"cpg.phase",      "teacher.phase">,
-    cca::wire<"cpg.phase",      "dmp.phase">,
-    cca::wire<"cpg.amplitude",  "dmp.amplitude">,
-    cca::wire<"teacher.centre", "dmp.reference">,
-    cca::wire<"teacher.angles", "dmp.demonstration">,
-    cca::wire<"dmp.command",    "servo.command">,
-    cca::wire<"servo.angles",   "dmp.feedback", cca::delayed<1>>> {};
+struct shown : cca::graph<cca::rate<1000>,
+                          cca::node<"wish", wish>,
+                          cca::node<"cpg", cca::hopf<stride>, cca::timed<1>>,
+                          cca::node<"teacher", teacher>,
+                          cca::node<"dmp", dmp>,
+                          cca::node<"servo", servo>,
+                          cca::node<"ear", ear>,
+                          cca::wire<"wish.amplitude", "cpg.amplitude">,
+                          cca::wire<"wish.frequency", "cpg.frequency">,
+                          cca::wire<"wish.frequency", "dmp.frequency">,
+                          cca::wire<"cpg.phase", "teacher.phase">,
+                          cca::wire<"cpg.phase", "dmp.phase">,
+                          cca::wire<"cpg.amplitude", "dmp.amplitude">,
+                          cca::wire<"teacher.centre", "dmp.reference">,
+                          cca::wire<"teacher.angles", "dmp.demonstration">,
+                          cca::wire<"dmp.command", "servo.command">,
+                          cca::wire<"servo.angles", "dmp.feedback", cca::delayed<1>>> {};
 // [tracker end]
 
-struct pictured : cca::graph<
-    cca::rate<1000>, cca::node<"dmp", dmp>, cca::expose<"dmp.phase", "phase">, cca::expose<"dmp.amplitude", "amplitude">,
-    cca::expose<"dmp.reference", "reference">, cca::expose<"dmp.feedback", "feedback">> {};
+struct pictured : cca::graph<cca::rate<1000>,
+                             cca::node<"dmp", dmp>,
+                             cca::expose<"dmp.phase", "phase">,
+                             cca::expose<"dmp.amplitude", "amplitude">,
+                             cca::expose<"dmp.reference", "reference">,
+                             cca::expose<"dmp.feedback", "feedback">> {};
 
 constexpr std::string_view picture = R"(// [picture]
 flowchart LR
@@ -117,11 +127,10 @@ TEST_CASE("a tracker is shown a shape, learns it in a batch, and follows it") {
   double lowest = 9, highest = -9;
   for (int k = 0; k < 1000; ++k) {
     c.step();
-    lowest = std::min(lowest, c.get<"servo">().angles[0]), highest = std::max(highest, c.get<"servo">().angles[0]);
+    lowest = std::min(lowest, c.get<"servo">().angles[0]),
+    highest = std::max(highest, c.get<"servo">().angles[0]);
   }
   CHECK(highest - lowest == doctest::Approx(0.6).epsilon(0.05));
 }
 
-TEST_CASE("the picture of a tracker is that of its page") {
-  test::check_picture<pictured>(picture);
-}
+TEST_CASE("the picture of a tracker is that of its page") { test::check_picture<pictured>(picture); }

@@ -55,7 +55,8 @@ void check_change(F call, const legal_in& legal, cca::learning to) {
     CAPTURE(to_string(state));
     CHECK_EQ(words.empty(), legal.contains(state));
     CHECK(s.state() == (legal.contains(state) ? to : state));
-    if (!words.empty()) CHECK(words.find("is refused while it is `" + std::string(to_string(state)) + "`") != words.npos);
+    if (!words.empty())
+      CHECK(words.find("is refused while it is `" + std::string(to_string(state)) + "`") != words.npos);
   }
 }
 
@@ -87,7 +88,8 @@ TEST_CASE("what another component asks for is done where it is legal, and passed
     CHECK(after(state, nothing) == state);
     CHECK(after(state, collect) == (state == idle || state == trained ? collecting : state));
     CHECK(after(state, learn) == (state == idle || state == trained ? online : state));
-    CHECK(after(state, cca::learning_call::rest) == (state == collecting || state == online || state == batch ? idle : state));
+    CHECK(after(state, cca::learning_call::rest) ==
+          (state == collecting || state == online || state == batch ? idle : state));
     CHECK(after(state, forget) == (state == trained ? idle : state));
   }
 }
@@ -127,7 +129,10 @@ TEST_CASE("nothing is known before something has been learned, nor after it has 
   const rule::settings easy(1.0, 0.0);  // inside everywhere, were it asked
   side s;
   CHECK(s.region({0, 1}, easy) == cca::trained_region::outside);
-  CHECK_EQ(words_of([&] { (void)s.begin_batch(settings); }).find("cca::training: begin_batch() is refused: no examples"), 0);
+  CHECK_EQ(words_of([&] {
+             (void)s.begin_batch(settings);
+           }).find("cca::training: begin_batch() is refused: no examples"),
+           0);
   CHECK(s.state() == idle);
   s = in_state(trained);
   CHECK(s.region({0, 1}, easy) == cca::trained_region::inside);

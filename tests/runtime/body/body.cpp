@@ -31,11 +31,13 @@ constexpr auto at = [](double x, double y, double z) { return cca::at(x, y, z); 
 struct hip_chain : cca::serial_chain<trunk, hip, cca::axes<a>> {
   static constexpr std::array joints{revolute({1, 0.2, 0}, at(0.2, 0.1, 0))};
   static constexpr auto tip = at(0, 0.05, 0) * turned_about({1, 1, 1}, 0.5);
-  static constexpr std::array links{cca::link_inertia{0.3, {0, 0.02, 0.01}, {2e-3, 3e-3, 4e-3, 1e-4, -2e-4, 3e-4}}};
+  static constexpr std::array links{
+      cca::link_inertia{0.3, {0, 0.02, 0.01}, {2e-3, 3e-3, 4e-3, 1e-4, -2e-4, 3e-4}}};
 };
 // A pantograph: two joints of one coordinate.
 struct leg_chain : cca::serial_chain<hip, paw, cca::axes<b, c>> {
-  static constexpr std::array joints{revolute(along_y).driven_by(0, -1), revolute(along_y, at(0, 0, -0.08)).driven_by(1),
+  static constexpr std::array joints{revolute(along_y).driven_by(0, -1),
+                                     revolute(along_y, at(0, 0, -0.08)).driven_by(1),
                                      revolute(along_y, at(0, 0, -0.09)).driven_by(1, -1, 0.1)};
   static constexpr auto tip = at(0, 0, -0.06);
   static constexpr std::array links{cca::link_inertia{0.2, {0, 0, -0.04}, {1e-3, 1e-3, 1e-4, 0, 0, 0}},
@@ -57,8 +59,12 @@ struct sensor_place : cca::serial_chain<tail_end, sensor, cca::axes<>> {  // no 
 };
 
 // Declared from the ends: what they hang on comes later.
-struct dog : cca::body<trunk, cca::part<"toe", toe_chain>, cca::part<"sensor", sensor_place>, cca::part<"leg", leg_chain>,
-                       cca::part<"tail", tail_chain>, cca::part<"hip", hip_chain, cca::driven_by<"hip", "legs.motor">>> {
+struct dog : cca::body<trunk,
+                       cca::part<"toe", toe_chain>,
+                       cca::part<"sensor", sensor_place>,
+                       cca::part<"leg", leg_chain>,
+                       cca::part<"tail", tail_chain>,
+                       cca::part<"hip", hip_chain, cca::driven_by<"hip", "legs.motor">>> {
   static constexpr cca::link_inertia base{3, {0.01, 0, 0.02}, {1e-2, 5e-2, 5e-2, 1e-3, 0, 0}};
 };
 struct star : cca::body<trunk, cca::part<"hip", hip_chain>, cca::part<"tail", tail_chain>> {};
@@ -92,12 +98,15 @@ cca::rigid by_hand(const vector& q, std::string_view which) {
   }
   frame = step(frame, hip_chain::joints[0], q[4]) * hip_chain::tip;
   if (which == "hip") return frame;
-  frame = step(step(step(frame, leg_chain::joints[0], -q[1]), leg_chain::joints[1], q[2]), leg_chain::joints[2], 0.1 - q[2]) * leg_chain::tip;
+  frame = step(step(step(frame, leg_chain::joints[0], -q[1]), leg_chain::joints[1], q[2]),
+               leg_chain::joints[2], 0.1 - q[2]) *
+          leg_chain::tip;
   if (which == "leg") return frame;
   return step(frame, toe_chain::joints[0], 0.7 * q[0]) * toe_chain::tip;
 }
 
-// Kinetic and potential energy of all that weighs something, the base at rest, from velocities of the points by differences.
+// Kinetic and potential energy of all that weighs something, the base at rest, from velocities of the points
+// by differences.
 double energy(const vector& q, const vector& dq, const Eigen::Vector3d& gravity) {
   constexpr double h = 1e-6;
   const cca::body_pose<dog> now(q), before(q - h * dq), after(q + h * dq);
@@ -105,23 +114,35 @@ double energy(const vector& q, const vector& dq, const Eigen::Vector3d& gravity)
   for (std::size_t i = 0; i < now.links().size(); ++i) {
     const auto& inertia = cca::detail::body_tree_of<dog>.links[i].inertia;
     const Eigen::Vector3d c = cca::detail::as_vector(inertia.centre);
-    const auto point = [&](const cca::body_pose<dog>& p) -> Eigen::Vector3d { return p.links()[i].frame.at + p.links()[i].frame.turn * c; };
+    const auto point = [&](const cca::body_pose<dog>& p) -> Eigen::Vector3d {
+      return p.links()[i].frame.at + p.links()[i].frame.turn * c;
+    };
     const Eigen::Vector3d v = (point(after) - point(before)) / (2 * h);
-    const Eigen::Matrix3d spin = now.links()[i].frame.turn.transpose() * (after.links()[i].frame.turn - before.links()[i].frame.turn) / (2 * h);
+    const Eigen::Matrix3d spin = now.links()[i].frame.turn.transpose() *
+                                 (after.links()[i].frame.turn - before.links()[i].frame.turn) / (2 * h);
     const Eigen::Vector3d w(spin(2, 1), spin(0, 2), spin(1, 0));
-    sum += inertia.mass * (v.dot(v) / 2 - gravity.dot(point(now))) + w.dot(cca::detail::matrix_of(inertia.about_centre) * w) / 2;
+    sum += inertia.mass * (v.dot(v) / 2 - gravity.dot(point(now))) +
+           w.dot(cca::detail::matrix_of(inertia.about_centre) * w) / 2;
   }
   return sum;
 }
 
 // A graph with the nodes that the hip names, one of them in a graph of its own.
-struct motor { void act() {} };
-struct no_motor { void process(cca::beat) {} };
+struct motor {
+  void act() {}
+};
+struct no_motor {
+  void process(cca::beat) {}
+};
 struct legs : cca::graph<cca::node<"motor", motor>> {};
-struct whole : cca::graph<cca::rate<1000>, cca::node<"legs", legs>, cca::node<"hip", motor>, cca::node<"plan", no_motor>> {};
+struct whole : cca::graph<cca::rate<1000>,
+                          cca::node<"legs", legs>,
+                          cca::node<"hip", motor>,
+                          cca::node<"plan", no_motor>> {};
 static_assert(cca::embodied<dog, whole>);
-static_assert(cca::detail::has_resource<whole>("hip") && !cca::detail::has_resource<whole>("plan") && !cca::detail::has_resource<whole>("hi") &&
-              !cca::detail::has_resource<whole>("motor") && cca::detail::has_resource<whole>("legs.motor") && !cca::detail::has_resource<whole>("legs"));
+static_assert(cca::detail::has_resource<whole>("hip") && !cca::detail::has_resource<whole>("plan") &&
+              !cca::detail::has_resource<whole>("hi") && !cca::detail::has_resource<whole>("motor") &&
+              cca::detail::has_resource<whole>("legs.motor") && !cca::detail::has_resource<whole>("legs"));
 
 struct angles : cca::space<cca::joint_angles, cca::axes<a, b, c, d, e>> {};
 struct velocities : cca::space<cca::joint_velocities, cca::axes<e, a, b, c, d>> {};
@@ -132,140 +153,154 @@ struct paw_in_trunk : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::
 }  // namespace
 
 TEST_SUITE("body") {
-
-TEST_CASE("parts are where their chains lead") {
-  laws::source random{std::mt19937_64{41}};
-  for (int i = 0; i < laws::rounds; ++i) {
-    const vector q = random_state(random, 2);
-    const cca::body_pose<dog> now(q);
-    const auto check = [&](const cca::rigid& tip, std::string_view which) {
-      const auto expected = by_hand(q, which);
-      CHECK_MESSAGE((tip.at - expected.at).norm() < 1e-14, which);
-      CHECK_MESSAGE((tip.turn - expected.turn).norm() < 1e-14, which);
-    };
-    check(now.tip<"toe">(), "toe");
-    check(now.tip<"leg">(), "leg");
-    check(now.tip<"hip">(), "hip");
-    check(now.tip<"tail">(), "tail");
-    check(now.tip<"sensor">(), "sensor");
-  }
-}
-
-TEST_CASE("Jacobians are what differences of the positions say") {
-  laws::source random{std::mt19937_64{42}};
-  for (int i = 0; i < laws::rounds; ++i) {
-    const vector q = random_state(random, 2), dq = random_state(random, 1);
-    constexpr double h = 1e-6;
-    const cca::body_pose<dog> now(q), before(q - h * dq), after(q + h * dq);
-    const auto check = [&](const auto& jacobian, const cca::rigid& from, const cca::rigid& to) {
-      const Eigen::Matrix<double, 6, 1> v = jacobian * dq;
-      const Eigen::Matrix3d turn = (to.turn * from.turn.transpose() - Eigen::Matrix3d::Identity()) / (2 * h);
-      const Eigen::Vector3d w = Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / 2;
-      CHECK((v.tail<3>() - (to.at - from.at) / (2 * h)).norm() < 1e-8);
-      CHECK((v.head<3>() - w).norm() < 1e-8);
-    };
-    check(now.jacobian<"toe">(), before.tip<"toe">(), after.tip<"toe">());
-    check(now.jacobian<"leg">(), before.tip<"leg">(), after.tip<"leg">());
-    check(now.jacobian<"sensor">(), before.tip<"sensor">(), after.tip<"sensor">());
-  }
-}
-
-// Along any motion the joints' power is the change of energy.
-TEST_CASE("power is the change of energy") {
-  laws::source random{std::mt19937_64{43}};
-  for (int i = 0; i < laws::rounds; ++i) {
-    const vector q = random_state(random, 2), dq = random_state(random, 2), ddq = random_state(random, 3);
-    cca::base_motion base;
-    base.gravity = random.vector(10);
-    const cca::body_pose<dog> now(q);
-    const auto torques = cca::inverse_dynamics(now, dq, ddq, base).torques;
-    constexpr double h = 1e-4;
-    const auto energy_at = [&](double t) { return energy(q + t * dq + t * t / 2 * ddq, dq + t * ddq, base.gravity); };
-    const double change = (energy_at(h) - energy_at(-h)) / (2 * h);
-    CHECK(torques.dot(dq) == doctest::Approx(change).epsilon(1e-5).scale(1));
-  }
-}
-
-TEST_CASE("gravity's torques are those of inverse dynamics at rest, and of the centre of mass") {
-  laws::source random{std::mt19937_64{44}};
-  const vector zero = vector::Zero();
-  for (int i = 0; i < laws::rounds; ++i) {
-    const vector q = random_state(random, 2);
-    cca::base_motion base;
-    base.gravity = random.vector(10);
-    const cca::body_pose<dog> now(q);
-    const auto held = cca::inverse_dynamics(now, zero, zero, base);
-    CHECK((cca::gravity_torques(now, base.gravity) - held.torques).norm() < 1e-13);
-    const double mass = 3 + 0.3 + 0.35 + 0.04;
-    CHECK((held.wrench.tail<3>() + mass * base.gravity).norm() < 1e-12);
-    CHECK((held.wrench.head<3>() + mass * now.centre_of_mass().cross(base.gravity)).norm() < 1e-12);
-  }
-}
-
-TEST_CASE("what weighs nothing has its centre of mass in the base's origin") {
-  struct weightless : cca::body<trunk, cca::part<"tail", tail_chain>> {};
-  CHECK(cca::body_pose<weightless>(Eigen::Matrix<double, 1, 1>(0.3)).centre_of_mass() == Eigen::Vector3d::Zero());
-}
-
-// What the base must be held with is the change of momentum: seen from a base that turns, everything else at rest in it.
-TEST_CASE("a base that moves") {
-  laws::source random{std::mt19937_64{45}};
-  const vector zero = vector::Zero();
-  for (int i = 0; i < laws::rounds; ++i) {
-    const vector q = random_state(random, 2);
-    cca::base_motion base;
-    base.gravity.setZero();
-    base.angular_velocity = random.vector(3);
-    base.angular_acceleration = random.vector(3);
-    base.acceleration = random.vector(3);
-    const cca::body_pose<dog> now(q);
-    const auto held = cca::inverse_dynamics(now, zero, zero, base);
-    const Eigen::Vector3d c = now.centre_of_mass(), w = base.angular_velocity, dw = base.angular_acceleration;
-    CHECK((held.wrench.tail<3>() - 3.69 * (base.acceleration + dw.cross(c) + w.cross(w.cross(c)))).norm() < 1e-12);
-    // The whole, frozen, is one rigid body: its inertia about the base's origin.
-    Eigen::Matrix3d inertia = cca::detail::matrix_of(dog::base.about_centre);
-    const auto add = [&](double m, const Eigen::Vector3d& p) { inertia += m * (p.dot(p) * Eigen::Matrix3d::Identity() - p * p.transpose()); };
-    add(dog::base.mass, cca::detail::as_vector(dog::base.centre));
-    for (std::size_t k = 0; k < now.links().size(); ++k) {
-      const auto& link = cca::detail::body_tree_of<dog>.links[k].inertia;
-      const auto& frame = now.links()[k].frame;
-      inertia += frame.turn * cca::detail::matrix_of(link.about_centre) * frame.turn.transpose();
-      add(link.mass, frame.at + frame.turn * cca::detail::as_vector(link.centre));
+  TEST_CASE("parts are where their chains lead") {
+    laws::source random{std::mt19937_64{41}};
+    for (int i = 0; i < laws::rounds; ++i) {
+      const vector q = random_state(random, 2);
+      const cca::body_pose<dog> now(q);
+      const auto check = [&](const cca::rigid& tip, std::string_view which) {
+        const auto expected = by_hand(q, which);
+        CHECK_MESSAGE((tip.at - expected.at).norm() < 1e-14, which);
+        CHECK_MESSAGE((tip.turn - expected.turn).norm() < 1e-14, which);
+      };
+      check(now.tip<"toe">(), "toe");
+      check(now.tip<"leg">(), "leg");
+      check(now.tip<"hip">(), "hip");
+      check(now.tip<"tail">(), "tail");
+      check(now.tip<"sensor">(), "sensor");
     }
-    const Eigen::Vector3d expected = inertia * dw + w.cross(inertia * w) + 3.69 * c.cross(base.acceleration);
-    CHECK((held.wrench.head<3>() - expected).norm() < 1e-12);
   }
-}
 
-TEST_CASE("components: each space in an order of its own") {
-  laws::source random{std::mt19937_64{46}};
-  cca::inverse_dynamics_of<dog, angles, velocities, accelerations, torques> dynamics;
-  cca::gravity_compensation<dog, angles, torques> gravity;
-  cca::part_kinematics<dog, "leg", angles, paw_in_trunk> kinematics;
-  static_assert(cca::HasParameters<decltype(dynamics)> && cca::HasParameters<decltype(gravity)>);
-  static_assert(cca::Mapping<decltype(kinematics)> && cca::Mapping<decltype(gravity)>);
-  for (int i = 0; i < laws::rounds; ++i) {
-    const vector q = random_state(random, 2), dq = random_state(random, 2), ddq = random_state(random, 2);  // d, b, c, e, a
-    const cca::body_pose<dog> now(q);
-    const vector in_a(q[4], q[1], q[2], q[0], q[3]), in_v(dq[3], dq[4], dq[1], dq[2], dq[0]);
-    const cca::in<"angles", angles> angle_port(in_a, 0, true);
-    const cca::in<"velocities", velocities> velocity_port(in_v, 0, true);
-    const cca::in<"accelerations", accelerations> acceleration_port(ddq, 0, true);
-
-    const Eigen::Vector4d turn = cca::rotation::exp(random.vector(2));
-    cca::optional_in<"attitude", cca::base_attitude> level, tilted(turn, 0, true);
-    tilted.set_wired();
-    cca::base_motion base;
-    const auto in_order = [](const auto& t) { return vector(t[2], t[1], t[4], t[3], t[0]); };
-    CHECK(dynamics.process(angle_port, velocity_port, acceleration_port, level).vector() == in_order(cca::inverse_dynamics(now, dq, ddq, base).torques));
-    CHECK(gravity.process(angle_port, level).vector() == in_order(cca::gravity_torques(now)));
-    base.gravity = cca::rotation::matrix<double>(turn).transpose() * base.gravity;
-    CHECK((dynamics.process(angle_port, velocity_port, acceleration_port, tilted).vector() - in_order(cca::inverse_dynamics(now, dq, ddq, base).torques)).norm() < 1e-12);
-    CHECK((gravity.process(angle_port, tilted).vector() - in_order(cca::gravity_torques(now, base.gravity))).norm() < 1e-12);
-    CHECK(laws::map(kinematics, in_a) == now.tip<"leg">().at);
+  TEST_CASE("Jacobians are what differences of the positions say") {
+    laws::source random{std::mt19937_64{42}};
+    for (int i = 0; i < laws::rounds; ++i) {
+      const vector q = random_state(random, 2), dq = random_state(random, 1);
+      constexpr double h = 1e-6;
+      const cca::body_pose<dog> now(q), before(q - h * dq), after(q + h * dq);
+      const auto check = [&](const auto& jacobian, const cca::rigid& from, const cca::rigid& to) {
+        const Eigen::Matrix<double, 6, 1> v = jacobian * dq;
+        const Eigen::Matrix3d turn =
+            (to.turn * from.turn.transpose() - Eigen::Matrix3d::Identity()) / (2 * h);
+        const Eigen::Vector3d w =
+            Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / 2;
+        CHECK((v.tail<3>() - (to.at - from.at) / (2 * h)).norm() < 1e-8);
+        CHECK((v.head<3>() - w).norm() < 1e-8);
+      };
+      check(now.jacobian<"toe">(), before.tip<"toe">(), after.tip<"toe">());
+      check(now.jacobian<"leg">(), before.tip<"leg">(), after.tip<"leg">());
+      check(now.jacobian<"sensor">(), before.tip<"sensor">(), after.tip<"sensor">());
+    }
   }
-  gravity.p.gravity = 0;
-  CHECK(laws::map(gravity, vector(1, 1, 1, 1, 1)).isZero());
-}
 
+  // Along any motion the joints' power is the change of energy.
+  TEST_CASE("power is the change of energy") {
+    laws::source random{std::mt19937_64{43}};
+    for (int i = 0; i < laws::rounds; ++i) {
+      const vector q = random_state(random, 2), dq = random_state(random, 2), ddq = random_state(random, 3);
+      cca::base_motion base;
+      base.gravity = random.vector(10);
+      const cca::body_pose<dog> now(q);
+      const auto torques = cca::inverse_dynamics(now, dq, ddq, base).torques;
+      constexpr double h = 1e-4;
+      const auto energy_at = [&](double t) {
+        return energy(q + t * dq + t * t / 2 * ddq, dq + t * ddq, base.gravity);
+      };
+      const double change = (energy_at(h) - energy_at(-h)) / (2 * h);
+      CHECK(torques.dot(dq) == doctest::Approx(change).epsilon(1e-5).scale(1));
+    }
+  }
+
+  TEST_CASE("gravity's torques are those of inverse dynamics at rest, and of the centre of mass") {
+    laws::source random{std::mt19937_64{44}};
+    const vector zero = vector::Zero();
+    for (int i = 0; i < laws::rounds; ++i) {
+      const vector q = random_state(random, 2);
+      cca::base_motion base;
+      base.gravity = random.vector(10);
+      const cca::body_pose<dog> now(q);
+      const auto held = cca::inverse_dynamics(now, zero, zero, base);
+      CHECK((cca::gravity_torques(now, base.gravity) - held.torques).norm() < 1e-13);
+      const double mass = 3 + 0.3 + 0.35 + 0.04;
+      CHECK((held.wrench.tail<3>() + mass * base.gravity).norm() < 1e-12);
+      CHECK((held.wrench.head<3>() + mass * now.centre_of_mass().cross(base.gravity)).norm() < 1e-12);
+    }
+  }
+
+  TEST_CASE("what weighs nothing has its centre of mass in the base's origin") {
+    struct weightless : cca::body<trunk, cca::part<"tail", tail_chain>> {};
+    CHECK(cca::body_pose<weightless>(Eigen::Matrix<double, 1, 1>(0.3)).centre_of_mass() ==
+          Eigen::Vector3d::Zero());
+  }
+
+  // What the base must be held with is the change of momentum: seen from a base that turns, everything else
+  // at rest in it.
+  TEST_CASE("a base that moves") {
+    laws::source random{std::mt19937_64{45}};
+    const vector zero = vector::Zero();
+    for (int i = 0; i < laws::rounds; ++i) {
+      const vector q = random_state(random, 2);
+      cca::base_motion base;
+      base.gravity.setZero();
+      base.angular_velocity = random.vector(3);
+      base.angular_acceleration = random.vector(3);
+      base.acceleration = random.vector(3);
+      const cca::body_pose<dog> now(q);
+      const auto held = cca::inverse_dynamics(now, zero, zero, base);
+      const Eigen::Vector3d c = now.centre_of_mass(), w = base.angular_velocity,
+                            dw = base.angular_acceleration;
+      CHECK((held.wrench.tail<3>() - 3.69 * (base.acceleration + dw.cross(c) + w.cross(w.cross(c)))).norm() <
+            1e-12);
+      // The whole, frozen, is one rigid body: its inertia about the base's origin.
+      Eigen::Matrix3d inertia = cca::detail::matrix_of(dog::base.about_centre);
+      const auto add = [&](double m, const Eigen::Vector3d& p) {
+        inertia += m * (p.dot(p) * Eigen::Matrix3d::Identity() - p * p.transpose());
+      };
+      add(dog::base.mass, cca::detail::as_vector(dog::base.centre));
+      for (std::size_t k = 0; k < now.links().size(); ++k) {
+        const auto& link = cca::detail::body_tree_of<dog>.links[k].inertia;
+        const auto& frame = now.links()[k].frame;
+        inertia += frame.turn * cca::detail::matrix_of(link.about_centre) * frame.turn.transpose();
+        add(link.mass, frame.at + frame.turn * cca::detail::as_vector(link.centre));
+      }
+      const Eigen::Vector3d expected =
+          inertia * dw + w.cross(inertia * w) + 3.69 * c.cross(base.acceleration);
+      CHECK((held.wrench.head<3>() - expected).norm() < 1e-12);
+    }
+  }
+
+  TEST_CASE("components: each space in an order of its own") {
+    laws::source random{std::mt19937_64{46}};
+    cca::inverse_dynamics_of<dog, angles, velocities, accelerations, torques> dynamics;
+    cca::gravity_compensation<dog, angles, torques> gravity;
+    cca::part_kinematics<dog, "leg", angles, paw_in_trunk> kinematics;
+    static_assert(cca::HasParameters<decltype(dynamics)> && cca::HasParameters<decltype(gravity)>);
+    static_assert(cca::Mapping<decltype(kinematics)> && cca::Mapping<decltype(gravity)>);
+    for (int i = 0; i < laws::rounds; ++i) {
+      const vector q = random_state(random, 2), dq = random_state(random, 2),
+                   ddq = random_state(random, 2);  // d, b, c, e, a
+      const cca::body_pose<dog> now(q);
+      const vector in_a(q[4], q[1], q[2], q[0], q[3]), in_v(dq[3], dq[4], dq[1], dq[2], dq[0]);
+      const cca::in<"angles", angles> angle_port(in_a, 0, true);
+      const cca::in<"velocities", velocities> velocity_port(in_v, 0, true);
+      const cca::in<"accelerations", accelerations> acceleration_port(ddq, 0, true);
+
+      const Eigen::Vector4d turn = cca::rotation::exp(random.vector(2));
+      cca::optional_in<"attitude", cca::base_attitude> level, tilted(turn, 0, true);
+      tilted.set_wired();
+      cca::base_motion base;
+      const auto in_order = [](const auto& t) { return vector(t[2], t[1], t[4], t[3], t[0]); };
+      CHECK(dynamics.process(angle_port, velocity_port, acceleration_port, level).vector() ==
+            in_order(cca::inverse_dynamics(now, dq, ddq, base).torques));
+      CHECK(gravity.process(angle_port, level).vector() == in_order(cca::gravity_torques(now)));
+      base.gravity = cca::rotation::matrix<double>(turn).transpose() * base.gravity;
+      CHECK((dynamics.process(angle_port, velocity_port, acceleration_port, tilted).vector() -
+             in_order(cca::inverse_dynamics(now, dq, ddq, base).torques))
+                .norm() < 1e-12);
+      CHECK((gravity.process(angle_port, tilted).vector() - in_order(cca::gravity_torques(now, base.gravity)))
+                .norm() < 1e-12);
+      CHECK(laws::map(kinematics, in_a) == now.tip<"leg">().at);
+    }
+    gravity.p.gravity = 0;
+    CHECK(laws::map(gravity, vector(1, 1, 1, 1, 1)).isZero());
+  }
 }

@@ -28,7 +28,8 @@ struct neck : joint<"neck"> {};
 
 // Chains, with what their links weigh: mass, its centre, the inertia about it.
 struct arm_chain : cca::serial_chain<trunk, hand, cca::axes<shoulder, elbow>> {
-  static constexpr std::array joints{cca::revolute(cca::along_y, cca::at(0.1, 0.05, 0)), cca::revolute(cca::along_y, cca::at(0.2, 0, 0))};
+  static constexpr std::array joints{cca::revolute(cca::along_y, cca::at(0.1, 0.05, 0)),
+                                     cca::revolute(cca::along_y, cca::at(0.2, 0, 0))};
   static constexpr auto tip = cca::at(0.15, 0, 0);
   static constexpr std::array links{cca::link_inertia{0.4, {0.1, 0, 0}, {1e-4, 1e-3, 1e-3, 0, 0, 0}},
                                     cca::link_inertia{0.3, {0.07, 0, 0}, {1e-4, 8e-4, 8e-4, 0, 0, 0}}};
@@ -43,8 +44,9 @@ struct neck_chain : cca::serial_chain<trunk, head, cca::axes<neck>> {
 };
 
 // The finger hangs on the arm, for its chain begins where the arm's ends; arm and head hang on the trunk.
-struct body : cca::body<trunk, cca::part<"arm", arm_chain, cca::driven_by<"arm">>,  //
-                        cca::part<"finger", finger_chain>,                         //
+struct body : cca::body<trunk,
+                        cca::part<"arm", arm_chain, cca::driven_by<"arm">>,  //
+                        cca::part<"finger", finger_chain>,                   //
                         cca::part<"head", neck_chain>> {
   static constexpr cca::link_inertia base{2.0, {0, 0, 0.02}, {4e-3, 2e-2, 2e-2, 0, 0, 0}};
 };
@@ -59,7 +61,8 @@ struct motors {
   auto sense() -> cca::out<"angles", angles> { return q; }
   void act(cca::in<"torques", torques> command) { last = command.vector(); }
 };
-struct floating : cca::graph<cca::rate<1000>, cca::node<"arm", motors>,  //
+struct floating : cca::graph<cca::rate<1000>,
+                             cca::node<"arm", motors>,  //
                              cca::node<"gravity", cca::gravity_compensation<body, angles, torques>>,
                              cca::node<"limits", cca::limiter<torques>>,  //
                              cca::wire<"arm.angles", "gravity.angles">,
@@ -71,33 +74,33 @@ static_assert(cca::embodied<body, floating>);
 // [body end]
 
 TEST_SUITE("body, example") {
+  TEST_CASE("an arm that floats") {
+    cca::controller<walker::floating> c;
+    c.load();
+    c.start();
+    CHECK(c.step());
+    // By hand: the upper arm's angle is turned about y, down is positive.
+    const double first = 0.3, second = 0.3 - 0.5, g = 9.81;
+    const double elbow = -0.3 * g * 0.07 * std::cos(second);
+    const double shoulder = elbow - g * std::cos(first) * (0.4 * 0.1 + 0.3 * 0.2);
+    const auto& torques = c.get<"arm">().last;
+    CHECK(torques[0] == doctest::Approx(shoulder));
+    CHECK(torques[1] == doctest::Approx(elbow));
+    CHECK(torques[2] == 0);
+    CHECK(torques[3] == 0);
+  }
 
-TEST_CASE("an arm that floats") {
-  cca::controller<walker::floating> c;
-  c.load();
-  c.start();
-  CHECK(c.step());
-  // By hand: the upper arm's angle is turned about y, down is positive.
-  const double first = 0.3, second = 0.3 - 0.5, g = 9.81;
-  const double elbow = -0.3 * g * 0.07 * std::cos(second);
-  const double shoulder = elbow - g * std::cos(first) * (0.4 * 0.1 + 0.3 * 0.2);
-  const auto& torques = c.get<"arm">().last;
-  CHECK(torques[0] == doctest::Approx(shoulder));
-  CHECK(torques[1] == doctest::Approx(elbow));
-  CHECK(torques[2] == 0);
-  CHECK(torques[3] == 0);
-}
-
-TEST_CASE("where its parts are") {
-  // [places]
-  const cca::body_pose<walker::body> now(Eigen::Vector4d(0, 0, 0, cca::pi / 2));  // over axes_of<walker::body>
-  CHECK((now.tip<"finger">().at - Eigen::Vector3d(0.1 + 0.2 + 0.15 + 0.03, 0.05, 0)).norm() < 1e-15);
-  CHECK((now.tip<"head">().at - Eigen::Vector3d(0.15, 0.05, 0.05 + 0.03)).norm() < 1e-15);
-  const Eigen::Matrix<double, 6, 1> velocity = now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // of the shoulder: downward
-  CHECK(velocity[5] == doctest::Approx(-0.38));
-  // [places end]
-}
-
+  TEST_CASE("where its parts are") {
+    // [places]
+    const cca::body_pose<walker::body> now(
+        Eigen::Vector4d(0, 0, 0, cca::pi / 2));  // over axes_of<walker::body>
+    CHECK((now.tip<"finger">().at - Eigen::Vector3d(0.1 + 0.2 + 0.15 + 0.03, 0.05, 0)).norm() < 1e-15);
+    CHECK((now.tip<"head">().at - Eigen::Vector3d(0.15, 0.05, 0.05 + 0.03)).norm() < 1e-15);
+    const Eigen::Matrix<double, 6, 1> velocity =
+        now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // of the shoulder: downward
+    CHECK(velocity[5] == doctest::Approx(-0.38));
+    // [places end]
+  }
 }
 
 namespace {

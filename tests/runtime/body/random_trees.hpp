@@ -23,7 +23,8 @@ inline Eigen::Matrix3d eigen(const KDL::Rotation& r) {
   return m;
 }
 inline KDL::Frame kdl(const cca::placement& p) {
-  return {KDL::Rotation::Quaternion(p.rotation[0], p.rotation[1], p.rotation[2], p.rotation[3]), kdl(p.translation)};
+  return {KDL::Rotation::Quaternion(p.rotation[0], p.rotation[1], p.rotation[2], p.rotation[3]),
+          kdl(p.translation)};
 }
 
 inline std::array<double, 3> array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
@@ -54,13 +55,15 @@ inline cca::link_inertia random_inertia(laws::source& random) {
   return of;
 }
 
-// In KDL a segment's joint stands in the segment before: its axis there, and the segment's tip at zero is our link's frame.
+// In KDL a segment's joint stands in the segment before: its axis there, and the segment's tip at zero is our
+// link's frame.
 inline KDL::Segment segment(const std::string& name, const cca::joint& j, const cca::link_inertia& inertia) {
   const KDL::Frame where = kdl(j.where);
   const auto kind = j.kind == cca::joint_kind::revolute ? KDL::Joint::RotAxis : KDL::Joint::TransAxis;
   const auto& i = inertia.about_centre;
   return KDL::Segment(name, KDL::Joint(name, where.p, where.M * kdl(j.axis), kind), where,
-                      KDL::RigidBodyInertia(inertia.mass, kdl(inertia.centre), KDL::RotationalInertia(i[0], i[1], i[2], i[3], i[4], i[5])));
+                      KDL::RigidBodyInertia(inertia.mass, kdl(inertia.centre),
+                                            KDL::RotationalInertia(i[0], i[1], i[2], i[3], i[4], i[5])));
 }
 
 template <std::size_t Count>
@@ -72,26 +75,35 @@ struct random_tree {
   random_tree(laws::source& random, bool chain) {
     KDL::Tree built("base");
     for (std::size_t i = 0; i < Count; ++i) {
-      const int parent = chain ? static_cast<int>(i) - 1 : static_cast<int>(random(-1, static_cast<double>(i) - 1e-9) + 1) - 1;
+      const int parent = chain ? static_cast<int>(i) - 1
+                               : static_cast<int>(random(-1, static_cast<double>(i) - 1e-9) + 1) - 1;
       cca::joint j;
       j.kind = random(0, 1) < 0.75 ? cca::joint_kind::revolute : cca::joint_kind::prismatic;
       const double axis = random(0, 6);
-      j.axis = axis < 1 ? cca::along_x : axis < 2 ? cca::along_y : axis < 3 ? cca::along_z : array(random.vector(1).normalized());
+      j.axis = axis < 1   ? cca::along_x
+               : axis < 2 ? cca::along_y
+               : axis < 3 ? cca::along_z
+                          : array(random.vector(1).normalized());
       if (random(0, 1) < 0.8) j.where = random_placement(random);
       links[i] = cca::detail::body_link_of(j, static_cast<int>(i), parent);
       links[i].inertia = random_inertia(random);
-      built.addSegment(segment(std::to_string(i), j, links[i].inertia), parent < 0 ? "base" : std::to_string(parent));
+      built.addSegment(segment(std::to_string(i), j, links[i].inertia),
+                       parent < 0 ? "base" : std::to_string(parent));
     }
-    tree = built;  // a copy numbers its joints anew, depth first; KDL's solvers hold copies, so this one's numbers are theirs
+    tree = built;  // a copy numbers its joints anew, depth first; KDL's solvers hold copies, so this one's
+                   // numbers are theirs
   }
 
   // Where KDL has the joint of a link.
-  int number(std::size_t i) const { return static_cast<int>(GetTreeElementQNr(tree.getSegment(std::to_string(i))->second)); }
+  int number(std::size_t i) const {
+    return static_cast<int>(GetTreeElementQNr(tree.getSegment(std::to_string(i))->second));
+  }
 
   template <class Vector>
   KDL::JntArray joints(const Vector& q) const {
     KDL::JntArray a(static_cast<unsigned>(Count));
-    for (std::size_t i = 0; i < Count; ++i) a(static_cast<unsigned>(number(i))) = q[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < Count; ++i)
+      a(static_cast<unsigned>(number(i))) = q[static_cast<Eigen::Index>(i)];
     return a;
   }
 };

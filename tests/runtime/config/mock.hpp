@@ -25,7 +25,10 @@ struct leg {
 
 struct hopf {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency), (cca::bounded<double, 0.1, 5>, gain), (coupling, links));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (double, frequency),
+                             (cca::bounded<double, 0.1, 5>, gain),
+                             (coupling, links));
     std::string check() const { return frequency == gain ? "frequency and gain are the same" : ""; }
   };
   parameters p{1.5, 1.0, {3.0, {0.0, 0.5}}};
@@ -33,13 +36,24 @@ struct hopf {
 
 struct posture {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::angle, -0.9, 0.9>, hip), (cca::quantity<cca::torque>, load),
-                             (Eigen::Vector2d, offset), (Eigen::Matrix2d, mixing), (cca::bounded<int, 0, 3>, mode),
-                             (std::uint8_t, retries), (bool, stiff), (terrain, ground), (cca::text<8>, label), (float, slack),
-                             (cca::bounded<double, 0.0, cca::infinity>, patience), (std::array<leg, 2>, legs),
-                             (cca::quantity<cca::value, 0.0, 1.0>, duty), (std::int64_t, seed));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::quantity<cca::angle, -0.9, 0.9>, hip),
+                             (cca::quantity<cca::torque>, load),
+                             (Eigen::Vector2d, offset),
+                             (Eigen::Matrix2d, mixing),
+                             (cca::bounded<int, 0, 3>, mode),
+                             (std::uint8_t, retries),
+                             (bool, stiff),
+                             (terrain, ground),
+                             (cca::text<8>, label),
+                             (float, slack),
+                             (cca::bounded<double, 0.0, cca::infinity>, patience),
+                             (std::array<leg, 2>, legs),
+                             (cca::quantity<cca::value, 0.0, 1.0>, duty),
+                             (std::int64_t, seed));
   };
-  parameters p{0.25, 2.0, {1, 2}, Eigen::Matrix2d::Identity(), 1, 3, true, terrain::slope, "trot", 0.1f, 2.0, {{{-0.5, true}, {-1.0, false}}}, 0.5, 7};
+  parameters p{0.25,   2.0,  {1, 2}, Eigen::Matrix2d::Identity(),     1,   3, true, terrain::slope,
+               "trot", 0.1f, 2.0,    {{{-0.5, true}, {-1.0, false}}}, 0.5, 7};
 };
 
 struct adder {};

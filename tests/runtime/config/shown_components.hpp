@@ -17,19 +17,23 @@ namespace config_test {
 template <class Shown>
 struct shown_components {
   template <class F>
-  void for_each_component(F f) { Shown::each(static_cast<Shown&>(*this), f); }
+  void for_each_component(F f) {
+    Shown::each(static_cast<Shown&>(*this), f);
+  }
   template <class F>
-  void for_each_component(F f) const { Shown::each(static_cast<const Shown&>(*this), f); }
+  void for_each_component(F f) const {
+    Shown::each(static_cast<const Shown&>(*this), f);
+  }
 
-  std::string text() const { return cca::detail::parameters_text(static_cast<const Shown&>(*this), Shown::file); }
+  std::string text() const {
+    return cca::detail::parameters_text(static_cast<const Shown&>(*this), Shown::file);
+  }
 
   // Empty if it was accepted.
   std::string refusal(std::string_view text) {
     try {
       cca::detail::load_parameters_from_text(static_cast<Shown&>(*this), text, Shown::file);
-    } catch (const cca::refused& refusal) {
-      return refusal.what();
-    }
+    } catch (const cca::refused& refusal) { return refusal.what(); }
     return {};
   }
 };

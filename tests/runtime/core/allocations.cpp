@@ -1,4 +1,5 @@
-// A beat allocates nothing: queues, delays, strategies known only at run time, observers, a limiter, a watchdog, a fault.
+// A beat allocates nothing: queues, delays, strategies known only at run time, observers, a limiter, a
+// watchdog, a fault.
 #include <doctest/doctest.h>
 
 #include <cstddef>
@@ -13,7 +14,9 @@ using namespace core_test;
 
 namespace {
 
-struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-1, 1}, cca::velocity{-3, 3}}; };
+struct hip : cca::dimension<"hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1, 1}, cca::velocity{-3, 3}};
+};
 struct hip_angle : cca::space<cca::joint_angles, cca::axes<hip>, cca::rate<1000>> {};
 
 struct now_and_then {
@@ -42,43 +45,56 @@ struct joint {
   void on_fault() { angle = 0; }
   double angle = 0;
 };
-struct inner : cca::graph<cca::node<"sum", adder>, cca::node<"late", adder>, cca::wire<"sum.y", "late.x", cca::delayed<3>>, cca::expose<"sum.x", "x">,
+struct inner : cca::graph<cca::node<"sum", adder>,
+                          cca::node<"late", adder>,
+                          cca::wire<"sum.y", "late.x", cca::delayed<3>>,
+                          cca::expose<"sum.x", "x">,
                           cca::expose<"late.y", "y">> {};
-struct all : cca::graph<
-    cca::rate<1000>, cca::node<"source", now_and_then>, cca::node<"inner", inner>, cca::node<"queued", last, cca::timed<2>>,
-    cca::node<"patient", last, cca::any_of<cca::coordinated, cca::timeout<7>>>, cca::node<"listener", listener>, cca::node<"swing", swing>,
-    cca::node<"watchdog", cca::watchdog<hip_angle, 5>>, cca::node<"limits", cca::limiter<hip_angle>>, cca::node<"joint", joint>,
-    cca::wire<"source.y", "inner.x">, cca::wire<"source.y", "queued.x", cca::queue<3, cca::drop_oldest>>, cca::wire<"inner.y", "patient.x">,
-    cca::wire<"inner.y", "swing.x">, cca::wire<"swing.angle", "watchdog.command">, cca::wire<"watchdog.fresh", "limits.command">,
-    cca::wire<"joint.angle", "limits.measured">, cca::wire<"limits.safe", "joint.command">, cca::observe<"inner.*">> {};
+struct all : cca::graph<cca::rate<1000>,
+                        cca::node<"source", now_and_then>,
+                        cca::node<"inner", inner>,
+                        cca::node<"queued", last, cca::timed<2>>,
+                        cca::node<"patient", last, cca::any_of<cca::coordinated, cca::timeout<7>>>,
+                        cca::node<"listener", listener>,
+                        cca::node<"swing", swing>,
+                        cca::node<"watchdog", cca::watchdog<hip_angle, 5>>,
+                        cca::node<"limits", cca::limiter<hip_angle>>,
+                        cca::node<"joint", joint>,
+                        cca::wire<"source.y", "inner.x">,
+                        cca::wire<"source.y", "queued.x", cca::queue<3, cca::drop_oldest>>,
+                        cca::wire<"inner.y", "patient.x">,
+                        cca::wire<"inner.y", "swing.x">,
+                        cca::wire<"swing.angle", "watchdog.command">,
+                        cca::wire<"watchdog.fresh", "limits.command">,
+                        cca::wire<"joint.angle", "limits.measured">,
+                        cca::wire<"limits.safe", "joint.command">,
+                        cca::observe<"inner.*">> {};
 
 }  // namespace
 
 TEST_SUITE("allocations") {
+  TEST_CASE("the counter counts") {
+    const auto before = laws::allocations();
+    delete new int(3);
+    CHECK_GE(laws::allocations(), before);  // a compiler may leave a new without use away
+    std::string* text = new std::string(100, 'x');
+    CHECK_GT(laws::allocations(), before);
+    delete text;
+  }
 
-TEST_CASE("the counter counts") {
-  const auto before = laws::allocations();
-  delete new int(3);
-  CHECK_GE(laws::allocations(), before);  // a compiler may leave a new without use away
-  std::string* text = new std::string(100, 'x');
-  CHECK_GT(laws::allocations(), before);
-  delete text;
-}
-
-TEST_CASE("a beat allocates nothing, nor does a copy, nor a fault") {
-  auto c = started<all>();
-  const auto before = laws::allocations();
-  for (int i = 0; i < 1000; ++i) c.step();
-  c.run(cca::for_beats<1000>{});
-  auto copy = c;
-  copy.get<"source">().silent = true;
-  for (int i = 0; i < 20; ++i) copy.step();
-  const auto after = laws::allocations();
-  CHECK_EQ(after, before);
-  CHECK_EQ(copy.state(), cca::state::faulted);  // nothing has come for five beats
-  CHECK_EQ(copy.get<"joint">().angle, 0);
-  CHECK_GT(c.get<"listener">().sum, 0);
-  CHECK_EQ(c.state(), cca::state::started);
-}
-
+  TEST_CASE("a beat allocates nothing, nor does a copy, nor a fault") {
+    auto c = started<all>();
+    const auto before = laws::allocations();
+    for (int i = 0; i < 1000; ++i) c.step();
+    c.run(cca::for_beats<1000>{});
+    auto copy = c;
+    copy.get<"source">().silent = true;
+    for (int i = 0; i < 20; ++i) copy.step();
+    const auto after = laws::allocations();
+    CHECK_EQ(after, before);
+    CHECK_EQ(copy.state(), cca::state::faulted);  // nothing has come for five beats
+    CHECK_EQ(copy.get<"joint">().angle, 0);
+    CHECK_GT(c.get<"listener">().sum, 0);
+    CHECK_EQ(c.state(), cca::state::started);
+  }
 }

@@ -29,7 +29,9 @@ struct seen {
   bool operator==(const seen&) const = default;
 };
 struct journal {
-  void process(cca::in<"x", reading> x, cca::beat now) { all.push_back({now.index(), x[cca::x{}], x.origin(), x.fresh()}); }
+  void process(cca::in<"x", reading> x, cca::beat now) {
+    all.push_back({now.index(), x[cca::x{}], x.origin(), x.fresh()});
+  }
   std::vector<seen> all;
 };
 
@@ -45,9 +47,7 @@ template <class F>
 std::string words_of(F f) {
   try {
     f();
-  } catch (const cca::refused& refusal) {
-    return refusal.what();
-  }
+  } catch (const cca::refused& refusal) { return refusal.what(); }
   return {};
 }
 

@@ -28,21 +28,19 @@ struct display {
   void process(cca::in<"angle", angle_of_joint>, cca::in<"count", reading>) {}
 };
 
-struct smoothing : cca::graph<
-    cca::node<"first",  filter>,
-    cca::node<"second", filter>,
-    cca::wire<"first.smooth", "second.raw", cca::delayed<2>>,
-    cca::expose<"first.raw",     "angle">,
-    cca::expose<"second.smooth", "angle_out">> {};
+struct smoothing : cca::graph<cca::node<"first", filter>,
+                              cca::node<"second", filter>,
+                              cca::wire<"first.smooth", "second.raw", cca::delayed<2>>,
+                              cca::expose<"first.raw", "angle">,
+                              cca::expose<"second.smooth", "angle_out">> {};
 
-struct shown : cca::graph<
-    cca::node<"joint",   joint>,
-    cca::node<"smooth",  smoothing>,
-    cca::node<"counter", counter, cca::timed<20>>,
-    cca::node<"display", display, cca::any_of<cca::moderate, cca::timeout<50>>>,
-    cca::wire<"joint.angle",      "smooth.angle">,
-    cca::wire<"smooth.angle_out", "display.angle", cca::latest>,
-    cca::wire<"counter.y",        "display.count", cca::queue<4, cca::drop_oldest>>> {};
+struct shown : cca::graph<cca::node<"joint", joint>,
+                          cca::node<"smooth", smoothing>,
+                          cca::node<"counter", counter, cca::timed<20>>,
+                          cca::node<"display", display, cca::any_of<cca::moderate, cca::timeout<50>>>,
+                          cca::wire<"joint.angle", "smooth.angle">,
+                          cca::wire<"smooth.angle_out", "display.angle", cca::latest>,
+                          cca::wire<"counter.y", "display.count", cca::queue<4, cca::drop_oldest>>> {};
 // [describe end]
 
 constexpr std::string_view picture = R"(// [picture]
@@ -80,7 +78,10 @@ constexpr std::string_view drawing = R"(digraph "shown" {
 )";
 
 struct lonely : cca::graph<cca::node<"counter", counter>, cca::rate<0.5>> {};
-struct broken : cca::graph<cca::rate<100>, cca::node<"counter", counter>, cca::node<"adder", adder>, cca::wire<"counter.nothing", "adder.x">> {};
+struct broken : cca::graph<cca::rate<100>,
+                           cca::node<"counter", counter>,
+                           cca::node<"adder", adder>,
+                           cca::wire<"counter.nothing", "adder.x">> {};
 
 template <cca::fixed_string Name>
 struct named : cca::space<cca::number, cca::axes<cca::x>> {};
@@ -90,7 +91,10 @@ struct quoting {
 struct listening {
   void process(cca::in<"x", named<"a\"b\\">>) {}
 };
-struct awkward : cca::graph<cca::rate<1>, cca::node<"quoting", quoting>, cca::node<"listening", listening>, cca::wire<"quoting.y", "listening.x">> {};
+struct awkward : cca::graph<cca::rate<1>,
+                            cca::node<"quoting", quoting>,
+                            cca::node<"listening", listening>,
+                            cca::wire<"quoting.y", "listening.x">> {};
 
 // What `dot -Tsvg` makes of it, or its complaint.
 struct drawn {
@@ -98,10 +102,12 @@ struct drawn {
   std::string svg;
 };
 drawn draw(const std::string& dot, const char* name) {
-  const auto file = std::filesystem::temp_directory_path() / (std::string("cca_test_describe_") + name + ".dot");
+  const auto file =
+      std::filesystem::temp_directory_path() / (std::string("cca_test_describe_") + name + ".dot");
   std::ofstream(file) << dot;
   drawn d{};
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(("dot -Tsvg '" + file.string() + "' 2>&1").c_str(), "r"), [](FILE*) { return 0; });
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
+      popen(("dot -Tsvg '" + file.string() + "' 2>&1").c_str(), "r"), [](FILE*) { return 0; });
   REQUIRE(pipe);
   std::array<char, 4096> part;
   while (const auto n = std::fread(part.data(), 1, part.size(), pipe.get())) d.svg.append(part.data(), n);
@@ -113,34 +119,35 @@ drawn draw(const std::string& dot, const char* name) {
 }  // namespace
 
 TEST_SUITE("describe") {
+  TEST_CASE("mermaid") {
+    test::check_picture<shown>(picture);
+    CHECK_EQ(cca::describe<lonely>::mermaid(), "flowchart LR\n  n0[\"counter<br/><i>0.5 Hz</i>\"]\n");
+  }
 
-TEST_CASE("mermaid") {
-  test::check_picture<shown>(picture);
-  CHECK_EQ(cca::describe<lonely>::mermaid(), "flowchart LR\n  n0[\"counter<br/><i>0.5 Hz</i>\"]\n");
-}
+  TEST_CASE("dot, as graphviz takes it") {
+    CHECK_EQ(cca::describe<shown>::dot(), drawing);
+    const auto d = draw(cca::describe<shown>::dot(), "shown");
+    CAPTURE(d.svg);
+    REQUIRE_MESSAGE(d.result == 0, "`dot` of graphviz is needed here: ./bootstrap installs it");
+    CHECK_NE(d.svg.find("<svg"), std::string::npos);
+    CHECK_NE(d.svg.find("angle → raw"), std::string::npos);
+    CHECK_EQ(d.svg.find("Warning"), std::string::npos);
+  }
 
-TEST_CASE("dot, as graphviz takes it") {
-  CHECK_EQ(cca::describe<shown>::dot(), drawing);
-  const auto d = draw(cca::describe<shown>::dot(), "shown");
-  CAPTURE(d.svg);
-  REQUIRE_MESSAGE(d.result == 0, "`dot` of graphviz is needed here: ./bootstrap installs it");
-  CHECK_NE(d.svg.find("<svg"), std::string::npos);
-  CHECK_NE(d.svg.find("angle → raw"), std::string::npos);
-  CHECK_EQ(d.svg.find("Warning"), std::string::npos);
-}
+  TEST_CASE("a graph that breaks a rule can be looked at too") {
+    CHECK_EQ(cca::diagnosis<broken>.rule, "wire.unknown_port");
+    CHECK_EQ(
+        cca::describe<broken>::mermaid(),
+        "flowchart LR\n  n0[\"counter<br/><i>timed&lt;1&gt;</i>\"]\n  n1[\"adder<br/><i>restless</i>\"]\n");
+  }
 
-TEST_CASE("a graph that breaks a rule can be looked at too") {
-  CHECK_EQ(cca::diagnosis<broken>.rule, "wire.unknown_port");
-  CHECK_EQ(cca::describe<broken>::mermaid(), "flowchart LR\n  n0[\"counter<br/><i>timed&lt;1&gt;</i>\"]\n  n1[\"adder<br/><i>restless</i>\"]\n");
-}
-
-TEST_CASE("names with quotation marks") {
-  const auto d = draw(cca::describe<awkward>::dot(), "awkward");
-  CAPTURE(d.svg);
-  CHECK_EQ(d.result, 0);
-  const auto mermaid = cca::describe<awkward>::mermaid();
-  CAPTURE(mermaid);
-  CHECK_EQ(std::count(mermaid.begin(), mermaid.end(), '"'), 2 + 2 + 2);  // those around the two nodes and the wire
-}
-
+  TEST_CASE("names with quotation marks") {
+    const auto d = draw(cca::describe<awkward>::dot(), "awkward");
+    CAPTURE(d.svg);
+    CHECK_EQ(d.result, 0);
+    const auto mermaid = cca::describe<awkward>::mermaid();
+    CAPTURE(mermaid);
+    CHECK_EQ(std::count(mermaid.begin(), mermaid.end(), '"'),
+             2 + 2 + 2);  // those around the two nodes and the wire
+  }
 }

@@ -40,8 +40,12 @@ struct device {
 };
 
 struct inner : cca::graph<cca::node<"deep", chatty<"deep">>, cca::expose<"deep.y", "y">> {};
-struct whole : cca::graph<cca::rate<1000>, cca::node<"first", chatty<"first">>, cca::node<"inner", inner>, cca::node<"device", device<"device">>,
-                          cca::node<"other", device<"other">>, cca::node<"breaking", breaking>> {};
+struct whole : cca::graph<cca::rate<1000>,
+                          cca::node<"first", chatty<"first">>,
+                          cca::node<"inner", inner>,
+                          cca::node<"device", device<"device">>,
+                          cca::node<"other", device<"other">>,
+                          cca::node<"breaking", breaking>> {};
 using controller = cca::controller<whole>;
 
 struct act {
@@ -49,10 +53,16 @@ struct act {
   std::function<void(controller&)> call;
 };
 const std::array acts{
-    act{"load", [](controller& c) { c.load(); }},     act{"save", [](controller& c) { c.save(); }},
-    act{"start", [](controller& c) { c.start(); }},   act{"stop", [](controller& c) { c.stop(); }},
-    act{"resume", [](controller& c) { c.resume(); }}, act{"run", [](controller& c) { c.run(cca::for_beats<2>{}); }},
-    act{"step", [](controller& c) { if (!c.step()) throw cca::refused("no beat"); }},
+    act{"load", [](controller& c) { c.load(); }},
+    act{"save", [](controller& c) { c.save(); }},
+    act{"start", [](controller& c) { c.start(); }},
+    act{"stop", [](controller& c) { c.stop(); }},
+    act{"resume", [](controller& c) { c.resume(); }},
+    act{"run", [](controller& c) { c.run(cca::for_beats<2>{}); }},
+    act{"step",
+        [](controller& c) {
+          if (!c.step()) throw cca::refused("no beat");
+        }},
 };
 
 void bring(controller& c, state to) {
@@ -103,12 +113,16 @@ const std::array rules{
     rule{state::running, "resume", state::running, "nothing has faulted"},
     rule{state::running, "run", state::running, "it is running"},
     rule{state::running, "step", state::running, ""},
-    rule{state::faulted, "load", state::faulted, "a component has faulted: look at fault(), then resume() or stop()"},
-    rule{state::faulted, "save", state::faulted, "a component has faulted: look at fault(), then resume() or stop()"},
-    rule{state::faulted, "start", state::faulted, "a component has faulted: look at fault(), then resume() or stop()"},
+    rule{state::faulted, "load", state::faulted,
+         "a component has faulted: look at fault(), then resume() or stop()"},
+    rule{state::faulted, "save", state::faulted,
+         "a component has faulted: look at fault(), then resume() or stop()"},
+    rule{state::faulted, "start", state::faulted,
+         "a component has faulted: look at fault(), then resume() or stop()"},
     rule{state::faulted, "stop", state::loaded, nullptr},
     rule{state::faulted, "resume", state::started, nullptr},
-    rule{state::faulted, "run", state::faulted, "a component has faulted: look at fault(), then resume() or stop()"},
+    rule{state::faulted, "run", state::faulted,
+         "a component has faulted: look at fault(), then resume() or stop()"},
     rule{state::faulted, "step", state::faulted, ""},
 };
 static_assert(rules.size() == 5 * acts.size());
@@ -121,7 +135,8 @@ void check(const rule& r, controller& c) {
   const auto fired = c.get<"first">().beats;
   const std::string reason = c.fault().reason();
   told.clear();
-  const auto& asked = *std::find_if(acts.begin(), acts.end(), [&](const act& a) { return std::string(a.name) == r.act; });
+  const auto& asked =
+      *std::find_if(acts.begin(), acts.end(), [&](const act& a) { return std::string(a.name) == r.act; });
   const std::string words = words_of([&] { asked.call(c); });
   CHECK_EQ(c.state(), r.to);
   if (!r.remedy) {
@@ -130,7 +145,9 @@ void check(const rule& r, controller& c) {
     return;
   }
   const std::string call = std::string(r.act) + "()";
-  if (*r.remedy) CHECK_EQ(words, "cca::controller: " + call + " is refused in the state `" + std::string(cca::to_string(r.from)) + "`: " + r.remedy);
+  if (*r.remedy)
+    CHECK_EQ(words, "cca::controller: " + call + " is refused in the state `" +
+                        std::string(cca::to_string(r.from)) + "`: " + r.remedy);
   else CHECK_EQ(words, "no beat");
   CHECK(told.empty());  // nothing happened
   CHECK_EQ(c.beat_index(), beats);
@@ -141,71 +158,75 @@ void check(const rule& r, controller& c) {
 }  // namespace
 
 TEST_SUITE("life-cycle") {
-
-TEST_CASE("every call in every state") {
-  for (const rule& r : rules) {
-    controller c;
-    bring(c, r.from);
-    if (r.from != state::running) {
-      check(r, c);
-    } else {
-      bool asked = false;
-      c.run(cca::for_beats<3>{}, cca::as_fast_as_possible{}, [&](controller& running) {
-        if (!asked) check(r, running);
-        asked = true;
-      });
-      CHECK(asked);
-      CHECK_EQ(c.beat_index(), 3);
+  TEST_CASE("every call in every state") {
+    for (const rule& r : rules) {
+      controller c;
+      bring(c, r.from);
+      if (r.from != state::running) {
+        check(r, c);
+      } else {
+        bool asked = false;
+        c.run(cca::for_beats<3>{}, cca::as_fast_as_possible{}, [&](controller& running) {
+          if (!asked) check(r, running);
+          asked = true;
+        });
+        CHECK(asked);
+        CHECK_EQ(c.beat_index(), 3);
+      }
     }
   }
-}
 
-TEST_CASE("the table names each state and each transition") {
-  for (const auto what : {cca::detail::transition::load, cca::detail::transition::save, cca::detail::transition::start, cca::detail::transition::stop,
-                          cca::detail::transition::run, cca::detail::transition::pause, cca::detail::transition::fail, cca::detail::transition::resume})
-    for (const auto from : {state::created, state::loaded, state::started, state::running, state::faulted}) {
-      bool in_table = false;
-      for (const auto& t : cca::detail::transitions) in_table = in_table || (t.what == what && t.from == from);
-      CHECK_EQ(cca::detail::is_legal(what, from), in_table);
-      if (!in_table) CHECK_EQ(cca::detail::after(what, from), from);
-    }
-}
+  TEST_CASE("the table names each state and each transition") {
+    for (const auto what :
+         {cca::detail::transition::load, cca::detail::transition::save, cca::detail::transition::start,
+          cca::detail::transition::stop, cca::detail::transition::run, cca::detail::transition::pause,
+          cca::detail::transition::fail, cca::detail::transition::resume})
+      for (const auto from :
+           {state::created, state::loaded, state::started, state::running, state::faulted}) {
+        bool in_table = false;
+        for (const auto& t : cca::detail::transitions)
+          in_table = in_table || (t.what == what && t.from == from);
+        CHECK_EQ(cca::detail::is_legal(what, from), in_table);
+        if (!in_table) CHECK_EQ(cca::detail::after(what, from), from);
+      }
+  }
 
-TEST_CASE("hooks run in the order of declaration, inner graphs in their place, and only when theirs is the transition") {
-  using words = std::vector<std::string>;
-  controller c;
-  told.clear();
-  c.load();
-  CHECK_EQ(told, words{"first load", "deep load", "device load", "other load"});
-  told.clear();
-  c.start();
-  CHECK_EQ(told, words{"first start", "deep start"});
-  told.clear();
-  c.run(cca::for_beats<5>{});
-  c.step();
-  CHECK_EQ(told, words{});
-  c.get<"breaking">().broken = true;
-  c.step();
-  CHECK_EQ(told, words{"device fault", "other fault"});  // of resource nodes only: they reach the robot
-  told.clear();
-  c.step();
-  c.resume();
-  CHECK_EQ(told, words{});
-  c.stop();
-  CHECK_EQ(told, words{"first stop", "deep stop"});
-  told.clear();
-  c.save();
-  CHECK_EQ(told, words{"first save", "deep save"});
-}
+  TEST_CASE(
+      "hooks run in the order of declaration, inner graphs in their place, and only when theirs is the "
+      "transition") {
+    using words = std::vector<std::string>;
+    controller c;
+    told.clear();
+    c.load();
+    CHECK_EQ(told, words{"first load", "deep load", "device load", "other load"});
+    told.clear();
+    c.start();
+    CHECK_EQ(told, words{"first start", "deep start"});
+    told.clear();
+    c.run(cca::for_beats<5>{});
+    c.step();
+    CHECK_EQ(told, words{});
+    c.get<"breaking">().broken = true;
+    c.step();
+    CHECK_EQ(told, words{"device fault", "other fault"});  // of resource nodes only: they reach the robot
+    told.clear();
+    c.step();
+    c.resume();
+    CHECK_EQ(told, words{});
+    c.stop();
+    CHECK_EQ(told, words{"first stop", "deep stop"});
+    told.clear();
+    c.save();
+    CHECK_EQ(told, words{"first save", "deep save"});
+  }
 
-TEST_CASE("stopped and started again it goes on where it was") {
-  auto c = started<whole>();
-  c.run(cca::for_beats<5>{});
-  c.stop();
-  c.start();
-  CHECK_EQ(c.beat_index(), 5);
-  c.step();
-  CHECK_EQ(c.get<"first">().beats, 6);
-}
-
+  TEST_CASE("stopped and started again it goes on where it was") {
+    auto c = started<whole>();
+    c.run(cca::for_beats<5>{});
+    c.stop();
+    c.start();
+    CHECK_EQ(c.beat_index(), 5);
+    c.step();
+    CHECK_EQ(c.get<"first">().beats, 6);
+  }
 }

@@ -11,7 +11,9 @@ namespace {
 
 struct pair_of : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
 struct state_of_it {
-  auto process(cca::in<"x", reading> x) -> cca::out<"state", pair_of> { return pair_of::vector_type{x[cca::x{}], -x[cca::x{}]}; }
+  auto process(cca::in<"x", reading> x) -> cca::out<"state", pair_of> {
+    return pair_of::vector_type{x[cca::x{}], -x[cca::x{}]};
+  }
 };
 
 // [observe]
@@ -27,19 +29,17 @@ struct recorder {  // notes what changes under `leg`, whatever it is
   std::int64_t beat = -1;
 };
 
-struct leg : cca::graph<
-    cca::node<"slow",  adder, cca::timed<3>>,
-    cca::node<"state", state_of_it>,
-    cca::wire<"slow.y", "state.x">,
-    cca::expose<"slow.x", "x">> {};
+struct leg : cca::graph<cca::node<"slow", adder, cca::timed<3>>,
+                        cca::node<"state", state_of_it>,
+                        cca::wire<"slow.y", "state.x">,
+                        cca::expose<"slow.x", "x">> {};
 
-struct watched : cca::graph<
-    cca::rate<1000>,
-    cca::node<"counter",  counter>,
-    cca::node<"leg",      leg>,
-    cca::node<"recorder", recorder>,
-    cca::wire<"counter.y", "leg.x", cca::latest>,
-    cca::observe<"leg.state.*">> {};   // also from outside: c.observed(...)
+struct watched : cca::graph<cca::rate<1000>,
+                            cca::node<"counter", counter>,
+                            cca::node<"leg", leg>,
+                            cca::node<"recorder", recorder>,
+                            cca::wire<"counter.y", "leg.x", cca::latest>,
+                            cca::observe<"leg.state.*">> {};  // also from outside: c.observed(...)
 // [observe end]
 
 struct late_recorder {
@@ -48,63 +48,66 @@ struct late_recorder {
   }
   std::vector<seen> heard;
 };
-struct late : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"leg", leg>, cca::node<"recorder", late_recorder, cca::full_speed>,
+struct late : cca::graph<cca::rate<1000>,
+                         cca::node<"counter", counter>,
+                         cca::node<"leg", leg>,
+                         cca::node<"recorder", late_recorder, cca::full_speed>,
                          cca::wire<"counter.y", "leg.x", cca::latest>> {};
 
 }  // namespace
 
 TEST_SUITE("observing") {
+  TEST_CASE("a port that listens to a scope") {
+    auto c = started<watched>();
+    c.step();
+    const auto& r = c.get<"recorder">();
+    CHECK_EQ(r.fired, 1);
+    CHECK_EQ(r.heard.size(), 2);
+    CHECK_EQ(r.heard.at("leg.slow.y"), std::vector<double>{1});
+    CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1, -1});
+    c.run(cca::for_beats<2>{});
+    CHECK_EQ(r.fired, 1);  // restless: nothing fresh, no firing
+    c.step();
+    CHECK_EQ(r.fired, 2);
+    CHECK_EQ(r.beat, 3);
+    CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1 + 4, -1 - 4});
+  }
 
-TEST_CASE("a port that listens to a scope") {
-  auto c = started<watched>();
-  c.step();
-  const auto& r = c.get<"recorder">();
-  CHECK_EQ(r.fired, 1);
-  CHECK_EQ(r.heard.size(), 2);
-  CHECK_EQ(r.heard.at("leg.slow.y"), std::vector<double>{1});
-  CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1, -1});
-  c.run(cca::for_beats<2>{});
-  CHECK_EQ(r.fired, 1);  // restless: nothing fresh, no firing
-  c.step();
-  CHECK_EQ(r.fired, 2);
-  CHECK_EQ(r.beat, 3);
-  CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1 + 4, -1 - 4});
-}
+  TEST_CASE("from outside, between two beats") {
+    auto c = started<watched>();
+    std::vector<std::string> heard;
+    const auto listen = [&] {
+      heard.clear();
+      c.observed([&](const cca::observation& one) {
+        heard.push_back(std::string(one.path) + " " + std::to_string(static_cast<int>(one.values[1])) +
+                        (one.fresh ? " fresh" : "") +
+                        (one.origin == cca::never ? " never" : " " + std::to_string(one.origin)));
+      });
+    };
+    listen();
+    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state 0 never"});
+    c.step();
+    listen();
+    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -1 fresh 0"});
+    c.run(cca::for_beats<2>{});
+    listen();
+    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -1 0"});
+    c.step();
+    listen();
+    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -5 fresh 3000000"});
+  }
 
-TEST_CASE("from outside, between two beats") {
-  auto c = started<watched>();
-  std::vector<std::string> heard;
-  const auto listen = [&] {
-    heard.clear();
-    c.observed([&](const cca::observation& one) {
-      heard.push_back(std::string(one.path) + " " + std::to_string(static_cast<int>(one.values[1])) + (one.fresh ? " fresh" : "") +
-                      (one.origin == cca::never ? " never" : " " + std::to_string(one.origin)));
-    });
-  };
-  listen();
-  CHECK_EQ(heard, std::vector<std::string>{"leg.state.state 0 never"});
-  c.step();
-  listen();
-  CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -1 fresh 0"});
-  c.run(cca::for_beats<2>{});
-  listen();
-  CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -1 0"});
-  c.step();
-  listen();
-  CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -5 fresh 3000000"});
-}
-
-TEST_CASE("with a delay") {
-  auto c = started<late>();
-  c.run(cca::for_beats<6>{});
-  std::vector<seen> slow;
-  for (std::size_t i = 0; i < c.get<"recorder">().heard.size(); i += 2) slow.push_back(c.get<"recorder">().heard[i]);
-  REQUIRE_EQ(slow.size(), 6);
-  CHECK_EQ(slow[1], seen{1, 0, cca::never, false});
-  CHECK_EQ(slow[2], seen{2, 1, 0, true});
-  CHECK_EQ(slow[3], seen{3, 1, 0, false});
-  CHECK_EQ(slow[4], seen{4, 1, 0, false});
-  CHECK_EQ(slow[5], seen{5, 5, 3'000'000, true});
-}
-
+  TEST_CASE("with a delay") {
+    auto c = started<late>();
+    c.run(cca::for_beats<6>{});
+    std::vector<seen> slow;
+    for (std::size_t i = 0; i < c.get<"recorder">().heard.size(); i += 2)
+      slow.push_back(c.get<"recorder">().heard[i]);
+    REQUIRE_EQ(slow.size(), 6);
+    CHECK_EQ(slow[1], seen{1, 0, cca::never, false});
+    CHECK_EQ(slow[2], seen{2, 1, 0, true});
+    CHECK_EQ(slow[3], seen{3, 1, 0, false});
+    CHECK_EQ(slow[4], seen{4, 1, 0, false});
+    CHECK_EQ(slow[5], seen{5, 5, 3'000'000, true});
+  }
 }

@@ -1,4 +1,5 @@
-// Ports: initial values, inputs that need not be wired, outputs that are not always published, origins, resource nodes.
+// Ports: initial values, inputs that need not be wired, outputs that are not always published, origins,
+// resource nodes.
 #include <doctest/doctest.h>
 
 #include "counting.hpp"
@@ -16,8 +17,14 @@ struct mix {
   bool wired = false;
   seen gain_seen{};
 };
-struct optional : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"with", mix>, cca::node<"without", mix>, cca::node<"moderate", mix, cca::moderate>,
-                             cca::wire<"counter.y", "with.x">, cca::wire<"counter.y", "with.gain">, cca::wire<"counter.y", "without.x">,
+struct optional : cca::graph<cca::rate<1000>,
+                             cca::node<"counter", counter>,
+                             cca::node<"with", mix>,
+                             cca::node<"without", mix>,
+                             cca::node<"moderate", mix, cca::moderate>,
+                             cca::wire<"counter.y", "with.x">,
+                             cca::wire<"counter.y", "with.gain">,
+                             cca::wire<"counter.y", "without.x">,
                              cca::wire<"counter.y", "moderate.x">> {};
 
 struct odd {
@@ -28,10 +35,17 @@ struct odd {
     return y;
   }
 };
-struct sometimes : cca::graph<cca::rate<1000>, cca::node<"odd", odd>, cca::node<"restless", journal>, cca::node<"each", journal, cca::full_speed>,
-                              cca::node<"late", journal, cca::full_speed>, cca::node<"never", journal, cca::full_speed>, cca::node<"silent", counter, cca::inactive>,
-                              cca::wire<"odd.odd", "restless.x">, cca::wire<"odd.odd", "each.x", cca::latest>,
-                              cca::wire<"odd.all", "late.x", cca::delayed<2>, cca::initial<7>>, cca::wire<"silent.y", "never.x", cca::latest, cca::initial<-2.5>>> {};
+struct sometimes : cca::graph<cca::rate<1000>,
+                              cca::node<"odd", odd>,
+                              cca::node<"restless", journal>,
+                              cca::node<"each", journal, cca::full_speed>,
+                              cca::node<"late", journal, cca::full_speed>,
+                              cca::node<"never", journal, cca::full_speed>,
+                              cca::node<"silent", counter, cca::inactive>,
+                              cca::wire<"odd.odd", "restless.x">,
+                              cca::wire<"odd.odd", "each.x", cca::latest>,
+                              cca::wire<"odd.all", "late.x", cca::delayed<2>, cca::initial<7>>,
+                              cca::wire<"silent.y", "never.x", cca::latest, cca::initial<-2.5>>> {};
 
 struct older {  // says itself where its data come from
   auto process(cca::beat now) -> cca::out<"y", reading> {
@@ -40,8 +54,13 @@ struct older {  // says itself where its data come from
     return y;
   }
 };
-struct origins : cca::graph<cca::rate<1000>, cca::node<"older", older>, cca::node<"slow", counter, cca::timed<4>>, cca::node<"both", mix, cca::full_speed>,
-                            cca::node<"log", journal>, cca::wire<"older.y", "both.x">, cca::wire<"slow.y", "both.gain", cca::latest>,
+struct origins : cca::graph<cca::rate<1000>,
+                            cca::node<"older", older>,
+                            cca::node<"slow", counter, cca::timed<4>>,
+                            cca::node<"both", mix, cca::full_speed>,
+                            cca::node<"log", journal>,
+                            cca::wire<"older.y", "both.x">,
+                            cca::wire<"slow.y", "both.gain", cca::latest>,
                             cca::wire<"both.y", "log.x">> {};
 
 // A robot that is a graph: a bus that alone knows the device, and a joint that speaks for it.
@@ -54,10 +73,19 @@ struct joint {
   auto sense(cca::in<"raw", reading> raw) -> cca::out<"angle", reading> { return 2 * raw[cca::x{}]; }
   auto act(cca::in<"command", reading> to) -> cca::out<"raw", reading> { return to[cca::x{}] / 2; }
 };
-struct robot : cca::graph<cca::node<"joint", joint>, cca::node<"bus", bus>, cca::wire<"bus.raw", "joint.raw">, cca::wire<"joint.raw", "bus.raw">,
-                          cca::expose<"joint.angle", "angle">, cca::expose<"joint.command", "command">> {};
-struct moving : cca::graph<cca::rate<1000>, cca::node<"more", mix>, cca::node<"robot", robot>, cca::node<"log", journal>,
-                           cca::wire<"robot.angle", "more.x">, cca::wire<"robot.angle", "more.gain">, cca::wire<"more.y", "robot.command">,
+struct robot : cca::graph<cca::node<"joint", joint>,
+                          cca::node<"bus", bus>,
+                          cca::wire<"bus.raw", "joint.raw">,
+                          cca::wire<"joint.raw", "bus.raw">,
+                          cca::expose<"joint.angle", "angle">,
+                          cca::expose<"joint.command", "command">> {};
+struct moving : cca::graph<cca::rate<1000>,
+                           cca::node<"more", mix>,
+                           cca::node<"robot", robot>,
+                           cca::node<"log", journal>,
+                           cca::wire<"robot.angle", "more.x">,
+                           cca::wire<"robot.angle", "more.gain">,
+                           cca::wire<"more.y", "robot.command">,
                            cca::wire<"robot.angle", "log.x">> {};
 
 struct world : cca::frame<"world"> {};
@@ -66,64 +94,73 @@ struct turning {
   auto process() -> cca::maybe<"q", attitude> { return {}; }
 };
 struct facing {
-  void process(cca::in<"latest", attitude> a, cca::in<"late", attitude> b, cca::in<"queued", attitude> c, cca::optional_in<"unwired", attitude> d) {
+  void process(cca::in<"latest", attitude> a,
+               cca::in<"late", attitude> b,
+               cca::in<"queued", attitude> c,
+               cca::optional_in<"unwired", attitude> d) {
     all = {a.vector(), b.vector(), c.vector(), d.vector()};
   }
   std::vector<Eigen::Vector4d> all;
 };
-struct unturned : cca::graph<cca::rate<1000>, cca::node<"turning", turning>, cca::node<"facing", facing, cca::full_speed>, cca::wire<"turning.q", "facing.latest">,
-                             cca::wire<"turning.q", "facing.late", cca::delayed<3>>, cca::wire<"turning.q", "facing.queued", cca::queue<2, cca::drop_oldest>>> {};
+struct unturned : cca::graph<cca::rate<1000>,
+                             cca::node<"turning", turning>,
+                             cca::node<"facing", facing, cca::full_speed>,
+                             cca::wire<"turning.q", "facing.latest">,
+                             cca::wire<"turning.q", "facing.late", cca::delayed<3>>,
+                             cca::wire<"turning.q", "facing.queued", cca::queue<2, cca::drop_oldest>>> {};
 
 }  // namespace
 
 TEST_SUITE("ports") {
+  TEST_CASE("the initial value is the space's zero") {
+    auto c = started<unturned>();
+    c.step();
+    const cca::sample<attitude> zero;
+    CHECK_EQ(zero.vector().norm(), 1);  // no turn at all
+    REQUIRE_EQ(c.get<"facing">().all.size(), 4);
+    for (const auto& q : c.get<"facing">().all) CHECK_EQ(q, zero.vector());
+  }
 
-TEST_CASE("the initial value is the space's zero") {
-  auto c = started<unturned>();
-  c.step();
-  const cca::sample<attitude> zero;
-  CHECK_EQ(zero.vector().norm(), 1);  // no turn at all
-  REQUIRE_EQ(c.get<"facing">().all.size(), 4);
-  for (const auto& q : c.get<"facing">().all) CHECK_EQ(q, zero.vector());
-}
+  TEST_CASE("an input that need not be wired") {
+    auto c = started<optional>();
+    c.run(cca::for_beats<3>{});
+    CHECK(c.get<"with">().wired);
+    CHECK_EQ(c.get<"with">().gain_seen, seen{0, 3, 2'000'000, true});
+    CHECK_FALSE(c.get<"without">().wired);
+    CHECK_EQ(c.get<"without">().gain_seen, seen{0, 0, cca::never, false});
+    CHECK_FALSE(c.get<"moderate">().wired);  // and did fire
+    CHECK_EQ(c.get<"moderate">().gain_seen.origin, cca::never);
+  }
 
-TEST_CASE("an input that need not be wired") {
-  auto c = started<optional>();
-  c.run(cca::for_beats<3>{});
-  CHECK(c.get<"with">().wired);
-  CHECK_EQ(c.get<"with">().gain_seen, seen{0, 3, 2'000'000, true});
-  CHECK_FALSE(c.get<"without">().wired);
-  CHECK_EQ(c.get<"without">().gain_seen, seen{0, 0, cca::never, false});
-  CHECK_FALSE(c.get<"moderate">().wired);  // and did fire
-  CHECK_EQ(c.get<"moderate">().gain_seen.origin, cca::never);
-}
+  TEST_CASE("an output that is not always published, and initial values") {
+    auto c = started<sometimes>();
+    c.run(cca::for_beats<4>{});
+    constexpr std::int64_t ms = 1'000'000;
+    CHECK_EQ(c.get<"restless">().all, std::vector<seen>{{1, 1, ms, true}, {3, 3, 3 * ms, true}});
+    CHECK_EQ(c.get<"each">().all,
+             std::vector<seen>{
+                 {0, 0, cca::never, false}, {1, 1, ms, true}, {2, 1, ms, false}, {3, 3, 3 * ms, true}});
+    CHECK_EQ(c.get<"late">().all,
+             std::vector<seen>{
+                 {0, 7, cca::never, false}, {1, 7, cca::never, false}, {2, 0, 0, true}, {3, 1, ms, true}});
+    CHECK_EQ(c.get<"never">().all.back(), seen{3, -2.5, cca::never, false});
+  }
 
-TEST_CASE("an output that is not always published, and initial values") {
-  auto c = started<sometimes>();
-  c.run(cca::for_beats<4>{});
-  constexpr std::int64_t ms = 1'000'000;
-  CHECK_EQ(c.get<"restless">().all, std::vector<seen>{{1, 1, ms, true}, {3, 3, 3 * ms, true}});
-  CHECK_EQ(c.get<"each">().all, std::vector<seen>{{0, 0, cca::never, false}, {1, 1, ms, true}, {2, 1, ms, false}, {3, 3, 3 * ms, true}});
-  CHECK_EQ(c.get<"late">().all, std::vector<seen>{{0, 7, cca::never, false}, {1, 7, cca::never, false}, {2, 0, 0, true}, {3, 1, ms, true}});
-  CHECK_EQ(c.get<"never">().all.back(), seen{3, -2.5, cca::never, false});
-}
+  TEST_CASE("a sample originates at the oldest origin that it was made from") {
+    auto c = started<origins>();
+    c.run(cca::for_beats<6>{});
+    std::vector<std::int64_t> all;
+    for (const auto& one : c.get<"log">().all) all.push_back(one.origin);
+    CHECK_EQ(all, std::vector<std::int64_t>{-5, 0, 0, 0, 4'000'000 - 5, 4'000'000});
+  }
 
-TEST_CASE("a sample originates at the oldest origin that it was made from") {
-  auto c = started<origins>();
-  c.run(cca::for_beats<6>{});
-  std::vector<std::int64_t> all;
-  for (const auto& one : c.get<"log">().all) all.push_back(one.origin);
-  CHECK_EQ(all, std::vector<std::int64_t>{-5, 0, 0, 0, 4'000'000 - 5, 4'000'000});
-}
-
-TEST_CASE("a robot that is a graph of resource nodes") {
-  auto c = started<moving>();
-  c.step();
-  CHECK_EQ(c.get<"log">().all.back(), seen{0, 6, 0, true});
-  CHECK_EQ(c.get<"robot.bus">().device, 18);  // in the same beat: 6 * 6 / 2
-  c.step();
-  CHECK_EQ(c.get<"log">().all.back(), seen{1, 36, 1'000'000, true});
-  CHECK_EQ(c.get<"robot.bus">().device, 648);
-}
-
+  TEST_CASE("a robot that is a graph of resource nodes") {
+    auto c = started<moving>();
+    c.step();
+    CHECK_EQ(c.get<"log">().all.back(), seen{0, 6, 0, true});
+    CHECK_EQ(c.get<"robot.bus">().device, 18);  // in the same beat: 6 * 6 / 2
+    c.step();
+    CHECK_EQ(c.get<"log">().all.back(), seen{1, 36, 1'000'000, true});
+    CHECK_EQ(c.get<"robot.bus">().device, 648);
+  }
 }

@@ -17,8 +17,12 @@ using namespace core_test;
 
 namespace {
 
-struct counting : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"tenth", adder, cca::timed<10>>, cca::node<"log", journal>,
-                             cca::wire<"counter.y", "tenth.x", cca::latest>, cca::wire<"tenth.y", "log.x">> {};
+struct counting : cca::graph<cca::rate<1000>,
+                             cca::node<"counter", counter>,
+                             cca::node<"tenth", adder, cca::timed<10>>,
+                             cca::node<"log", journal>,
+                             cca::wire<"counter.y", "tenth.x", cca::latest>,
+                             cca::wire<"tenth.y", "log.x">> {};
 struct odd_rate : cca::graph<cca::rate<3>, cca::node<"counter", counter>> {};
 struct thrower {
   void process(cca::beat now) {
@@ -35,9 +39,7 @@ int end_of(F f) {
     std::set_terminate([] { std::_Exit(2); });
     try {
       f();
-    } catch (const std::exception&) {
-      std::_Exit(1);
-    }
+    } catch (const std::exception&) { std::_Exit(1); }
     std::_Exit(0);
   }
   int status = -1;
@@ -57,83 +59,86 @@ double seconds_of(F f) {
 static_assert(noexcept(std::declval<cca::controller<counting>&>().step()));
 
 TEST_SUITE("running") {
+  TEST_CASE("for a time") {
+    auto c = started<counting>();
+    CHECK_EQ(c.run(cca::for_<2>{}), cca::state::started);
+    CHECK_EQ(c.beat_index(), 2000);
+    c.run(cca::for_<0.25>{});
+    CHECK_EQ(c.beat_index(), 2250);
+    c.run(cca::for_beats<7>{});
+    CHECK_EQ(c.beat_index(), 2257);
+    c.run(cca::for_some_beats{3});
+    CHECK_EQ(c.beat_index(), 2260);
+    c.run(cca::for_beats<0>{});
+    c.run(cca::for_some_beats{-1});
+    CHECK_EQ(c.beat_index(), 2260);
+    CHECK_EQ(c.get<"counter">().value, 2260);
+    CHECK_EQ(c.state(), cca::state::started);
+  }
 
-TEST_CASE("for a time") {
-  auto c = started<counting>();
-  CHECK_EQ(c.run(cca::for_<2>{}), cca::state::started);
-  CHECK_EQ(c.beat_index(), 2000);
-  c.run(cca::for_<0.25>{});
-  CHECK_EQ(c.beat_index(), 2250);
-  c.run(cca::for_beats<7>{});
-  CHECK_EQ(c.beat_index(), 2257);
-  c.run(cca::for_some_beats{3});
-  CHECK_EQ(c.beat_index(), 2260);
-  c.run(cca::for_beats<0>{});
-  c.run(cca::for_some_beats{-1});
-  CHECK_EQ(c.beat_index(), 2260);
-  CHECK_EQ(c.get<"counter">().value, 2260);
-  CHECK_EQ(c.state(), cca::state::started);
-}
+  TEST_CASE("a beat is whole nanoseconds, rounded down") {
+    CHECK_EQ(cca::controller<counting>::period(), 1'000'000);
+    CHECK_EQ(cca::controller<odd_rate>::period(), 333'333'333);
+    auto c = started<odd_rate>();
+    c.run(cca::for_<10>{});
+    CHECK_EQ(c.beat_index(), 30);
+  }
 
-TEST_CASE("a beat is whole nanoseconds, rounded down") {
-  CHECK_EQ(cca::controller<counting>::period(), 1'000'000);
-  CHECK_EQ(cca::controller<odd_rate>::period(), 333'333'333);
-  auto c = started<odd_rate>();
-  c.run(cca::for_<10>{});
-  CHECK_EQ(c.beat_index(), 30);
-}
+  TEST_CASE("between two beats") {
+    auto c = started<counting>();
+    std::vector<std::int64_t> indices;
+    c.run(cca::for_beats<4>{}, cca::as_fast_as_possible{}, [&](auto& running) {
+      CHECK_EQ(running.state(), cca::state::running);
+      indices.push_back(running.beat_index());
+    });
+    CHECK_EQ(indices, std::vector<std::int64_t>{1, 2, 3, 4});
+  }
 
-TEST_CASE("between two beats") {
-  auto c = started<counting>();
-  std::vector<std::int64_t> indices;
-  c.run(cca::for_beats<4>{}, cca::as_fast_as_possible{}, [&](auto& running) {
-    CHECK_EQ(running.state(), cca::state::running);
-    indices.push_back(running.beat_index());
-  });
-  CHECK_EQ(indices, std::vector<std::int64_t>{1, 2, 3, 4});
-}
+  TEST_CASE("at any pace, the same results") {
+    auto fast = started<counting>(), slow = fast, quick = fast, stepped = fast;
+    fast.run(cca::for_beats<60>{});
+    CHECK_GE(seconds_of([&] { slow.run(cca::for_beats<60>{}, cca::at_speed(0.5)); }),
+             0.11);  // the last beat begins at 118 ms
+    const double at_wall_clock = seconds_of([&] {
+      auto c = stepped;
+      c.run(cca::for_beats<60>{}, cca::at_wall_clock());
+    });
+    CHECK_GE(at_wall_clock, 0.055);
+    CHECK_LT(at_wall_clock, 30);
+    CHECK_GE(seconds_of([&] { quick.run(cca::for_beats<60>{}, cca::at_speed(10)); }), 0.0055);
+    for (int i = 0; i < 60; ++i) CHECK(stepped.step());
+    CHECK_EQ(fast.get<"log">().all.size(), 6);
+    CHECK_EQ(fast.get<"log">().all, slow.get<"log">().all);
+    CHECK_EQ(fast.get<"log">().all, quick.get<"log">().all);
+    CHECK_EQ(fast.get<"log">().all, stepped.get<"log">().all);
+  }
 
-TEST_CASE("at any pace, the same results") {
-  auto fast = started<counting>(), slow = fast, quick = fast, stepped = fast;
-  fast.run(cca::for_beats<60>{});
-  CHECK_GE(seconds_of([&] { slow.run(cca::for_beats<60>{}, cca::at_speed(0.5)); }), 0.11);  // the last beat begins at 118 ms
-  const double at_wall_clock = seconds_of([&] { auto c = stepped; c.run(cca::for_beats<60>{}, cca::at_wall_clock()); });
-  CHECK_GE(at_wall_clock, 0.055);
-  CHECK_LT(at_wall_clock, 30);
-  CHECK_GE(seconds_of([&] { quick.run(cca::for_beats<60>{}, cca::at_speed(10)); }), 0.0055);
-  for (int i = 0; i < 60; ++i) CHECK(stepped.step());
-  CHECK_EQ(fast.get<"log">().all.size(), 6);
-  CHECK_EQ(fast.get<"log">().all, slow.get<"log">().all);
-  CHECK_EQ(fast.get<"log">().all, quick.get<"log">().all);
-  CHECK_EQ(fast.get<"log">().all, stepped.get<"log">().all);
-}
+  TEST_CASE("a pace that is none is refused") {
+    for (const double none : {0.0, -1.0, std::nan("")})
+      CHECK_EQ(words_of([&] { cca::at_speed{none}; }),
+               "cca::at_speed: " + std::to_string(none) + " is no pace, expected a number above 0");
+    auto c = started<counting>();
+    c.run(cca::for_beats<1>{}, cca::at_speed(1e-300));  // the first beat begins at once, however slow it is
+    c.run(cca::for_beats<3>{}, cca::at_speed(1e300));
+    CHECK_EQ(c.beat_index(), 4);
+  }
 
-TEST_CASE("a pace that is none is refused") {
-  for (const double none : {0.0, -1.0, std::nan("")})
-    CHECK_EQ(words_of([&] { cca::at_speed{none}; }), "cca::at_speed: " + std::to_string(none) + " is no pace, expected a number above 0");
-  auto c = started<counting>();
-  c.run(cca::for_beats<1>{}, cca::at_speed(1e-300));  // the first beat begins at once, however slow it is
-  c.run(cca::for_beats<3>{}, cca::at_speed(1e300));
-  CHECK_EQ(c.beat_index(), 4);
-}
+  TEST_CASE("before start() nothing fires") {
+    cca::controller<counting> c;
+    CHECK_FALSE(c.step());
+    c.load();
+    CHECK_FALSE(c.step());
+    CHECK_EQ(c.get<"counter">().value, 0);
+    CHECK_EQ(c.beat_index(), 0);
+  }
 
-TEST_CASE("before start() nothing fires") {
-  cca::controller<counting> c;
-  CHECK_FALSE(c.step());
-  c.load();
-  CHECK_FALSE(c.step());
-  CHECK_EQ(c.get<"counter">().value, 0);
-  CHECK_EQ(c.beat_index(), 0);
-}
-
-TEST_CASE("an exception that leaves a component ends the program, whoever asked for the beat") {
-  CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<2>{}); }), 0);
-  CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<3>{}); }), 2);
-  CHECK_EQ(end_of([] {
-             auto c = started<throwing>();
-             for (int k = 0; k < 3; ++k) c.step();
-           }),
-           2);
-}
-
+  TEST_CASE("an exception that leaves a component ends the program, whoever asked for the beat") {
+    CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<2>{}); }), 0);
+    CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<3>{}); }), 2);
+    CHECK_EQ(end_of([] {
+               auto c = started<throwing>();
+               for (int k = 0; k < 3; ++k) c.step();
+             }),
+             2);
+  }
 }

@@ -35,24 +35,45 @@ struct oscillator {
   double angle = 1, velocity = 0;
 };
 struct sum {
-  auto process(cca::in<"a", reading> a, cca::in<"b", reading> b) -> cca::out<"y", reading> { return a[cca::x{}] + 0.5 * b[cca::x{}]; }
+  auto process(cca::in<"a", reading> a, cca::in<"b", reading> b) -> cca::out<"y", reading> {
+    return a[cca::x{}] + 0.5 * b[cca::x{}];
+  }
 };
 
 // Queues, delays, samples that come now and then, strategies known only at run time, all of them with memory.
-struct rich : cca::graph<
-    cca::rate<500>,
-    cca::node<"noise", noise>, cca::node<"counter", counter, cca::timed<3>>,
-    cca::node<"queued", adder, cca::timed<2>>, cca::node<"late", adder>, cca::node<"brave", oscillator, brave>,
-    cca::node<"both", sum, cca::moderate>, cca::node<"either", sum, cca::any_of<cca::moderate, cca::timeout<5>>>,
-    cca::node<"matched", sum, cca::coordinated>, cca::node<"feedback", sum, cca::restless>,
-    cca::node<"log1", journal>, cca::node<"log2", journal>, cca::node<"log3", journal>, cca::node<"log4", journal>, cca::node<"log5", journal>, cca::node<"log6", journal>,
-    cca::wire<"noise.y", "queued.x", cca::queue<4, cca::drop_oldest>>, cca::wire<"noise.y", "late.x", cca::delayed<3>>,
-    cca::wire<"noise.y", "brave.x", cca::latest>, cca::wire<"noise.y", "both.a">, cca::wire<"counter.y", "both.b", cca::queue<3, cca::drop_newest>>,
-    cca::wire<"late.y", "either.a">, cca::wire<"counter.y", "either.b", cca::delayed<2>>,
-    cca::wire<"noise.y", "matched.a", cca::delayed<1>>, cca::wire<"noise.y", "matched.b", cca::queue<2, cca::drop_oldest>>,
-    cca::wire<"brave.y", "feedback.a">, cca::wire<"feedback.y", "feedback.b", cca::delayed<4>>,
-    cca::wire<"queued.y", "log1.x">, cca::wire<"brave.y", "log2.x">, cca::wire<"both.y", "log3.x">, cca::wire<"either.y", "log4.x">,
-    cca::wire<"matched.y", "log5.x">, cca::wire<"feedback.y", "log6.x">> {};
+struct rich : cca::graph<cca::rate<500>,
+                         cca::node<"noise", noise>,
+                         cca::node<"counter", counter, cca::timed<3>>,
+                         cca::node<"queued", adder, cca::timed<2>>,
+                         cca::node<"late", adder>,
+                         cca::node<"brave", oscillator, brave>,
+                         cca::node<"both", sum, cca::moderate>,
+                         cca::node<"either", sum, cca::any_of<cca::moderate, cca::timeout<5>>>,
+                         cca::node<"matched", sum, cca::coordinated>,
+                         cca::node<"feedback", sum, cca::restless>,
+                         cca::node<"log1", journal>,
+                         cca::node<"log2", journal>,
+                         cca::node<"log3", journal>,
+                         cca::node<"log4", journal>,
+                         cca::node<"log5", journal>,
+                         cca::node<"log6", journal>,
+                         cca::wire<"noise.y", "queued.x", cca::queue<4, cca::drop_oldest>>,
+                         cca::wire<"noise.y", "late.x", cca::delayed<3>>,
+                         cca::wire<"noise.y", "brave.x", cca::latest>,
+                         cca::wire<"noise.y", "both.a">,
+                         cca::wire<"counter.y", "both.b", cca::queue<3, cca::drop_newest>>,
+                         cca::wire<"late.y", "either.a">,
+                         cca::wire<"counter.y", "either.b", cca::delayed<2>>,
+                         cca::wire<"noise.y", "matched.a", cca::delayed<1>>,
+                         cca::wire<"noise.y", "matched.b", cca::queue<2, cca::drop_oldest>>,
+                         cca::wire<"brave.y", "feedback.a">,
+                         cca::wire<"feedback.y", "feedback.b", cca::delayed<4>>,
+                         cca::wire<"queued.y", "log1.x">,
+                         cca::wire<"brave.y", "log2.x">,
+                         cca::wire<"both.y", "log3.x">,
+                         cca::wire<"either.y", "log4.x">,
+                         cca::wire<"matched.y", "log5.x">,
+                         cca::wire<"feedback.y", "log6.x">> {};
 
 // All that was logged, as bits.
 std::vector<std::uint64_t> bits_of(const cca::controller<rich>& c) {
@@ -60,63 +81,70 @@ std::vector<std::uint64_t> bits_of(const cca::controller<rich>& c) {
   c.for_each_component([&]<class C>(std::string_view, const C& component) {
     if constexpr (std::is_same_v<C, journal>)
       for (const seen& one : component.all)
-        bits.insert(bits.end(), {std::bit_cast<std::uint64_t>(one.value), static_cast<std::uint64_t>(one.beat), static_cast<std::uint64_t>(one.origin), one.fresh});
+        bits.insert(bits.end(),
+                    {std::bit_cast<std::uint64_t>(one.value), static_cast<std::uint64_t>(one.beat),
+                     static_cast<std::uint64_t>(one.origin), one.fresh});
   });
   return bits;
 }
 
-struct plain : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"adder", adder>, cca::wire<"counter.y", "adder.x", cca::delayed<2>>> {};
-static_assert(std::is_trivially_copyable_v<cca::controller<plain>>, "a controller of trivial components is one too");
+struct plain : cca::graph<cca::rate<1000>,
+                          cca::node<"counter", counter>,
+                          cca::node<"adder", adder>,
+                          cca::wire<"counter.y", "adder.x", cca::delayed<2>>> {};
+static_assert(std::is_trivially_copyable_v<cca::controller<plain>>,
+              "a controller of trivial components is one too");
 
 struct holder {  // can't be copied, so neither can a controller that holds it; but moved
   auto process() -> cca::out<"y", reading> { return ++*value; }
   std::unique_ptr<double> value = std::make_unique<double>(0);
 };
 struct holding : cca::graph<cca::rate<1000>, cca::node<"holder", holder>> {};
-static_assert(!std::is_copy_constructible_v<cca::controller<holding>> && std::is_move_constructible_v<cca::controller<holding>>);
-static_assert(std::is_copy_constructible_v<cca::controller<rich>> && std::is_copy_assignable_v<cca::controller<rich>>);
+static_assert(!std::is_copy_constructible_v<cca::controller<holding>> &&
+              std::is_move_constructible_v<cca::controller<holding>>);
+static_assert(std::is_copy_constructible_v<cca::controller<rich>> &&
+              std::is_copy_assignable_v<cca::controller<rich>>);
 
 }  // namespace
 
 TEST_SUITE("snapshots") {
-
-TEST_CASE("two copies stepped alike, from any beat on") {
-  auto c = started<rich>();
-  for (const int beats : {0, 1, 2, 3, 7, 50, 100}) {
-    c.run(cca::for_some_beats{beats});
-    auto copy = c;
-    auto original = c;
-    for (int i = 0; i < 100; ++i) {
-      original.step();
-      copy.step();
+  TEST_CASE("two copies stepped alike, from any beat on") {
+    auto c = started<rich>();
+    for (const int beats : {0, 1, 2, 3, 7, 50, 100}) {
+      c.run(cca::for_some_beats{beats});
+      auto copy = c;
+      auto original = c;
+      for (int i = 0; i < 100; ++i) {
+        original.step();
+        copy.step();
+      }
+      REQUIRE_EQ(bits_of(original), bits_of(copy));
+      CHECK_EQ(original.beat_index(), copy.beat_index());
     }
-    REQUIRE_EQ(bits_of(original), bits_of(copy));
-    CHECK_EQ(original.beat_index(), copy.beat_index());
+    c.for_each_component([]<class C>(std::string_view path, const C& component) {
+      CAPTURE(std::string(path));
+      if constexpr (std::is_same_v<C, journal>)
+        CHECK_GT(component.all.size(), 3);  // each of them had something to tell
+    });
   }
-  c.for_each_component([]<class C>(std::string_view path, const C& component) {
-    CAPTURE(std::string(path));
-    if constexpr (std::is_same_v<C, journal>) CHECK_GT(component.all.size(), 3);  // each of them had something to tell
-  });
-}
 
-TEST_CASE("back to a snapshot") {
-  auto c = started<rich>();
-  c.run(cca::for_beats<33>{});
-  const auto snapshot = c;
-  c.run(cca::for_beats<60>{});
-  const auto first = bits_of(c);
-  c = snapshot;
-  CHECK_EQ(c.beat_index(), 33);
-  c.run(cca::for_beats<60>{});
-  CHECK_EQ(bits_of(c), first);
-}
+  TEST_CASE("back to a snapshot") {
+    auto c = started<rich>();
+    c.run(cca::for_beats<33>{});
+    const auto snapshot = c;
+    c.run(cca::for_beats<60>{});
+    const auto first = bits_of(c);
+    c = snapshot;
+    CHECK_EQ(c.beat_index(), 33);
+    c.run(cca::for_beats<60>{});
+    CHECK_EQ(bits_of(c), first);
+  }
 
-TEST_CASE("a component that can't be copied can be moved") {
-  auto c = started<holding>();
-  c.run(cca::for_beats<3>{});
-  cca::controller<holding> moved = std::move(c);
-  moved.step();
-  CHECK_EQ(*moved.get<"holder">().value, 4);
-}
-
+  TEST_CASE("a component that can't be copied can be moved") {
+    auto c = started<holding>();
+    c.run(cca::for_beats<3>{});
+    cca::controller<holding> moved = std::move(c);
+    moved.step();
+    CHECK_EQ(*moved.get<"holder">().value, 4);
+  }
 }

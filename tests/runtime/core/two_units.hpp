@@ -4,7 +4,11 @@
 
 namespace core_test {
 
-struct shared : cca::graph<cca::rate<1000>, cca::node<"counter", counter>, cca::node<"log", journal>, cca::wire<"counter.y", "log.x">, cca::observe<"counter.*">> {};
+struct shared : cca::graph<cca::rate<1000>,
+                           cca::node<"counter", counter>,
+                           cca::node<"log", journal>,
+                           cca::wire<"counter.y", "log.x">,
+                           cca::observe<"counter.*">> {};
 
 void step_elsewhere(cca::controller<shared>& c);
 std::string picture_elsewhere();

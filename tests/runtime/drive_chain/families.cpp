@@ -1,4 +1,5 @@
-// One robot, a family of drives at each joint: moteus on CAN FD, ODrive, CiA 402 with its SYNC, MIT; with eight plain motors for mechanics.
+// One robot, a family of drives at each joint: moteus on CAN FD, ODrive, CiA 402 with its SYNC, MIT; with
+// eight plain motors for mechanics.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -41,21 +42,36 @@ struct right_hind_hip : joint<sim::right_hind_hip, odrive<2, hw::odrive_mode::to
 struct left_front_knee : joint<sim::left_front_knee, hw::cia402<epos, 1, hw::cia402_mode::position>, 2> {};
 struct right_front_knee : joint<sim::right_front_knee, hw::cia402<epos, 2, hw::cia402_mode::torque>, 2> {};
 struct left_hind_knee : joint<sim::left_hind_knee, hw::mit_drive<hw::ak60_6, 1>, 3> {};
-struct right_hind_knee : joint<sim::right_hind_knee, hw::mit_drive<hw::ak60_6, 2, 0, hw::mit_firmware::damiao>, 3> {};
+struct right_hind_knee
+    : joint<sim::right_hind_knee, hw::mit_drive<hw::ak60_6, 2, 0, hw::mit_firmware::damiao>, 3> {};
 struct board : hw::sensor_board<0x40, 4> {};
 // [families end]
 
-using joints = hw::joint_list<left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee, right_front_knee,
-                              left_hind_knee, right_hind_knee>;
+using joints = hw::joint_list<left_front_hip,
+                              right_front_hip,
+                              left_hind_hip,
+                              right_hind_hip,
+                              left_front_knee,
+                              right_front_knee,
+                              left_hind_knee,
+                              right_hind_knee>;
 using wire = hw::memory_bus<2, 16>;
 
-struct robot : hw::oncilla<wire::end_type, left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee,
-                           right_front_knee, left_hind_knee, right_hind_knee, board> {};
+struct robot : hw::oncilla<wire::end_type,
+                           left_front_hip,
+                           right_front_hip,
+                           left_hind_hip,
+                           right_hind_hip,
+                           left_front_knee,
+                           right_front_knee,
+                           left_hind_knee,
+                           right_hind_knee,
+                           board> {};
 
 using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
 static_assert(plan::load<0> < 0.6);
-static_assert(plan::load<2> > 0.75 && plan::load<2> < 0.9);                        // its SYNC counted once
-static_assert(plan::requests<2>.count == 4 && plan::replies<2>.count == 8);        // with NMT and SYNC
+static_assert(plan::load<2> > 0.75 && plan::load<2> < 0.9);                  // its SYNC counted once
+static_assert(plan::requests<2>.count == 4 && plan::replies<2>.count == 8);  // with NMT and SYNC
 static_assert(hw::cycle_ends<3, left_front_knee, right_front_knee>()[2].size() == 1);
 
 constexpr std::size_t count = joints::count;
@@ -70,13 +86,12 @@ struct posture {
   }
 };
 
-struct architecture : cca::graph<
-    cca::rate<1000>,
-    cca::node<"posture", posture>,
-    cca::node<"limits", cca::limiter<sim::leg_angles>>,
-    cca::node<"robot", robot>,
-    cca::wire<"posture.angles", "limits.command">,
-    cca::wire<"limits.safe", "robot.command">> {};
+struct architecture : cca::graph<cca::rate<1000>,
+                                 cca::node<"posture", posture>,
+                                 cca::node<"limits", cca::limiter<sim::leg_angles>>,
+                                 cca::node<"robot", robot>,
+                                 cca::wire<"posture.angles", "limits.command">,
+                                 cca::wire<"limits.safe", "robot.command">> {};
 
 class lab {
 public:
@@ -96,7 +111,8 @@ public:
     for (; n > 0; --n) {
       controller.step();
       go_to(now + 500'000);
-      far.listen(now + 500'000, [this](std::size_t, const hw::can_frame& f) { syncs += f == hw::canopen_sync(); });
+      far.listen(now + 500'000,
+                 [this](std::size_t, const hw::can_frame& f) { syncs += f == hw::canopen_sync(); });
       laws = far.laws(now + 500'000);
       std::array<hw::drive_motion, count> motions;
       for (std::size_t i = 0; i < count; ++i) {
@@ -112,7 +128,8 @@ public:
   auto& synchronizer() { return controller.get<"robot.synchronizer">(); }
   bool all_give_way() const {
     for (const auto& c : laws)
-      if (c.stiffness != 0 || std::abs(c.torque) > 0.01 || std::abs(c.velocity * c.damping) > 0.05) return false;
+      if (c.stiffness != 0 || std::abs(c.torque) > 0.01 || std::abs(c.velocity * c.damping) > 0.05)
+        return false;
     return true;
   }
   bool all_there() const {
@@ -137,8 +154,10 @@ private:
   void go_to(std::int64_t time) {
     for (auto& w : wires) w.advance(time);
   }
-  std::array<wire::end_type, 5> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0), wires[4].end(0)};
-  std::array<wire::end_type, 5> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1), wires[4].end(1)};
+  std::array<wire::end_type, 5> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0),
+                                     wires[4].end(0)};
+  std::array<wire::end_type, 5> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
+                                     wires[4].end(1)};
 };
 
 }  // namespace
@@ -165,7 +184,9 @@ TEST_SUITE("families of drives") {
     CHECK(l.all_give_way());
   }
 
-  TEST_CASE("a drive of any family that fails, falls silent or reboots: all give way, and a start brings them back") {
+  TEST_CASE(
+      "a drive of any family that fails, falls silent or reboots: all give way, and a start brings them "
+      "back") {
     const auto check = []<std::size_t Drive>(std::index_sequence<Drive>, std::uint32_t code) {
       CAPTURE(Drive);
       lab l;
@@ -179,7 +200,8 @@ TEST_SUITE("families of drives") {
         CHECK(l.stop().first_cause().rule == rule);
         CHECK(l.stop().first_cause().joint == joint);
         CHECK(l.all_give_way());
-        CHECK_MESSAGE(l.laws[1].damping > 0, "a moteus damps by its brake, since a set-point without stiffness would not");
+        CHECK_MESSAGE(l.laws[1].damping > 0,
+                      "a moteus damps by its brake, since a set-point without stiffness would not");
         drive.clear();
         l.beats(50);
         CHECK(l.all_give_way());
@@ -209,7 +231,9 @@ TEST_SUITE("families of drives") {
     check(std::index_sequence<6>(), 2);
   }
 
-  TEST_CASE("a drive that no longer knows how fast it goes trips after three answers, and all are told to give way") {
+  TEST_CASE(
+      "a drive that no longer knows how fast it goes trips after three answers, and all are told to give "
+      "way") {
     for (const std::size_t drive : {2u, 3u}) {
       CAPTURE(drive);
       lab l;

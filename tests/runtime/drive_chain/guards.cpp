@@ -1,5 +1,5 @@
-// The guards in front of the drives, each alone: what passes, what is changed to what, and what is kept of it. The numbers are
-// those of two joints made for this, and computed here, not asked of the guards.
+// The guards in front of the drives, each alone: what passes, what is changed to what, and what is kept of
+// it. The numbers are those of two joints made for this, and computed here, not asked of the guards.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -35,7 +35,8 @@ using state_space = hw::joint_states<joints>;
 using both = std::array<hw::set_point, 2>;
 using measured = std::array<hw::joint_state, 2>;
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
 constexpr std::int64_t millisecond = 1'000'000;
 constexpr auto running = hw::motion_phase::running;
 
@@ -70,8 +71,8 @@ both pass(Guard& g, const both& all, std::int64_t beat = 0, std::int64_t origin 
 }
 
 bool same(const hw::set_point& a, const hw::set_point& b) {
-  return a.position == b.position && a.velocity == b.velocity && a.torque == b.torque && a.stiffness == b.stiffness &&
-         a.damping == b.damping && a.mark == b.mark;
+  return a.position == b.position && a.velocity == b.velocity && a.torque == b.torque &&
+         a.stiffness == b.stiffness && a.damping == b.damping && a.mark == b.mark;
 }
 double torque_made(const hw::set_point& s, const hw::joint_state& q) {
   return s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
@@ -102,7 +103,7 @@ void tells(const hw::safety_record& r, safety_rule rule, int joint, std::int64_t
 void tells_nothing(const hw::safety_record& r) { tells(r, safety_rule::none, -1, -1, 0); }
 
 // A number of a set-point without any other: what becomes of it at, inside and beyond its limits.
-void holds(double hw::set_point::*number, double lower, double upper, safety_rule rule) {
+void holds(double hw::set_point::* number, double lower, double upper, safety_rule rule) {
   const double inside = (lower + upper) / 2;
   const auto becomes = [&](double wanted, double expected) {
     CAPTURE(wanted);
@@ -130,10 +131,13 @@ TEST_SUITE("guards") {
     holds(&hw::set_point::damping, 0, 5, safety_rule::range);
     holds(&hw::set_point::torque, -5, 6, safety_rule::torque);
     // A joint that never reaches 0: what is no number is its nearest end.
-    for (const double x : {no_number, inf, -inf}) CHECK(limit<1>({{.position = x}}, at(1)).safe.position == 0.5);
+    for (const double x : {no_number, inf, -inf})
+      CHECK(limit<1>({{.position = x}}, at(1)).safe.position == 0.5);
   }
 
-  TEST_CASE("limits: the torque that the drive will make stays within its limits, the law as a whole being scaled") {
+  TEST_CASE(
+      "limits: the torque that the drive will make stays within its limits, the law as a whole being "
+      "scaled") {
     const auto makes = [](const hw::set_point& s, const hw::joint_state& q, double expected) {
       const limited l = limit(s, q, 3);
       const double wanted = torque_made(s, q);
@@ -161,7 +165,8 @@ TEST_SUITE("guards") {
     makes({{.velocity = -2, .damping = 2.5}}, at(0, 0.5), -5);
     makes({{.position = 0.25, .velocity = 1, .torque = 2, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 0.25, .velocity = 1, .torque = 3, .stiffness = 8, .damping = 2}}, at(0), 6);
-    makes({{.position = 2, .torque = -3, .stiffness = 4}}, at(0), 5);  // together they may, though apart they might not
+    makes({{.position = 2, .torque = -3, .stiffness = 4}}, at(0),
+          5);  // together they may, though apart they might not
     // Where the joint is and how fast it goes is counted, not what is wanted alone.
     makes({{.position = 1.5, .stiffness = 8}}, at(1), 4);
     makes({{.position = 0, .velocity = 2, .damping = 4}}, at(0, 1), 4);
@@ -203,8 +208,10 @@ TEST_SUITE("guards") {
       stop(angle, -1, true);
     }
     // Beyond it, back with all the torque that there is and no more.
-    CHECK(limit({{.position = 2, .stiffness = 50}}, at(2.5)).safe.stiffness == doctest::Approx(10));    // -25 becomes -5
-    CHECK(limit({{.position = -1, .stiffness = 50}}, at(-1.5)).safe.stiffness == doctest::Approx(12));  // 25 becomes 6
+    CHECK(limit({{.position = 2, .stiffness = 50}}, at(2.5)).safe.stiffness ==
+          doctest::Approx(10));  // -25 becomes -5
+    CHECK(limit({{.position = -1, .stiffness = 50}}, at(-1.5)).safe.stiffness ==
+          doctest::Approx(12));  // 25 becomes 6
   }
 
   TEST_CASE("limits: faster than its limit a joint gets only torque that brakes") {
@@ -224,7 +231,8 @@ TEST_SUITE("guards") {
 
   TEST_CASE("limits: a joint that can only be pulled is asked to push: it gets nothing, and nobody is told") {
     const auto gets = [](double torque, const hw::joint_state& q, double expected) {
-      const limited l = limit<1>({{.position = q.angle, .velocity = 1, .torque = torque, .damping = 0}}, q, 6);
+      const limited l =
+          limit<1>({{.position = q.angle, .velocity = 1, .torque = torque, .damping = 0}}, q, 6);
       CHECK(l.safe.torque == expected);
       return l.told;
     };
@@ -260,10 +268,13 @@ TEST_SUITE("guards") {
     tells(g.record(), safety_rule::torque, 0, 2, 1);
   }
 
-  TEST_CASE("rate: a start is from where the joint is, slowly, until the command is caught up; then as fast as the axis") {
+  TEST_CASE(
+      "rate: a start is from where the joint is, slowly, until the command is caught up; then as fast as the "
+      "axis") {
     hw::rate_guard<joints> g;
     const auto to = [&](double position, std::int64_t beat, hw::motion_phase phase = running) {
-      return pass(g, {hw::set_point{{.position = position}}, none[1]}, {at(0.25, 0, phase), at(1, 0, phase)}, beat)[0];
+      return pass(g, {hw::set_point{{.position = position}}, none[1]}, {at(0.25, 0, phase), at(1, 0, phase)},
+                  beat)[0];
     };
     hw::set_point s = to(1, 0, hw::motion_phase::begins);
     CHECK(s.position == 0.25 + 2 * 1e-3);  // approach: 2 rad/s
@@ -304,12 +315,15 @@ TEST_SUITE("guards") {
 
   TEST_CASE("rate: a pause of the loop gives no more than a beat's way") {
     hw::rate_guard<joints> g;
-    const auto safe = g.act(as_wanted({hw::set_point{{.position = 1}}, none[1]}),
-                            as_joints({at(0, 0, hw::motion_phase::begins), at(1)}), cca::beat(90, millisecond, 50));
+    const auto safe =
+        g.act(as_wanted({hw::set_point{{.position = 1}}, none[1]}),
+              as_joints({at(0, 0, hw::motion_phase::begins), at(1)}), cca::beat(90, millisecond, 50));
     CHECK(points_of(safe)[0].position == 2 * 1e-3);
   }
 
-  TEST_CASE("rate: the torque of a set-point by `torque_rate`, from nothing at a start; unstated, the whole range in 10 ms") {
+  TEST_CASE(
+      "rate: the torque of a set-point by `torque_rate`, from nothing at a start; unstated, the whole range "
+      "in 10 ms") {
     hw::rate_guard<joints> g;
     const auto to = [&](double first, double second, std::int64_t beat, hw::motion_phase phase = running) {
       const both all{hw::set_point{{.torque = first}}, hw::set_point{{.position = 1, .torque = second}}};
@@ -334,8 +348,11 @@ TEST_SUITE("guards") {
 
   TEST_CASE("rate: what may not run passes as it is, and the next run begins where the joint then is") {
     hw::rate_guard<joints> g;
-    const auto to = [&](const hw::set_point& s, const hw::joint_state& q) { return pass(g, {s, none[1]}, {q, at(1)})[0]; };
-    const hw::set_point held{{.position = 1, .torque = 3, .stiffness = 5}, static_cast<double>(hw::motion_mode::soft)};
+    const auto to = [&](const hw::set_point& s, const hw::joint_state& q) {
+      return pass(g, {s, none[1]}, {q, at(1)})[0];
+    };
+    const hw::set_point held{{.position = 1, .torque = 3, .stiffness = 5},
+                             static_cast<double>(hw::motion_mode::soft)};
     CHECK(same(to(held, at(-0.5)), held));
     const hw::set_point early{{.position = 1, .torque = 3}};
     CHECK(same(to(early, at(-0.5, 0, hw::motion_phase::enabling)), early));
@@ -345,14 +362,16 @@ TEST_SUITE("guards") {
     tells(g.record(), safety_rule::rate, 0, 0, 1);                 // the torque's
   }
 
-  TEST_CASE("finite: NaN or infinity in any number: the last one that was goes on, without speed and torque, and is marked") {
+  TEST_CASE(
+      "finite: NaN or infinity in any number: the last one that was goes on, without speed and torque, and "
+      "is marked") {
     const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     for (const std::size_t joint : {0u, 1u})
-      for (double hw::set_point::*number : {static_cast<double hw::set_point::*>(&hw::set_point::position),
-                                            static_cast<double hw::set_point::*>(&hw::set_point::velocity),
-                                            static_cast<double hw::set_point::*>(&hw::set_point::torque),
-                                            static_cast<double hw::set_point::*>(&hw::set_point::stiffness),
-                                            static_cast<double hw::set_point::*>(&hw::set_point::damping)})
+      for (double hw::set_point::* number : {static_cast<double hw::set_point::*>(&hw::set_point::position),
+                                             static_cast<double hw::set_point::*>(&hw::set_point::velocity),
+                                             static_cast<double hw::set_point::*>(&hw::set_point::torque),
+                                             static_cast<double hw::set_point::*>(&hw::set_point::stiffness),
+                                             static_cast<double hw::set_point::*>(&hw::set_point::damping)})
         for (const double x : {no_number, inf, -inf}) {
           hw::finite_guard<joints> g;
           const both before = pass(g, good, 40);

@@ -1,4 +1,5 @@
-// The parts of a robot on drives, each alone: how a joint is mounted, the sensor board, a virtual drive and its watchdog.
+// The parts of a robot on drives, each alone: how a joint is mounted, the sensor board, a virtual drive and
+// its watchdog.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -15,7 +16,9 @@ namespace {
 namespace hw = cca::hardware;
 
 using drive = hw::mit_drive<hw::ak60_6, 9>;
-struct geared : hw::joint<cca::sim::left_front_hip, drive, hw::mounting{.gear = 2, .sign = -1, .offset = 0.3},
+struct geared : hw::joint<cca::sim::left_front_hip,
+                          drive,
+                          hw::mounting{.gear = 2, .sign = -1, .offset = 0.3},
                           hw::joint_servo{.stiffness = 30, .damping = 0.4}> {};
 using virtual_drive = hw::virtual_mit<drive, 5'000'000>;
 static_assert(hw::VirtualDrive<virtual_drive>);
@@ -49,8 +52,8 @@ TEST_SUITE("parts of the drive chain") {
     // The same law on both sides: a torque is a torque, whoever computes it.
     const double q = 0.25, v = -1.5;
     const double at_joint = c.stiffness * (c.position - q) + c.damping * (c.velocity - v) + c.torque;
-    const double at_drive =
-        d.stiffness * (d.position - geared::drive_angle_of(q)) + d.damping * (d.velocity - geared::drive_speed_of(v)) + d.torque;
+    const double at_drive = d.stiffness * (d.position - geared::drive_angle_of(q)) +
+                            d.damping * (d.velocity - geared::drive_speed_of(v)) + d.torque;
     CHECK(geared::torque_of(at_drive) == doctest::Approx(at_joint));
   }
 
@@ -78,14 +81,17 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(heard.frames == 5);
 
     std::array<double, 4> targets{1, 2, 3, 4};
-    CHECK(board::abducted(board::abduct({0.1, std::nan(""), -0.2, std::numeric_limits<double>::infinity()}), targets));
+    CHECK(board::abducted(board::abduct({0.1, std::nan(""), -0.2, std::numeric_limits<double>::infinity()}),
+                          targets));
     CHECK(targets[0] == doctest::Approx(0.1));
     CHECK(targets[1] == 2);  // no number: it stays
     CHECK(targets[2] == doctest::Approx(-0.2));
     CHECK(targets[3] == 4);
   }
 
-  TEST_CASE("random bytes: a quaternion is of unit length, or refused; nothing else is taken from other ids or lengths") {
+  TEST_CASE(
+      "random bytes: a quaternion is of unit length, or refused; nothing else is taken from other ids or "
+      "lengths") {
     using board = hw::sensor_board<0x40>;
     std::mt19937 random(3);
     int taken = 0;
@@ -130,7 +136,9 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(r.position == doctest::Approx(1).epsilon(0.01));
   }
 
-  TEST_CASE("its watchdog, its faults, its silence and its reboot take the torque away, each as the firmware does") {
+  TEST_CASE(
+      "its watchdog, its faults, its silence and its reboot take the torque away, each as the firmware "
+      "does") {
     virtual_drive v;
     const auto go = drive::set_point({.position = 1, .stiffness = 20, .damping = 0.8});
     const auto enter = hw::mit_special_frame(drive::request_id, hw::mit_special::enter);
@@ -166,7 +174,9 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(torque(19'000'000) == 0);  // it is back, but not enabled
   }
 
-  TEST_CASE("a Damiao keeps the fault of its watchdog: what comes too late moves nothing, until it is enabled anew") {
+  TEST_CASE(
+      "a Damiao keeps the fault of its watchdog: what comes too late moves nothing, until it is enabled "
+      "anew") {
     using damiao = hw::mit_drive<hw::ak60_6, 3, 0, hw::mit_firmware::damiao>;
     hw::virtual_mit<damiao, 5'000'000> v;
     const auto go = damiao::set_point({.position = 1, .stiffness = 20});

@@ -1,4 +1,5 @@
-// The picture of docs/hardware.md: what stands between the servos and the drives, out of the picture of the whole robot.
+// The picture of docs/hardware.md: what stands between the servos and the drives, out of the picture of the
+// whole robot.
 #include <algorithm>
 #include <initializer_list>
 #include <sstream>
@@ -42,12 +43,15 @@ flowchart LR
   n0 -- "joints<br/>joint_states, 1000 Hz" --> n21
 )";  // [picture end]
 
-// Of a picture the lines of these nodes, and of the wires between them; spaces without the list of joints they are of.
+// Of a picture the lines of these nodes, and of the wires between them; spaces without the list of joints
+// they are of.
 std::string part(const std::string& mermaid, std::initializer_list<std::string_view> names) {
   std::istringstream lines(mermaid);
   std::vector<std::string> kept;
   std::string text;
-  const auto keeps = [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); };
+  const auto keeps = [&](const std::string& id) {
+    return std::find(kept.begin(), kept.end(), id) != kept.end();
+  };
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string first, last;
@@ -58,7 +62,8 @@ std::string part(const std::string& mermaid, std::initializer_list<std::string_v
                         return line.find("\"" + std::string(name) + "<br/>") != std::string::npos;
                       });
     if (node) kept.push_back(id);
-    if (const auto list = line.find("&lt;"); list != std::string::npos) line.erase(list, line.rfind("&gt;") + 4 - list);
+    if (const auto list = line.find("&lt;"); list != std::string::npos)
+      line.erase(list, line.rfind("&gt;") + 4 - list);
     if (node || first == "flowchart" || (keeps(first) && keeps(last))) text += line + "\n";
   }
   return text;
@@ -68,6 +73,7 @@ std::string part(const std::string& mermaid, std::initializer_list<std::string_v
 
 TEST_CASE("the picture of the safety chain") {
   CHECK_EQ(part(cca::describe<hil::oncilla<hil::memory_end>>::mermaid(),
-                {"synchronizer", "servos", "finite", "stale", "emergency_stop", "soft_stop", "damping", "rate", "limits"}),
+                {"synchronizer", "servos", "finite", "stale", "emergency_stop", "soft_stop", "damping",
+                 "rate", "limits"}),
            test::on_page(picture));
 }

@@ -1,4 +1,5 @@
-// The safety chain around the trot on virtual drives: what trips, what is kept of it, and how motion comes back.
+// The safety chain around the trot on virtual drives: what trips, what is kept of it, and how motion comes
+// back.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -130,17 +131,21 @@ TEST_SUITE("safety chain") {
     auto& drive = std::get<6>(run.far.drives);
     const double told = run.synchronizer().report(6).position;
     REQUIRE(std::abs(told) > 0.2);
-    drive.hear(hw::mit_special_frame(hil::left_hind_knee::drive::request_id, hw::mit_special::set_zero), run.now);
+    drive.hear(hw::mit_special_frame(hil::left_hind_knee::drive::request_id, hw::mit_special::set_zero),
+               run.now);
     drive.answer({.position = told});  // to that one, which nobody asked for
     go(run, 3);
     CHECK(run.stop().mode() == hw::motion_mode::run);
-    CHECK(run.synchronizer().report(6).position == doctest::Approx(told).epsilon(0.1));  // a jump is not taken for a motion
+    CHECK(run.synchronizer().report(6).position ==
+          doctest::Approx(told).epsilon(0.1));  // a jump is not taken for a motion
     go(run, 1);
     is(run.stop().first_cause(), hw::safety_rule::implausible, 6, 503);
     CHECK(run.stop().mode() == hw::motion_mode::damped);
   }
 
-  TEST_CASE("a start that comes to nothing, for want of a drive or of the board: given up, told, and nothing moves") {
+  TEST_CASE(
+      "a start that comes to nothing, for want of a drive or of the board: given up, told, and nothing "
+      "moves") {
     for (const bool of_drive : {true, false}) {
       CAPTURE(of_drive);
       hil::in_memory<> run;
@@ -161,7 +166,8 @@ TEST_SUITE("safety chain") {
       CHECK(drives.refusal() == hw::safety_rule::enabling);
       CHECK_FALSE(moved);
       CHECK(stop.mode() == hw::motion_mode::damped);
-      is(stop.first_cause(), hw::safety_rule::none, -1, -1);  // it has not run: there is nothing that stopped it
+      is(stop.first_cause(), hw::safety_rule::none, -1,
+         -1);  // it has not run: there is nothing that stopped it
       go(run, 2);
       CHECK(!std::get<0>(run.far.drives).enabled());
       std::get<3>(run.far.drives).clear();
@@ -209,7 +215,9 @@ TEST_SUITE("safety chain") {
     for (const auto& law : run.laws) CHECK(law.stiffness == 0);
   }
 
-  TEST_CASE("a set-point that would come too late is dropped: two in a row are lost and no more, the third is the link's fault") {
+  TEST_CASE(
+      "a set-point that would come too late is dropped: two in a row are lost and no more, the third is the "
+      "link's fault") {
     trotting<> run;
     auto near = run.wires[0].end(0);
     const std::array<hw::can_frame, 1> waiting{{{.id = hw::standard(0x7FF), .length = 8}}};
@@ -271,7 +279,8 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE(
-      "a link that was away for a beat: nothing of the controller's goes out until the start, which begins where the joints "
+      "a link that was away for a beat: nothing of the controller's goes out until the start, which begins "
+      "where the joints "
       "are") {
     std::array<hw::bus_fault, 1> script{
         {{.what = hw::bus_trouble::link_down, .from = 600'000'000, .until = 600'400'000, .end = 0}}};
@@ -349,10 +358,12 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE("a calibration file: offsets of the joints, checked at load") {
-    const auto path = std::filesystem::temp_directory_path() / ("cca_calibration_" + std::to_string(::getpid()) + ".toml");
+    const auto path =
+        std::filesystem::temp_directory_path() / ("cca_calibration_" + std::to_string(::getpid()) + ".toml");
     const auto file = [&](const char* first) {
-      std::ofstream(path) << "[robot.synchronizer]\noffset = [\"" << first
-                          << "\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\"]\n";
+      std::ofstream(path)
+          << "[robot.synchronizer]\noffset = [\"" << first
+          << "\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\", \"0 deg\"]\n";
       return path.string();
     };
     hil::in_memory<> run;
@@ -365,7 +376,8 @@ TEST_SUITE("safety chain") {
     // Where it stands is told with the offset, and what it is told to do leads back to where it stands.
     const double degree = cca::sim::degrees(1);
     const auto& report = run.controller.get<"robot.synchronizer">().report(0);
-    CHECK(hil::left_front_hip::angle_of(report.position) == doctest::Approx(run.robot.joints()[0].position).epsilon(0.01));
+    CHECK(hil::left_front_hip::angle_of(report.position) ==
+          doctest::Approx(run.robot.joints()[0].position).epsilon(0.01));
     CHECK(run.laws[0].position == doctest::Approx(trot::gait().p.front.hip + 4 * degree).epsilon(0.05));
   }
 
@@ -387,10 +399,11 @@ TEST_SUITE("safety chain") {
 
   TEST_CASE("the rows of the campaign that matter most") {
     using scenario = hil::scenario<hil::limited>;
-    const auto off = hil::run(scenario{.fault = "bus off", .script = {{.what = hw::bus_trouble::bus_off, .end = 0}}});
+    const auto off =
+        hil::run(scenario{.fault = "bus off", .script = {{.what = hw::bus_trouble::bus_off, .end = 0}}});
     CHECK(off.good());
-    const auto stalled =
-        hil::run(scenario{.fault = "stalled", .beats = 10, .controller_runs = [](std::int64_t) { return false; }});
+    const auto stalled = hil::run(
+        scenario{.fault = "stalled", .beats = 10, .controller_runs = [](std::int64_t) { return false; }});
     CHECK(stalled.good());
     CHECK(stalled.first_cause == "stalled");
     CHECK(stalled.beats_to_detect == 4);  // by the drives themselves
@@ -401,11 +414,13 @@ TEST_SUITE("safety chain") {
 
   TEST_CASE("what goes on is compared with a run without the fault") {
     using scenario = hil::scenario<hil::limited>;
-    const auto warned = hil::run(scenario{.fault = "warning", .script = {{.what = hw::bus_trouble::warning, .end = 0}}});
+    const auto warned =
+        hil::run(scenario{.fault = "warning", .script = {{.what = hw::bus_trouble::warning, .end = 0}}});
     CHECK(warned.good());
     CHECK(warned.beats_to_detect == -1);
     CHECK(warned.max_excursion == 0);
-    const auto late = hil::run(scenario{.fault = "stalled", .beats = 1, .controller_runs = [](std::int64_t) { return false; }});
+    const auto late = hil::run(
+        scenario{.fault = "stalled", .beats = 1, .controller_runs = [](std::int64_t) { return false; }});
     CHECK(late.good());
     CHECK(late.beats_to_detect == -1);
     CHECK(late.max_excursion > 0.001);

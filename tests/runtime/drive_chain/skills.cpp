@@ -22,7 +22,8 @@ TEST_SUITE("skills on drives") {
   TEST_CASE("the controller that reaches for a ball in the simulator does so on drives, and trots on") {
     hil::skills_in_memory robot;
     hil::load(robot, shape, {});
-    skills::circumstances c{.seed = 1, .paw = skills::paw_side::left, .where = skills::target::ahead, .push = 0};
+    skills::circumstances c{
+        .seed = 1, .paw = skills::paw_side::left, .where = skills::target::ahead, .push = 0};
     skills::set_seconds(c, 1.5);
     const auto& stop = robot.controller.get<"robot.emergency_stop">();
     bool moved = false;
@@ -30,8 +31,8 @@ TEST_SUITE("skills on drives") {
       moved = moved || stop.mode() == hw::motion_mode::run;
       if (moved) REQUIRE(stop.first_cause().rule == hw::safety_rule::none);
     });
-    MESSAGE("ball " << r.reach_error * 1e3 << " mm off on average, " << r.worst_error * 1e3 << " at most, in " << r.reach_time << " s; then "
-                    << r.speed_after << " m/s");
+    MESSAGE("ball " << r.reach_error * 1e3 << " mm off on average, " << r.worst_error * 1e3 << " at most, in "
+                    << r.reach_time << " s; then " << r.speed_after << " m/s");
     CHECK(!r.fell);
     CHECK(r.last == skills::plan::at<"trot on">);
     CHECK(r.reach_error < 0.002);
@@ -44,7 +45,9 @@ TEST_SUITE("skills on drives") {
     }
   }
 
-  TEST_CASE("before all drives and the board have told, nothing is commanded; then it begins where the joints are") {
+  TEST_CASE(
+      "before all drives and the board have told, nothing is commanded; then it begins where the joints "
+      "are") {
     hil::skills_in_memory robot;
     hil::load(robot, shape, {});
     std::get<5>(robot.far.drives).go_silent(true);
@@ -58,7 +61,8 @@ TEST_SUITE("skills on drives") {
       const auto former = robot.laws;
       REQUIRE(robot.step());
       for (std::size_t i = 0; i < 8; ++i)
-        if (former[i].stiffness > 0 && robot.laws[i].stiffness > 0) jump = std::max(jump, std::abs(robot.laws[i].position - former[i].position));
+        if (former[i].stiffness > 0 && robot.laws[i].stiffness > 0)
+          jump = std::max(jump, std::abs(robot.laws[i].position - former[i].position));
     }
     CHECK(robot.controller.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
     CHECK(limits.first_intervention().cause != cca::limited_by::finite);

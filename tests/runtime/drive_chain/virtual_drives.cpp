@@ -24,7 +24,9 @@ struct rig {
 };
 
 struct ak : rig<virtual_mit<mit_drive<ak60_6, 9>>, 2, drive_fault::over_current> {};
-struct damiao : rig<virtual_mit<mit_drive<ak60_6, 3, 0, mit_firmware::damiao>, 5'000'000>, 0xA, drive_fault::over_current> {};
+struct damiao : rig<virtual_mit<mit_drive<ak60_6, 3, 0, mit_firmware::damiao>, 5'000'000>,
+                    0xA,
+                    drive_fault::over_current> {};
 
 // Floats can be none: in place of each.
 template <class Drive, class Base>
@@ -42,10 +44,16 @@ struct odrive_rig : Base {
 template <class Drive, std::int64_t Timeout, std::uint32_t Code, drive_fault Fault>
 using odrive_of = odrive_rig<Drive, rig<virtual_odrive<Drive, Timeout>, Code, Fault>>;
 
-struct by_position : odrive_of<odrive<1, odrive_mode::position>, 50'000'000, 0x1000, drive_fault::over_current> {};
-struct by_velocity : odrive_of<odrive<2, odrive_mode::velocity>, 50'000'000, 0x2000, drive_fault::over_temperature> {};
-struct by_torque : odrive_of<odrive<0x1234, odrive_mode::torque>, 50'000'000, 0x8, drive_fault::position_sensor> {};
-struct old : odrive_of<odrive<4, odrive_mode::position, odrive_firmware::v0_5>, 80'000'000, 0x4, drive_fault::over_voltage> {};
+struct by_position
+    : odrive_of<odrive<1, odrive_mode::position>, 50'000'000, 0x1000, drive_fault::over_current> {};
+struct by_velocity
+    : odrive_of<odrive<2, odrive_mode::velocity>, 50'000'000, 0x2000, drive_fault::over_temperature> {};
+struct by_torque
+    : odrive_of<odrive<0x1234, odrive_mode::torque>, 50'000'000, 0x8, drive_fault::position_sensor> {};
+struct old : odrive_of<odrive<4, odrive_mode::position, odrive_firmware::v0_5>,
+                       80'000'000,
+                       0x4,
+                       drive_fault::over_voltage> {};
 
 struct n1 {
   static constexpr std::string_view name = "n1";
@@ -57,7 +65,9 @@ struct moteus_rig : rig<virtual_moteus<hip, Then>, 38, drive_fault::over_tempera
   static drive_frames no_number() {
     drive_frames all{hip::stay()};
     for (std::size_t at = 6; at < 6 + 5 * 4; at += 4) {  // behind the mode and the head of the floats
-      can_frame f = hip::set_point({.position = laws::virtual_drives::stands, .stiffness = 20, .damping = 0.1}).frames[0];
+      can_frame f =
+          hip::set_point({.position = laws::virtual_drives::stands, .stiffness = 20, .damping = 0.1})
+              .frames[0];
       detail::put_float(f.data, at, std::numeric_limits<float>::quiet_NaN());
       all.add(f);
     }
@@ -72,9 +82,10 @@ struct epos {
 using knee = cia402<epos, 5, cia402_mode::position>;
 using ankle = cia402<epos, 6, cia402_mode::torque>;
 struct with_fault : rig<virtual_cia402<knee>, 0x2310, drive_fault::over_current> {};
-struct with_quick_stop
-    : rig<virtual_cia402<ankle, 10'000'000, cia402_lost::quick_stop>, 0x4210, drive_fault::over_temperature, drive_fault::none> {
-};
+struct with_quick_stop : rig<virtual_cia402<ankle, 10'000'000, cia402_lost::quick_stop>,
+                             0x4210,
+                             drive_fault::over_temperature,
+                             drive_fault::none> {};
 
 template <class Virtual>
 using bench = laws::virtual_drives::bench<Virtual>;
@@ -83,8 +94,9 @@ using laws::virtual_drives::gives_way;
 }  // namespace
 
 TEST_SUITE("virtual drives") {
-  TEST_CASE_TEMPLATE("the laws", Rig, ak, damiao, by_position, by_velocity, by_torque, old, moteus_rig<moteus_timeout::stop>,
-                     moteus_rig<moteus_timeout::zero_velocity>, moteus_rig<moteus_timeout::brake>, with_fault, with_quick_stop) {
+  TEST_CASE_TEMPLATE("the laws", Rig, ak, damiao, by_position, by_velocity, by_torque, old,
+                     moteus_rig<moteus_timeout::stop>, moteus_rig<moteus_timeout::zero_velocity>,
+                     moteus_rig<moteus_timeout::brake>, with_fault, with_quick_stop) {
     laws::virtual_drive<Rig>();
   }
 

@@ -1,4 +1,5 @@
-// Numbers of 32 bits, so many that what they share shows: all exponents, both signs, and of the fractions every so manyth.
+// Numbers of 32 bits, so many that what they share shows: all exponents, both signs, and of the fractions
+// every so manyth.
 #pragma once
 
 #include <bit>
@@ -8,8 +9,9 @@
 // With zeros, ends, infinities, NaN.
 template <class F>
 void for_floats(std::uint32_t stride, F&& f) {
-  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += stride) f(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-  for (const std::uint32_t bits :
-       {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC00000u, 0x7FFFFFFFu})
+  for (std::uint64_t bits = 0; bits < 0x100000000u; bits += stride)
+    f(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+  for (const std::uint32_t bits : {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u,
+                                   0x7F800001u, 0x7FC00000u, 0x7FFFFFFFu})
     for (const std::uint32_t sign : {0u, 0x80000000u}) f(std::bit_cast<float>(bits | sign));
 }

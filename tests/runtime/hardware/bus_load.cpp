@@ -1,4 +1,5 @@
-// How long frames are: against frames that are stuffed bit by bit, their checksums included; and the load of a bus.
+// How long frames are: against frames that are stuffed bit by bit, their checksums included; and the load of
+// a bus.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -41,7 +42,9 @@ bits stuffable(const can_frame& f) {
   }
   if (f.fd) add(b, f.fast, 1), add(b, 0, 1);  // BRS, ESI
   int code = 0;
-  while (code < 15 && (code <= 8 ? code : std::array{12, 16, 20, 24, 32, 48, 64}[static_cast<std::size_t>(code - 9)]) != f.length)
+  while (code < 15 &&
+         (code <= 8 ? code : std::array{12, 16, 20, 24, 32, 48, 64}[static_cast<std::size_t>(code - 9)]) !=
+             f.length)
     ++code;
   add(b, static_cast<std::uint64_t>(code), 4);
   for (const auto byte : payload) add(b, byte, 8);
@@ -117,7 +120,8 @@ TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
   for (int i = 0; i < 200'000; ++i) {
     can_frame f = random.frame(true);
     if (i % 2) {  // few changes: much stuffing
-      const auto pattern = static_cast<std::uint8_t>(std::array{0x00, 0xFF, 0xF0, 0x0F, 0x87, 0x1E, 0x3C, 0x78}[random.below(8)]);
+      const auto pattern = static_cast<std::uint8_t>(
+          std::array{0x00, 0xFF, 0xF0, 0x0F, 0x87, 0x1E, 0x3C, 0x78}[random.below(8)]);
       for (std::size_t k = 0; k < f.payload().size(); ++k)
         f.data[k] = random.below(16) ? pattern : static_cast<std::uint8_t>(~pattern);
     }
@@ -137,15 +141,20 @@ TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
 }
 
 // [plan]
-struct left : can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>,  //
-                           mit_drive<ak80_9, 1>, mit_drive<ak80_9, 2>, mit_drive<ak80_9, 3>, mit_drive<ak60_6, 4>> {};
+struct left : can_bus_plan<"left",
+                           bit_rates{1'000'000},
+                           cca::rate<400>,  //
+                           mit_drive<ak80_9, 1>,
+                           mit_drive<ak80_9, 2>,
+                           mit_drive<ak80_9, 3>,
+                           mit_drive<ak60_6, 4>> {};
 
 static_assert(left::load > 0.43 && left::load < 0.44);  // of the bus's time
 // [plan end]
 
 TEST_CASE("bus load: of a plan") {
-  using plan = can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>, joint<1>, joint<2>, joint<3>, joint<4>, joint<5>,
-                            joint<6>, joint<7>, joint<8>>;
+  using plan = can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>, joint<1>, joint<2>, joint<3>,
+                            joint<4>, joint<5>, joint<6>, joint<7>, joint<8>>;
   CHECK(plan::cycle == 8 * 2 * 135'000);
   CHECK(plan::load == doctest::Approx(0.864));
   const std::span<const can_filter> replies = plan::replies, requests = plan::requests;
@@ -155,23 +164,27 @@ TEST_CASE("bus load: of a plan") {
 
 TEST_CASE("bus load: what is overloaded, and whose ids meet") {
   using detail::plan_check;
-  static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<500>, joint<1>, joint<2>, joint<3>, joint<4>, joint<5>, joint<6>,
-                            joint<7>, joint<8>>::sound);
+  static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<500>, joint<1>, joint<2>, joint<3>, joint<4>,
+                            joint<5>, joint<6>, joint<7>, joint<8>>::sound);
   static_assert(plan_check<"b", bit_rates{1'000'000}, cca::rate<1000>, joint<1>, joint<2>, joint<3>>::sound);
   static_assert(!plan_check<"b", bit_rates{500'000}, cca::rate<1000>, joint<1>, joint<2>, joint<3>>::sound);
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, joint<1>>::sound);
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<0>, joint<1>>::sound,
                 "asks under the id that the others reply under");
-  static_assert(plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, mit_drive<ak80_9, 2, 9>>::sound);
+  static_assert(
+      plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, mit_drive<ak80_9, 2, 9>>::sound);
 }
 
 TEST_CASE("bus load: an id that belongs to a drive is nobody else's, whether set-points use it or not") {
   // ODrive: all 32 of a node, of 11 bits or of 29.
-  static_assert(!beside<axis<1>, joint<0x20>>() && !beside<axis<1>, joint<0x36>>() && !beside<axis<1>, joint<0x3F>>());
-  static_assert(beside<axis<1>, joint<0x1F>>() && beside<axis<1>, joint<0x40>>() && beside<axis<1>, axis<2>>());
+  static_assert(!beside<axis<1>, joint<0x20>>() && !beside<axis<1>, joint<0x36>>() &&
+                !beside<axis<1>, joint<0x3F>>());
+  static_assert(beside<axis<1>, joint<0x1F>>() && beside<axis<1>, joint<0x40>>() &&
+                beside<axis<1>, axis<2>>());
   static_assert(!beside<axis<1>, mit_drive<ak80_9, 1, 0x24>>(), "its SDO, as the id of another's answers");
   static_assert(!beside<axis<2>, sensor_board<0x3B>>() && beside<axis<1>, sensor_board<0x40>>());
-  static_assert(!beside<axis<0x402>, moteus<n1, 65>>() && beside<axis<0x402>, moteus<n1, 1>>());  // 29 bits: 8040h to 805Fh
+  static_assert(!beside<axis<0x402>, moteus<n1, 65>>() &&
+                beside<axis<0x402>, moteus<n1, 1>>());  // 29 bits: 8040h to 805Fh
   static_assert(!beside<axis<4>, node<5>>(), "SYNC, 80h, is what asks axis 4 for its version");
   static_assert(beside<axis<1>, node<5>>());
 
@@ -179,18 +192,24 @@ TEST_CASE("bus load: an id that belongs to a drive is nobody else's, whether set
   constexpr auto meets_node_5 = []<std::uint32_t... Id>(std::integer_sequence<std::uint32_t, Id...>) {
     return (!beside<node<5>, mit_drive<ak80_9, 1, Id>>() && ...);
   };
-  static_assert(meets_node_5(std::integer_sequence<std::uint32_t, 0, 0x80, 0x85, 0x185, 0x205, 0x285, 0x305, 0x385, 0x405, 0x485,
-                                                   0x505, 0x585, 0x605, 0x705>()));
-  static_assert(beside<node<5>, mit_drive<ak80_9, 1, 0x606>>() && beside<node<5>, node<6>>() && beside<node<1>, node<127>>());
+  static_assert(meets_node_5(std::integer_sequence<std::uint32_t, 0, 0x80, 0x85, 0x185, 0x205, 0x285, 0x305,
+                                                   0x385, 0x405, 0x485, 0x505, 0x585, 0x605, 0x705>()));
+  static_assert(beside<node<5>, mit_drive<ak80_9, 1, 0x606>>() && beside<node<5>, node<6>>() &&
+                beside<node<1>, node<127>>());
   static_assert(!beside<node<5>, cia402<n1, 5, cia402_mode::position>>());
 
-  // moteus: what is sent to its number, whoever says it; an answer to a source that is also a servo moves that one.
-  static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 3, 1>>() && beside<moteus<n1, 3, 0>, moteus<n1, 4, 1>>());
+  // moteus: what is sent to its number, whoever says it; an answer to a source that is also a servo moves
+  // that one.
+  static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 3, 1>>() &&
+                beside<moteus<n1, 3, 0>, moteus<n1, 4, 1>>());
   static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 4, 3>>());
   static_assert(!beside<moteus<n1, 3>, joint<3>>() && beside<moteus<n1, 3>, mit_drive<ak80_9, 4, 1>>());
 
   // Answers under one id: told apart by their first byte, of which a Damiao uses half.
-  static_assert(beside<joint<1>, joint<2>>() && beside<joint<1>, damiao<2>>() && beside<damiao<1>, damiao<2>>());
-  static_assert(!beside<joint<0x15>, damiao<5>>() && beside<joint<0x15>, damiao<5, 0x100>>() && beside<joint<0x16>, damiao<5>>());
-  static_assert(!beside<mit_drive<ak80_9, 9, 0x41>, sensor_board<0x40>>(), "the board does not say by a byte who it is");
+  static_assert(beside<joint<1>, joint<2>>() && beside<joint<1>, damiao<2>>() &&
+                beside<damiao<1>, damiao<2>>());
+  static_assert(!beside<joint<0x15>, damiao<5>>() && beside<joint<0x15>, damiao<5, 0x100>>() &&
+                beside<joint<0x16>, damiao<5>>());
+  static_assert(!beside<mit_drive<ak80_9, 9, 0x41>, sensor_board<0x40>>(),
+                "the board does not say by a byte who it is");
 }

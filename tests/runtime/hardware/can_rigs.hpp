@@ -1,5 +1,6 @@
-// Real CAN for the tests: interfaces that the machine has, or the guest that the preset test-can-guest boots (tests/can_guest).
-// In a guest (CCA_CAN_GUEST is set) what is missing is a failure; elsewhere the test says that it was left out.
+// Real CAN for the tests: interfaces that the machine has, or the guest that the preset test-can-guest boots
+// (tests/can_guest). In a guest (CCA_CAN_GUEST is set) what is missing is a failure; elsewhere the test says
+// that it was left out.
 #pragma once
 
 #include <cerrno>
@@ -28,8 +29,8 @@ inline void wait_ms(long ms) {
   nanosleep(&t, nullptr);
 }
 
-// As `ip link set NAME up`; false where we may not. The kernel lets frames through some time later, after a bus-off up to a
-// second.
+// As `ip link set NAME up`; false where we may not. The kernel lets frames through some time later, after a
+// bus-off up to a second.
 inline bool set_link(const std::string& name, bool up) {
   const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   ifreq request{};

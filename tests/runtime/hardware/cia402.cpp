@@ -1,4 +1,5 @@
-// CiA 402: status words, the walk to operation enabled against a drive that keeps to the standard, process data, emergencies.
+// CiA 402: status words, the walk to operation enabled against a drive that keeps to the standard, process
+// data, emergencies.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -70,7 +71,8 @@ struct drive {
       } else if (!voltage) state = cia402_state::switch_on_disabled;
       else if (shutdown) state = cia402_state::ready;
       else if (on && state == cia402_state::ready) state = cia402_state::switched_on;
-      else if (enable && state == cia402_state::switched_on) state = cia402_state::enabled, target = c.position;
+      else if (enable && state == cia402_state::switched_on)
+        state = cia402_state::enabled, target = c.position;
       else if (state == cia402_state::enabled) target = c.position;
     }
     return position::reply(status(), at, 0);
@@ -134,12 +136,14 @@ TEST_CASE("cia402: every number comes back as it was") {
     REQUIRE(position::decode(position::velocity_frame(x), r));  // TPDO2
     REQUIRE(r.told == of_velocity);
     REQUIRE(std::llround(r.velocity / turn * 4096) == n);
-    REQUIRE(detail::got<std::uint32_t>(position::velocity_frame(r.velocity).payload(), 0) == static_cast<std::uint32_t>(n));
+    REQUIRE(detail::got<std::uint32_t>(position::velocity_frame(r.velocity).payload(), 0) ==
+            static_cast<std::uint32_t>(n));
   });
 }
 
 TEST_CASE("cia402: every number that a frame can hold is told, the most negative one as well") {
-  can_frame data = position::reply(0x0237, 0, 0), speed = position::velocity_frame(0), asked = position::set_point({}).frames[0];
+  can_frame data = position::reply(0x0237, 0, 0), speed = position::velocity_frame(0),
+            asked = position::set_point({}).frames[0];
   drive_report r;
   std::uint16_t word = 0;
   drive_command c;
@@ -180,7 +184,8 @@ TEST_CASE("cia402: counts that wrap are told as they are, and unwrapped go on; s
     REQUIRE(r.at_end == 0);
     return r.position;
   };
-  CHECK(told(2147483648) == doctest::Approx(-range / 2).epsilon(1e-14));  // one on from the last, as two's complement has it
+  CHECK(told(2147483648) ==
+        doctest::Approx(-range / 2).epsilon(1e-14));  // one on from the last, as two's complement has it
   CHECK(told(2147483647) - told(2147483648) == doctest::Approx(range - count).epsilon(1e-14));
   CHECK(told(-2147483649) == told(2147483647));
   for (const std::int64_t step : {70'000'001, -70'000'001}) {  // over the end many times
@@ -192,7 +197,8 @@ TEST_CASE("cia402: counts that wrap are told as they are, and unwrapped go on; s
     for (const double beyond : {2147483648.0, 2147483649.0, 4294967296.0, 1e15}) {
       const auto s = position::set_point({.position = sign * beyond * count});
       CHECK(s.cut == of_position);
-      CHECK(static_cast<std::int32_t>(detail::got<std::uint32_t>(s.frames[0].payload(), 2)) == sign * 2147483647);
+      CHECK(static_cast<std::int32_t>(detail::got<std::uint32_t>(s.frames[0].payload(), 2)) ==
+            sign * 2147483647);
     }
 }
 
@@ -245,9 +251,10 @@ TEST_CASE("cia402: a fault that stays is told") {
 TEST_CASE("cia402: emergencies and heartbeats") {
   drive_report r;
   const auto emergency = [&r](unsigned code) {
-    REQUIRE(position::decode(classic(standard(0x85), std::array<std::uint8_t, 8>{static_cast<std::uint8_t>(code),
-                                                                                 static_cast<std::uint8_t>(code >> 8)}),
-                             r));
+    REQUIRE(position::decode(
+        classic(standard(0x85), std::array<std::uint8_t, 8>{static_cast<std::uint8_t>(code),
+                                                            static_cast<std::uint8_t>(code >> 8)}),
+        r));
     return r.fault;
   };
   CHECK(emergency(0x2310) == drive_fault::over_current);
@@ -262,9 +269,11 @@ TEST_CASE("cia402: emergencies and heartbeats") {
   CHECK(emergency(0x0000) == drive_fault::none);
   using enum drive_fault;
   for (unsigned code = 0; code < 0x10000; ++code) {
-    constexpr drive_fault classes[] = {none,          other,         over_current, over_voltage, over_temperature, power_stage,
-                                       configuration, other,         communication, other,       other,            other,
-                                       other,         other,         other,        other};
+    constexpr drive_fault classes[] = {
+        none,        other,         over_current, over_voltage,  over_temperature,
+        power_stage, configuration, other,        communication, other,
+        other,       other,         other,        other,         other,
+        other};
     const unsigned of = code >> 8;
     drive_fault expected = of == 0 ? none : classes[code >> 12];
     if (of >> 4 == 0 && of != 0) expected = other;
@@ -291,6 +300,7 @@ TEST_CASE("cia402: emergencies and heartbeats") {
   CHECK(r.activity == drive_activity::enabled);
   REQUIRE(position::decode(classic(standard(0x705), std::array<std::uint8_t, 1>{5}), r));
   CHECK(r.activity == drive_activity::enabled);
-  REQUIRE(position::decode(classic(standard(0x705), std::array<std::uint8_t, 1>{0}), r));  // it has booted: it was reset
+  REQUIRE(position::decode(classic(standard(0x705), std::array<std::uint8_t, 1>{0}),
+                           r));  // it has booted: it was reset
   CHECK(r.activity == drive_activity::disabled);
 }

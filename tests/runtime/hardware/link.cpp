@@ -62,7 +62,8 @@ TEST_CASE("link: off or down, even for less than a beat, is safe at once, and st
       robot r({{.what = away, .from = 20 * ms + ms / 2, .until = 20 * ms + ms / 2 + lasts, .end = 0}});
       r.until(60);
       CHECK(r.link.state() == link_state::safe);
-      CHECK(r.link.first_cause() == (away == bus_trouble::bus_off ? link_cause::bus_off : link_cause::link_down));
+      CHECK(r.link.first_cause() ==
+            (away == bus_trouble::bus_off ? link_cause::bus_off : link_cause::link_down));
       CHECK(r.link.first_beat() == 20);  // counted from 0, the beat after
       CHECK(r.got.size() == 20);
       CHECK(r.got.back() == 20);

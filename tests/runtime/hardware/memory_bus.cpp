@@ -25,8 +25,8 @@ template <bus_trouble Away>
 struct rig {
   static constexpr bool has_fd = true;
   static constexpr std::size_t most_waiting = 16;
-  static constexpr std::int64_t trouble_from = 100'000 * ms, trouble_until = 200'000 * ms, silent_from = 300'000 * ms,
-                                silent_until = 300'100 * ms;
+  static constexpr std::int64_t trouble_from = 100'000 * ms, trouble_until = 200'000 * ms,
+                                silent_from = 300'000 * ms, silent_until = 300'100 * ms;
   static constexpr std::array<bus_fault, 2> faults{
       {{.what = Away, .from = trouble_from, .until = trouble_until, .end = 0},
        {.what = bus_trouble::link_down, .from = silent_from, .until = silent_until, .end = 1}}};
@@ -40,7 +40,9 @@ struct rig {
   void unblocked(std::size_t) { wire.advance(silent_until); }
 };
 
-can_frame numbered(std::uint32_t id, std::uint8_t number) { return {.id = standard(id), .length = 2, .data = {number, 0x5A}}; }
+can_frame numbered(std::uint32_t id, std::uint8_t number) {
+  return {.id = standard(id), .length = 2, .data = {number, 0x5A}};
+}
 
 struct outcome {
   std::vector<received_frame> got;
@@ -64,7 +66,9 @@ outcome with(std::vector<bus_fault> faults, std::uint64_t seed = 1) {
 
 }  // namespace
 
-TEST_CASE("memory bus: the laws of a bus, where a link goes down") { laws::can_bus<rig<bus_trouble::link_down>>(); }
+TEST_CASE("memory bus: the laws of a bus, where a link goes down") {
+  laws::can_bus<rig<bus_trouble::link_down>>();
+}
 TEST_CASE("memory bus: the laws of a bus, where it goes off") { laws::can_bus<rig<bus_trouble::bus_off>>(); }
 
 TEST_CASE("memory bus: without a script all arrive, each after the longest time of such a frame") {
@@ -72,7 +76,8 @@ TEST_CASE("memory bus: without a script all arrive, each after the longest time 
   REQUIRE(o.got.size() == 200);
   for (std::size_t i = 0; i < 200; ++i) {
     CHECK(o.got[i].frame.data[0] == i);
-    CHECK(o.got[i].time == static_cast<std::int64_t>(i) * ms + bit_rates{}.nanoseconds(worst_case({.length = 2})));
+    CHECK(o.got[i].time ==
+          static_cast<std::int64_t>(i) * ms + bit_rates{}.nanoseconds(worst_case({.length = 2})));
   }
 }
 
@@ -126,7 +131,8 @@ TEST_CASE("memory bus: damaged, and seldom shortened") {
 }
 
 TEST_CASE("memory bus: the same seed gives the same, another one another; a copy goes on alike") {
-  const std::vector<bus_fault> faults{{.what = bus_trouble::lose, .chance = 0.3}, {.what = bus_trouble::corrupt, .chance = 0.3}};
+  const std::vector<bus_fault> faults{{.what = bus_trouble::lose, .chance = 0.3},
+                                      {.what = bus_trouble::corrupt, .chance = 0.3}};
   const auto a = with(faults, 3), b = with(faults, 3), c = with(faults, 4);
   const auto same = [](const outcome& p, const outcome& q) {
     if (p.got.size() != q.got.size()) return false;
@@ -149,7 +155,8 @@ TEST_CASE("memory bus: the same seed gives the same, another one another; a copy
 
 TEST_CASE("memory bus: the lowest id goes first, a standard one before an extended one that begins alike") {
   memory_bus<3> wire;
-  wire.end(0).send(std::array{numbered(0x300, 0)});  // has the bus already, or wins it: nobody else is there yet
+  wire.end(0).send(
+      std::array{numbered(0x300, 0)});  // has the bus already, or wins it: nobody else is there yet
   wire.advance(1);
   wire.end(0).send(std::array{can_frame{.id = extended(0x123u << 18)}});
   wire.end(1).send(std::array{numbered(0x123, 1)});
@@ -179,12 +186,14 @@ TEST_CASE("memory bus: alone on the wire it gets passive, not off, and its queue
 }
 
 TEST_CASE(
-    "memory bus: one-shot: what loses the arbitration, or is acknowledged by nobody, is given up; what waits for a free bus is "
+    "memory bus: one-shot: what loses the arbitration, or is acknowledged by nobody, is given up; what waits "
+    "for a free bus is "
     "not") {
   memory_bus<3> wire({.one_shot = true});
   wire.end(0).send(std::array{numbered(0x300, 0)});
   wire.advance(1);
-  wire.end(0).send(std::array{numbered(0x200, 1), numbered(0x200, 2)});  // the first one loses, the second is alone
+  wire.end(0).send(
+      std::array{numbered(0x200, 1), numbered(0x200, 2)});  // the first one loses, the second is alone
   wire.end(1).send(std::array{numbered(0x100, 3)});
   wire.advance(10 * ms);
   const auto got = all_from(wire.end(2));

@@ -1,4 +1,5 @@
-// The MIT mini-cheetah protocol: known frames, every representable number, special frames, what is no number, replies.
+// The MIT mini-cheetah protocol: known frames, every representable number, special frames, what is no number,
+// replies.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -40,13 +41,16 @@ TEST_CASE("mit: nothing asked for is the frame that everyone sends") {
 
 TEST_CASE("mit: each number in its place") {
   const auto at = [](drive_command c) { return bytes(ak::set_point(c).frames[0]); };
-  CHECK(at({.position = 12.5, .velocity = -50, .torque = -18}) == std::array<std::uint8_t, 8>{0xFF, 0xFF, 0, 0, 0, 0, 0, 0});
-  CHECK(at({.position = -12.5, .velocity = 50, .torque = -18}) == std::array<std::uint8_t, 8>{0, 0, 0xFF, 0xF0, 0, 0, 0, 0});
+  CHECK(at({.position = 12.5, .velocity = -50, .torque = -18}) ==
+        std::array<std::uint8_t, 8>{0xFF, 0xFF, 0, 0, 0, 0, 0, 0});
+  CHECK(at({.position = -12.5, .velocity = 50, .torque = -18}) ==
+        std::array<std::uint8_t, 8>{0, 0, 0xFF, 0xF0, 0, 0, 0, 0});
   CHECK(at({.position = -12.5, .velocity = -50, .torque = -18, .stiffness = 500}) ==
         std::array<std::uint8_t, 8>{0, 0, 0, 0x0F, 0xFF, 0, 0, 0});
   CHECK(at({.position = -12.5, .velocity = -50, .torque = -18, .damping = 5}) ==
         std::array<std::uint8_t, 8>{0, 0, 0, 0, 0, 0xFF, 0xF0, 0});
-  CHECK(at({.position = -12.5, .velocity = -50, .torque = 18}) == std::array<std::uint8_t, 8>{0, 0, 0, 0, 0, 0, 0x0F, 0xFF});
+  CHECK(at({.position = -12.5, .velocity = -50, .torque = 18}) ==
+        std::array<std::uint8_t, 8>{0, 0, 0, 0, 0, 0, 0x0F, 0xFF});
 }
 
 TEST_CASE("mit: every number that a command can say comes back as it was") {
@@ -93,17 +97,20 @@ TEST_CASE("mit: no command is ever a special frame") {
   const double step = 36.0 / 4095;
   int near = 0;
   for (double torque = 17.9; torque < 18.2; torque += step / 10) {
-    const auto asked = ak::set_point({.position = 99, .velocity = 99, .torque = torque, .stiffness = 999, .damping = 99});
+    const auto asked =
+        ak::set_point({.position = 99, .velocity = 99, .torque = torque, .stiffness = 999, .damping = 99});
     CHECK(!is_special(asked.frames[0]));
     near += asked.frames[0].data[7] == 0xFA;
-    const auto sent = wire::from_wire(wire::read(std::span<const std::uint8_t, 8>(asked.frames[0].data.data(), 8)));
+    const auto sent =
+        wire::from_wire(wire::read(std::span<const std::uint8_t, 8>(asked.frames[0].data.data(), 8)));
     CHECK(sent.torque <= torque + step);
     CHECK(sent.torque >= std::min(torque, 18.0) - 5 * step);
   }
   CHECK(near >= 40);
   CHECK(is_special(mit_special_frame(standard(3), mit_special::enter)));
   // With one number lower it is none, and is left alone.
-  CHECK(ak::set_point({.position = 99, .velocity = 99, .torque = 18 - 3 * step, .stiffness = 499, .damping = 99})
+  CHECK(ak::set_point(
+            {.position = 99, .velocity = 99, .torque = 18 - 3 * step, .stiffness = 499, .damping = 99})
             .frames[0]
             .data[7] == 0xFC);
 }
@@ -145,8 +152,12 @@ TEST_CASE("mit: replies of others, of other lengths, of other kinds are not take
 
 TEST_CASE("mit: faults of AK and Damiao") {
   drive_report r;
-  const drive_fault known[] = {drive_fault::none,         drive_fault::over_temperature, drive_fault::over_current,
-                               drive_fault::over_voltage, drive_fault::under_voltage,    drive_fault::position_sensor,
+  const drive_fault known[] = {drive_fault::none,
+                               drive_fault::over_temperature,
+                               drive_fault::over_current,
+                               drive_fault::over_voltage,
+                               drive_fault::under_voltage,
+                               drive_fault::position_sensor,
                                drive_fault::over_temperature};
   for (std::uint32_t code = 0; code < 256; ++code) {
     REQUIRE(ak::decode(ak::reply(0, 0, 0, 40, code), r));

@@ -1,4 +1,5 @@
-// moteus over CAN FD: the frames of its documentation, every representable number, bytes that make no sense, its timeout.
+// moteus over CAN FD: the frames of its documentation, every representable number, bytes that make no sense,
+// its timeout.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -45,7 +46,8 @@ can_frame one_register(moteus_kind kind, moteus_value as, moteus_register which,
   register_writer w(f.data);
   w.head(kind, as, which, 1);
   if (kind != moteus_kind::read)
-    for (std::size_t i = 0; i < detail::moteus_size(as); ++i) w.byte(static_cast<std::uint8_t>(bits >> 8 * i));
+    for (std::size_t i = 0; i < detail::moteus_size(as); ++i)
+      w.byte(static_cast<std::uint8_t>(bits >> 8 * i));
   f.length = static_cast<std::uint8_t>(w.size());
   return f;
 }
@@ -54,7 +56,8 @@ can_frame one_register(moteus_kind kind, moteus_value as, moteus_register which,
 template <class F>
 void for_integers(F&& f) {
   for (std::int64_t n = -2147483648; n <= 2147483647; n += 65521) f(static_cast<std::int32_t>(n));
-  for (const std::int64_t n : std::initializer_list<std::int64_t>{-2147483648, -2147483647, -1, 0, 1, 2147483646, 2147483647})
+  for (const std::int64_t n :
+       std::initializer_list<std::int64_t>{-2147483648, -2147483647, -1, 0, 1, 2147483646, 2147483647})
     f(static_cast<std::int32_t>(n));
 }
 
@@ -87,8 +90,11 @@ TEST_CASE("moteus: the request and the reply of its documentation") {
 
 TEST_CASE("moteus: a command is heard as it was given, floats exactly") {
   servo::request q;
-  REQUIRE(servo::hear(
-      servo::set_point({.position = turn, .velocity = -2 * turn, .torque = 3, .stiffness = 40, .damping = 0.5}).frames[0], q));
+  REQUIRE(
+      servo::hear(servo::set_point(
+                      {.position = turn, .velocity = -2 * turn, .torque = 3, .stiffness = 40, .damping = 0.5})
+                      .frames[0],
+                  q));
   CHECK(q.mode == 10);
   CHECK(q.command.position == turn);
   CHECK(q.command.velocity == -2 * turn);
@@ -146,7 +152,8 @@ TEST_CASE("moteus: each number of a command is heard as it was given") {
   timeout(moteus<waits<100'000>, 1>{});
 }
 
-// Each register that a request or a reply may have, in each of the forms, every number of 8 and 16 bits. Steps: registers.md.
+// Each register that a request or a reply may have, in each of the forms, every number of 8 and 16 bits.
+// Steps: registers.md.
 TEST_CASE("moteus: every number of a register is read as it was, the most negative integer is none") {
   using enum moteus_register;
   struct known {
@@ -171,14 +178,18 @@ TEST_CASE("moteus: every number of a register is read as it was, the most negati
     const auto reads = [&k](moteus_value as, std::uint32_t bits, double expected) {
       const can_frame f = one_register(moteus_kind::reply, as, k.which, bits);
       int seen = 0;
-      const bool sound = read_registers(f.payload(), [&](moteus_kind kind, std::uint32_t which, double value) {
-        const bool same = std::isnan(expected) ? std::isnan(value) : value == doctest::Approx(expected).epsilon(1e-14);
-        seen += kind == moteus_kind::reply && which == static_cast<std::uint32_t>(k.which) && same;
-      });
+      const bool sound =
+          read_registers(f.payload(), [&](moteus_kind kind, std::uint32_t which, double value) {
+            const bool same =
+                std::isnan(expected) ? std::isnan(value) : value == doctest::Approx(expected).epsilon(1e-14);
+            seen += kind == moteus_kind::reply && which == static_cast<std::uint32_t>(k.which) && same;
+          });
       return sound && seen == 1;
     };
-    for (int n = -127; n <= 127; ++n) REQUIRE(reads(moteus_value::int8, static_cast<std::uint8_t>(n), n * k.steps[0]));
-    for (int n = -32767; n <= 32767; ++n) REQUIRE(reads(moteus_value::int16, static_cast<std::uint16_t>(n), n * k.steps[1]));
+    for (int n = -127; n <= 127; ++n)
+      REQUIRE(reads(moteus_value::int8, static_cast<std::uint8_t>(n), n * k.steps[0]));
+    for (int n = -32767; n <= 32767; ++n)
+      REQUIRE(reads(moteus_value::int16, static_cast<std::uint16_t>(n), n * k.steps[1]));
     for_integers([&](std::int32_t n) {
       if (n != std::numeric_limits<std::int32_t>::min())
         REQUIRE(reads(moteus_value::int32, static_cast<std::uint32_t>(n), n * k.steps[2]));
@@ -189,18 +200,20 @@ TEST_CASE("moteus: every number of a register is read as it was, the most negati
     CHECK(reads(moteus_value::int32, 0x80000000, none));
   }
   for_floats(stride, [](float x) {
-    const can_frame f = one_register(moteus_kind::reply, moteus_value::float32, velocity, std::bit_cast<std::uint32_t>(x));
+    const can_frame f =
+        one_register(moteus_kind::reply, moteus_value::float32, velocity, std::bit_cast<std::uint32_t>(x));
     read_registers(f.payload(), [x](moteus_kind, std::uint32_t, double value) {
       REQUIRE((std::isfinite(x) ? value == static_cast<double>(x) : std::isnan(value)));
     });
   });
 }
 
-TEST_CASE("moteus: replies in all forms are told in SI units; NaN and infinity are numbers that it has not got") {
+TEST_CASE(
+    "moteus: replies in all forms are told in SI units; NaN and infinity are numbers that it has not got") {
   using enum moteus_register;
   struct known {
     moteus_register which;
-    double drive_report::*where;
+    double drive_report::* where;
     drive_quantity told;
     double unit, steps[3];
   };
@@ -211,7 +224,9 @@ TEST_CASE("moteus: replies in all forms are told in SI units; NaN and infinity a
   for (const known& k : all) {
     const auto tells = [&k](moteus_value as, std::uint32_t bits, double expected) {
       drive_report r;
-      if (!servo::decode(one_register(moteus_kind::reply, as, k.which, bits), r) || r.told != k.told || r.states != 0) return false;
+      if (!servo::decode(one_register(moteus_kind::reply, as, k.which, bits), r) || r.told != k.told ||
+          r.states != 0)
+        return false;
       const double told = r.*k.where / k.unit;
       return std::isfinite(expected) ? told == doctest::Approx(expected).epsilon(1e-14) : std::isnan(told);
     };
@@ -260,10 +275,12 @@ TEST_CASE("moteus: a position that is further than 32 bits say stays at their en
 TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
   using enum drive_fault;
   const std::pair<unsigned, drive_fault> faults[] = {
-      {32, configuration},    {33, power_stage},     {34, over_voltage},  {35, position_sensor}, {36, configuration}, {37, other},
-      {38, over_temperature}, {39, limit},           {40, under_voltage}, {41, configuration},   {42, position_sensor},
-      {43, position_sensor},  {44, power_stage},     {45, configuration}, {46, other},           {47, configuration},
-      {48, configuration}};
+      {32, configuration},    {33, power_stage},     {34, over_voltage},
+      {35, position_sensor},  {36, configuration},   {37, other},
+      {38, over_temperature}, {39, limit},           {40, under_voltage},
+      {41, configuration},    {42, position_sensor}, {43, position_sensor},
+      {44, power_stage},      {45, configuration},   {46, other},
+      {47, configuration},    {48, configuration}};
   for (unsigned code = 0; code < 256; ++code) {
     auto expected = other;
     for (const auto& [known, fault] : faults)
@@ -275,14 +292,17 @@ TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
       CHECK(r.code == code);
       CHECK(r.activity == drive_activity::faulted);
     }
-    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::mode, 1), r));
-    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::fault, code), r));
+    REQUIRE(
+        servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::mode, 1), r));
+    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::fault, code),
+                          r));
     CHECK_MESSAGE(r.fault == expected, code);
     CHECK(r.code == code);
   }
   for (unsigned mode = 0; mode < 256; ++mode) {
     drive_report r;
-    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::mode, mode), r));
+    REQUIRE(
+        servo::decode(one_register(moteus_kind::reply, moteus_value::int16, moteus_register::mode, mode), r));
     CHECK(r.state == mode);
     CHECK(r.states == 1);
     CHECK(r.activity == (mode == 0                 ? drive_activity::disabled
@@ -291,11 +311,13 @@ TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
                                                    : drive_activity::enabled));
   }
   // No mode at all: it says nothing of what the drive does, and is not counted as if it did.
-  for (const float x : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1.0f, 256.0f, 4e9f}) {
+  for (const float x : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                        -1.0f, 256.0f, 4e9f}) {
     drive_report r;
     REQUIRE(servo::decode(servo::reply(10, 0, 0, 0), r));
-    REQUIRE(servo::decode(
-        one_register(moteus_kind::reply, moteus_value::float32, moteus_register::mode, std::bit_cast<std::uint32_t>(x)), r));
+    REQUIRE(servo::decode(one_register(moteus_kind::reply, moteus_value::float32, moteus_register::mode,
+                                       std::bit_cast<std::uint32_t>(x)),
+                          r));
     CHECK(r.state == 10);
     CHECK(r.activity == drive_activity::enabled);
     CHECK(r.states == 1);
@@ -317,8 +339,8 @@ TEST_CASE("moteus: stiffness and damping are parts of its own, damping no larger
 }
 
 TEST_CASE("moteus: bytes that make no sense are not taken, whole or in part") {
-  for (const std::string_view hex :
-       {"24", "2404", "24040a", "24ff0f00", "2c0100", "280400", "40", "60", "ff", "20ffffffffff0100", "2100", "3001", "1004"}) {
+  for (const std::string_view hex : {"24", "2404", "24040a", "24ff0f00", "2c0100", "280400", "40", "60", "ff",
+                                     "20ffffffffff0100", "2100", "3001", "1004"}) {
     drive_report r;
     const can_frame f = classic(standard(0x100), from_hex({}, hex).payload().first(hex.size() / 2));
     CHECK_MESSAGE(!servo::decode(f, r), hex);

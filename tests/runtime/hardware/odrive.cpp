@@ -1,4 +1,5 @@
-// ODrive's CAN Simple: known frames, every representable number, what differs between 0.5 and 0.6, the way to closed loop.
+// ODrive's CAN Simple: known frames, every representable number, what differs between 0.5 and 0.6, the way to
+// closed loop.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -24,7 +25,8 @@ using far = odrive<0x1234, odrive_mode::torque>;
 constexpr double turn = detail::radians_in_turn;
 constexpr std::uint32_t stride = 9973;  // of floats
 
-static_assert(position::set_point({.position = turn}).frames[0].id == standard(0x2C));  // the example of ODrive's page
+static_assert(position::set_point({.position = turn}).frames[0].id ==
+              standard(0x2C));  // the example of ODrive's page
 
 }  // namespace
 
@@ -38,8 +40,10 @@ TEST_CASE("odrive: the laws of a drive") {
 
 TEST_CASE("odrive: known frames") {
   const auto f = position::set_point({.position = turn, .velocity = -turn, .torque = 0.5}).frames[0];
-  CHECK(f == classic(standard(0x2C), std::array<std::uint8_t, 8>{0, 0, 0x80, 0x3F, 0x18, 0xFC, 0xF4, 0x01}));  // 1.0f, -1000, 500
-  CHECK(torque::set_point({.torque = 1}).frames[0] == classic(standard(0x6E), std::array<std::uint8_t, 4>{0, 0, 0x80, 0x3F}));
+  CHECK(f == classic(standard(0x2C), std::array<std::uint8_t, 8>{0, 0, 0x80, 0x3F, 0x18, 0xFC, 0xF4,
+                                                                 0x01}));  // 1.0f, -1000, 500
+  CHECK(torque::set_point({.torque = 1}).frames[0] ==
+        classic(standard(0x6E), std::array<std::uint8_t, 4>{0, 0, 0x80, 0x3F}));
   CHECK(far::set_point({}).frames[0].id == extended(0x1234 << 5 | 0x0E));
   CHECK(position::axis_state(8) == classic(standard(0x27), std::array<std::uint8_t, 8>{8}));
 }
@@ -71,7 +75,8 @@ TEST_CASE("odrive: every number of a command comes back as it was") {
   CHECK(detail::got<std::uint16_t>(s.frames[0].payload(), 4) == 0x8001);
   CHECK(detail::got<std::uint16_t>(s.frames[0].payload(), 6) == 0x8001);
 
-  can_frame g = torque::set_point({}).frames[0], v = velocity::set_point({}).frames[0], p = position::set_point({}).frames[0];
+  can_frame g = torque::set_point({}).frames[0], v = velocity::set_point({}).frames[0],
+            p = position::set_point({}).frames[0];
   for_floats(stride, [&](float x) {
     if (!std::isfinite(x)) return;
     detail::put_float(g.data, 0, x);
@@ -89,7 +94,8 @@ TEST_CASE("odrive: every number of a command comes back as it was") {
   });
 }
 
-TEST_CASE("odrive: every number of a report is told as it was; NaN and infinity are numbers that it has not got") {
+TEST_CASE(
+    "odrive: every number of a report is told as it was; NaN and infinity are numbers that it has not got") {
   const auto is = [](double told, float x, double unit) {
     return std::isfinite(x) ? told == static_cast<double>(x) * unit : std::isnan(told);
   };
@@ -146,10 +152,12 @@ TEST_CASE("odrive: what stops, reboots or changes it has an id of its own, which
   CHECK(position::disable()[0] == position::axis_state(1));
   CHECK(old::axis_state(1) == classic(standard(0x87), std::array<std::uint8_t, 4>{1}));
   drive_report r;
-  for (std::uint32_t command = 0; command < 32; ++command) {  // from the drive it tells five things, and takes no more
+  for (std::uint32_t command = 0; command < 32;
+       ++command) {  // from the drive it tells five things, and takes no more
     const auto c = static_cast<odrive_command>(command);
-    const bool told = c == odrive_command::heartbeat || c == odrive_command::error || c == odrive_command::estimates ||
-                      c == odrive_command::temperature || c == odrive_command::torques;
+    const bool told = c == odrive_command::heartbeat || c == odrive_command::error ||
+                      c == odrive_command::estimates || c == odrive_command::temperature ||
+                      c == odrive_command::torques;
     CHECK(position::decode({.id = position::id(c), .length = 8}, r) == told);
   }
   for (const double x : {-1e30, -1.0, 0.0, 1.0, 1e30}) {
@@ -175,15 +183,18 @@ TEST_CASE("odrive: each error and each state, in heartbeats and in error frames"
       if (k.bit == bit) return k.of;
     return other;
   };
-  const known now[] = {{3, position_sensor}, {4, configuration}, {5, power_stage},       {8, over_voltage},
-                       {9, under_voltage},   {10, over_current}, {11, over_voltage},     {12, over_current},
-                       {13, over_temperature}, {14, over_temperature}, {15, limit},      {16, limit},
-                       {24, watchdog},       {25, emergency_stop}, {26, position_sensor}, {27, power_stage},
-                       {30, configuration}};
-  const known before[] = {{0, configuration}, {1, under_voltage},   {2, over_voltage}, {4, power_stage},  {5, power_stage},
-                          {6, power_stage},   {7, position_sensor}, {8, position_sensor}, {11, watchdog}, {12, limit},
-                          {13, limit},        {14, emergency_stop}, {15, over_current}, {16, over_current},
-                          {18, over_temperature}, {19, position_sensor}};
+  const known now[] = {{3, position_sensor},   {4, configuration},   {5, power_stage},
+                       {8, over_voltage},      {9, under_voltage},   {10, over_current},
+                       {11, over_voltage},     {12, over_current},   {13, over_temperature},
+                       {14, over_temperature}, {15, limit},          {16, limit},
+                       {24, watchdog},         {25, emergency_stop}, {26, position_sensor},
+                       {27, power_stage},      {30, configuration}};
+  const known before[] = {{0, configuration},   {1, under_voltage},   {2, over_voltage},
+                          {4, power_stage},     {5, power_stage},     {6, power_stage},
+                          {7, position_sensor}, {8, position_sensor}, {11, watchdog},
+                          {12, limit},          {13, limit},          {14, emergency_stop},
+                          {15, over_current},   {16, over_current},   {18, over_temperature},
+                          {19, position_sensor}};
   for (int bit = 0; bit < 32; ++bit) {
     const std::uint32_t error = std::uint32_t{1} << bit;
     drive_report r;

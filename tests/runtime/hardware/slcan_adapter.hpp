@@ -1,7 +1,7 @@
-// A CAN adapter on a serial line, played by the test: the kernel's slcan driver at one end of a pseudo-terminal, this at the
-// other. It can go bus-off and stop listening, which no emulated controller does. To the laws it's an end of a bus like any
-// other. Source: Linux, drivers/net/can/slcan; Lawicel's CAN232 commands (t, T, r, R; s and e for states, as the driver of Linux
-// 6 reads them).
+// A CAN adapter on a serial line, played by the test: the kernel's slcan driver at one end of a
+// pseudo-terminal, this at the other. It can go bus-off and stop listening, which no emulated controller
+// does. To the laws it's an end of a bus like any other. Source: Linux, drivers/net/can/slcan; Lawicel's
+// CAN232 commands (t, T, r, R; s and e for states, as the driver of Linux 6 reads them).
 #pragma once
 
 #include <array>
@@ -80,9 +80,9 @@ public:
         continue;
       }
       char text[32];
-      int n =
-          std::snprintf(text, sizeof text, f.id.extended ? "%c%08X%u" : "%c%03X%u",
-                        f.remote ? (f.id.extended ? 'R' : 'r') : (f.id.extended ? 'T' : 't'), f.id.number, unsigned{f.length});
+      int n = std::snprintf(text, sizeof text, f.id.extended ? "%c%08X%u" : "%c%03X%u",
+                            f.remote ? (f.id.extended ? 'R' : 'r') : (f.id.extended ? 'T' : 't'), f.id.number,
+                            unsigned{f.length});
       for (const auto byte : f.payload())
         n += std::snprintf(text + n, sizeof text - static_cast<std::size_t>(n), "%02X", unsigned{byte});
       say(text);
@@ -95,7 +95,8 @@ public:
   std::size_t receive(std::span<received_frame> into) noexcept {
     const std::lock_guard hold(mutex);
     std::size_t n = 0;
-    for (std::size_t end; n < into.size() && (end = heard.find('\r')) != std::string::npos; heard.erase(0, end + 1))
+    for (std::size_t end; n < into.size() && (end = heard.find('\r')) != std::string::npos;
+         heard.erase(0, end + 1))
       n += parse(heard.substr(0, end), into[n]);
     return n;
   }
@@ -128,7 +129,8 @@ private:
     into.frame.remote = std::tolower(text[0]) == 'r';
     into.frame.length = static_cast<std::uint8_t>(text[1 + digits] - '0');
     for (std::size_t i = 0; i < into.frame.payload().size(); ++i)
-      into.frame.data[i] = static_cast<std::uint8_t>(std::stoul(text.substr(2 + digits + 2 * i, 2), nullptr, 16));
+      into.frame.data[i] =
+          static_cast<std::uint8_t>(std::stoul(text.substr(2 + digits + 2 * i, 2), nullptr, 16));
     ++count.received;
     return 1;
   }
@@ -156,9 +158,13 @@ struct slcan {
     send_result send(std::span<const cca::hardware::can_frame> f) noexcept {
       return i == 0 ? rig->bus.send(f) : rig->adapter.send(f);
     }
-    std::size_t receive(std::span<received_frame> f) noexcept { return i == 0 ? rig->bus.receive(f) : rig->adapter.receive(f); }
+    std::size_t receive(std::span<received_frame> f) noexcept {
+      return i == 0 ? rig->bus.receive(f) : rig->adapter.receive(f);
+    }
     bus_state state() const noexcept { return i == 0 ? rig->bus.state() : rig->adapter.state(); }
-    const bus_counters& counters() const noexcept { return i == 0 ? rig->bus.counters() : rig->adapter.counters(); }
+    const bus_counters& counters() const noexcept {
+      return i == 0 ? rig->bus.counters() : rig->adapter.counters();
+    }
     std::uint64_t in_flight() const noexcept { return i == 0 ? rig->bus.in_flight() : 0; }
   };
   either end(std::size_t i) { return {this, i}; }

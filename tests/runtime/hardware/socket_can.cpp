@@ -1,4 +1,5 @@
-// SocketCAN against a real kernel, on vcan and on two controllers; without CAN the kernel's frames and what can't be opened.
+// SocketCAN against a real kernel, on vcan and on two controllers; without CAN the kernel's frames and what
+// can't be opened.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -18,8 +19,11 @@ namespace {
 // A socket of another program, that sends what it likes, error frames too.
 class raw_socket {
 public:
-  explicit raw_socket(const char* name) : interface(name), fd(detail::open_can(interface, {}, {.fd = interface_takes_fd(name)})) {}
-  bool write(const canfd_frame& k, std::size_t size) const { return ::send(fd.get(), &k, size, 0) == static_cast<ssize_t>(size); }
+  explicit raw_socket(const char* name)
+      : interface(name), fd(detail::open_can(interface, {}, {.fd = interface_takes_fd(name)})) {}
+  bool write(const canfd_frame& k, std::size_t size) const {
+    return ::send(fd.get(), &k, size, 0) == static_cast<ssize_t>(size);
+  }
   bool error(std::uint32_t classes, std::array<std::uint8_t, 8> data = {}) const {
     canfd_frame k{};
     k.can_id = CAN_ERR_FLAG | classes;
@@ -39,7 +43,9 @@ private:
   detail::file_descriptor fd;
 };
 
-can_frame numbered(std::uint32_t id, std::uint8_t n) { return {.id = standard(id), .length = 1, .data = {n}}; }
+can_frame numbered(std::uint32_t id, std::uint8_t n) {
+  return {.id = standard(id), .length = 1, .data = {n}};
+}
 
 std::string refusal(const char* name, const socket_can_options& o = {}) {
   try {
@@ -108,7 +114,8 @@ TEST_CASE("kernel frames: filters are exact") {
 TEST_CASE("error frames: states and counters") {
   bus_counters c;
   bus_state s = bus_state::active;
-  const auto error = [&](std::uint32_t classes, std::uint8_t controller = 0, std::uint8_t tx = 0, std::uint8_t rx = 0) {
+  const auto error = [&](std::uint32_t classes, std::uint8_t controller = 0, std::uint8_t tx = 0,
+                         std::uint8_t rx = 0) {
     canfd_frame k{};
     k.can_id = CAN_ERR_FLAG | classes;
     k.len = CAN_ERR_DLC;
@@ -172,10 +179,13 @@ TEST_CASE("socket can on vcan: the laws of a bus, without confirmations and time
   if (can_rigs::present("vcan0")) laws::can_bus<can_rigs::frugal_vcan>();
 }
 
-TEST_CASE("socket can on vcan: without confirmations an intruder is told all the same, and a time is that of the reading") {
+TEST_CASE(
+    "socket can on vcan: without confirmations an intruder is told all the same, and a time is that of the "
+    "reading") {
   if (!can_rigs::present("vcan0")) return;
   const std::array replies{can_filter{standard(0x200)}}, ours{can_filter{standard(0x100)}};
-  socket_can robot("vcan0", {.replies = replies, .ours = ours, .confirmations = false, .times = false}), drive("vcan0");
+  socket_can robot("vcan0", {.replies = replies, .ours = ours, .confirmations = false, .times = false}),
+      drive("vcan0");
   robot.send(std::array{numbered(0x100, 8)});
   drive.send(std::array{numbered(0x100, 9), numbered(0x200, 1)});
   can_rigs::wait_ms(30);
@@ -252,7 +262,8 @@ TEST_CASE("socket can on vcan: lost confirmations don't stop the sender") {
 TEST_CASE("socket can on vcan: what a controller in one-shot never confirms is given up, and counted") {
   if (!can_rigs::present("vcan0")) return;
   const std::array<can_filter, 1> others{{{standard(0x700)}}};  // own frames don't come back: never confirmed
-  socket_can patient("vcan0", {.replies = others}), one_shot("vcan0", {.replies = others, .gives_up_after = 200'000'000});
+  socket_can patient("vcan0", {.replies = others}),
+      one_shot("vcan0", {.replies = others, .gives_up_after = 200'000'000});
   for (socket_can* bus : {&patient, &one_shot}) {
     bus->send(std::array{numbered(1, 1), numbered(1, 2)});
     all_from(*bus);
@@ -293,7 +304,8 @@ TEST_CASE("socket can on vcan: what goes out although the bus was off is counted
   socket_can robot("vcan0");
   const raw_socket other("vcan0");
   REQUIRE(other.error(CAN_ERR_BUSOFF));
-  CHECK(robot.send(std::array{numbered(1, 1), numbered(1, 2)}).sent == 2);  // it has not read yet that the bus is off
+  CHECK(robot.send(std::array{numbered(1, 1), numbered(1, 2)}).sent ==
+        2);  // it has not read yet that the bus is off
   can_rigs::wait_ms(2);
   all_from(robot);
   CHECK(robot.state() == bus_state::bus_off);

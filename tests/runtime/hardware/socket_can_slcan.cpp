@@ -1,5 +1,5 @@
-// SocketCAN where the adapter is played by the test: bus-off, error states, a transmit queue that fills, an adapter that is
-// pulled.
+// SocketCAN where the adapter is played by the test: bus-off, error states, a transmit queue that fills, an
+// adapter that is pulled.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -15,7 +15,9 @@ using laws::can::all_from;
 
 namespace {
 
-can_frame numbered(std::uint32_t id, std::uint8_t n) { return {.id = standard(id), .length = 1, .data = {n}}; }
+can_frame numbered(std::uint32_t id, std::uint8_t n) {
+  return {.id = standard(id), .length = 1, .data = {n}};
+}
 
 // Only the guest surely has the driver and lets us make an interface.
 bool guest_has_slcan() { return can_rigs::in_guest() && std::system("grep -q '^slcan ' /proc/modules") == 0; }

@@ -12,8 +12,8 @@ using namespace cca::hardware;
 using namespace cca::hardware::detail;
 
 TEST_CASE("wire numbers: every step is its own, and the nearest to what lies around it") {
-  for (const steps r : {steps{-12.5, 12.5, 16}, steps{-50, 50, 12}, steps{0, 500, 12}, steps{0, 5, 12}, steps{-18, 18, 12},
-                        steps{-144, 144, 12}}) {
+  for (const steps r : {steps{-12.5, 12.5, 16}, steps{-50, 50, 12}, steps{0, 500, 12}, steps{0, 5, 12},
+                        steps{-18, 18, 12}, steps{-144, 144, 12}}) {
     const double width = (r.upper - r.lower) / r.count();
     for (std::uint32_t s = 0; s <= static_cast<std::uint32_t>(r.count()); ++s) {
       bool cut = false;
@@ -41,13 +41,15 @@ TEST_CASE("wire numbers: zero in the middle goes down, as in drivers that trunca
 TEST_CASE("wire numbers: integers to the nearest, but never the most negative") {
   for (const int bits : {8, 16, 32}) {
     const std::int64_t most = (std::int64_t{1} << (bits - 1)) - 1;
-    for (const std::int64_t n : {-most, -most + 1, std::int64_t{-1}, std::int64_t{0}, std::int64_t{1}, most - 1, most}) {
+    for (const std::int64_t n :
+         {-most, -most + 1, std::int64_t{-1}, std::int64_t{0}, std::int64_t{1}, most - 1, most}) {
       bool cut = false;
       CHECK(nearest_integer(static_cast<double>(n), bits, cut) == n);
       CHECK(nearest_integer(static_cast<double>(n) + 0.4, bits, cut) == n);
       CHECK(!cut);
     }
-    for (const double beyond : {1e30, static_cast<double>(most) + 1, std::numeric_limits<double>::infinity()}) {
+    for (const double beyond :
+         {1e30, static_cast<double>(most) + 1, std::numeric_limits<double>::infinity()}) {
       bool up = false, down = false;
       CHECK(nearest_integer(beyond, bits, up) == most);
       CHECK(nearest_integer(-beyond, bits, down) == -most);

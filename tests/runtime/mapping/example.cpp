@@ -44,27 +44,31 @@ struct height_of : cca::mapping_chain<cca::frame_change<hip_in_trunk, in_hip, in
 namespace paw {
 
 struct sweep {
-  auto process(cca::beat now) -> cca::out<"paw", in_hip> { return Eigen::Vector3d(0, 0, 0.1 * static_cast<double>(now.index())); }
+  auto process(cca::beat now) -> cca::out<"paw", in_hip> {
+    return Eigen::Vector3d(0, 0, 0.1 * static_cast<double>(now.index()));
+  }
 };
 struct reader {
   double last = -1;
   void process(cca::in<"height", height> h) { last = h.vector()[0]; }
 };
-struct walk : cca::graph<cca::rate<1000>, cca::node<"sweep", sweep>, cca::node<"height", height_of>, cca::node<"reader", reader>,
-                         cca::wire<"sweep.paw", "height.input">, cca::wire<"height.output", "reader.height">> {};
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"sweep", sweep>,
+                         cca::node<"height", height_of>,
+                         cca::node<"reader", reader>,
+                         cca::wire<"sweep.paw", "height.input">,
+                         cca::wire<"height.output", "reader.height">> {};
 
 }  // namespace paw
 
 TEST_SUITE("mappings, example") {
-
-TEST_CASE("a chain in a graph") {
-  cca::controller<paw::walk> c;
-  c.load();
-  c.start();
-  for (int i = 0; i < 4; ++i) CHECK(c.step());
-  CHECK(c.get<"reader">().last == doctest::Approx(0.3));
-}
-
+  TEST_CASE("a chain in a graph") {
+    cca::controller<paw::walk> c;
+    c.load();
+    c.start();
+    for (int i = 0; i < 4; ++i) CHECK(c.step());
+    CHECK(c.get<"reader">().last == doctest::Approx(0.3));
+  }
 }
 
 namespace {

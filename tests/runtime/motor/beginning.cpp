@@ -1,5 +1,5 @@
-// What no movement takes in: a start that has not come, and a sample that is not finite. It waits, publishes nothing meanwhile, and goes
-// on where it was.
+// What no movement takes in: a start that has not come, and a sample that is not finite. It waits, publishes
+// nothing meanwhile, and goes on where it was.
 #include <limits>
 #include <utility>
 
@@ -17,7 +17,8 @@ using namespace motor_test;
 
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
 using number = Eigen::Matrix<double, 1, 1>;
 using two = Eigen::Vector2d;
 const two somewhere(0.4, -0.3), bad(0.1, no_number);
@@ -47,15 +48,16 @@ struct rhythm {
   cca::dmp_rhythmic<leg, stride, 5> it;
   auto to(const two& goal, const cca::optional_in<"start", leg>& start, int k) {
     return std::get<0>(it.process(given<cca::in<"phase", cca::over<cca::phase, stride>>>(number(1e-3 * k)),
-                                  given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(0.0)), {}, given<cca::in<"goal", leg>>(goal), start, at(k)));
+                                  given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(0.0)),
+                                  {}, given<cca::in<"goal", leg>>(goal), start, at(k)));
   }
 };
 struct learned_rhythm {
   cca::dmp_rhythmic_module<leg, stride, 5> it;
   auto to(const two& goal, const cca::optional_in<"start", leg>& start, int k) {
     return std::get<0>(it.process(given<cca::in<"phase", cca::over<cca::phase, stride>>>(number(1e-3 * k)),
-                                  given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(0.0)), {}, given<cca::in<"reference", leg>>(goal), start,
-                                  {}, {}, at(k)));
+                                  given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(0.0)),
+                                  {}, given<cca::in<"reference", leg>>(goal), start, {}, {}, at(k)));
   }
 };
 
@@ -70,7 +72,12 @@ hand_pose::vector_type upright(double x) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a movement begins where it is told, once it is told", Movement, reach, primitive, rhythm, learned_rhythm) {
+TEST_CASE_TEMPLATE("a movement begins where it is told, once it is told",
+                   Movement,
+                   reach,
+                   primitive,
+                   rhythm,
+                   learned_rhythm) {
   using start = cca::optional_in<"start", leg>;
   Movement m;
   for (int k = 0; k < 20; ++k) CHECK(!m.to({1, 1}, waiting<start>(), k));
@@ -84,7 +91,12 @@ TEST_CASE_TEMPLATE("a movement begins where it is told, once it is told", Moveme
   CHECK((next.vector() - somewhere).norm() < 0.05);
 }
 
-TEST_CASE_TEMPLATE("a goal that is not finite is not followed, and does not stay", Movement, reach, primitive, rhythm, learned_rhythm) {
+TEST_CASE_TEMPLATE("a goal that is not finite is not followed, and does not stay",
+                   Movement,
+                   reach,
+                   primitive,
+                   rhythm,
+                   learned_rhythm) {
   Movement m;
   const auto from = wired<cca::optional_in<"start", leg>>(somewhere);
   for (int k = 0; k < 100; ++k) REQUIRE(m.to({1, 1}, from, k));
@@ -99,8 +111,9 @@ TEST_CASE("without a start a rhythmic movement begins at its goal, so not before
   rhythm m;
   const auto nowhere = cca::in<"goal", leg>{};
   const auto go = [&](const cca::in<"goal", leg>& goal, double phase, int k) {
-    return std::get<0>(m.it.process(given<cca::in<"phase", cca::over<cca::phase, stride>>>(number(phase)),
-                                    given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(0.0)), {}, goal, {}, at(k)));
+    return std::get<0>(m.it.process(
+        given<cca::in<"phase", cca::over<cca::phase, stride>>>(number(phase)),
+        given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(0.0)), {}, goal, {}, at(k)));
   };
   CHECK(!go(nowhere, 0, 0));
   CHECK((go(given<cca::in<"goal", leg>>(somewhere), 0, 1).vector() - somewhere).norm() < 1e-12);
@@ -113,7 +126,8 @@ TEST_CASE("a duration that is none changes nothing") {
   using duration = cca::optional_in<"duration", cca::movement_duration>;
   for (int k = 0; k < 500; ++k) {
     const auto step = [&](primitive& m, double seconds) {
-      return std::get<0>(m.it.process(given<cca::in<"goal", leg>>(two(1, 1)), {}, wired<duration>(number(seconds)), {}, at(k)));
+      return std::get<0>(m.it.process(given<cca::in<"goal", leg>>(two(1, 1)), {},
+                                      wired<duration>(number(seconds)), {}, at(k)));
     };
     if (k == 250) CHECK(!step(disturbed, no_number));
     else CHECK(step(plain, 1).vector() == step(disturbed, 1).vector());
@@ -136,7 +150,8 @@ TEST_CASE("a pose waits, too, and keeps a quaternion of unit length") {
 TEST_CASE("oscillators stay where they are while what is wanted of them is no number") {
   cca::hopf<stride> one_leg;
   const auto hopf = [&](double amplitude, int k) {
-    const auto all = one_leg.process(given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(amplitude)), {}, at(k));
+    const auto all = one_leg.process(
+        given<cca::in<"amplitude", cca::over<cca::amplitude, stride>>>(number(amplitude)), {}, at(k));
     return two(std::get<0>(all)[stride{}], std::get<1>(all)[stride{}]);
   };
   for (int k = 0; k < 1000; ++k) hopf(1, k);
@@ -152,7 +167,10 @@ TEST_CASE("oscillators stay where they are while what is wanted of them is no nu
   using network = cca::gait_network<lf, rf, lh, rh>;
   network four;
   const auto legs = [&](const Eigen::Vector4d& amplitudes, int k) {
-    return std::get<0>(four.process(given<cca::in<"amplitude", network::legs<cca::amplitude>>>(amplitudes), {}, {}, at(k))).vector().eval();
+    return std::get<0>(four.process(given<cca::in<"amplitude", network::legs<cca::amplitude>>>(amplitudes),
+                                    {}, {}, at(k)))
+        .vector()
+        .eval();
   };
   for (int k = 0; k < 100; ++k) legs(Eigen::Vector4d::Ones(), k);
   const Eigen::Vector4d phases = legs(Eigen::Vector4d::Ones(), 100);

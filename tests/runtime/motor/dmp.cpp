@@ -1,4 +1,5 @@
-// Movement primitives: the spring without forcing term, shapes fitted by regression, changes of goal and duration, limit cycles.
+// Movement primitives: the spring without forcing term, shapes fitted by regression, changes of goal and
+// duration, limit cycles.
 #include <cca/motor/dmp_discrete.hpp>
 #include <cca/motor/dmp_rhythmic.hpp>
 #include <vector>
@@ -58,7 +59,9 @@ struct rhythmic_case {
     return {weights, 25};
   }
   static ode::state state(laws::ode_source& random) { return random.vector<ode::state>(-1, 1); }
-  static ode::input input(laws::ode_source& random) { return {random(-1, 1), random(-1, 1), random(0, 1), random(0.5, 1)}; }
+  static ode::input input(laws::ode_source& random) {
+    return {random(-1, 1), random(-1, 1), random(0, 1), random(0.5, 1)};
+  }
 };
 
 // Minimum jerk from y0 to g in tau seconds (Flash and Hogan 1985): position, velocity, acceleration at t.
@@ -67,11 +70,12 @@ struct point {
 };
 point minimum_jerk(double y0, double g, double tau, double t) {
   const double s = t / tau, w = g - y0;
-  return {y0 + w * (10 * s * s * s - 15 * s * s * s * s + 6 * s * s * s * s * s), w / tau * 30 * s * s * (1 - s) * (1 - s),
-          w / tau / tau * (60 * s - 180 * s * s + 120 * s * s * s)};
+  return {y0 + w * (10 * s * s * s - 15 * s * s * s * s + 6 * s * s * s * s * s),
+          w / tau * 30 * s * s * (1 - s) * (1 - s), w / tau / tau * (60 * s - 180 * s * s + 120 * s * s * s)};
 }
 
-// Weights that reproduce minimum jerk over a way of 1 in 1 s, by least squares over a thousand points of time.
+// Weights that reproduce minimum jerk over a way of 1 in 1 s, by least squares over a thousand points of
+// time.
 reach::weight_matrix fitted(const reach& dmp) {
   const reach::ode::parameters p{dmp.p.weights, dmp.p.stiffness, dmp.p.decay, dmp.p.goal_rate, true};
   Eigen::Matrix<double, N, N> A = 1e-10 * Eigen::Matrix<double, N, N>::Identity();
@@ -80,8 +84,8 @@ reach::weight_matrix fitted(const reach& dmp) {
     const double t = k * 1e-3, x = std::exp(-5 * t);
     const auto m = minimum_jerk(0, 1, 1, t);
     const Eigen::Matrix<double, N, 1> phi = x * cca::discrete_activations<N>(x, 5);
-    const auto f = reach::ode::wanted_forcing(Eigen::Vector2d::Constant(m.y), Eigen::Vector2d::Constant(m.v), Eigen::Vector2d::Constant(m.a),
-                                              Eigen::Vector2d::Ones(), 1, p);
+    const auto f = reach::ode::wanted_forcing(Eigen::Vector2d::Constant(m.y), Eigen::Vector2d::Constant(m.v),
+                                              Eigen::Vector2d::Constant(m.a), Eigen::Vector2d::Ones(), 1, p);
     A += phi * phi.transpose(), b += phi * f[0];
   }
   const Eigen::Matrix<double, N, 1> w = A.ldlt().solve(b);
@@ -90,7 +94,12 @@ reach::weight_matrix fitted(const reach& dmp) {
   return weights;
 }
 
-auto step(reach& dmp, int k, const Eigen::Vector2d& g, const Eigen::Vector2d& from = {0, 0}, double tau = 0, bool again = false) {
+auto step(reach& dmp,
+          int k,
+          const Eigen::Vector2d& g,
+          const Eigen::Vector2d& from = {0, 0},
+          double tau = 0,
+          bool again = false) {
   return dmp.process(given<goal>(g), wired<start>(from), tau > 0 ? wired<duration>(number(tau)) : duration{},
                      wired<restart>(number(0.0), again), at(k));
 }
@@ -99,9 +108,15 @@ using phase = cca::in<"phase", cca::over<cca::phase, stride>>;
 using amplitude = cca::in<"amplitude", cca::over<cca::amplitude, stride>>;
 using frequency = cca::optional_in<"frequency", cca::over<cca::frequency, stride>>;
 
-auto swung(swing& dmp, int k, double hertz, double r, const Eigen::Vector2d& g, std::optional<Eigen::Vector2d> from = {}) {
+auto swung(swing& dmp,
+           int k,
+           double hertz,
+           double r,
+           const Eigen::Vector2d& g,
+           std::optional<Eigen::Vector2d> from = {}) {
   return dmp.process(given<phase>(number(2 * cca::pi * hertz * (k + 1) * 1e-3)), given<amplitude>(number(r)),
-                     wired<frequency>(number(hertz)), given<goal>(g), from ? wired<start>(*from) : start{}, at(k));
+                     wired<frequency>(number(hertz)), given<goal>(g), from ? wired<start>(*from) : start{},
+                     at(k));
 }
 
 }  // namespace
@@ -125,7 +140,8 @@ TEST_CASE("activations sum to one, and each is largest at its centre") {
     CHECK(top == i);
   }
   CHECK(cca::discrete_activations<200>(0, 5).allFinite());
-  CHECK(cca::discrete_activations<N>(1e3, 5) == cca::activations<N>(cca::activations<N>::Zero()));  // far from all centres
+  CHECK(cca::discrete_activations<N>(1e3, 5) ==
+        cca::activations<N>(cca::activations<N>::Zero()));  // far from all centres
 }
 
 template <int Count>
@@ -133,7 +149,8 @@ void check_rhythmic_activations() {
   CAPTURE(Count);
   for (double phase = -30; phase < 30; phase += 0.0371) {
     Eigen::Matrix<double, Count, 1> expected;
-    for (int i = 0; i < Count; ++i) expected[i] = std::exp(2.5 * Count * (std::cos(phase - 2 * cca::pi * i / Count) - 1));
+    for (int i = 0; i < Count; ++i)
+      expected[i] = std::exp(2.5 * Count * (std::cos(phase - 2 * cca::pi * i / Count) - 1));
     expected /= expected.sum();
     REQUIRE((cca::rhythmic_activations<Count>(phase) - expected).cwiseAbs().maxCoeff() < 1e-12);
   }
@@ -159,7 +176,9 @@ TEST_CASE("without weights it is a critically damped spring") {
   }
 }
 
-TEST_CASE("with fitted weights it reproduces minimum jerk to 0.2 % of the way, to another goal, and in another time") {
+TEST_CASE(
+    "with fitted weights it reproduces minimum jerk to 0.2 % of the way, to another goal, and in another "
+    "time") {
   reach dmp;
   dmp.p.weights = fitted(dmp);
   for (const auto& [to, tau] : {std::pair(1.0, 1.0), std::pair(-0.4, 1.0), std::pair(0.5, 2.0)}) {
@@ -196,7 +215,8 @@ TEST_CASE("a duration that changes under way changes the speed there, and not th
   dmp.p.weights = slow.p.weights = fitted(dmp);
   std::vector<double> plain, slowed;
   for (int k = 0; k < 1000; ++k) plain.push_back(std::get<0>(step(dmp, k, {1, 0}, {0, 0}, 1.0))[hip{}]);
-  for (int k = 0; k < 1600; ++k) slowed.push_back(std::get<0>(step(slow, k, {1, 0}, {0, 0}, k < 400 ? 1.0 : 2.0))[hip{}]);
+  for (int k = 0; k < 1600; ++k)
+    slowed.push_back(std::get<0>(step(slow, k, {1, 0}, {0, 0}, k < 400 ? 1.0 : 2.0))[hip{}]);
   for (std::size_t k = 0; k < 600; ++k) CHECK(std::abs(slowed[399 + 2 * k] - plain[399 + k]) < 1e-6);
 }
 
@@ -218,7 +238,9 @@ TEST_CASE("a restart begins the shape anew from where it is; an unscaled shape m
   CHECK(std::abs(end) < 1e-3);
 }
 
-TEST_CASE("a rhythmic primitive with fitted weights swings as the demonstration, times its amplitude, around its goal") {
+TEST_CASE(
+    "a rhythmic primitive with fitted weights swings as the demonstration, times its amplitude, around its "
+    "goal") {
   const double hertz = 1.5, tau = 1 / (2 * cca::pi * hertz), w = 2 * cca::pi * hertz;
   swing dmp;
   dmp.p.weights.setZero();
@@ -228,10 +250,12 @@ TEST_CASE("a rhythmic primitive with fitted weights swings as the demonstration,
   Eigen::Matrix<double, N, 1> b = Eigen::Matrix<double, N, 1>::Zero();
   const auto shape = [](double f) { return std::sin(f) + 0.4 * std::cos(2 * f + 1); };
   for (int i = 0; i < 1000; ++i) {
-    const double f = 2 * cca::pi * i / 1000, v = w * (std::cos(f) - 0.8 * std::sin(2 * f + 1)), a = -w * w * (std::sin(f) + 1.6 * std::cos(2 * f + 1));
+    const double f = 2 * cca::pi * i / 1000, v = w * (std::cos(f) - 0.8 * std::sin(2 * f + 1)),
+                 a = -w * w * (std::sin(f) + 1.6 * std::cos(2 * f + 1));
     const auto phi = cca::rhythmic_activations<N>(f);
-    const auto forcing = swing::ode::wanted_forcing(Eigen::Vector2d::Constant(shape(f)), Eigen::Vector2d::Constant(v),
-                                                    Eigen::Vector2d::Constant(a), Eigen::Vector2d::Zero(), tau, p);
+    const auto forcing =
+        swing::ode::wanted_forcing(Eigen::Vector2d::Constant(shape(f)), Eigen::Vector2d::Constant(v),
+                                   Eigen::Vector2d::Constant(a), Eigen::Vector2d::Zero(), tau, p);
     A += phi * phi.transpose(), b += phi * forcing[0];
   }
   dmp.p.weights.row(0) = A.ldlt().solve(b).transpose();
@@ -246,10 +270,12 @@ TEST_CASE("a rhythmic primitive with fitted weights swings as the demonstration,
 
 TEST_CASE("the limit cycle attracts as the closed form says, and at amplitude 0 or less the goal does") {
   swing one, other;
-  for (int i = 0; i < N; ++i) one.p.weights.col(i) = other.p.weights.col(i) = 60 * Eigen::Vector2d(std::sin(i), std::cos(i));
+  for (int i = 0; i < N; ++i)
+    one.p.weights.col(i) = other.p.weights.col(i) = 60 * Eigen::Vector2d(std::sin(i), std::cos(i));
   const double l = 25 / 2.0 * 2 * cca::pi * 1.0;
   for (int k = 0; k < 400; ++k) {
-    const auto a = std::get<0>(swung(one, k, 1, 1, {0, 0}, Eigen::Vector2d(0.5, 0))), b = std::get<0>(swung(other, k, 1, 1, {0, 0}, Eigen::Vector2d(-0.5, 0)));
+    const auto a = std::get<0>(swung(one, k, 1, 1, {0, 0}, Eigen::Vector2d(0.5, 0))),
+               b = std::get<0>(swung(other, k, 1, 1, {0, 0}, Eigen::Vector2d(-0.5, 0)));
     const double lt = l * 1e-3 * (k + 1);
     CHECK(std::abs(a[hip{}] - b[hip{}] - (1 + lt) * std::exp(-lt)) < 1e-5);
   }
@@ -264,12 +290,18 @@ TEST_CASE("the limit cycle attracts as the closed form says, and at amplitude 0 
 
 TEST_CASE("a duration or a frequency that is none is taken for the least that there is") {
   reach one, least;
-  CHECK(std::get<0>(one.process(given<goal>({1, 0}), {}, wired<duration>(number(0.0)), {}, at(0))).vector() ==
-        std::get<0>(least.process(given<goal>({1, 0}), {}, wired<duration>(number(1e-3)), {}, at(0))).vector());
+  CHECK(
+      std::get<0>(one.process(given<goal>({1, 0}), {}, wired<duration>(number(0.0)), {}, at(0))).vector() ==
+      std::get<0>(least.process(given<goal>({1, 0}), {}, wired<duration>(number(1e-3)), {}, at(0))).vector());
   swing turning, slow;
   for (int k = 0; k < 100; ++k)
-    CHECK(std::get<0>(turning.process(given<phase>(number(0.1)), given<amplitude>(number(1.0)), wired<frequency>(number(-1.0)), given<goal>({k < 3 ? 1.0 : 0.0, 0}), {}, at(k))).vector() ==
-          std::get<0>(slow.process(given<phase>(number(0.1)), given<amplitude>(number(1.0)), wired<frequency>(number(0.01)), given<goal>({k < 3 ? 1.0 : 0.0, 0}), {}, at(k))).vector());
+    CHECK(std::get<0>(turning.process(given<phase>(number(0.1)), given<amplitude>(number(1.0)),
+                                      wired<frequency>(number(-1.0)), given<goal>({k < 3 ? 1.0 : 0.0, 0}), {},
+                                      at(k)))
+              .vector() == std::get<0>(slow.process(given<phase>(number(0.1)), given<amplitude>(number(1.0)),
+                                                    wired<frequency>(number(0.01)),
+                                                    given<goal>({k < 3 ? 1.0 : 0.0, 0}), {}, at(k)))
+                               .vector());
 }
 
 TEST_CASE("movement primitives do not allocate") {

@@ -31,7 +31,8 @@ struct pose_case {
       for (int j = 0; j < 6; ++j) p.weights(i, j) = 20 * std::sin(i + 2 * j);
     return p;
   }
-  static vector7 random_pose(laws::ode_source& random) {  // turned by less than a quarter, so that the shorter way stays it
+  static vector7 random_pose(
+      laws::ode_source& random) {  // turned by less than a quarter, so that the shorter way stays it
     return pose(random.vector<v3>(-1, 1), cca::rotation::exp(random.vector<v3>(-0.4, 0.4)));
   }
   static ode::state state(laws::ode_source& random) {
@@ -54,8 +55,10 @@ struct pose_case {
 };
 
 auto step(reach& dmp, int k, const vector7& to, const vector7& from, bool again = false) {
-  return dmp.process(given<cca::in<"goal", hand_in_trunk>>(to), wired<cca::optional_in<"start", hand_in_trunk>>(from), {},
-                     wired<cca::optional_in<"restart", cca::restart_signal>>(Eigen::Matrix<double, 1, 1>(0.0), again), at(k));
+  return dmp.process(
+      given<cca::in<"goal", hand_in_trunk>>(to), wired<cca::optional_in<"start", hand_in_trunk>>(from), {},
+      wired<cca::optional_in<"restart", cca::restart_signal>>(Eigen::Matrix<double, 1, 1>(0.0), again),
+      at(k));
 }
 
 }  // namespace
@@ -73,7 +76,8 @@ TEST_CASE("without weights the angle left falls as the distance does, about a fi
     const double l = 25 / (2 * 1.5), lt = l * 1e-3 * (k + 1), left = (1 + lt) * std::exp(-lt);
     const v4 q = at_now.vector().tail<4>();
     CHECK(std::abs(at_now.vector()[0] - (1 - left)) < 1e-9);
-    CHECK((cca::rotation::log(cca::rotation::product(end, cca::rotation::inverse(q))) - 1.2 * left * axis).norm() < 1e-8);
+    CHECK((cca::rotation::log(cca::rotation::product(end, cca::rotation::inverse(q))) - 1.2 * left * axis)
+              .norm() < 1e-8);
     CHECK((velocity.vector().head<3>() - 1.2 * l * lt * std::exp(-lt) * axis).norm() < 1e-7);
     CHECK(std::abs(velocity.vector()[3] - l * lt * std::exp(-lt)) < 1e-8);
     CHECK(std::abs(q.norm() - 1) < 1e-14);
@@ -86,26 +90,35 @@ TEST_CASE("the same weights give position and rotation the same course") {
   const v3 way(0.3, -0.5, 0.2);
   double most = 0;
   for (int k = 0; k < 1500; ++k) {
-    const auto at_now = std::get<0>(step(dmp, k, pose(way, cca::rotation::exp(v3(way[0], 0, 0))), pose({0, 0, 0}, {0, 0, 0, 1})));
+    const auto at_now = std::get<0>(
+        step(dmp, k, pose(way, cca::rotation::exp(v3(way[0], 0, 0))), pose({0, 0, 0}, {0, 0, 0, 1})));
     const v3 turned = cca::rotation::log(v4(at_now.vector().tail<4>()));
-    CHECK(std::abs(turned[0] - at_now.vector()[0]) < 1e-8);  // about one axis it is a scalar, as the coordinate along x
-    most = std::max(most, std::abs(at_now.vector()[0] - 0.3 * (1 - (1 + 0.0125 * (k + 1)) * std::exp(-0.0125 * (k + 1)))));
+    CHECK(std::abs(turned[0] - at_now.vector()[0]) <
+          1e-8);  // about one axis it is a scalar, as the coordinate along x
+    most = std::max(most, std::abs(at_now.vector()[0] -
+                                   0.3 * (1 - (1 + 0.0125 * (k + 1)) * std::exp(-0.0125 * (k + 1)))));
   }
   CHECK(most > 0.01);  // the weights do something
 }
 
-TEST_CASE("a goal that changes under way is reached, without a jump of the acceleration; a restart begins from where it is") {
+TEST_CASE(
+    "a goal that changes under way is reached, without a jump of the acceleration; a restart begins from "
+    "where it is") {
   reach dmp;
-  const vector7 from = pose({0, 0, 0}, {0, 0, 0, 1}), first = pose({1, 0, 0}, about(v3(0, 0, 1), 1.5)), second = pose({0, 1, 0}, about(v3(0, 1, 0), -1.0));
+  const vector7 from = pose({0, 0, 0}, {0, 0, 0, 1}), first = pose({1, 0, 0}, about(v3(0, 0, 1), 1.5)),
+                second = pose({0, 1, 0}, about(v3(0, 1, 0), -1.0));
   Eigen::Matrix<double, 6, 1> last = Eigen::Matrix<double, 6, 1>::Zero(), gained = last;
   double jump = 0, angle = 1, distance = 1, status = 0;
   for (int k = 0; k < 4000; ++k) {
     const auto [at_now, velocity, x, s] = step(dmp, k, k < 400 ? first : second, from);
     const Eigen::Matrix<double, 6, 1> gain = velocity.vector() - last;
-    if (k > 200) jump = std::max(jump, (gain - gained).norm());  // of the acceleration, which at the beginning leaps as a spring's
+    if (k > 200)
+      jump = std::max(
+          jump, (gain - gained).norm());  // of the acceleration, which at the beginning leaps as a spring's
     gained = gain;
     last = velocity.vector();
-    angle = cca::rotation::angle(cca::rotation::product(v4(second.tail<4>()), cca::rotation::inverse(v4(at_now.vector().tail<4>()))));
+    angle = cca::rotation::angle(
+        cca::rotation::product(v4(second.tail<4>()), cca::rotation::inverse(v4(at_now.vector().tail<4>()))));
     distance = (at_now.vector() - second).head<3>().norm();
     status = s[cca::ode_axis{}];
   }
@@ -118,19 +131,24 @@ TEST_CASE("a goal that changes under way is reached, without a jump of the accel
   CHECK(x.vector()[0] == doctest::Approx(std::exp(-5e-3)));
 }
 
-TEST_CASE("after a restart it goes as one that begins there, and a quaternion that is not of unit length is taken for the one that is") {
+TEST_CASE(
+    "after a restart it goes as one that begins there, and a quaternion that is not of unit length is taken "
+    "for the one that is") {
   double length = 0;
   SUBCASE("longer") { length = 3; }
   SUBCASE("hardly any") { length = 1e-12; }
   reach used, fresh;
-  for (int j = 0; j < 10; ++j) used.p.weights.col(j) = fresh.p.weights.col(j) = Eigen::Matrix<double, 6, 1>::Constant(40 * std::cos(j));
-  const vector7 from = pose({0.1, 0, 0}, about(v3(1, 0, 0), 0.4)), first = pose({1, 0.2, 0}, about(v3(0, 0, 1), 0.8)),
+  for (int j = 0; j < 10; ++j)
+    used.p.weights.col(j) = fresh.p.weights.col(j) = Eigen::Matrix<double, 6, 1>::Constant(40 * std::cos(j));
+  const vector7 from = pose({0.1, 0, 0}, about(v3(1, 0, 0), 0.4)),
+                first = pose({1, 0.2, 0}, about(v3(0, 0, 1), 0.8)),
                 second = pose({0, 1, -0.3}, about(v3(0, 1, 0), -0.9));
   vector7 other = second;
   other.tail<4>() *= length;
   for (int k = 0; k < 8000; ++k) (void)step(used, k, first, from);
   for (int k = 0; k < 1500; ++k) {
-    const auto a = std::get<0>(step(used, k, other, from, k == 0)).vector(), b = std::get<0>(step(fresh, k, second, first)).vector();
+    const auto a = std::get<0>(step(used, k, other, from, k == 0)).vector(),
+               b = std::get<0>(step(fresh, k, second, first)).vector();
     CHECK((a - b).norm() < 1e-6);
   }
 }
@@ -138,6 +156,7 @@ TEST_CASE("after a restart it goes as one that begins there, and a quaternion th
 TEST_CASE("the movement primitive of a pose does not allocate") {
   reach dmp;
   const std::size_t before = laws::allocations();
-  for (int k = 0; k < 300; ++k) (void)step(dmp, k, pose({1, 0, 0}, about(v3(0, 0, 1), 1.5)), pose({0, 0, 0}, {0, 0, 0, 1}));
+  for (int k = 0; k < 300; ++k)
+    (void)step(dmp, k, pose({1, 0, 0}, about(v3(0, 0, 1), 1.5)), pose({0, 0, 0}, {0, 0, 0, 1}));
   CHECK(laws::allocations() == before);
 }

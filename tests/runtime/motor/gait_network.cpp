@@ -52,20 +52,23 @@ double off(const Eigen::Vector4d& phases, cca::gait which) {
   const auto wanted = cca::phase_matrix(which);
   double most = 0;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) most = std::max(most, std::abs(cca::wrap_signed(phases[j] - phases[i] - wanted(i, j))));
+    for (int j = 0; j < 4; ++j)
+      most = std::max(most, std::abs(cca::wrap_signed(phases[j] - phases[i] - wanted(i, j))));
   return most;
 }
 
 auto step(network& net, int k, std::optional<cca::gait> which = {}) {
   return net.process(given<amplitude>(Eigen::Vector4d::Ones()), {},
-                     which ? wired<choice>(Eigen::Matrix<double, 1, 1>(cca::status_of(*which))) : choice{}, at(k));
+                     which ? wired<choice>(Eigen::Matrix<double, 1, 1>(cca::status_of(*which))) : choice{},
+                     at(k));
 }
 
 }  // namespace
 
 TEST_CASE("the laws of an ode hold for the network") { laws::ode<network_case>(); }
 
-TEST_CASE("phase matrices: antisymmetric, consistent round each triangle, and the gaits are what they are called") {
+TEST_CASE(
+    "phase matrices: antisymmetric, consistent round each triangle, and the gaits are what they are called") {
   using cca::gait;
   for (const auto which : {gait::walk, gait::trot, gait::pace, gait::bound}) {
     const auto m = cca::phase_matrix(which);
@@ -74,7 +77,9 @@ TEST_CASE("phase matrices: antisymmetric, consistent round each triangle, and th
       for (int j = 0; j < 4; ++j)
         for (int k = 0; k < 4; ++k) CHECK(m(i, j) + m(j, k) == doctest::Approx(m(i, k)));
   }
-  const auto together = [](gait which, int i, int j) { return std::abs(cca::wrap_signed(cca::phase_matrix(which)(i, j))) < 1e-12; };
+  const auto together = [](gait which, int i, int j) {
+    return std::abs(cca::wrap_signed(cca::phase_matrix(which)(i, j))) < 1e-12;
+  };
   CHECK((together(gait::trot, 0, 3) && together(gait::trot, 1, 2) && !together(gait::trot, 0, 1)));
   CHECK((together(gait::pace, 0, 2) && together(gait::pace, 1, 3) && !together(gait::pace, 0, 1)));
   CHECK((together(gait::bound, 0, 1) && together(gait::bound, 2, 3) && !together(gait::bound, 0, 2)));
@@ -92,7 +97,8 @@ TEST_CASE("two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t), and amplitu
       ode::input u;
       u << 1.1, 1.1, 1, 1;
       const auto end = laws::after<pair_case, cca::rk4>(x, u, t, 1000);
-      CHECK(end[1] - end[0] - 0.7 == doctest::Approx(2 * std::atan(std::tan(start / 2) * std::exp(-2 * 1.5 * t))).epsilon(1e-8));
+      CHECK(end[1] - end[0] - 0.7 ==
+            doctest::Approx(2 * std::atan(std::tan(start / 2) * std::exp(-2 * 1.5 * t))).epsilon(1e-8));
       x[2] = 0.2, x[3] = 2;
       const auto grown = laws::after<pair_case, cca::rk4>(x, u, t, 1000);
       CHECK(grown[2] == doctest::Approx(1 - 0.8 * (1 + 10 * t) * std::exp(-10 * t)).epsilon(1e-8));
@@ -107,18 +113,24 @@ TEST_CASE("coupling acts through the amplitudes") {
   ode::input u;
   u << 1.1, 1.1, 0.5, 0.5;
   const auto end = laws::after<pair_case, cca::rk4>(x, u, 0.7, 1000);
-  CHECK(end[1] - end[0] - 0.7 == doctest::Approx(2 * std::atan(std::tan(1.0) * std::exp(-1.5 * 0.7))).epsilon(1e-8));  // half as fast as at 1
+  CHECK(end[1] - end[0] - 0.7 == doctest::Approx(2 * std::atan(std::tan(1.0) * std::exp(-1.5 * 0.7)))
+                                     .epsilon(1e-8));  // half as fast as at 1
 }
 
-TEST_CASE("frequencies of its own for each leg; without coupling each runs by itself; amplitudes come as fast as is asked") {
+TEST_CASE(
+    "frequencies of its own for each leg; without coupling each runs by itself; amplitudes come as fast as "
+    "is asked") {
   network net;
   net.p.coupling = 0, net.p.convergence = 10;
   const Eigen::Vector4d hertz(0.5, 1, 1.5, 2);
   for (int k = 0; k < 300; ++k) {
-    const auto [phase, size, state] = net.process(given<amplitude>(Eigen::Vector4d(0.1, 0.2, 0.3, 0.4)), wired<frequency>(hertz), {}, at(k));
+    const auto [phase, size, state] = net.process(given<amplitude>(Eigen::Vector4d(0.1, 0.2, 0.3, 0.4)),
+                                                  wired<frequency>(hertz), {}, at(k));
     const double t = 1e-3 * (k + 1), come = 1 - (1 + 5 * t) * std::exp(-5 * t);
     for (int i = 0; i < 4; ++i) {
-      CHECK(std::abs(cca::wrap_signed(phase.vector()[i] - 2 * cca::pi * hertz[i] * t - cca::gait_phases(cca::gait::trot)[static_cast<std::size_t>(i)])) < 1e-9);
+      CHECK(std::abs(cca::wrap_signed(phase.vector()[i] - 2 * cca::pi * hertz[i] * t -
+                                      cca::gait_phases(cca::gait::trot)[static_cast<std::size_t>(i)])) <
+            1e-9);
       CHECK(size.vector()[i] == doctest::Approx(0.1 * (i + 1) * come).epsilon(1e-8));
     }
   }
@@ -132,7 +144,8 @@ TEST_CASE("a small disturbance of four decays as exp(-4 w t)") {
   for (int i = 0; i < 4; ++i) x[i] = 0.7 * i + 1e-5 * (i - 1.5), x[4 + i] = 1;
   ode::input u = ode::input::Ones();
   const auto end = laws::after<network_case, cca::rk4>(x, u, 0.25, 1000);
-  for (int i = 0; i < 3; ++i) CHECK((end[i + 1] - end[i] - 0.7) / 1e-5 == doctest::Approx(std::exp(-4 * 3 * 0.25)).epsilon(1e-4));
+  for (int i = 0; i < 3; ++i)
+    CHECK((end[i + 1] - end[i] - 0.7) / 1e-5 == doctest::Approx(std::exp(-4 * 3 * 0.25)).epsilon(1e-4));
 }
 
 TEST_CASE("from any phases the ode comes to each gait's matrix") {
@@ -161,7 +174,8 @@ TEST_CASE("every change of gait arrives, also where all differences change by pi
       CHECK(off(before, from) < 1e-3);
       for (int k = 0; k < 4000; ++k) {
         const auto [phase, size, state] = step(net, k, to);
-        for (int i = 0; i < 4; ++i) jump = std::max(jump, std::abs(cca::wrap_signed(phase.vector()[i] - before[i])));
+        for (int i = 0; i < 4; ++i)
+          jump = std::max(jump, std::abs(cca::wrap_signed(phase.vector()[i] - before[i])));
         before = phase.vector();
         status = state[cca::ode_axis{}];
       }

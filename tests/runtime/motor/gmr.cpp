@@ -78,11 +78,14 @@ TEST_CASE("Gaussian mixture regression is its formula, mean and spread") {
     const auto [position, spread] = m.process(given<cca::in<"input", timeline>>(x));
     const auto wanted = reference(m.p.mixture, m.p.mixture.priors, x);
     CHECK((position.vector() - wanted.mean).norm() < 1e-11);
-    for (int i = 0; i < 2; ++i) CHECK(spread.vector()[i] == doctest::Approx(std::sqrt(wanted.covariance(i, i))).epsilon(1e-9));
+    for (int i = 0; i < 2; ++i)
+      CHECK(spread.vector()[i] == doctest::Approx(std::sqrt(wanted.covariance(i, i))).epsilon(1e-9));
   }
 }
 
-TEST_CASE("one Gaussian is linear regression; far from all Gaussians the nearest counts, without under- or overflow") {
+TEST_CASE(
+    "one Gaussian is linear regression; far from all Gaussians the nearest counts, without under- or "
+    "overflow") {
   motion m;
   auto& mix = m.p.mixture;
   mix.priors << 1, 0, 0;
@@ -118,11 +121,13 @@ TEST_CASE("over a phase the Gaussians lie on the circle") {
   for (const double f : {-0.3, 0.0, 1.0, 3.0, 6.0})
     for (const double full : {-2 * cca::pi, 2 * cca::pi, 20 * cca::pi})
       CHECK((std::get<0>(r.process(given<cca::in<"input", turn>>(number(f)))).vector() -
-             std::get<0>(r.process(given<cca::in<"input", turn>>(number(f + full)))).vector()).norm() < 1e-9);
+             std::get<0>(r.process(given<cca::in<"input", turn>>(number(f + full)))).vector())
+                .norm() < 1e-9);
   // Just left and right of the cut it's the same place.
   for (auto& one : r.p.mixture.covariances) one(0, 0) += 1;
   CHECK((std::get<0>(r.process(given<cca::in<"input", turn>>(number(1e-9)))).vector() -
-         std::get<0>(r.process(given<cca::in<"input", turn>>(number(2 * cca::pi - 1e-9)))).vector()).norm() < 1e-6);
+         std::get<0>(r.process(given<cca::in<"input", turn>>(number(2 * cca::pi - 1e-9)))).vector())
+            .norm() < 1e-6);
 }
 
 TEST_CASE("the hidden Markov model is its forward recursion, written out") {
@@ -134,7 +139,8 @@ TEST_CASE("the hidden Markov model is its forward recursion, written out") {
   Eigen::VectorXd forward = h.p.mixture.priors;
   for (int k = 0; k < 40; ++k) {
     const Eigen::Vector2d x = random.vector<Eigen::Vector2d>(-1, 1);
-    const Eigen::VectorXd predicted = k == 0 ? forward : Eigen::VectorXd(h.p.transitions.transpose() * forward);
+    const Eigen::VectorXd predicted =
+        k == 0 ? forward : Eigen::VectorXd(h.p.transitions.transpose() * forward);
     const auto wanted = reference(h.p.mixture, predicted, x);
     const auto [velocity, state] = h.process(given<cca::in<"position", plane>>(x));
     forward = wanted.h;
@@ -146,7 +152,8 @@ TEST_CASE("the hidden Markov model is its forward recursion, written out") {
   }
 }
 
-TEST_CASE("where a movement crosses itself the hidden state tells which way to go on; the mixture alone can't") {
+TEST_CASE(
+    "where a movement crosses itself the hidden state tells which way to go on; the mixture alone can't") {
   // A first stroke to the right through the origin, then one upwards through it.
   hidden h;
   auto& m = h.p.mixture;
@@ -158,14 +165,20 @@ TEST_CASE("where a movement crosses itself the hidden state tells which way to g
   m.covariances[1] = Eigen::Vector4d(0.1, 0.1, 0.01, 0.01).asDiagonal();
   m.covariances[2] = Eigen::Vector4d(0.01, 0.3, 0.01, 0.01).asDiagonal();
   h.p.transitions << 0.99, 0.01, 0, 0, 0.99, 0.01, 0.01, 0, 0.99;
-  const auto at_origin = [&] { return std::get<0>(h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(0, 0)))).vector(); };
-  for (double s = -1; s < -0.01; s += 0.1) (void)h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(s, 0)));
+  const auto at_origin = [&] {
+    return std::get<0>(h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(0, 0)))).vector();
+  };
+  for (double s = -1; s < -0.01; s += 0.1)
+    (void)h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(s, 0)));
   CHECK((at_origin() - Eigen::Vector2d(1, 0)).norm() < 0.1);
   for (int k = 0; k < 10; ++k) (void)h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(1, -1)));
   CHECK(h.states()[1] > 0.9);
-  for (double s = -1; s < -0.01; s += 0.1) (void)h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(0, s)));
+  for (double s = -1; s < -0.01; s += 0.1)
+    (void)h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(0, s)));
   CHECK((at_origin() - Eigen::Vector2d(0, 1)).norm() < 0.1);
-  const auto blind = regress<2, 2, K>(m, hidden::weights::Constant(1), Eigen::Vector2d(0, 0), [](const Eigen::Vector2d& x, const Eigen::Vector2d& mean) { return Eigen::Vector2d(x - mean); });
+  const auto blind = regress<2, 2, K>(
+      m, hidden::weights::Constant(1), Eigen::Vector2d(0, 0),
+      [](const Eigen::Vector2d& x, const Eigen::Vector2d& mean) { return Eigen::Vector2d(x - mean); });
   CHECK(std::abs(blind.mean[0] - blind.mean[1]) < 0.1);
 }
 
@@ -190,7 +203,8 @@ TEST_CASE("models that are none are refused; a lost position is survived; nothin
   laws::ode_source random{std::mt19937_64{5}};
   m.p.mixture = random_model<motion::model, 3>(random);
   h.p.mixture = random_model<hidden::model, 4>(random);
-  const auto lost = std::get<0>(h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(std::nan(""), 0)))).vector();
+  const auto lost =
+      std::get<0>(h.process(given<cca::in<"position", plane>>(Eigen::Vector2d(std::nan(""), 0)))).vector();
   CHECK(lost.norm() == 0);
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 100; ++k) {

@@ -27,25 +27,35 @@ double radius(double r0, double a, double c, double t) {
 }
 
 struct wish {
-  auto process(cca::beat now) -> cca::out<"amplitude", cca::over<cca::amplitude, stride>> { return now.index() < 3000 ? 1.0 : -1.0; }
+  auto process(cca::beat now) -> cca::out<"amplitude", cca::over<cca::amplitude, stride>> {
+    return now.index() < 3000 ? 1.0 : -1.0;
+  }
 };
 struct ear {
   void process(cca::in<"amplitude", cca::over<cca::amplitude, stride>> a) { heard = a[stride{}]; }
   double heard = 0;
 };
-struct stop_and_go : cca::graph<cca::rate<1000>, cca::node<"wish", wish>, cca::node<"cpg", oscillator, cca::timed<1>>, cca::node<"ear", ear>,
-                                cca::wire<"wish.amplitude", "cpg.amplitude">, cca::wire<"cpg.amplitude", "ear.amplitude">> {};
+struct stop_and_go : cca::graph<cca::rate<1000>,
+                                cca::node<"wish", wish>,
+                                cca::node<"cpg", oscillator, cca::timed<1>>,
+                                cca::node<"ear", ear>,
+                                cca::wire<"wish.amplitude", "cpg.amplitude">,
+                                cca::wire<"cpg.amplitude", "ear.amplitude">> {};
 
 }  // namespace
 
 TEST_CASE("the laws of an ode hold for the Hopf oscillator") { laws::ode<hopf_case>(); }
 
-TEST_CASE("the radius of the Hopf oscillator follows the closed form, inwards, outwards and at negative amplitude") {
-  for (const auto& [r0, a] : {std::pair(0.1, 1.0), std::pair(1.7, 1.0), std::pair(0.3, 0.6), std::pair(1.0, -1.0), std::pair(0.8, -0.4)})
+TEST_CASE(
+    "the radius of the Hopf oscillator follows the closed form, inwards, outwards and at negative "
+    "amplitude") {
+  for (const auto& [r0, a] : {std::pair(0.1, 1.0), std::pair(1.7, 1.0), std::pair(0.3, 0.6),
+                              std::pair(1.0, -1.0), std::pair(0.8, -0.4)})
     for (const double t : {0.05, 0.2, 0.6}) {
       const auto x = laws::after<hopf_case, cca::rk4>({r0, 0}, {a, 1.3}, t, 1000);
       CHECK(x.norm() == doctest::Approx(radius(r0, a, 8, t)).epsilon(1e-9));
-      CHECK(cca::wrap_signed(std::atan2(x[1], x[0]) - 2 * cca::pi * 1.3 * t) == doctest::Approx(0).epsilon(1e-9));
+      CHECK(cca::wrap_signed(std::atan2(x[1], x[0]) - 2 * cca::pi * 1.3 * t) ==
+            doctest::Approx(0).epsilon(1e-9));
     }
 }
 
@@ -54,7 +64,8 @@ TEST_CASE("the oscillator runs at its frequency, on a circle of the wanted ampli
   const double wanted = 0.7;
   double turned = 0, before = 0, radius_now = 0;
   for (int k = 0; k < 5000; ++k) {
-    const auto [phase, size, status] = cpg.process(given<amplitude>(one<leg>(wanted).head<1>()), wired<frequency>(one<leg>(2.5).head<1>()), at(k));
+    const auto [phase, size, status] = cpg.process(given<amplitude>(one<leg>(wanted).head<1>()),
+                                                   wired<frequency>(one<leg>(2.5).head<1>()), at(k));
     if (k >= 3000) turned += cca::wrap_signed(phase[stride{}] - before);
     before = phase[stride{}];
     radius_now = size[stride{}];
@@ -65,7 +76,9 @@ TEST_CASE("the oscillator runs at its frequency, on a circle of the wanted ampli
   CHECK(radius_now == doctest::Approx(wanted).epsilon(1e-6));
 }
 
-TEST_CASE("without a wire the frequency is the parameter; with Euler's method the circle is wider by what it has to be") {
+TEST_CASE(
+    "without a wire the frequency is the parameter; with Euler's method the circle is wider by what it has "
+    "to be") {
   oscillator cpg;
   cpg.p.frequency = 2.0;
   cca::hopf<stride, cca::explicit_euler> rough;
@@ -79,7 +92,8 @@ TEST_CASE("without a wire the frequency is the parameter; with Euler's method th
   }
   CHECK(turned == doctest::Approx(2 * cca::pi * 2).epsilon(1e-6));
   // Euler's circle is wider: the growth balances the outward step, c (A^2 - r^2) = -w^2 dt / 2.
-  const double r = std::get<1>(rough.process(given<amplitude>(one<leg>(1).head<1>()), {}, at(4000)))[stride{}];
+  const double r =
+      std::get<1>(rough.process(given<amplitude>(one<leg>(1).head<1>()), {}, at(4000)))[stride{}];
   CHECK(r * r == doctest::Approx(1 + 16 * cca::pi * cca::pi * 1e-3 / 2 / 10).epsilon(1e-3));
 }
 
@@ -87,18 +101,23 @@ TEST_CASE("a negative amplitude brings the oscillator to rest, a positive one wa
   oscillator cpg;
   const auto run = [&](double wanted, int beats) {
     auto result = cpg.process(given<amplitude>(one<leg>(wanted).head<1>()), {}, at(0));
-    for (int k = 1; k < beats; ++k) result = cpg.process(given<amplitude>(one<leg>(wanted).head<1>()), {}, at(k));
+    for (int k = 1; k < beats; ++k)
+      result = cpg.process(given<amplitude>(one<leg>(wanted).head<1>()), {}, at(k));
     return std::pair(std::get<1>(result)[stride{}], std::get<2>(result)[cca::ode_axis{}]);
   };
   CHECK(run(1, 3000).first == doctest::Approx(1).epsilon(1e-6));
   const auto [radius_at_rest, status] = run(-1, 1500);
   CHECK(radius_at_rest == cpg.p.ember);
   CHECK(status == cca::status_of(cca::ode_status::converged));
-  const auto phase_now = [&](oscillator copy) { return std::get<0>(copy.process(given<amplitude>(one<leg>(-1).head<1>()), {}, at(0)))[stride{}]; };
+  const auto phase_now = [&](oscillator copy) {
+    return std::get<0>(copy.process(given<amplitude>(one<leg>(-1).head<1>()), {}, at(0)))[stride{}];
+  };
   const double before = phase_now(cpg);
   (void)run(-1, 1);
-  CHECK(cca::wrap_signed(phase_now(cpg) - before) == doctest::Approx(2 * cca::pi * 1e-3).epsilon(1e-6));  // at rest it still has a phase
-  // Closed form: from the ember e it has reached half the amplitude after ln((1/e^2 - 1) / 3) / (2 c) = 0.64 s.
+  CHECK(cca::wrap_signed(phase_now(cpg) - before) ==
+        doctest::Approx(2 * cca::pi * 1e-3).epsilon(1e-6));  // at rest it still has a phase
+  // Closed form: from the ember e it has reached half the amplitude after ln((1/e^2 - 1) / 3) / (2 c) = 0.64
+  // s.
   const double half = std::log((1 / (1e-3 * 1e-3) - 1) / 3) / 20;
   CHECK(run(1, static_cast<int>(half * 1000)).first == doctest::Approx(0.5).epsilon(0.01));
   CHECK(run(1, 2000).first == doctest::Approx(1).epsilon(1e-6));

@@ -1,4 +1,5 @@
-// The parameters of the motor elements from a TOML file: with their units, and refused by name where they are wrong.
+// The parameters of the motor elements from a TOML file: with their units, and refused by name where they are
+// wrong.
 #include <string>
 #include <string_view>
 
@@ -106,7 +107,8 @@ covariances = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.5], [0.0, 0.5, 1.0]], [[2.0, 0.0, 
 transitions = [[0.9, 0.1], [0.25, 0.75]]
 [parts.mixture]
 priors = [1.0, 0.0]
-)"), "");
+)"),
+           "");
   CHECK_EQ(e.cpg.p.frequency.value(), 2.5);
   CHECK_EQ(e.cpg.p.convergence, 8);
   CHECK_EQ(e.cpg.p.settling.above, 0.02);
@@ -139,23 +141,43 @@ priors = [1.0, 0.0]
 }
 
 TEST_CASE("wrong parameters of the motor elements are refused by name") {
-  refuses("[cpg]\nfrequency = \"2.5 s\"", "motor.toml:2: cpg.frequency: unknown unit \"s\" in \"2.5 s\", expected Hz, mHz or kHz");
-  refuses("[cpg]\nfrequency = -1.0", "motor.toml:2: cpg.frequency: -1 Hz is out of range, expected 0 to 100 Hz");
-  refuses("[network]\ngait = \"tort\"", "motor.toml:2: network.gait: unknown name \"tort\", expected walk, trot, pace or bound");
-  refuses("[reach]\nrise = \"20 mm\"", "motor.toml:2: reach.rise: unknown unit \"mm\" in \"20 mm\", expected s, ms, us or min");
+  refuses("[cpg]\nfrequency = \"2.5 s\"",
+          "motor.toml:2: cpg.frequency: unknown unit \"s\" in \"2.5 s\", expected Hz, mHz or kHz");
+  refuses("[cpg]\nfrequency = -1.0",
+          "motor.toml:2: cpg.frequency: -1 Hz is out of range, expected 0 to 100 Hz");
+  refuses("[network]\ngait = \"tort\"",
+          "motor.toml:2: network.gait: unknown name \"tort\", expected walk, trot, pace or bound");
+  refuses("[reach]\nrise = \"20 mm\"",
+          "motor.toml:2: reach.rise: unknown unit \"mm\" in \"20 mm\", expected s, ms, us or min");
   refuses("[reach]\nexponent = 0", "motor.toml:2: reach.exponent: 0 is out of range, expected 1 to 8");
-  refuses("[stroke]\nduration = \"0 s\"", "motor.toml:2: stroke.duration: 0 s is out of range, expected 0.001 to 1000 s");
-  refuses("[stroke]\nweights = [[1.0, 2.0], [3.0, 4.0]]", "motor.toml:2: stroke.weights[0]: expected an array of 3, got one of 2\nmotor.toml:2: stroke.weights[1]: expected an array of 3, got one of 2");
-  refuses("[swing]\nfrequncy = 1.0", "motor.toml:2: swing.frequncy: unknown parameter, did you mean `frequency`?");
+  refuses("[stroke]\nduration = \"0 s\"",
+          "motor.toml:2: stroke.duration: 0 s is out of range, expected 0.001 to 1000 s");
+  refuses("[stroke]\nweights = [[1.0, 2.0], [3.0, 4.0]]",
+          "motor.toml:2: stroke.weights[0]: expected an array of 3, got one of 2\nmotor.toml:2: "
+          "stroke.weights[1]: expected an array of 3, got one of 2");
+  refuses("[swing]\nfrequncy = 1.0",
+          "motor.toml:2: swing.frequncy: unknown parameter, did you mean `frequency`?");
   refuses("[servo]\nproportional = [-1.0, 1.0]", "motor.toml:1: servo: a gain is negative");
-  refuses("[servo]\nfilter = \"fast\"", "motor.toml:2: servo.filter: expected a number with its unit (s, ms, us or min), got a string \"fast\"");
+  refuses("[servo]\nfilter = \"fast\"",
+          "motor.toml:2: servo.filter: expected a number with its unit (s, ms, us or min), got a string "
+          "\"fast\"");
   refuses("[pattern]\nleak = 1.5", "motor.toml:2: pattern.leak: 1.5 is out of range, expected 0 to 1");
-  refuses("[cpg]\nsettling = {below = 0.2, above = 0.1}", "motor.toml:2: cpg.settling: `below` lies above `above`");
-  refuses("[grasp]\nduration = \"1.5 m\"", "motor.toml:2: grasp.duration: unknown unit \"m\" in \"1.5 m\", expected s, ms, us or min");
-  refuses("[grasp]\nscaled = 1", "motor.toml:2: grasp.scaled: expected true or false, got the integer 1; for example `scaled = true`");
-  refuses("[motion.mixture]\npriors = [0.5, -0.5]", "motor.toml:1: motion.mixture: the priors are not weights: none negative, not all zero");
-  refuses("[motion.mixture]\ncovariances = [[[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]]",
-          "motor.toml:1: motion.mixture: a covariance is not positive definite over the input");
-  refuses("[parts]\ntransitions = [[0.9, 0.2], [0.25, 0.75]]", "motor.toml:1: parts: a row of `transitions` is not a distribution: its sum is 1, none of it negative");
-  refuses("[parts.mixture]\npriors = [1.0]", "motor.toml:2: parts.mixture.priors: expected an array of 2, got one of 1");
+  refuses("[cpg]\nsettling = {below = 0.2, above = 0.1}",
+          "motor.toml:2: cpg.settling: `below` lies above `above`");
+  refuses("[grasp]\nduration = \"1.5 m\"",
+          "motor.toml:2: grasp.duration: unknown unit \"m\" in \"1.5 m\", expected s, ms, us or min");
+  refuses(
+      "[grasp]\nscaled = 1",
+      "motor.toml:2: grasp.scaled: expected true or false, got the integer 1; for example `scaled = true`");
+  refuses("[motion.mixture]\npriors = [0.5, -0.5]",
+          "motor.toml:1: motion.mixture: the priors are not weights: none negative, not all zero");
+  refuses(
+      "[motion.mixture]\ncovariances = [[[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [[1.0, 0.0, "
+      "0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]]",
+      "motor.toml:1: motion.mixture: a covariance is not positive definite over the input");
+  refuses(
+      "[parts]\ntransitions = [[0.9, 0.2], [0.25, 0.75]]",
+      "motor.toml:1: parts: a row of `transitions` is not a distribution: its sum is 1, none of it negative");
+  refuses("[parts.mixture]\npriors = [1.0]",
+          "motor.toml:2: parts.mixture.priors: expected an array of 2, got one of 1");
 }

@@ -9,18 +9,24 @@ using namespace motor_test;
 namespace {
 
 struct torques : cca::space<cca::joint_torques, cca::axes<hip, knee>> {};
-struct elbow : cca::dimension<"elbow"> { static constexpr auto limits = cca::limits{cca::angle{-3, 3}, cca::torque{-1, 2}}; };
+struct elbow : cca::dimension<"elbow"> {
+  static constexpr auto limits = cca::limits{cca::angle{-3, 3}, cca::torque{-1, 2}};
+};
 struct elbow_angle : cca::space<cca::joint_angles, cca::axes<elbow>> {};
 struct elbow_torque : cca::space<cca::joint_torques, cca::axes<elbow>> {};
 using number = Eigen::Matrix<double, 1, 1>;
 
 template <class P, class M, class C>
-double command(P& pid, double reference, double measured, double manual = 0, std::optional<double> automatic = {}) {
+double command(
+    P& pid, double reference, double measured, double manual = 0, std::optional<double> automatic = {}) {
   using manual_port = cca::optional_in<"manual", C>;
   using automatic_port = cca::optional_in<"automatic", cca::over<cca::status, cca::automatic_axis>>;
-  return pid.process(cca::in<"reference", M>(number(reference), 0, true), cca::in<"measured", M>(number(measured), 0, true),
-                     automatic ? wired<manual_port>(number(manual)) : manual_port{},
-                     automatic ? wired<automatic_port>(number(*automatic)) : automatic_port{}, at(0)).vector()[0];
+  return pid
+      .process(cca::in<"reference", M>(number(reference), 0, true),
+               cca::in<"measured", M>(number(measured), 0, true),
+               automatic ? wired<manual_port>(number(manual)) : manual_port{},
+               automatic ? wired<automatic_port>(number(*automatic)) : automatic_port{}, at(0))
+      .vector()[0];
 }
 
 struct free_axis : cca::dimension<"free"> {};
@@ -80,7 +86,8 @@ TEST_CASE("a step of the reference does not kick the derivative, a step of the m
   auto other = gains(0, 0, 5, 0.05);
   CHECK(u_of(other, 0, 0) == 0);
   double filtered = 0;
-  for (int k = 0; k < 200; ++k) {  // D = -kd / (filter + dt) (y - y_f), which decays by filter / (filter + dt) a beat
+  for (int k = 0; k < 200;
+       ++k) {  // D = -kd / (filter + dt) (y - y_f), which decays by filter / (filter + dt) a beat
     CHECK(u_of(other, 0, 1) == doctest::Approx(-5 / 0.051 * (1 - filtered)));
     filtered += (1 - filtered) / 51;
   }
@@ -105,7 +112,9 @@ TEST_CASE("the command keeps the limits of its axes and `largest`") {
   CHECK(u_of(pid, -3, 0) == -0.5);
 }
 
-TEST_CASE("back-calculation: after a long saturation the command leaves the limit at once, and the overshoot is small") {
+TEST_CASE(
+    "back-calculation: after a long saturation the command leaves the limit at once, and the overshoot is "
+    "small") {
   const auto overshoot = [](double tracking) {
     limited pid;
     pid.p.proportional[0] = 4, pid.p.integral[0] = 8, pid.p.tracking = tracking;
@@ -138,9 +147,10 @@ TEST_CASE("from manual to automatic without a bump, and the way back follows the
   pid.p.proportional[0] = 3, pid.p.integral[0] = 2, pid.p.derivative[0] = 0.1;
   for (int k = 0; k < 100; ++k) CHECK(u_of(pid, 1, 0.2, 0.7, 0.0) == 0.7);
   CHECK(u_of(pid, 1, 0.2, 0.7, 0.0) == 0.7);
-  CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) == doctest::Approx(0.7).epsilon(1e-12));  // error 0.8: without, it would leap to 2
+  CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) ==
+        doctest::Approx(0.7).epsilon(1e-12));  // error 0.8: without, it would leap to 2
   CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) == doctest::Approx(0.7 + 1e-3 * 2 * 0.8).epsilon(1e-9));
-  CHECK(u_of(pid, 1, 0.2, 9.0, 0.0) == 2);  // also the hand's is limited
+  CHECK(u_of(pid, 1, 0.2, 9.0, 0.0) == 2);           // also the hand's is limited
   CHECK(u_of(pid, 1, 0.2, std::nan(""), 0.0) == 2);  // and not taken where it is no number
   CHECK(std::isfinite(u_of(pid, 1, 0.2, 0.0, 1.0)));
 }

@@ -52,13 +52,16 @@ TEST_CASE("the spectral radius is the one that is asked for, and the seed decide
     for (int j = 0; j < 60; ++j) W.col(j) = r.recur(Eigen::Matrix<double, 60, 1>::Unit(j));
     return W;
   };
-  CHECK(Eigen::EigenSolver<Eigen::MatrixXd>(matrix(one)).eigenvalues().cwiseAbs().maxCoeff() == doctest::Approx(0.9).epsilon(0.02));
+  CHECK(Eigen::EigenSolver<Eigen::MatrixXd>(matrix(one)).eigenvalues().cwiseAbs().maxCoeff() ==
+        doctest::Approx(0.9).epsilon(0.02));
   CHECK(matrix(one) == matrix(same));
   CHECK(matrix(one) != matrix(other));
   CHECK((matrix(one).array() != 0).rowwise().count().maxCoeff() <= 10);
 }
 
-TEST_CASE("a unit alone leaks to its bias; a teacher is heard through the feedback, each sample once; a load begins anew") {
+TEST_CASE(
+    "a unit alone leaks to its bias; a teacher is heard through the feedback, each sample once; a load "
+    "begins anew") {
   generator g;
   g.p.spectral_radius = 0, g.p.feedback = 0, g.p.bias = 3, g.p.leak = 0.25;
   g.on_load();
@@ -74,8 +77,10 @@ TEST_CASE("a unit alone leaks to its bias; a teacher is heard through the feedba
     CHECK((g.activity().head<N>() - (1 - std::pow(0.75, k + 1)) * last).norm() < 1e-9);
   }
   generator a = trained(), b = a;
-  for (int k = 0; k < 10; ++k) (void)a.process(wired<teacher>(pattern(k))), (void)b.process(wired<teacher>(pattern(k)));
-  for (int k = 0; k < 10; ++k) CHECK(a.process(wired<teacher>(Eigen::Vector2d(9, 9), false)).vector() == b.process(teacher{}).vector());
+  for (int k = 0; k < 10; ++k)
+    (void)a.process(wired<teacher>(pattern(k))), (void)b.process(wired<teacher>(pattern(k)));
+  for (int k = 0; k < 10; ++k)
+    CHECK(a.process(wired<teacher>(Eigen::Vector2d(9, 9), false)).vector() == b.process(teacher{}).vector());
   generator used = a, fresh;
   fresh.p = a.p;
   used.on_load(), fresh.on_load();
@@ -108,13 +113,15 @@ TEST_CASE("an untaught network, trained, falls into the pattern from rest: it's 
   double best = 1e9;  // at whatever phase
   for (int shift = 0; shift < 500; ++shift) {
     double worst = 0;
-    for (int k = 0; k < 50; ++k) worst = std::max(worst, (seen[static_cast<std::size_t>(2900 + k)] - pattern(k + shift / 10.0)).norm());
+    for (int k = 0; k < 50; ++k)
+      worst = std::max(worst, (seen[static_cast<std::size_t>(2900 + k)] - pattern(k + shift / 10.0)).norm());
     best = std::min(best, worst);
   }
   CHECK(best < 0.05);
 }
 
-TEST_CASE("without readout it is silent; the first firing makes the network; NaN is not taken; nothing allocates") {
+TEST_CASE(
+    "without readout it is silent; the first firing makes the network; NaN is not taken; nothing allocates") {
   generator g;
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 100; ++k) CHECK(free_run(g).norm() == 0);

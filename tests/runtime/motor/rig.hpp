@@ -22,7 +22,9 @@ struct plane : cca::space<cca::number, cca::axes<hip, knee>> {};
 
 // A port as the loop would fill it.
 template <class Port>
-Port given(const typename Port::vector_type& v, bool fresh = true) { return Port(v, 0, fresh); }
+Port given(const typename Port::vector_type& v, bool fresh = true) {
+  return Port(v, 0, fresh);
+}
 template <class Port>
 Port wired(const typename Port::vector_type& v, bool fresh = true) {
   Port port(v, 0, fresh);
@@ -31,7 +33,9 @@ Port wired(const typename Port::vector_type& v, bool fresh = true) {
 }
 
 template <class Space>
-typename Space::vector_type one(double value) { return Space::vector_type::Constant(value); }
+typename Space::vector_type one(double value) {
+  return Space::vector_type::Constant(value);
+}
 
 // Beats of 1 ms.
 inline cca::beat at(std::int64_t k) { return {k, 1'000'000, 1}; }

@@ -1,4 +1,5 @@
-// A start begins anew: after `on_start` a component does what a fresh one does, to the bit, whatever it did before.
+// A start begins anew: after `on_start` a component does what a fresh one does, to the bit, whatever it did
+// before.
 #include <vector>
 
 #include <cca/motor/dmp_discrete.hpp>
@@ -28,13 +29,16 @@ using phase_of = cca::over<cca::phase, Axis>;
 template <class Result>
 std::vector<double> numbers(const Result& result) {
   std::vector<double> all;
-  const auto add = [&](const auto& port) { all.insert(all.end(), port.vector().begin(), port.vector().end()); };
+  const auto add = [&](const auto& port) {
+    all.insert(all.end(), port.vector().begin(), port.vector().end());
+  };
   if constexpr (requires { result.vector(); }) add(result);
   else std::apply([&](const auto&... ports) { (add(ports), ...); }, result);
   return all;
 }
 
-// What has come to rest once says so until the next start, and only then has to come to rest anew: its status is seen to begin, too.
+// What has come to rest once says so until the next start, and only then has to come to rest anew: its status
+// is seen to begin, too.
 template <class Component>
 Component lasting(Component c) {
   c.p.settling.above = 1e9;
@@ -65,14 +69,17 @@ Eigen::Vector2d place(int k) { return k < 10'000 ? Eigen::Vector2d(0.4, -0.3) : 
 }  // namespace
 
 TEST_CASE("VITE starts anew") {
-  starts_anew(lasting(cca::vite<leg>{}), [](auto& c, int k) { return c.process(given<cca::in<"target", leg>>(place(k)), {}, {}, at(k)); });
+  starts_anew(lasting(cca::vite<leg>{}), [](auto& c, int k) {
+    return c.process(given<cca::in<"target", leg>>(place(k)), {}, {}, at(k));
+  });
 }
 
 TEST_CASE("the discrete movement primitive starts anew") {
   cca::dmp_discrete<leg, 5> c;
   c.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
   starts_anew(lasting(c), [](auto& one, int k) {
-    return one.process(given<cca::in<"goal", leg>>(place(k)), wired<cca::optional_in<"start", leg>>(0.5 * place(k)), {}, {}, at(k));
+    return one.process(given<cca::in<"goal", leg>>(place(k)),
+                       wired<cca::optional_in<"start", leg>>(0.5 * place(k)), {}, {}, at(k));
   });
 }
 
@@ -88,8 +95,10 @@ TEST_CASE("the movement primitive of a pose starts anew") {
 
 TEST_CASE("rhythmic movement primitives start anew, and keep what they have learned") {
   const auto step = [](auto& one, int k) {
-    return one.process(given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)), given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k % 7000 < 300 ? 1.0 : 0.0)),
-                       {}, given<cca::in<"goal", leg>>(place(k)), {}, at(k));
+    return one.process(
+        given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)),
+        given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k % 7000 < 300 ? 1.0 : 0.0)), {},
+        given<cca::in<"goal", leg>>(place(k)), {}, at(k));
   };
   cca::dmp_rhythmic<leg, stride, 5> plain;
   plain.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
@@ -102,37 +111,44 @@ TEST_CASE("rhythmic movement primitives start anew, and keep what they have lear
     learned.learning.hand_over(known);
   }
   starts_anew(lasting(learned), [](auto& one, int k) {
-    return one.process(given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)), given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 10'000 ? 1.0 : 0.0)), {},
-                       given<cca::in<"reference", leg>>(place(k)), {}, {}, {}, at(k));
+    return one.process(given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)),
+                       given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 10'000 ? 1.0 : 0.0)),
+                       {}, given<cca::in<"reference", leg>>(place(k)), {}, {}, {}, at(k));
   });
 }
 
 TEST_CASE("the network of legs starts anew: from rest, in the gait") {
   using network = cca::gait_network<lf, rf, lh, rh>;
   starts_anew(lasting(network{}), [](auto& one, int k) {
-    return one.process(given<cca::in<"amplitude", network::legs<cca::amplitude>>>(Eigen::Vector4d::Constant(0.8)), {},
-                       wired<cca::optional_in<"gait", cca::gait_choice>>(one_number(k < 10'000 ? 2.0 : 0.0)), at(k));
+    return one.process(
+        given<cca::in<"amplitude", network::legs<cca::amplitude>>>(Eigen::Vector4d::Constant(0.8)), {},
+        wired<cca::optional_in<"gait", cca::gait_choice>>(one_number(k < 10'000 ? 2.0 : 0.0)), at(k));
   });
 }
 
 TEST_CASE("the Hopf oscillator starts anew: from the ember") {
   starts_anew(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
-    return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)), {}, at(k));
+    return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)),
+                       {}, at(k));
   });
 }
 
 TEST_CASE("a reservoir pattern generator starts anew: the same network, from rest") {
   cca::rcpg<plane, 20> c;
   c.p.readout.setConstant(0.1);
-  starts_anew(c, [](auto& one, int k) { return one.process(wired<cca::optional_in<"teacher", plane>>(place(k), k >= 10'000)); });
+  starts_anew(c, [](auto& one, int k) {
+    return one.process(wired<cca::optional_in<"teacher", plane>>(place(k), k >= 10'000));
+  });
 }
 
 TEST_CASE("PID starts anew") {
   cca::pid<plane, plane> c;
   c.p.integral.setConstant(3), c.p.derivative.setConstant(0.2);
   starts_anew(c, [](auto& one, int k) {
-    const Eigen::Vector2d wanted = k == 0 ? Eigen::Vector2d::Constant(std::nan("")) : place(k);  // the first one is not taken: what was before counts
-    return one.process(given<cca::in<"reference", plane>>(wanted), given<cca::in<"measured", plane>>(Eigen::Vector2d(0.01 * k, 1)), {}, {}, at(k));
+    const Eigen::Vector2d wanted = k == 0 ? Eigen::Vector2d::Constant(std::nan(""))
+                                          : place(k);  // the first one is not taken: what was before counts
+    return one.process(given<cca::in<"reference", plane>>(wanted),
+                       given<cca::in<"measured", plane>>(Eigen::Vector2d(0.01 * k, 1)), {}, {}, at(k));
   });
 }
 

@@ -1,4 +1,5 @@
-// VITE against the closed form of its critically damped case, a reference integration, and the invariants of the paper.
+// VITE against the closed form of its critically damped case, a reference integration, and the invariants of
+// the paper.
 #include <vector>
 
 #include <cca/motor/vite.hpp>
@@ -30,11 +31,12 @@ struct movement {
   std::vector<double> position, velocity, status;
 };
 
-movement run(reach& arm, const Eigen::Vector2d& to, int beats, double factor = 1, Eigen::Vector2d from = {0, 0}) {
+movement run(
+    reach& arm, const Eigen::Vector2d& to, int beats, double factor = 1, Eigen::Vector2d from = {0, 0}) {
   movement all;
   for (int k = 0; k < beats; ++k) {
-    const auto [position, velocity, status] =
-        arm.process(given<target>(to), wired<start>(from), wired<go>(Eigen::Matrix<double, 1, 1>(factor)), at(k));
+    const auto [position, velocity, status] = arm.process(
+        given<target>(to), wired<start>(from), wired<go>(Eigen::Matrix<double, 1, 1>(factor)), at(k));
     all.position.push_back(position[hip{}]);
     all.velocity.push_back(velocity[hip{}]);
     all.status.push_back(status[cca::ode_axis{}]);
@@ -42,13 +44,17 @@ movement run(reach& arm, const Eigen::Vector2d& to, int beats, double factor = 1
   return all;
 }
 
-int peak(const std::vector<double>& v) { return static_cast<int>(std::max_element(v.begin(), v.end()) - v.begin()); }
+int peak(const std::vector<double>& v) {
+  return static_cast<int>(std::max_element(v.begin(), v.end()) - v.begin());
+}
 
 }  // namespace
 
 TEST_CASE("the laws of an ode hold for VITE") { laws::ode<vite_case>(); }
 
-TEST_CASE("VITE with a constant GO signal, critically damped, follows the closed form; its velocity has its peak at 2 / a") {
+TEST_CASE(
+    "VITE with a constant GO signal, critically damped, follows the closed form; its velocity has its peak "
+    "at 2 / a") {
   reach arm;
   arm.p.rise = 0;
   arm.p.convergence = 20;
@@ -56,8 +62,10 @@ TEST_CASE("VITE with a constant GO signal, critically damped, follows the closed
   const auto m = run(arm, {0.8, 0}, 1000);
   for (int k : {10, 100, 300, 900}) {
     const double lt = 10 * (k + 1) * 1e-3;
-    CHECK(m.position[static_cast<std::size_t>(k)] == doctest::Approx(0.8 * (1 - (1 + lt) * std::exp(-lt))).epsilon(1e-8));
-    CHECK(m.velocity[static_cast<std::size_t>(k)] == doctest::Approx(0.8 * 10 * lt * std::exp(-lt)).epsilon(1e-8));
+    CHECK(m.position[static_cast<std::size_t>(k)] ==
+          doctest::Approx(0.8 * (1 - (1 + lt) * std::exp(-lt))).epsilon(1e-8));
+    CHECK(m.velocity[static_cast<std::size_t>(k)] ==
+          doctest::Approx(0.8 * 10 * lt * std::exp(-lt)).epsilon(1e-8));
   }
   CHECK(peak(m.velocity) + 1 == 100);
 }
@@ -77,7 +85,9 @@ TEST_CASE("VITE with the rising GO signal agrees with a reference integration") 
   }
 }
 
-TEST_CASE("the velocity is a bell: it rises once, falls once, has its peak well inside, and the target is not overrun by 1 %") {
+TEST_CASE(
+    "the velocity is a bell: it rises once, falls once, has its peak well inside, and the target is not "
+    "overrun by 1 %") {
   reach arm;
   const auto m = run(arm, {0.8, 0}, 2000);
   const int top = peak(m.velocity);
@@ -86,7 +96,9 @@ TEST_CASE("the velocity is a bell: it rises once, falls once, has its peak well 
     if (static_cast<int>(k) <= top) CHECK(m.velocity[k] >= m.velocity[k - 1]);
     else if (m.velocity[k] > 0.01) CHECK(m.velocity[k] <= m.velocity[k - 1]);
   }
-  const auto arrived = std::find_if(m.position.begin(), m.position.end(), [](double x) { return x > 0.99 * 0.8; }) - m.position.begin();
+  const auto arrived =
+      std::find_if(m.position.begin(), m.position.end(), [](double x) { return x > 0.99 * 0.8; }) -
+      m.position.begin();
   CHECK(arrived < 1150);
   CHECK(arrived > 800);
   const double relative = top / static_cast<double>(arrived);
@@ -99,7 +111,8 @@ TEST_CASE("the velocity is a bell: it rises once, falls once, has its peak well 
 TEST_CASE("twice the way takes the same time, to the bit of the profile; a larger GO signal takes less") {
   reach near, far, quick;
   const auto a = run(near, {0.4, 0}, 800), b = run(far, {0.8, 0}, 800), c = run(quick, {0.4, 0}, 800, 1.5);
-  for (std::size_t k = 0; k < 800; ++k) CHECK(b.velocity[k] == doctest::Approx(2 * a.velocity[k]).epsilon(1e-12));
+  for (std::size_t k = 0; k < 800; ++k)
+    CHECK(b.velocity[k] == doctest::Approx(2 * a.velocity[k]).epsilon(1e-12));
   CHECK(peak(a.velocity) == peak(b.velocity));
   CHECK(peak(c.velocity) < peak(a.velocity));
 }
@@ -112,7 +125,8 @@ TEST_CASE("both axes are in step, whatever their ways; it begins where `start` s
   }
 }
 
-TEST_CASE("go = 0 holds still; the status says when it has arrived, and a second movement is the first one again") {
+TEST_CASE(
+    "go = 0 holds still; the status says when it has arrived, and a second movement is the first one again") {
   reach arm;
   for (const double v : run(arm, {0.8, 0}, 100, 0).velocity) CHECK(v == 0);
   reach twice;

@@ -21,11 +21,14 @@ struct wish : cca::space<cca::number, cca::axes<level>> {};
 
 struct low_pass {
   struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 1000>, rate), (cca::ode_settling, settling));
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (cca::bounded<double, 0, 1000>, rate),
+                             (cca::ode_settling, settling));
   };
   parameters p{3.0, {}};
 
-  auto process(cca::in<"wish", wish> w, cca::beat now) -> std::tuple<cca::out<"level", wish>, cca::out<"status", cca::ode_status_port>> {
+  auto process(cca::in<"wish", wish> w, cca::beat now)
+      -> std::tuple<cca::out<"level", wish>, cca::out<"status", cca::ode_status_port>> {
     const decay::parameters at{p.rate};
     solver.advance(w.vector(), at, now.dt());
     return {solver.get(), cca::status_of(status.update(solver.rate(w.vector(), at).norm(), p.settling))};
@@ -41,12 +44,18 @@ struct step {
   auto process() -> cca::out<"wish", wish> { return 1.0; }
 };
 struct sink {
-  void process(cca::in<"level", wish> x, cca::in<"status", cca::ode_status_port> s) { level_seen = x[level{}], status = s.as<cca::ode_status>(); }
+  void process(cca::in<"level", wish> x, cca::in<"status", cca::ode_status_port> s) {
+    level_seen = x[level{}], status = s.as<cca::ode_status>();
+  }
   double level_seen = 0;
   cca::ode_status status{};
 };
-struct filtered : cca::graph<cca::rate<1000>, cca::node<"step", step>, cca::node<"filter", low_pass, cca::timed<1>>, cca::node<"sink", sink>,
-                             cca::wire<"step.wish", "filter.wish">, cca::wire<"filter.level", "sink.level">,
+struct filtered : cca::graph<cca::rate<1000>,
+                             cca::node<"step", step>,
+                             cca::node<"filter", low_pass, cca::timed<1>>,
+                             cca::node<"sink", sink>,
+                             cca::wire<"step.wish", "filter.wish">,
+                             cca::wire<"filter.level", "sink.level">,
                              cca::wire<"filter.status", "sink.status">> {};
 
 }  // namespace

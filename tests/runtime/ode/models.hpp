@@ -32,9 +32,12 @@ struct oscillator {
     double w;
   };
   static constexpr int positions = 1;
-  static state derivative(const state& x, const input& u, const parameters& p) { return {x[1], p.w * p.w * (u[0] - x[0])}; }
+  static state derivative(const state& x, const input& u, const parameters& p) {
+    return {x[1], p.w * p.w * (u[0] - x[0])};
+  }
   static state exact(const state& x, double w, double t) {
-    return {x[0] * std::cos(w * t) + x[1] / w * std::sin(w * t), -w * x[0] * std::sin(w * t) + x[1] * std::cos(w * t)};
+    return {x[0] * std::cos(w * t) + x[1] / w * std::sin(w * t),
+            -w * x[0] * std::sin(w * t) + x[1] * std::cos(w * t)};
   }
 };
 

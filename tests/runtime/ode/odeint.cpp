@@ -19,16 +19,22 @@ namespace odeint = boost::numeric::odeint;
 namespace {
 
 using algebra = odeint::vector_space_algebra;
-template <class State> using classical = odeint::runge_kutta4<State, double, State, double, algebra>;
-template <class State> using cash_karp = odeint::runge_kutta_cash_karp54<State, double, State, double, algebra>;
-template <class State> using dopri5 = odeint::runge_kutta_dopri5<State, double, State, double, algebra>;
-template <class State> using fehlberg = odeint::runge_kutta_fehlberg78<State, double, State, double, algebra>;
+template <class State>
+using classical = odeint::runge_kutta4<State, double, State, double, algebra>;
+template <class State>
+using cash_karp = odeint::runge_kutta_cash_karp54<State, double, State, double, algebra>;
+template <class State>
+using dopri5 = odeint::runge_kutta_dopri5<State, double, State, double, algebra>;
+template <class State>
+using fehlberg = odeint::runge_kutta_fehlberg78<State, double, State, double, algebra>;
 
 template <class Integrator>
 double order(int steps) {
   const Eigen::Vector2d start(1, 0.5);
   const auto error = [&](int n) {
-    return (laws::after<oscillator_case, Integrator>(start, number(0.0), 1.0, n) - oscillator::exact(start, 5, 1)).norm();
+    return (laws::after<oscillator_case, Integrator>(start, number(0.0), 1.0, n) -
+            oscillator::exact(start, 5, 1))
+        .norm();
   };
   return std::log2(error(steps) / error(2 * steps));
 }

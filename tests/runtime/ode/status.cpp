@@ -38,7 +38,8 @@ TEST_CASE("a decay converges when its closed form says so, and leaves when the i
   const cca::ode_settling settling{1e-3, 2e-3};
   // |x'| = 3 e^(-3 t) = 1e-3 at t = ln(3000) / 3.
   int beats = 0;
-  while (status.update(solver.rate(number(0.0), p).norm(), settling) == ode_status::transient) solver.advance(number(0.0), p, 1e-3), ++beats;
+  while (status.update(solver.rate(number(0.0), p).norm(), settling) == ode_status::transient)
+    solver.advance(number(0.0), p, 1e-3), ++beats;
   CHECK(beats == static_cast<int>(std::ceil(std::log(3000.0) / 3 * 1000)));
   CHECK(status.update(solver.rate(number(0.5), p).norm(), settling) == ode_status::transient);
 }

@@ -1,4 +1,5 @@
-// What the README says of its example, out of the program: its picture, and the message of a wire to a wrong space.
+// What the README says of its example, out of the program: its picture, and the message of a wire to a wrong
+// space.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -30,8 +31,11 @@ struct foot_angles : cca::space<cca::joint_angles, cca::axes<knee, hip>, cca::ra
 struct other_leg {
   void act(cca::in<"command", foot_angles>) {}
 };
-struct wrong : cca::graph<cca::node<"swing", swing>, cca::node<"limits", cca::limiter<leg_angles>>, cca::node<"leg", other_leg>,
-                          cca::wire<"swing.angles", "limits.command">, cca::wire<"limits.safe", "leg.command">> {};
+struct wrong : cca::graph<cca::node<"swing", swing>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::node<"leg", other_leg>,
+                          cca::wire<"swing.angles", "limits.command">,
+                          cca::wire<"limits.safe", "leg.command">> {};
 
 constexpr std::string_view message = R"(// [message]
 space.mismatch: `limits.safe` publishes leg_angles (joint_angles over hip, knee at 1000 Hz) but `leg.command` expects

@@ -10,14 +10,18 @@
 namespace robot_test {
 
 struct hip : cca::dimension<"hip"> {
-  static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.8}, cca::velocity{-5, 4}, cca::acceleration{-50, 40},
-                                             cca::torque{-3, 2}, cca::torque_rate{-100, 200}, cca::stiffness{2, 60}};
+  static constexpr auto limits =
+      cca::limits{cca::angle{-0.9, 0.8}, cca::velocity{-5, 4},        cca::acceleration{-50, 40},
+                  cca::torque{-3, 2},    cca::torque_rate{-100, 200}, cca::stiffness{2, 60}};
 };
 struct knee : cca::dimension<"knee"> {  // its angle may change at will, and never reaches 0
-  static constexpr auto limits = cca::limits{cca::angle{-1.8, -0.2}, cca::torque{-3, 3}, cca::stiffness{0, 30}};
+  static constexpr auto limits =
+      cca::limits{cca::angle{-1.8, -0.2}, cca::torque{-3, 3}, cca::stiffness{0, 30}};
 };
 
-struct wheel : cca::dimension<"wheel"> { static constexpr auto limits = cca::limits{cca::velocity{-6, 6}}; };
+struct wheel : cca::dimension<"wheel"> {
+  static constexpr auto limits = cca::limits{cca::velocity{-6, 6}};
+};
 
 template <class Domain>
 struct leg : cca::space<Domain, cca::axes<hip, knee>, cca::rate<1000>> {};
@@ -36,7 +40,8 @@ struct perfect_leg {
   int stops = 0;
 };
 
-inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
+                        inf = std::numeric_limits<double>::infinity();
 inline constexpr std::int64_t millisecond = 1'000'000;
 
 }  // namespace robot_test

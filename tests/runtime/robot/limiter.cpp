@@ -1,4 +1,5 @@
-// The limiter: what it publishes is finite and within the limits, whatever comes in, and changes no faster than allowed.
+// The limiter: what it publishes is finite and within the limits, whatever comes in, and changes no faster
+// than allowed.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -27,7 +28,10 @@ struct bench {
   }
 
 private:
-  vector give(const vector& command, const cca::optional_in<"measured", Space>& measured, std::int64_t beats_since, bool fresh) {
+  vector give(const vector& command,
+              const cca::optional_in<"measured", Space>& measured,
+              std::int64_t beats_since,
+              bool fresh) {
     const cca::in<"command", Space> port(command, fresh ? k * millisecond : cca::never, fresh);
     const vector safe = under_test.process(port, measured, cca::beat{k, millisecond, beats_since}).vector();
     ++k;
@@ -40,7 +44,8 @@ template <class Space>
 double expected(int axis, double command, double last, double dt) {
   using quantity = typename Space::domain::quantity;
   const auto at = static_cast<std::size_t>(axis);
-  double low = cca::detail::lower_limits<Space, quantity>[at], high = cca::detail::upper_limits<Space, quantity>[at];
+  double low = cca::detail::lower_limits<Space, quantity>[at],
+         high = cca::detail::upper_limits<Space, quantity>[at];
   double goal = command;
   const bool stays = std::is_same_v<quantity, cca::angle> || std::is_same_v<quantity, cca::stiffness>;
   if (!std::isfinite(command)) goal = stays ? last : 0;
@@ -58,14 +63,18 @@ template <class Space>
 void sweep() {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> near(-4, 4);
-  const std::array<double, 12> odd{no_number, -no_number, inf, -inf, 0.0, -0.0, 5e-324, -5e-324, 1e308, -1e308, 0.8, -1.8};
+  const std::array<double, 12> odd{no_number, -no_number, inf,   -inf,   0.0, -0.0,
+                                   5e-324,    -5e-324,    1e308, -1e308, 0.8, -1.8};
   bench<Space> limit;
   typename Space::vector_type last = limit({0.5, 1});
   CHECK(cca::sample<Space>(last).within_limits());
   std::int64_t changed = limit.under_test.interventions();
   for (int i = 0; i < 20000; ++i) {
     typename Space::vector_type command;
-    for (int a = 0; a < 2; ++a) command[a] = random() % 4 == 0 ? odd[random() % odd.size()] : random() % 2 ? near(random) : last[a] + 1e-3 * near(random);
+    for (int a = 0; a < 2; ++a)
+      command[a] = random() % 4 == 0 ? odd[random() % odd.size()]
+                   : random() % 2    ? near(random)
+                                     : last[a] + 1e-3 * near(random);
     const auto safe = limit(command);
     for (int a = 0; a < 2; ++a) {
       CAPTURE(command[a]);
@@ -88,166 +97,172 @@ struct reckless {  // asks for more than the hip can, and once for nonsense
   }
 };
 
-struct careful : cca::graph<
-    cca::node<"gait",   reckless>,
-    cca::node<"limits", cca::limiter<leg_angles>>,
-    cca::node<"leg",    perfect_leg>,
-    cca::wire<"gait.angles", "limits.command">,
-    cca::wire<"leg.angles",  "limits.measured">,   // it starts where the leg is
-    cca::wire<"limits.safe", "leg.command">> {};
+struct careful : cca::graph<cca::node<"gait", reckless>,
+                            cca::node<"limits", cca::limiter<leg_angles>>,
+                            cca::node<"leg", perfect_leg>,
+                            cca::wire<"gait.angles", "limits.command">,
+                            cca::wire<"leg.angles", "limits.measured">,  // it starts where the leg is
+                            cca::wire<"limits.safe", "leg.command">> {};
 // [limiter end]
 
 struct torque_leg {
   void act(cca::in<"command", leg_torques> to) { at = to.vector(); }
   leg_torques::vector_type at{};
 };
-struct pusher { auto process() -> cca::out<"torques", leg_torques> { return leg_torques::vector_type{0, 0}; } };
-struct as_it_is : cca::graph<cca::node<"pusher", pusher>, cca::node<"off", cca::unlimited<leg_torques>>, cca::node<"leg", torque_leg>,
-                             cca::wire<"pusher.torques", "off.command">, cca::wire<"off.safe", "leg.command">> {};
-struct bare : cca::graph<cca::node<"pusher", pusher>, cca::node<"leg", torque_leg>, cca::wire<"pusher.torques", "leg.command">> {};
+struct pusher {
+  auto process() -> cca::out<"torques", leg_torques> { return leg_torques::vector_type{0, 0}; }
+};
+struct as_it_is : cca::graph<cca::node<"pusher", pusher>,
+                             cca::node<"off", cca::unlimited<leg_torques>>,
+                             cca::node<"leg", torque_leg>,
+                             cca::wire<"pusher.torques", "off.command">,
+                             cca::wire<"off.safe", "leg.command">> {};
+struct bare : cca::graph<cca::node<"pusher", pusher>,
+                         cca::node<"leg", torque_leg>,
+                         cca::wire<"pusher.torques", "leg.command">> {};
 static_assert(cca::well_formed<as_it_is>);
 static_assert(cca::diagnosis<bare>.rule == "robot.unlimited_command");
 
 }  // namespace
 
 TEST_SUITE("limiter") {
-
-TEST_CASE("whatever comes in, what goes out is the nearest allowed number") {
-  SUBCASE("angles") { sweep<leg<cca::joint_angles>>(); }
-  SUBCASE("velocities") { sweep<hip_and_wheel>(); }
-  SUBCASE("torques") { sweep<leg<cca::joint_torques>>(); }
-  SUBCASE("stiffness") { sweep<leg<cca::joint_stiffness>>(); }
-}
-
-TEST_CASE("NaN and infinity: an angle stays where it was") {
-  bench<leg_angles> limit;
-  limit({0.3, -1});
-  for (const double lost : {no_number, inf, -inf}) CHECK_EQ(limit({lost, lost}), Eigen::Vector2d(0.3, -1));
-  CHECK_EQ(limit({no_number, -1.2}), Eigen::Vector2d(0.3, -1.2));
-  CHECK_EQ(limit.under_test.interventions(), 7);
-  CHECK(limit.under_test.first_intervention().cause == cca::limited_by::finite);
-  CHECK_EQ(limit.under_test.first_intervention().axis, 0);
-  CHECK_EQ(limit.under_test.first_intervention().beat, 1);
-}
-
-TEST_CASE("NaN: a torque goes to zero, as fast as it may") {
-  bench<leg_torques> limit;
-  limit({1, 1});
-  CHECK_EQ(limit({no_number, no_number}), Eigen::Vector2d(0.9, 0));  // 100 N m/s down in the hip, at will in the knee
-  CHECK_EQ(limit({no_number, no_number}), Eigen::Vector2d(0.9 - 0.1, 0));
-}
-
-TEST_CASE("NaN first of all: the allowed numbers nearest to zero, or what is measured") {
-  bench<leg_angles> limit, informed;
-  CHECK_EQ(limit({no_number, inf}), Eigen::Vector2d(0, -0.2));
-  CHECK_EQ(informed({no_number, inf}, {0.3, -1}), Eigen::Vector2d(0.3, -1));
-}
-
-TEST_CASE("what is measured counts once it has come: before that, the first command is taken as it is") {
-  cca::limiter<leg_angles> limit;
-  cca::optional_in<"measured", leg_angles> none;
-  none.set_wired();
-  const auto after = [&](const Eigen::Vector2d& command, std::int64_t k) {
-    return limit.process({command, k * millisecond, true}, none, cca::beat{k, millisecond, 1}).vector();
-  };
-  CHECK_EQ(after({0.5, -1.2}, 0), Eigen::Vector2d(0.5, -1.2));
-  CHECK(limit.interventions() == 0);
-}
-
-TEST_CASE("what need not be changed is not, to the bit") {
-  bench<leg_torques> limit;
-  for (const double small : {5e-324, -5e-324, -0.0, 0.0, 1e-310}) {
-    const auto safe = limit({small, small});
-    CHECK_EQ(std::bit_cast<std::uint64_t>(safe[0]), std::bit_cast<std::uint64_t>(small));
-    CHECK_EQ(std::bit_cast<std::uint64_t>(safe[1]), std::bit_cast<std::uint64_t>(small));
+  TEST_CASE("whatever comes in, what goes out is the nearest allowed number") {
+    SUBCASE("angles") { sweep<leg<cca::joint_angles>>(); }
+    SUBCASE("velocities") { sweep<hip_and_wheel>(); }
+    SUBCASE("torques") { sweep<leg<cca::joint_torques>>(); }
+    SUBCASE("stiffness") { sweep<leg<cca::joint_stiffness>>(); }
   }
-  CHECK_EQ(limit.under_test.interventions(), 0);
-  CHECK(limit.under_test.first_intervention().cause == cca::limited_by::nothing);
-  bench<leg_angles> edges;
-  CHECK_EQ(edges({0.8, -0.2}), Eigen::Vector2d(0.8, -0.2));
-  CHECK_EQ(edges.under_test.interventions(), 0);
-}
 
-TEST_CASE("the first cause is kept, with axis and beat") {
-  bench<leg_angles> limit;
-  limit({0.1, -1});
-  limit({0.1 + 0.004, -1});
-  CHECK_EQ(limit.under_test.interventions(), 0);
-  limit({0.5, -1});
-  limit({no_number, 1});
-  CHECK_EQ(limit.under_test.interventions(), 3);
-  CHECK(limit.under_test.first_intervention().cause == cca::limited_by::rate);
-  CHECK_EQ(limit.under_test.first_intervention().axis, 0);
-  CHECK_EQ(limit.under_test.first_intervention().beat, 2);
+  TEST_CASE("NaN and infinity: an angle stays where it was") {
+    bench<leg_angles> limit;
+    limit({0.3, -1});
+    for (const double lost : {no_number, inf, -inf}) CHECK_EQ(limit({lost, lost}), Eigen::Vector2d(0.3, -1));
+    CHECK_EQ(limit({no_number, -1.2}), Eigen::Vector2d(0.3, -1.2));
+    CHECK_EQ(limit.under_test.interventions(), 7);
+    CHECK(limit.under_test.first_intervention().cause == cca::limited_by::finite);
+    CHECK_EQ(limit.under_test.first_intervention().axis, 0);
+    CHECK_EQ(limit.under_test.first_intervention().beat, 1);
+  }
 
-  bench<leg_angles> far;  // too far and too fast: outside of the range, whatever came before
-  far({0.1, -1});
-  far({7, -1});
-  CHECK(far.under_test.first_intervention().cause == cca::limited_by::range);
-  bench<leg_angles> other;
-  other({0, 1});
-  CHECK_EQ(other.under_test.first_intervention().axis, 1);
-}
+  TEST_CASE("NaN: a torque goes to zero, as fast as it may") {
+    bench<leg_torques> limit;
+    limit({1, 1});
+    CHECK_EQ(limit({no_number, no_number}),
+             Eigen::Vector2d(0.9, 0));  // 100 N m/s down in the hip, at will in the knee
+    CHECK_EQ(limit({no_number, no_number}), Eigen::Vector2d(0.9 - 0.1, 0));
+  }
 
-TEST_CASE("the rate counts from the last safe command, not from where the joint is") {
-  bench<leg_angles> limit;
-  limit({0, -1}, {0, -1});
-  for (int i = 1; i <= 100; ++i) CHECK_EQ(limit({0.8, -1}, {0, -1})[0], doctest::Approx(0.004 * i));  // the joint is stuck
-}
+  TEST_CASE("NaN first of all: the allowed numbers nearest to zero, or what is measured") {
+    bench<leg_angles> limit, informed;
+    CHECK_EQ(limit({no_number, inf}), Eigen::Vector2d(0, -0.2));
+    CHECK_EQ(informed({no_number, inf}, {0.3, -1}), Eigen::Vector2d(0.3, -1));
+  }
 
-TEST_CASE("it starts where the joint is, and stays there until a command has come") {
-  bench<leg_angles> limit;
-  CHECK_EQ(limit({0, 0}, {0.5, -1}, false), Eigen::Vector2d(0.5, -1));
-  CHECK_EQ(limit({0, 0}, {0.4, -1.1}, false), Eigen::Vector2d(0.4, -1.1));  // moved by hand
-  CHECK_EQ(limit.under_test.interventions(), 0);
-  CHECK_EQ(limit({-0.5, -1}, {0.4, -1.1}), Eigen::Vector2d(0.4 - 0.005, -1));
-  bench<leg_angles> outside;  // it was pushed beyond its range
-  CHECK_EQ(outside({0, -1}, {1.5, -1}), Eigen::Vector2d(0.8 - 0.005, -1));
-  bench<leg_angles> blind;  // a broken sensor: as if there were none
-  CHECK_EQ(blind({0.5, -1}, {no_number, -1}), Eigen::Vector2d(0.5, -1));
-}
+  TEST_CASE("what is measured counts once it has come: before that, the first command is taken as it is") {
+    cca::limiter<leg_angles> limit;
+    cca::optional_in<"measured", leg_angles> none;
+    none.set_wired();
+    const auto after = [&](const Eigen::Vector2d& command, std::int64_t k) {
+      return limit.process({command, k * millisecond, true}, none, cca::beat{k, millisecond, 1}).vector();
+    };
+    CHECK_EQ(after({0.5, -1.2}, 0), Eigen::Vector2d(0.5, -1.2));
+    CHECK(limit.interventions() == 0);
+  }
 
-TEST_CASE("after a pause it goes on, and does not jump") {
-  bench<leg_angles> limit;  // 1 kHz
-  limit({0, -1});
-  CHECK_EQ(limit({0.8, -1}, 500)[0], 0.004);
-  struct slow : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
-  bench<slow> unstated;
-  unstated({0, -1});
-  CHECK_EQ(unstated({0.8, -1}, 10)[0], 0.04);  // no rate is stated: the time since it last fired
-}
+  TEST_CASE("what need not be changed is not, to the bit") {
+    bench<leg_torques> limit;
+    for (const double small : {5e-324, -5e-324, -0.0, 0.0, 1e-310}) {
+      const auto safe = limit({small, small});
+      CHECK_EQ(std::bit_cast<std::uint64_t>(safe[0]), std::bit_cast<std::uint64_t>(small));
+      CHECK_EQ(std::bit_cast<std::uint64_t>(safe[1]), std::bit_cast<std::uint64_t>(small));
+    }
+    CHECK_EQ(limit.under_test.interventions(), 0);
+    CHECK(limit.under_test.first_intervention().cause == cca::limited_by::nothing);
+    bench<leg_angles> edges;
+    CHECK_EQ(edges({0.8, -0.2}), Eigen::Vector2d(0.8, -0.2));
+    CHECK_EQ(edges.under_test.interventions(), 0);
+  }
 
-TEST_CASE("in no time an axis with a rate stays, and one without goes where it likes") {
-  bench<leg_angles> limit;
-  limit({0.3, -1});
-  CHECK_EQ(limit({0.8, -1.5}, 0), Eigen::Vector2d(0.3, -1.5));
-  CHECK_EQ(limit({0.3, 1}, 0), Eigen::Vector2d(0.3, -0.2));
-  CHECK_EQ(limit({no_number, no_number}, 0), Eigen::Vector2d(0.3, -0.2));
-}
+  TEST_CASE("the first cause is kept, with axis and beat") {
+    bench<leg_angles> limit;
+    limit({0.1, -1});
+    limit({0.1 + 0.004, -1});
+    CHECK_EQ(limit.under_test.interventions(), 0);
+    limit({0.5, -1});
+    limit({no_number, 1});
+    CHECK_EQ(limit.under_test.interventions(), 3);
+    CHECK(limit.under_test.first_intervention().cause == cca::limited_by::rate);
+    CHECK_EQ(limit.under_test.first_intervention().axis, 0);
+    CHECK_EQ(limit.under_test.first_intervention().beat, 2);
 
-TEST_CASE("in a loop") {
-  cca::controller<careful> c;
-  c.load();
-  c.start();
-  double before = 0.1;
-  c.run(cca::for_beats<200>{}, cca::as_fast_as_possible{}, [&](auto& running) {
-    const double hip_angle = running.template get<"leg">().at[0];
-    CHECK_LE(hip_angle - before, 0.004 + 1e-15);  // the gait asks for 10 rad/s, the hip may do 4
-    CHECK_LE(hip_angle, 0.8);
-    before = hip_angle;
-  });
-  CHECK_EQ(before, 0.8);
-  CHECK(c.get<"limits">().first_intervention().cause == cca::limited_by::rate);
-  CHECK_EQ(c.get<"limits">().first_intervention().beat, 1);
-  CHECK_GT(c.get<"limits">().interventions(), 190);
+    bench<leg_angles> far;  // too far and too fast: outside of the range, whatever came before
+    far({0.1, -1});
+    far({7, -1});
+    CHECK(far.under_test.first_intervention().cause == cca::limited_by::range);
+    bench<leg_angles> other;
+    other({0, 1});
+    CHECK_EQ(other.under_test.first_intervention().axis, 1);
+  }
 
-  // Stopped and started anew, it begins where the leg is then.
-  c.stop();
-  c.get<"leg">().at[0] = -0.5;
-  c.start();
-  CHECK_EQ(c.get<"limits">().interventions(), 0);
-  c.step();
-  CHECK_EQ(c.get<"leg">().at[0], -0.5 + 0.004);
-}
+  TEST_CASE("the rate counts from the last safe command, not from where the joint is") {
+    bench<leg_angles> limit;
+    limit({0, -1}, {0, -1});
+    for (int i = 1; i <= 100; ++i)
+      CHECK_EQ(limit({0.8, -1}, {0, -1})[0], doctest::Approx(0.004 * i));  // the joint is stuck
+  }
 
+  TEST_CASE("it starts where the joint is, and stays there until a command has come") {
+    bench<leg_angles> limit;
+    CHECK_EQ(limit({0, 0}, {0.5, -1}, false), Eigen::Vector2d(0.5, -1));
+    CHECK_EQ(limit({0, 0}, {0.4, -1.1}, false), Eigen::Vector2d(0.4, -1.1));  // moved by hand
+    CHECK_EQ(limit.under_test.interventions(), 0);
+    CHECK_EQ(limit({-0.5, -1}, {0.4, -1.1}), Eigen::Vector2d(0.4 - 0.005, -1));
+    bench<leg_angles> outside;  // it was pushed beyond its range
+    CHECK_EQ(outside({0, -1}, {1.5, -1}), Eigen::Vector2d(0.8 - 0.005, -1));
+    bench<leg_angles> blind;  // a broken sensor: as if there were none
+    CHECK_EQ(blind({0.5, -1}, {no_number, -1}), Eigen::Vector2d(0.5, -1));
+  }
+
+  TEST_CASE("after a pause it goes on, and does not jump") {
+    bench<leg_angles> limit;  // 1 kHz
+    limit({0, -1});
+    CHECK_EQ(limit({0.8, -1}, 500)[0], 0.004);
+    struct slow : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
+    bench<slow> unstated;
+    unstated({0, -1});
+    CHECK_EQ(unstated({0.8, -1}, 10)[0], 0.04);  // no rate is stated: the time since it last fired
+  }
+
+  TEST_CASE("in no time an axis with a rate stays, and one without goes where it likes") {
+    bench<leg_angles> limit;
+    limit({0.3, -1});
+    CHECK_EQ(limit({0.8, -1.5}, 0), Eigen::Vector2d(0.3, -1.5));
+    CHECK_EQ(limit({0.3, 1}, 0), Eigen::Vector2d(0.3, -0.2));
+    CHECK_EQ(limit({no_number, no_number}, 0), Eigen::Vector2d(0.3, -0.2));
+  }
+
+  TEST_CASE("in a loop") {
+    cca::controller<careful> c;
+    c.load();
+    c.start();
+    double before = 0.1;
+    c.run(cca::for_beats<200>{}, cca::as_fast_as_possible{}, [&](auto& running) {
+      const double hip_angle = running.template get<"leg">().at[0];
+      CHECK_LE(hip_angle - before, 0.004 + 1e-15);  // the gait asks for 10 rad/s, the hip may do 4
+      CHECK_LE(hip_angle, 0.8);
+      before = hip_angle;
+    });
+    CHECK_EQ(before, 0.8);
+    CHECK(c.get<"limits">().first_intervention().cause == cca::limited_by::rate);
+    CHECK_EQ(c.get<"limits">().first_intervention().beat, 1);
+    CHECK_GT(c.get<"limits">().interventions(), 190);
+
+    // Stopped and started anew, it begins where the leg is then.
+    c.stop();
+    c.get<"leg">().at[0] = -0.5;
+    c.start();
+    CHECK_EQ(c.get<"limits">().interventions(), 0);
+    c.step();
+    CHECK_EQ(c.get<"leg">().at[0], -0.5 + 0.004);
+  }
 }

@@ -1,4 +1,5 @@
-// The watchdog: faults when a command grows stale, by the age of its data, also when nothing arrives any more.
+// The watchdog: faults when a command grows stale, by the age of its data, also when nothing arrives any
+// more.
 #include <doctest/doctest.h>
 
 #include "../picture.hpp"
@@ -17,14 +18,14 @@ struct link {  // a command from afar, which may fail to come
   }
 };
 
-struct guarded : cca::graph<
-    cca::node<"link",     link>,
-    cca::node<"watchdog", cca::watchdog<leg_angles, 5>>,   // a command may be 5 beats old
-    cca::node<"limits",   cca::limiter<leg_angles>>,
-    cca::node<"leg",      perfect_leg>,
-    cca::wire<"link.angles",    "watchdog.command">,
-    cca::wire<"watchdog.fresh", "limits.command">,
-    cca::wire<"limits.safe",    "leg.command">> {};
+struct guarded
+    : cca::graph<cca::node<"link", link>,
+                 cca::node<"watchdog", cca::watchdog<leg_angles, 5>>,  // a command may be 5 beats old
+                 cca::node<"limits", cca::limiter<leg_angles>>,
+                 cca::node<"leg", perfect_leg>,
+                 cca::wire<"link.angles", "watchdog.command">,
+                 cca::wire<"watchdog.fresh", "limits.command">,
+                 cca::wire<"limits.safe", "leg.command">> {};
 // [watchdog end]
 
 constexpr std::string_view picture = R"(// [picture]
@@ -55,9 +56,13 @@ struct noting {
   std::int64_t origin = cca::never;
 };
 template <std::int64_t Beats>
-struct slow : cca::graph<cca::rate<1000>, cca::node<"far", claiming, cca::full_speed>, cca::node<"hold", cca::limiter<slow_angles>, cca::timed<10>>,
-                         cca::node<"watchdog", cca::watchdog<slow_angles, Beats>>, cca::node<"leg", noting>,
-                         cca::wire<"far.angles", "hold.command", cca::latest>, cca::wire<"hold.safe", "watchdog.command", cca::latest>,
+struct slow : cca::graph<cca::rate<1000>,
+                         cca::node<"far", claiming, cca::full_speed>,
+                         cca::node<"hold", cca::limiter<slow_angles>, cca::timed<10>>,
+                         cca::node<"watchdog", cca::watchdog<slow_angles, Beats>>,
+                         cca::node<"leg", noting>,
+                         cca::wire<"far.angles", "hold.command", cca::latest>,
+                         cca::wire<"hold.safe", "watchdog.command", cca::latest>,
                          cca::wire<"watchdog.fresh", "leg.command">> {};
 
 struct echo {
@@ -68,9 +73,15 @@ struct echoing {
   void act(cca::in<"command", slow_angles> to) { origin = to.origin(); }
   std::int64_t origin = cca::never;
 };
-struct loop : cca::graph<cca::rate<1000>, cca::node<"gait", echo>, cca::node<"limits", cca::limiter<slow_angles>>, cca::node<"watchdog", cca::watchdog<slow_angles, 5>>,
-                         cca::node<"leg", echoing>, cca::wire<"leg.angles", "gait.x">, cca::wire<"gait.y", "limits.command">,
-                         cca::wire<"limits.safe", "watchdog.command", cca::delayed<3>>, cca::wire<"watchdog.fresh", "leg.command">> {};
+struct loop : cca::graph<cca::rate<1000>,
+                         cca::node<"gait", echo>,
+                         cca::node<"limits", cca::limiter<slow_angles>>,
+                         cca::node<"watchdog", cca::watchdog<slow_angles, 5>>,
+                         cca::node<"leg", echoing>,
+                         cca::wire<"leg.angles", "gait.x">,
+                         cca::wire<"gait.y", "limits.command">,
+                         cca::wire<"limits.safe", "watchdog.command", cca::delayed<3>>,
+                         cca::wire<"watchdog.fresh", "leg.command">> {};
 
 template <class Controller>
 std::int64_t steps_until_fault(Controller& c, int most) {
@@ -92,63 +103,61 @@ cca::controller<Graph> started() {
 }  // namespace
 
 TEST_SUITE("watchdog") {
+  TEST_CASE("it faults in the first beat in which the command is too old") {
+    auto c = started<guarded>();
+    CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::started);
+    CHECK_EQ(c.get<"leg">().at[0], 0.1);
+    c.get<"link">().up = false;  // the last command is of beat 99
+    CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
+    CHECK_EQ(c.get<"leg">().stops, 0);
+    CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
+    CHECK_EQ(c.beat_index(), 106);
+    CHECK_EQ(std::string(c.fault().reason()), "stale command");
+    CHECK_EQ(c.fault_path(), "watchdog.watch");
+    CHECK_EQ(c.get<"leg">().stops, 1);
 
-TEST_CASE("it faults in the first beat in which the command is too old") {
-  auto c = started<guarded>();
-  CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::started);
-  CHECK_EQ(c.get<"leg">().at[0], 0.1);
-  c.get<"link">().up = false;  // the last command is of beat 99
-  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
-  CHECK_EQ(c.get<"leg">().stops, 0);
-  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
-  CHECK_EQ(c.beat_index(), 106);
-  CHECK_EQ(std::string(c.fault().reason()), "stale command");
-  CHECK_EQ(c.fault_path(), "watchdog.watch");
-  CHECK_EQ(c.get<"leg">().stops, 1);
+    // It faults again as long as nothing comes, and goes on once something has.
+    c.resume();
+    CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
+    CHECK_EQ(c.beat_index(), 107);
+    c.get<"link">().up = true;
+    c.resume();
+    CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
+  }
 
-  // It faults again as long as nothing comes, and goes on once something has.
-  c.resume();
-  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
-  CHECK_EQ(c.beat_index(), 107);
-  c.get<"link">().up = true;
-  c.resume();
-  CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
-}
+  TEST_CASE("its picture") { test::check_picture<guarded>(picture); }
 
-TEST_CASE("its picture") { test::check_picture<guarded>(picture); }
+  TEST_CASE("no command at all: the age counts from the first beat, and nothing is passed on until then") {
+    auto c = started<guarded>();
+    c.get<"link">().up = false;
+    CHECK_EQ(steps_until_fault(c, 50), 6);
+    CHECK_EQ(c.get<"leg">().at, Eigen::Vector2d(0.1, -0.9));
+    c.stop();
+    c.start();
+    CHECK_EQ(steps_until_fault(c, 50), 6);  // started again, it waits anew
+  }
 
-TEST_CASE("no command at all: the age counts from the first beat, and nothing is passed on until then") {
-  auto c = started<guarded>();
-  c.get<"link">().up = false;
-  CHECK_EQ(steps_until_fault(c, 50), 6);
-  CHECK_EQ(c.get<"leg">().at, Eigen::Vector2d(0.1, -0.9));
-  c.stop();
-  c.start();
-  CHECK_EQ(steps_until_fault(c, 50), 6);  // started again, it waits anew
-}
+  TEST_CASE("the origin is passed on also where the wire closes a loop") {
+    auto c = started<loop>();
+    c.run(cca::for_beats<10>{});
+    CHECK_EQ(c.get<"leg">().origin, (9 - 3) * millisecond);
+  }
 
-TEST_CASE("the origin is passed on also where the wire closes a loop") {
-  auto c = started<loop>();
-  c.run(cca::for_beats<10>{});
-  CHECK_EQ(c.get<"leg">().origin, (9 - 3) * millisecond);
-}
+  TEST_CASE("the age is that of the data, and the origin is passed on") {
+    // Fired in beats 0, 10, ..., data 2 beats old: in beat 9 of age 11.
+    auto c = started<slow<11>>();
+    CHECK_EQ(steps_until_fault(c, 100), -1);
+    CHECK_EQ(c.get<"leg">().origin, (90 - 2) * millisecond);
+    auto stale = started<slow<10>>();
+    CHECK_EQ(steps_until_fault(stale, 100), 9);
+  }
 
-TEST_CASE("the age is that of the data, and the origin is passed on") {
-  // Fired in beats 0, 10, ..., data 2 beats old: in beat 9 of age 11.
-  auto c = started<slow<11>>();
-  CHECK_EQ(steps_until_fault(c, 100), -1);
-  CHECK_EQ(c.get<"leg">().origin, (90 - 2) * millisecond);
-  auto stale = started<slow<10>>();
-  CHECK_EQ(steps_until_fault(stale, 100), 9);
-}
-
-TEST_CASE("a command of the future grows stale by its arrival") {
-  auto c = started<slow<9>>();
-  c.get<"far">().offset = 1'000'000'000;
-  CHECK_EQ(steps_until_fault(c, 100), -1);
-  auto stale = started<slow<8>>();
-  stale.get<"far">().offset = 1'000'000'000;
-  CHECK_EQ(steps_until_fault(stale, 100), 9);
-}
-
+  TEST_CASE("a command of the future grows stale by its arrival") {
+    auto c = started<slow<9>>();
+    c.get<"far">().offset = 1'000'000'000;
+    CHECK_EQ(steps_until_fault(c, 100), -1);
+    auto stale = started<slow<8>>();
+    stale.get<"far">().offset = 1'000'000'000;
+    CHECK_EQ(steps_until_fault(stale, 100), 9);
+  }
 }

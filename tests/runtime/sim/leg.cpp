@@ -1,4 +1,5 @@
-// The leg against closed forms: geometry there and back, springs as the derivative of their energy, motors within their lines.
+// The leg against closed forms: geometry there and back, springs as the derivative of their energy, motors
+// within their lines.
 #include <array>
 #include <cmath>
 
@@ -99,7 +100,8 @@ TEST_SUITE("sim leg") {
       CHECK(at[0] - trunk[0] == doctest::Approx((sim::is_front(i) ? m.hip_x : -m.hip_x) + foot.x));
       CHECK(at[1] - trunk[1] ==
             doctest::Approx(sim::side_of(i) * (m.hip_y - foot.z * std::sin(p.legs[i].abduction))));
-      CHECK(at[2] - trunk[2] == doctest::Approx(-m.trunk_above_hips + foot.z * std::cos(p.legs[i].abduction)));
+      CHECK(at[2] - trunk[2] ==
+            doctest::Approx(-m.trunk_above_hips + foot.z * std::cos(p.legs[i].abduction)));
     }
   }
 

@@ -33,7 +33,8 @@ std::map<std::string, std::string> on_page() {
     const auto first = line.find(" | "), second = line.find(" | ", first + 3);
     const std::string what = line.substr(2, first - 2), chosen = line.substr(second + 3);
     rows[what] = line.substr(first + 3, second - first - 3);
-    CHECK_MESSAGE((chosen.starts_with("chosen") || chosen.starts_with("published") || what == "gravity"), what);
+    CHECK_MESSAGE((chosen.starts_with("chosen") || chosen.starts_with("published") || what == "gravity"),
+                  what);
   }
   return rows;
 }
@@ -46,12 +47,16 @@ TEST_CASE("the table of all numbers is that of the model") {
       {"hip height, standing", "0.16 to 0.18 m"},  // tests/runtime/sim/world.cpp
       {"trunk: box", text("%g × %g × %g mm", mm(m.trunk_length), mm(m.trunk_width), mm(m.trunk_height))},
       {"trunk: mass, with the servos", text("%g kg", m.trunk_mass)},
-      {"trunk: centre above the hips, ahead of their middle", text("%g mm, %g", mm(m.trunk_above_hips), mm(m.trunk_forward_of_hips))},
+      {"trunk: centre above the hips, ahead of their middle",
+       text("%g mm, %g", mm(m.trunk_above_hips), mm(m.trunk_forward_of_hips))},
       {"hips: half distance front to hind, left to right", text("%g mm, %g mm", mm(m.hip_x), mm(m.hip_y))},
-      {"upper, middle, lower segment", text("%g, %g, %g mm", mm(m.upper_length), mm(m.middle_length), mm(m.lower_length))},
+      {"upper, middle, lower segment",
+       text("%g, %g, %g mm", mm(m.upper_length), mm(m.middle_length), mm(m.lower_length))},
       {"toe joint to centre of the foot", text("%g mm", mm(m.toe_length))},
-      {"foot, knee, ankle: radius of the spheres that touch the ground", text("%g, %g, %g mm", mm(m.foot_radius), mm(m.knee_radius), mm(m.ankle_radius))},
-      {"masses of upper, middle, lower segment, toe", text("%.2f, %.2f, %.2f, %.2f kg", m.upper_mass, m.middle_mass, m.lower_mass, m.toe_mass)},
+      {"foot, knee, ankle: radius of the spheres that touch the ground",
+       text("%g, %g, %g mm", mm(m.foot_radius), mm(m.knee_radius), mm(m.ankle_radius))},
+      {"masses of upper, middle, lower segment, toe",
+       text("%.2f, %.2f, %.2f, %.2f kg", m.upper_mass, m.middle_mass, m.lower_mass, m.toe_mass)},
       {"radius of the segments (for their inertia)", text("%g mm", mm(m.segment_radius))},
       {"hip range (of targets)", text("−%g to %g rad", -m.hip_range.low, m.hip_range.high)},
       {"knee range (stops)", text("%g° to %g°", deg(m.knee_range.low), deg(m.knee_range.high))},
@@ -60,17 +65,23 @@ TEST_CASE("the table of all numbers is that of the model") {
       {"knee friction", text("%g N m s/rad", m.joint_friction)},
       {"diagonal spring: rate", text("%g N/m", m.spring_rate)},
       {"diagonal spring: short arm", text("%g mm", mm(m.spring_arm))},
-      {text("diagonal spring: stretch at %g°", deg(m.spring_reference)), text("−%g mm (slack below 83°)", -mm(m.spring_preload))},
+      {text("diagonal spring: stretch at %g°", deg(m.spring_reference)),
+       text("−%g mm (slack below 83°)", -mm(m.spring_preload))},
       {"toe spring, its damping", text("%g N m/rad, %g N m s/rad", m.toe_stiffness, m.toe_damping)},
       {"hip motor", text("%g N m, %g rad/s", m.hip_motor.torque, m.hip_motor.no_load_speed)},
       {"knee motor", text("%g N m, %g rad/s", m.knee_motor.torque, m.knee_motor.no_load_speed)},
-      {"abduction servo", text("%g N m, %g rad/s", m.abduction_motor.torque, m.abduction_motor.no_load_speed)},
-      {"hip stiffness; damping / stiffness", text("%g N m/rad (at most %g); %g ms", m.hip_stiffness, m.stiffest_hip, 1000 * m.hip_damping_time)},
+      {"abduction servo",
+       text("%g N m, %g rad/s", m.abduction_motor.torque, m.abduction_motor.no_load_speed)},
+      {"hip stiffness; damping / stiffness",
+       text("%g N m/rad (at most %g); %g ms", m.hip_stiffness, m.stiffest_hip, 1000 * m.hip_damping_time)},
       {"hip: fastest target that is fed forward", text("%g rad/s", m.hip_feed_forward_speed)},
       {"cable: stiffness, damping", text("%g N m/rad, %g N m s/rad", m.cable_stiffness, m.cable_damping)},
-      {"abduction: stiffness, damping", text("%g N m/rad, %g N m s/rad", m.abduction_stiffness, m.abduction_damping)},
-      {"contact: stiffness, damping", text("%g kN/m, %g N s/m", m.contact_stiffness / 1000, m.contact_damping)},
-      {"contact: surface layer, correcting speed", text("%g mm, %g m/s", mm(m.surface_layer), m.correcting_speed)},
+      {"abduction: stiffness, damping",
+       text("%g N m/rad, %g N m s/rad", m.abduction_stiffness, m.abduction_damping)},
+      {"contact: stiffness, damping",
+       text("%g kN/m, %g N s/m", m.contact_stiffness / 1000, m.contact_damping)},
+      {"contact: surface layer, correcting speed",
+       text("%g mm, %g m/s", mm(m.surface_layer), m.correcting_speed)},
       {"gravity", text("%g m/s²", m.gravity)},
       {"physics step, steps a beat", text("%g ms, %d", 1000 * m.step, m.steps_per_beat)},
       {"world CFM, ERP; pantograph CFM, ERP", "1e-9, 0.2; 1e-8, 0.3"},
@@ -81,7 +92,8 @@ TEST_CASE("the table of all numbers is that of the model") {
   CHECK(m.pantograph_erp == 0.3);
   const auto found = on_page();
   CHECK(found.size() == of_model.size());
-  for (const auto& [what, value] : found) CHECK_MESSAGE((of_model.contains(what) && of_model.at(what) == value), what, ": ", value);
+  for (const auto& [what, value] : found)
+    CHECK_MESSAGE((of_model.contains(what) && of_model.at(what) == value), what, ": ", value);
   // A number more in the model is a row more on the page.
   CHECK(sizeof(sim::oncilla_model) == 60 * sizeof(double));
 }

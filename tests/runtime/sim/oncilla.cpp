@@ -1,4 +1,5 @@
-// The simulated Oncilla in a graph: the same as the world alone, a snapshot when it is copied, and refused without a limiter.
+// The simulated Oncilla in a graph: the same as the world alone, a snapshot when it is copied, and refused
+// without a limiter.
 #include <cmath>
 #include <limits>
 
@@ -26,17 +27,23 @@ struct exercise {
   }
 };
 
-struct exercised : cca::graph<
-    cca::rate<1000>, cca::node<"exercise", exercise>, cca::node<"limits", cca::limiter<sim::leg_angles>>,
-    cca::node<"robot", sim::oncilla>, cca::wire<"exercise.command", "limits.command">,
-    cca::wire<"limits.safe", "robot.command">> {};
+struct exercised : cca::graph<cca::rate<1000>,
+                              cca::node<"exercise", exercise>,
+                              cca::node<"limits", cca::limiter<sim::leg_angles>>,
+                              cca::node<"robot", sim::oncilla>,
+                              cca::wire<"exercise.command", "limits.command">,
+                              cca::wire<"limits.safe", "robot.command">> {};
 
 // Listens to every sensor that the robot shows.
 struct listener {
-  void process(cca::in<"angles", sim::leg_angles> q, cca::in<"velocities", sim::leg_velocities> v,
-               cca::in<"torques", sim::leg_torques> t, cca::in<"orientation", sim::trunk_orientation> o,
-               cca::in<"angular_velocity", sim::trunk_angular_velocity> w, cca::in<"acceleration", sim::trunk_acceleration> a,
-               cca::in<"contacts", sim::foot_contacts> c, cca::in<"foot_loads", sim::foot_loads> f,
+  void process(cca::in<"angles", sim::leg_angles> q,
+               cca::in<"velocities", sim::leg_velocities> v,
+               cca::in<"torques", sim::leg_torques> t,
+               cca::in<"orientation", sim::trunk_orientation> o,
+               cca::in<"angular_velocity", sim::trunk_angular_velocity> w,
+               cca::in<"acceleration", sim::trunk_acceleration> a,
+               cca::in<"contacts", sim::foot_contacts> c,
+               cca::in<"foot_loads", sim::foot_loads> f,
                cca::in<"abducted", sim::abduction_angles> b) {
     angles = q.vector();
     velocities = v.vector();
@@ -54,25 +61,39 @@ struct listener {
 };
 
 struct abduct {
-  auto process(cca::beat) -> std::tuple<cca::out<"angles", sim::abduction_angles>, cca::out<"stiffness", sim::hip_stiffnesses>> {
+  auto process(cca::beat)
+      -> std::tuple<cca::out<"angles", sim::abduction_angles>, cca::out<"stiffness", sim::hip_stiffnesses>> {
     return {Eigen::Vector4d(0.1, 0.1, -0.05, 7.0), Eigen::Vector4d(120, 120, 120, 120)};
   }
 };
 
-struct listened : cca::graph<
-    cca::rate<1000>, cca::node<"exercise", exercise>, cca::node<"limits", cca::limiter<sim::leg_angles>>,
-    cca::node<"abduct", abduct>, cca::node<"abduction_limits", cca::limiter<sim::abduction_angles>>,
-    cca::node<"stiffness_limits", cca::limiter<sim::hip_stiffnesses>>, cca::node<"robot", sim::oncilla>,
-    cca::node<"listener", listener>, cca::wire<"exercise.command", "limits.command">, cca::wire<"limits.safe", "robot.command">,
-    cca::wire<"abduct.angles", "abduction_limits.command">, cca::wire<"abduction_limits.safe", "robot.abduction">,
-    cca::wire<"abduct.stiffness", "stiffness_limits.command">, cca::wire<"stiffness_limits.safe", "robot.stiffness">,
-    cca::wire<"robot.angles", "listener.angles">, cca::wire<"robot.velocities", "listener.velocities">,
-    cca::wire<"robot.torques", "listener.torques">, cca::wire<"robot.orientation", "listener.orientation">,
-    cca::wire<"robot.angular_velocity", "listener.angular_velocity">, cca::wire<"robot.acceleration", "listener.acceleration">,
-    cca::wire<"robot.contacts", "listener.contacts">, cca::wire<"robot.foot_loads", "listener.foot_loads">,
-    cca::wire<"robot.abducted", "listener.abducted">> {};
+struct listened : cca::graph<cca::rate<1000>,
+                             cca::node<"exercise", exercise>,
+                             cca::node<"limits", cca::limiter<sim::leg_angles>>,
+                             cca::node<"abduct", abduct>,
+                             cca::node<"abduction_limits", cca::limiter<sim::abduction_angles>>,
+                             cca::node<"stiffness_limits", cca::limiter<sim::hip_stiffnesses>>,
+                             cca::node<"robot", sim::oncilla>,
+                             cca::node<"listener", listener>,
+                             cca::wire<"exercise.command", "limits.command">,
+                             cca::wire<"limits.safe", "robot.command">,
+                             cca::wire<"abduct.angles", "abduction_limits.command">,
+                             cca::wire<"abduction_limits.safe", "robot.abduction">,
+                             cca::wire<"abduct.stiffness", "stiffness_limits.command">,
+                             cca::wire<"stiffness_limits.safe", "robot.stiffness">,
+                             cca::wire<"robot.angles", "listener.angles">,
+                             cca::wire<"robot.velocities", "listener.velocities">,
+                             cca::wire<"robot.torques", "listener.torques">,
+                             cca::wire<"robot.orientation", "listener.orientation">,
+                             cca::wire<"robot.angular_velocity", "listener.angular_velocity">,
+                             cca::wire<"robot.acceleration", "listener.acceleration">,
+                             cca::wire<"robot.contacts", "listener.contacts">,
+                             cca::wire<"robot.foot_loads", "listener.foot_loads">,
+                             cca::wire<"robot.abducted", "listener.abducted">> {};
 
-struct unlimited : cca::graph<cca::rate<1000>, cca::node<"exercise", exercise>, cca::node<"robot", sim::oncilla>,
+struct unlimited : cca::graph<cca::rate<1000>,
+                              cca::node<"exercise", exercise>,
+                              cca::node<"robot", sim::oncilla>,
                               cca::wire<"exercise.command", "robot.command">> {};
 
 static_assert(cca::well_formed<exercised>);

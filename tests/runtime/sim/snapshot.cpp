@@ -21,7 +21,8 @@ TEST_SUITE("sim snapshot") {
 
   TEST_CASE("one bit less of friction is another run") {
     sim::world a(sim::oncilla_defaults, sim::terrain::flat(), crouched());
-    sim::world b(sim::oncilla_defaults, sim::terrain::flat().with_friction(std::nextafter(0.75, 0)), crouched());
+    sim::world b(sim::oncilla_defaults, sim::terrain::flat().with_friction(std::nextafter(0.75, 0)),
+                 crouched());
     run(a, 0, 1000);
     run(b, 0, 1000);
     CHECK(a.hash() != b.hash());

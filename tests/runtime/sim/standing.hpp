@@ -38,7 +38,8 @@ inline sim::robot_command swinging(std::int64_t beat) {
   return c;
 }
 
-// Returns the last command: made anew it may differ in its last bit, where a compiler calculates a sine in advance.
+// Returns the last command: made anew it may differ in its last bit, where a compiler calculates a sine in
+// advance.
 inline sim::robot_command run(sim::world& w, std::int64_t from, std::int64_t to) {
   sim::robot_command last;
   for (std::int64_t k = from; k < to; ++k) {

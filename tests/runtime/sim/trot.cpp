@@ -34,13 +34,15 @@ trot::recording run(double seconds, std::uint64_t seed, double speed = 0.68) {
   auto wanted = controller.get<"throttle">().p;
   wanted.speed = speed;
   controller.set<"throttle">(wanted);
-  return trot::roll_out(controller, cca::sim::terrain::flat(), cca::sim::disturbance::from_seed(seed, seconds), seconds,
+  return trot::roll_out(controller, cca::sim::terrain::flat(),
+                        cca::sim::disturbance::from_seed(seed, seconds), seconds,
                         [](const cca::sim::world&, double) {});
 }
 
 // All parameters, as a file has them.
 std::string text_of(trot::trotting controller) {
-  const auto path = std::filesystem::temp_directory_path() / ("cca_trot_all_" + std::to_string(::getpid()) + ".toml");
+  const auto path =
+      std::filesystem::temp_directory_path() / ("cca_trot_all_" + std::to_string(::getpid()) + ".toml");
   controller.load();
   controller.save(path.string());
   std::ifstream file(path);
@@ -70,7 +72,8 @@ TEST_SUITE("trot") {
 
   TEST_CASE("ten disturbances, 20 s each: no fall, 0.6 m/s, straight") {
     std::vector<trot::statistics> all(10);
-    trot::on_all_cores(all.size(), [&](std::size_t seed) { all[seed] = trot::evaluate(run(20, seed)); }, [](std::size_t) {});
+    trot::on_all_cores(
+        all.size(), [&](std::size_t seed) { all[seed] = trot::evaluate(run(20, seed)); }, [](std::size_t) {});
     for (std::size_t seed = 0; seed < all.size(); ++seed) {
       CAPTURE(seed);
       const trot::statistics& s = all[seed];
@@ -129,7 +132,8 @@ TEST_SUITE("trot") {
     const auto hash_of = [](std::uint64_t seed) {
       trot::trotting controller;
       controller.load();
-      trot::roll_out(controller, cca::sim::terrain::named("steps:6"), cca::sim::disturbance::from_seed(seed, 5), 4, [](const cca::sim::world&, double) {});
+      trot::roll_out(controller, cca::sim::terrain::named("steps:6"),
+                     cca::sim::disturbance::from_seed(seed, 5), 4, [](const cca::sim::world&, double) {});
       return controller.get<"robot.simulator">().world().hash();
     };
     const std::uint64_t alone = hash_of(3);
@@ -143,15 +147,21 @@ TEST_SUITE("trot") {
     CHECK(together[2] != alone);
   }
 
-  TEST_CASE("a file that is refused leaves the controller as it was; where it stands, which key, and what was expected is told") {
+  TEST_CASE(
+      "a file that is refused leaves the controller as it was; where it stands, which key, and what was "
+      "expected is told") {
     struct bad {
       const char *text, *words;
     };
-    const auto path = std::filesystem::temp_directory_path() / ("cca_trot_" + std::to_string(::getpid()) + ".toml");
-    for (const bad& b : {bad{"[cpg]\nfrequncy = 2.0\n", ":2: cpg.frequncy: unknown parameter, did you mean `frequency`?"},
-                         bad{"[gait]\nduty = \"half\"\n", ":2: gait.duty: expected a number, got a string \"half\"; for example `duty = 0.5"},
-                         bad{"[cpg]\nfrequency = 3.0\n[throttle]\nspeed = 1.5\n", ":4: throttle.speed: 1.5 m/s is out of range, expected 0 to 1 m/s"},
-                         bad{nullptr, ": cannot be read: No such file or directory"}}) {
+    const auto path =
+        std::filesystem::temp_directory_path() / ("cca_trot_" + std::to_string(::getpid()) + ".toml");
+    for (const bad& b :
+         {bad{"[cpg]\nfrequncy = 2.0\n", ":2: cpg.frequncy: unknown parameter, did you mean `frequency`?"},
+          bad{"[gait]\nduty = \"half\"\n",
+              ":2: gait.duty: expected a number, got a string \"half\"; for example `duty = 0.5"},
+          bad{"[cpg]\nfrequency = 3.0\n[throttle]\nspeed = 1.5\n",
+              ":4: throttle.speed: 1.5 m/s is out of range, expected 0 to 1 m/s"},
+          bad{nullptr, ": cannot be read: No such file or directory"}}) {
       trot::trotting c;
       const std::string before = text_of(c);
       std::filesystem::remove(path);
@@ -159,10 +169,9 @@ TEST_SUITE("trot") {
       std::string words;
       try {
         c.load(path.string());
-      } catch (const cca::refused& refusal) {
-        words = refusal.what();
-      }
-      CHECK_EQ(words.substr(0, path.string().size() + std::string_view(b.words).size()), path.string() + b.words);
+      } catch (const cca::refused& refusal) { words = refusal.what(); }
+      CHECK_EQ(words.substr(0, path.string().size() + std::string_view(b.words).size()),
+               path.string() + b.words);
       CHECK(c.state() == cca::state::created);
       CHECK(text_of(c) == before);
     }
@@ -170,21 +179,28 @@ TEST_SUITE("trot") {
   }
 
   TEST_CASE("the command line says what it doesn't understand") {
-    const trot::options o = trot::parse({"--seconds", "2.5", "--seed", "7", "--terrain", "slope:4", "--quiet"});
+    const trot::options o =
+        trot::parse({"--seconds", "2.5", "--seed", "7", "--terrain", "slope:4", "--quiet"});
     CHECK(o.seconds == 2.5);
     CHECK(o.seed == 7);
     CHECK(o.ground.name() == "slope");
     CHECK(o.quiet);
     CHECK(!trot::parse({"--seed", "none"}).seed);
     CHECK(trot::parse({"--help"}).help);
-    for (const char* option : {"--seconds", "--seed", "--terrain", "--speed", "--config", "--summary", "--csv", "--svg"}) {  // what the help lists
+    for (const char* option : {"--seconds", "--seed", "--terrain", "--speed", "--config", "--summary",
+                               "--csv", "--svg"}) {  // what the help lists
       CHECK(trot::usage.find(option) != std::string_view::npos);
       const std::string value = option == std::string("--terrain") ? "flat" : "1";
       CHECK_NOTHROW(trot::parse({option, value}));
     }
     CHECK(std::count(trot::usage.begin(), trot::usage.end(), '\n') == 2 + 10);
-    for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
-             {"--fast"}, {"--seconds"}, {"--seconds", "x"}, {"--seconds", "-1"}, {"--seed", "-1"}, {"--terrain", "sea"}, {"--seconds", "nan"}})
+    for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{{"--fast"},
+                                                                                     {"--seconds"},
+                                                                                     {"--seconds", "x"},
+                                                                                     {"--seconds", "-1"},
+                                                                                     {"--seed", "-1"},
+                                                                                     {"--terrain", "sea"},
+                                                                                     {"--seconds", "nan"}})
       CHECK_THROWS_AS(trot::parse(bad), trot::command_line_error);
   }
 
@@ -197,14 +213,16 @@ TEST_SUITE("trot") {
     trot::write_csv(csv, recorded);
     trot::write_svg(svg, recorded, "a test");
     CHECK(table.str().find("cost of transport") != std::string::npos);
-    for (const char* key : {"speed_m_s", "distance_m", "drift_m", "fell", "max_roll_deg", "max_pitch_deg", "cost_of_transport",
-                            "real_time_factor", "controller_ns_per_beat"})
+    for (const char* key : {"speed_m_s", "distance_m", "drift_m", "fell", "max_roll_deg", "max_pitch_deg",
+                            "cost_of_transport", "real_time_factor", "controller_ns_per_beat"})
       CHECK(json.str().find("\"" + std::string(key) + "\": ") != std::string::npos);
     const std::string lines = csv.str();
     CHECK(std::count(lines.begin(), lines.end(), '\n') == 1 + 2500 / 5);
     CHECK(svg.str().ends_with("</svg>\n"));
-    for (const char* part : {"footfalls", "path", "angles", "left front", "right hind"}) CHECK(svg.str().find(part) != std::string::npos);
-    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "roll", "pitch", "real-time factor", "controller", "physics"})
+    for (const char* part : {"footfalls", "path", "angles", "left front", "right hind"})
+      CHECK(svg.str().find(part) != std::string::npos);
+    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "roll", "pitch",
+                            "real-time factor", "controller", "physics"})
       CHECK(table.str().find(row) != std::string::npos);
     CHECK(svg.str().find("nan") == std::string::npos);
   }

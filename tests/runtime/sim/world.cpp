@@ -1,4 +1,5 @@
-// The world: what the robot weighs and how tall it stands, forces that balance, limits that hold, input that is not a number.
+// The world: what the robot weighs and how tall it stands, forces that balance, limits that hold, input that
+// is not a number.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,7 +59,9 @@ TEST_SUITE("sim world") {
     CHECK(w.trunk_position()[2] > 0.25);
   }
 
-  TEST_CASE("the toe is a spring and no motor: it bends under load, a softer one more, and is straight in the air") {
+  TEST_CASE(
+      "the toe is a spring and no motor: it bends under load, a softer one more, and is straight in the "
+      "air") {
     const auto bent = [](double stiffness, double gravity) {
       sim::oncilla_model other = m;
       other.toe_stiffness = stiffness;
@@ -100,7 +103,8 @@ TEST_SUITE("sim world") {
   }
 
   TEST_CASE("a target that is not finite is not taken: the last finite one is kept, bit for bit") {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
     sim::world sound(m, sim::terrain::flat(), crouched()), fed(sound);
     run(sound, 0, 500);
     const sim::robot_command last = run(fed, 0, 500);

@@ -16,27 +16,33 @@ struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rat
 
 // [arbiter]
 template <class Policy>
-struct two_writers : cca::graph<
-    cca::rate<1000>,
-    cca::node<"reflex", by_hand<leg_angles>>,
-    cca::node<"gait",   by_hand<leg_angles, 1>>,
-    cca::node<"legs",   cca::arbiter<"angles", leg_angles, Policy>>,
-    cca::node<"robot",  listener<leg_angles>>,
-    cca::wire<"reflex.y",    "legs.reflex">,
-    cca::wire<"gait.y",      "legs.gait">,
-    cca::wire<"legs.angles", "robot.x">> {};
+struct two_writers : cca::graph<cca::rate<1000>,
+                                cca::node<"reflex", by_hand<leg_angles>>,
+                                cca::node<"gait", by_hand<leg_angles, 1>>,
+                                cca::node<"legs", cca::arbiter<"angles", leg_angles, Policy>>,
+                                cca::node<"robot", listener<leg_angles>>,
+                                cca::wire<"reflex.y", "legs.reflex">,
+                                cca::wire<"gait.y", "legs.gait">,
+                                cca::wire<"legs.angles", "robot.x">> {};
 
-struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};    // the reflex, as long as it speaks
-struct by_age  : two_writers<cca::by_freshness<"reflex", "gait">> {};   // whose data is younger
+struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};  // the reflex, as long as it speaks
+struct by_age : two_writers<cca::by_freshness<"reflex", "gait">> {};  // whose data is younger
 // [arbiter end]
 
 // Three of them, asked in each beat, whether one speaks or not; and who is heard.
 template <class Policy>
-struct three_writers : cca::graph<
-    cca::rate<1000>, cca::node<"a", by_hand<leg_angles>>, cca::node<"b", by_hand<leg_angles, 1>>, cca::node<"c", by_hand<leg_angles, 2>>,
-    cca::node<"legs", cca::arbiter<"y", leg_angles, Policy>, cca::timed<1>>, cca::node<"robot", listener<leg_angles>>, cca::node<"who", listener<cca::choice>>,
-    cca::wire<"a.y", "legs.a">, cca::wire<"b.y", "legs.b">, cca::wire<"c.y", "legs.c">, cca::wire<"legs.y", "robot.x">,
-    cca::wire<"legs.writer", "who.x">> {};
+struct three_writers : cca::graph<cca::rate<1000>,
+                                  cca::node<"a", by_hand<leg_angles>>,
+                                  cca::node<"b", by_hand<leg_angles, 1>>,
+                                  cca::node<"c", by_hand<leg_angles, 2>>,
+                                  cca::node<"legs", cca::arbiter<"y", leg_angles, Policy>, cca::timed<1>>,
+                                  cca::node<"robot", listener<leg_angles>>,
+                                  cca::node<"who", listener<cca::choice>>,
+                                  cca::wire<"a.y", "legs.a">,
+                                  cca::wire<"b.y", "legs.b">,
+                                  cca::wire<"c.y", "legs.c">,
+                                  cca::wire<"legs.y", "robot.x">,
+                                  cca::wire<"legs.writer", "who.x">> {};
 
 constexpr std::string_view picture_of_arbiter = R"(// [arbiter picture]
 flowchart LR
@@ -52,104 +58,101 @@ flowchart LR
 }  // namespace
 
 TEST_SUITE("arbiter") {
+  TEST_CASE("the picture") { test::check_picture<by_rank>(picture_of_arbiter); }
 
-TEST_CASE("the picture") {
-  test::check_picture<by_rank>(picture_of_arbiter);
-}
-
-TEST_CASE("by priority") {
-  auto c = started<by_rank>();
-  auto& reflex = c.get<"reflex">();
-  auto& gait = c.get<"gait">();
-  const auto said = [&](bool reflex_speaks, bool gait_speaks) {
-    reflex.speaks = reflex_speaks, gait.speaks = gait_speaks;
-    reflex.now = number<leg_angles>(100 + static_cast<double>(c.beat_index()));
-    gait.now = number<leg_angles>(200 + static_cast<double>(c.beat_index()));
-    c.step();
-    return c.get<"robot">().last[knee{}];
-  };
-  const auto fired = [&] { return c.get<"robot">().all.size(); };
-  CHECK_EQ(said(false, false), 0);
-  CHECK_EQ(fired(), 0);
-  CHECK_EQ(said(true, true), 101);
-  CHECK_EQ(said(false, true), 202);
-  CHECK_EQ(said(true, false), 103);
-  CHECK_EQ(said(false, false), 103);
-  CHECK_EQ(said(true, true), 105);
-  CHECK_EQ(fired(), 4);
-  CHECK_EQ(c.get<"robot">().last.origin(), 5 * c.period());
-}
-
-TEST_CASE("a writer may fall silent for a while") {
-  auto c = started<by_rank>();
-  c.set<"legs">({0.003});
-  c.get<"reflex">().now = number<leg_angles>(1);
-  c.get<"gait">().now = number<leg_angles>(2);
-  c.step();
-  c.get<"reflex">().speaks = false;
-  for (int k = 1; k < 8; ++k) {
-    c.step();
-    CHECK_EQ(c.get<"robot">().last[hip{}], k <= 3 ? 1 : 2);
-    CHECK_EQ(c.get<"robot">().last.origin(), k <= 3 ? 0 : k * c.period());  // that of the one that is heard
+  TEST_CASE("by priority") {
+    auto c = started<by_rank>();
+    auto& reflex = c.get<"reflex">();
+    auto& gait = c.get<"gait">();
+    const auto said = [&](bool reflex_speaks, bool gait_speaks) {
+      reflex.speaks = reflex_speaks, gait.speaks = gait_speaks;
+      reflex.now = number<leg_angles>(100 + static_cast<double>(c.beat_index()));
+      gait.now = number<leg_angles>(200 + static_cast<double>(c.beat_index()));
+      c.step();
+      return c.get<"robot">().last[knee{}];
+    };
+    const auto fired = [&] { return c.get<"robot">().all.size(); };
+    CHECK_EQ(said(false, false), 0);
+    CHECK_EQ(fired(), 0);
+    CHECK_EQ(said(true, true), 101);
+    CHECK_EQ(said(false, true), 202);
+    CHECK_EQ(said(true, false), 103);
+    CHECK_EQ(said(false, false), 103);
+    CHECK_EQ(said(true, true), 105);
+    CHECK_EQ(fired(), 4);
+    CHECK_EQ(c.get<"robot">().last.origin(), 5 * c.period());
   }
-}
 
-TEST_CASE("by freshness") {
-  auto c = started<by_age>();
-  auto& reflex = c.get<"reflex">();
-  auto& gait = c.get<"gait">();
-  const auto ms = c.period();
-  const auto said = [&](std::int64_t of_reflex, std::int64_t of_gait) {
-    reflex.now = number<leg_angles>(1, of_reflex), gait.now = number<leg_angles>(2, of_gait);
+  TEST_CASE("a writer may fall silent for a while") {
+    auto c = started<by_rank>();
+    c.set<"legs">({0.003});
+    c.get<"reflex">().now = number<leg_angles>(1);
+    c.get<"gait">().now = number<leg_angles>(2);
     c.step();
-    return c.get<"robot">().last[hip{}];
-  };
-  CHECK_EQ(said(-5 * ms, -3 * ms), 2);
-  CHECK_EQ(c.get<"robot">().last.origin(), -3 * ms);
-  CHECK_EQ(said(0, -3 * ms), 1);
-  CHECK_EQ(said(2 * ms, 2 * ms), 1);  // as young: the first
-  reflex.speaks = false;
-  CHECK_EQ(said(0, 3 * ms), 2);
-  CHECK_EQ(said(0, ms), 1);  // it says again what is older than what it was heard to say
-}
+    c.get<"reflex">().speaks = false;
+    for (int k = 1; k < 8; ++k) {
+      c.step();
+      CHECK_EQ(c.get<"robot">().last[hip{}], k <= 3 ? 1 : 2);
+      CHECK_EQ(c.get<"robot">().last.origin(), k <= 3 ? 0 : k * c.period());  // that of the one that is heard
+    }
+  }
 
-TEST_CASE("the one that was heard last stays, and it says which one that is") {
-  auto c = started<three_writers<cca::by_priority<"a", "b", "c">>>();
-  const auto who = [&](bool a, bool b, bool w) {
-    c.get<"a">().speaks = a, c.get<"b">().speaks = b, c.get<"c">().speaks = w;
+  TEST_CASE("by freshness") {
+    auto c = started<by_age>();
+    auto& reflex = c.get<"reflex">();
+    auto& gait = c.get<"gait">();
+    const auto ms = c.period();
+    const auto said = [&](std::int64_t of_reflex, std::int64_t of_gait) {
+      reflex.now = number<leg_angles>(1, of_reflex), gait.now = number<leg_angles>(2, of_gait);
+      c.step();
+      return c.get<"robot">().last[hip{}];
+    };
+    CHECK_EQ(said(-5 * ms, -3 * ms), 2);
+    CHECK_EQ(c.get<"robot">().last.origin(), -3 * ms);
+    CHECK_EQ(said(0, -3 * ms), 1);
+    CHECK_EQ(said(2 * ms, 2 * ms), 1);  // as young: the first
+    reflex.speaks = false;
+    CHECK_EQ(said(0, 3 * ms), 2);
+    CHECK_EQ(said(0, ms), 1);  // it says again what is older than what it was heard to say
+  }
+
+  TEST_CASE("the one that was heard last stays, and it says which one that is") {
+    auto c = started<three_writers<cca::by_priority<"a", "b", "c">>>();
+    const auto who = [&](bool a, bool b, bool w) {
+      c.get<"a">().speaks = a, c.get<"b">().speaks = b, c.get<"c">().speaks = w;
+      c.step();
+      return c.get<"who">().last.vector()[0];
+    };
+    CHECK_EQ(who(false, true, true), 1);
+    CHECK_EQ(who(false, false, true), 2);
+    CHECK_EQ(who(false, false, false), 2);
+    CHECK_EQ(c.get<"robot">().last.origin(), c.period());
+    CHECK_EQ(who(true, true, true), 0);
+  }
+
+  TEST_CASE("by freshness, of three") {
+    auto c = started<three_writers<cca::by_freshness<"a", "b", "c">>>();
+    const auto who = [&](std::int64_t a, std::int64_t b, std::int64_t w) {
+      c.get<"a">().now = number<leg_angles>(1, a), c.get<"b">().now = number<leg_angles>(2, b),
+      c.get<"c">().now = number<leg_angles>(3, w);
+      c.step();
+      CHECK_EQ(c.get<"robot">().last[hip{}], 1 + c.get<"who">().last.vector()[0]);
+      return c.get<"who">().last.vector()[0];
+    };
+    CHECK_EQ(who(3, 1, 2), 0);  // not the youngest of the last two
+    CHECK_EQ(who(4, 6, 5), 1);
+    CHECK_EQ(who(7, 8, 9), 2);
+  }
+
+  TEST_CASE("starts anew") {
+    auto c = started<by_rank>();
+    c.set<"legs">({1});
+    c.get<"reflex">().now = number<leg_angles>(1);
     c.step();
-    return c.get<"who">().last.vector()[0];
-  };
-  CHECK_EQ(who(false, true, true), 1);
-  CHECK_EQ(who(false, false, true), 2);
-  CHECK_EQ(who(false, false, false), 2);
-  CHECK_EQ(c.get<"robot">().last.origin(), c.period());
-  CHECK_EQ(who(true, true, true), 0);
-}
-
-TEST_CASE("by freshness, of three") {
-  auto c = started<three_writers<cca::by_freshness<"a", "b", "c">>>();
-  const auto who = [&](std::int64_t a, std::int64_t b, std::int64_t w) {
-    c.get<"a">().now = number<leg_angles>(1, a), c.get<"b">().now = number<leg_angles>(2, b), c.get<"c">().now = number<leg_angles>(3, w);
+    c.stop();
+    c.start();
+    c.get<"reflex">().speaks = false;
     c.step();
-    CHECK_EQ(c.get<"robot">().last[hip{}], 1 + c.get<"who">().last.vector()[0]);
-    return c.get<"who">().last.vector()[0];
-  };
-  CHECK_EQ(who(3, 1, 2), 0);  // not the youngest of the last two
-  CHECK_EQ(who(4, 6, 5), 1);
-  CHECK_EQ(who(7, 8, 9), 2);
-}
-
-TEST_CASE("starts anew") {
-  auto c = started<by_rank>();
-  c.set<"legs">({1});
-  c.get<"reflex">().now = number<leg_angles>(1);
-  c.step();
-  c.stop();
-  c.start();
-  c.get<"reflex">().speaks = false;
-  c.step();
-  CHECK_EQ(c.get<"robot">().last[hip{}], 0);
-}
-
+    CHECK_EQ(c.get<"robot">().last[hip{}], 0);
+  }
 }

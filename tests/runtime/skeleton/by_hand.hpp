@@ -1,4 +1,5 @@
-// What the tests of skeletons put around them: sources that a test moves by hand, and a listener that notes what comes.
+// What the tests of skeletons put around them: sources that a test moves by hand, and a listener that notes
+// what comes.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +41,9 @@ cca::controller<Graph> started() {
 }
 
 template <class Space>
-cca::sample<Space> number(double n, std::int64_t origin = cca::never) { return cca::sample<Space>(Space::vector_type::Constant(n), origin); }
+cca::sample<Space> number(double n, std::int64_t origin = cca::never) {
+  return cca::sample<Space>(Space::vector_type::Constant(n), origin);
+}
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

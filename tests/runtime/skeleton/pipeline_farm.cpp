@@ -12,8 +12,12 @@ namespace {
 using namespace skeleton_test;
 
 struct trunk : cca::frame<"trunk"> {};
-struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}}; };
-struct knee : cca::dimension<"knee"> { static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}}; };
+struct hip : cca::dimension<"hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}};
+};
+struct knee : cca::dimension<"knee"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}};
+};
 struct reading : cca::space<cca::number, cca::axes<cca::x>> {};
 
 // [pipeline]
@@ -22,7 +26,7 @@ struct offset {
 };
 struct without_spikes {
   auto process(cca::in<"x", reading> x) -> cca::maybe<"clean", reading> {
-    if (std::abs(x[cca::x{}]) > 10) return {};   // nothing goes on, so what comes after does not fire
+    if (std::abs(x[cca::x{}]) > 10) return {};  // nothing goes on, so what comes after does not fire
     return cca::sample<reading>(x);
   }
 };
@@ -31,37 +35,40 @@ struct smooth {
   auto process(cca::in<"x", reading> x) -> cca::out<"y", reading> { return y += 0.25 * (x[cca::x{}] - y); }
 };
 
-struct conditioned : cca::graph<
-    cca::rate<1000>,
-    cca::node<"sensor", by_hand<reading>>,
-    cca::node<"signal", cca::pipeline<offset, without_spikes, smooth>>,
-    cca::node<"log",    listener<reading>>,
-    cca::wire<"sensor.y",      "signal.input">,
-    cca::wire<"signal.output", "log.x">> {};
+struct conditioned : cca::graph<cca::rate<1000>,
+                                cca::node<"sensor", by_hand<reading>>,
+                                cca::node<"signal", cca::pipeline<offset, without_spikes, smooth>>,
+                                cca::node<"log", listener<reading>>,
+                                cca::wire<"sensor.y", "signal.input">,
+                                cca::wire<"signal.output", "log.x">> {};
 // [pipeline end]
 
-struct in_three_beats : cca::graph<
-    cca::rate<1000>, cca::node<"sensor", by_hand<reading>>, cca::node<"signal", cca::pipeline_over<cca::delayed<1>, offset, smooth, offset>>,
-    cca::node<"log", listener<reading>>, cca::wire<"sensor.y", "signal.input">, cca::wire<"signal.output", "log.x">> {};
+struct in_three_beats
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"sensor", by_hand<reading>>,
+                 cca::node<"signal", cca::pipeline_over<cca::delayed<1>, offset, smooth, offset>>,
+                 cca::node<"log", listener<reading>>,
+                 cca::wire<"sensor.y", "signal.input">,
+                 cca::wire<"signal.output", "log.x">> {};
 
 // [farm]
-struct paw        : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::z>> {};
+struct paw : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::z>> {};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
 
-struct leg_ik {   // of a leg of two links, 0.2 m each
+struct leg_ik {  // of a leg of two links, 0.2 m each
   auto process(cca::in<"paw", paw> p) -> cca::out<"angles", leg_angles> {
     const double length = std::hypot(p[cca::x{}], p[cca::z{}]), bend = std::acos(std::fmin(length / 0.4, 1));
     return Eigen::Vector2d(std::atan2(p[cca::x{}], -p[cca::z{}]) + bend, -2 * bend);
   }
 };
 
-struct four_paws : cca::graph<
-    cca::rate<1000>,
-    cca::node<"gait",  by_hand<cca::array_of<paw, 4>>>,
-    cca::node<"ik",    cca::farm<leg_ik, cca::array_of<paw, 4>, cca::array_of<leg_angles, 4>>>,
-    cca::node<"robot", listener<cca::array_of<leg_angles, 4>>>,
-    cca::wire<"gait.y",    "ik.input">,
-    cca::wire<"ik.output", "robot.x">> {};
+struct four_paws
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"gait", by_hand<cca::array_of<paw, 4>>>,
+                 cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw, 4>, cca::array_of<leg_angles, 4>>>,
+                 cca::node<"robot", listener<cca::array_of<leg_angles, 4>>>,
+                 cca::wire<"gait.y", "ik.input">,
+                 cca::wire<"ik.output", "robot.x">> {};
 // [farm end]
 
 struct lf_hip : cca::dimension<"lf_hip"> {};
@@ -76,17 +83,29 @@ struct half_speed {
     return (part * x.vector()).eval();
   }
 };
-struct with_own_axes : cca::graph<
-    cca::rate<1000>, cca::node<"a", by_hand<all_angles>>, cca::node<"farm", cca::farm<cca::pipeline<half_speed, half_speed>, all_angles, all_angles>>,
-    cca::node<"b", listener<all_angles>>, cca::wire<"a.y", "farm.input">, cca::wire<"farm.output", "b.x">> {};
+struct with_own_axes
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"a", by_hand<all_angles>>,
+                 cca::node<"farm", cca::farm<cca::pipeline<half_speed, half_speed>, all_angles, all_angles>>,
+                 cca::node<"b", listener<all_angles>>,
+                 cca::wire<"a.y", "farm.input">,
+                 cca::wire<"farm.output", "b.x">> {};
 
 struct of_orientations {
-  auto process(cca::in<"in", cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>>> x) -> cca::out<"out", reading> { return x.yaw(); }
+  auto process(cca::in<"in", cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>>> x)
+      -> cca::out<"out", reading> {
+    return x.yaw();
+  }
 };
-using three_orientations = cca::array_of<cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>>, 3>;
-struct of_three : cca::graph<cca::rate<1000>, cca::node<"a", by_hand<three_orientations>>,
-                             cca::node<"farm", cca::farm<of_orientations, three_orientations, cca::array_of<reading, 3>>>,
-                             cca::node<"b", listener<cca::array_of<reading, 3>>>, cca::wire<"a.y", "farm.input">, cca::wire<"farm.output", "b.x">> {};
+using three_orientations =
+    cca::array_of<cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>>, 3>;
+struct of_three
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"a", by_hand<three_orientations>>,
+                 cca::node<"farm", cca::farm<of_orientations, three_orientations, cca::array_of<reading, 3>>>,
+                 cca::node<"b", listener<cca::array_of<reading, 3>>>,
+                 cca::wire<"a.y", "farm.input">,
+                 cca::wire<"farm.output", "b.x">> {};
 
 constexpr std::string_view picture_of_pipeline = R"(// [pipeline picture]
 flowchart LR
@@ -130,81 +149,83 @@ flowchart LR
 }  // namespace
 
 TEST_SUITE("pipeline") {
-
-TEST_CASE("the picture") {
-  test::check_picture<conditioned>(picture_of_pipeline);
-  test::check_picture<four_paws>(picture_of_farm);
-}
-
-TEST_CASE("passes all stages in a beat") {
-  auto c = started<conditioned>();
-  smooth last;
-  std::size_t clean = 0;
-  for (int k = 0; k < 50; ++k) {
-    const double raw = k % 7 == 3 ? 100 : std::sin(k);
-    c.get<"sensor">().now = number<reading>(raw);
-    c.step();
-    if (k % 7 != 3) ++clean, last.y += 0.25 * (raw - 0.5 - last.y);
-    REQUIRE_EQ(c.get<"log">().all.size(), clean);
-    CHECK_EQ(c.get<"log">().last[cca::x{}], last.y);
-    CHECK_EQ(c.get<"signal.stage2">().y, last.y);
-    if (k % 7 != 3) CHECK_EQ(c.get<"log">().last.origin(), k * c.period());
+  TEST_CASE("the picture") {
+    test::check_picture<conditioned>(picture_of_pipeline);
+    test::check_picture<four_paws>(picture_of_farm);
   }
-}
 
-TEST_CASE("or one a beat") {
-  auto c = started<in_three_beats>();
-  for (int k = 0; k < 20; ++k) {
-    c.get<"sensor">().now = number<reading>(k);
-    c.step();
-    REQUIRE_EQ(c.get<"log">().all.size(), k < 2 ? 0 : k - 1);
-    if (k >= 2) CHECK_EQ(c.get<"log">().last.origin(), (k - 2) * c.period());
+  TEST_CASE("passes all stages in a beat") {
+    auto c = started<conditioned>();
+    smooth last;
+    std::size_t clean = 0;
+    for (int k = 0; k < 50; ++k) {
+      const double raw = k % 7 == 3 ? 100 : std::sin(k);
+      c.get<"sensor">().now = number<reading>(raw);
+      c.step();
+      if (k % 7 != 3) ++clean, last.y += 0.25 * (raw - 0.5 - last.y);
+      REQUIRE_EQ(c.get<"log">().all.size(), clean);
+      CHECK_EQ(c.get<"log">().last[cca::x{}], last.y);
+      CHECK_EQ(c.get<"signal.stage2">().y, last.y);
+      if (k % 7 != 3) CHECK_EQ(c.get<"log">().last.origin(), k * c.period());
+    }
   }
-}
 
+  TEST_CASE("or one a beat") {
+    auto c = started<in_three_beats>();
+    for (int k = 0; k < 20; ++k) {
+      c.get<"sensor">().now = number<reading>(k);
+      c.step();
+      REQUIRE_EQ(c.get<"log">().all.size(), k < 2 ? 0 : k - 1);
+      if (k >= 2) CHECK_EQ(c.get<"log">().last.origin(), (k - 2) * c.period());
+    }
+  }
 }
 
 TEST_SUITE("farm") {
-
-TEST_CASE("each worker its part") {
-  auto c = started<four_paws>();
-  Eigen::Matrix<double, 8, 1> paws;
-  paws << 0.01, -0.3, 0.02, -0.32, -0.05, -0.35, 0.1, -0.25;
-  c.get<"gait">().now = cca::sample<cca::array_of<paw, 4>>(paws);
-  c.step();
-  const auto& angles = c.get<"robot">().last;
-  REQUIRE_EQ(c.get<"robot">().all.size(), 1);
-  for (int leg = 0; leg < 4; ++leg) {
-    leg_ik alone;
-    const auto p = alone.process(cca::in<"paw", paw>(paws.segment<2>(2 * leg), 0, true)).vector();
-    CHECK_EQ(angles.vector().segment<2>(2 * leg), p);
-  }
-  CHECK_EQ(angles.part<2>().vector(), angles.vector().segment<2>(4));
-  CHECK_EQ(angles[cca::element<knee, 3>{}], angles.vector()[7]);
-  CHECK_EQ(angles.origin(), 0);
-}
-
-TEST_CASE("over the axes of one's own, and with pipelines as workers") {
-  auto c = started<with_own_axes>();
-  c.get<"a">().now = cca::sample<all_angles>(Eigen::Vector4d(1, 2, 3, 4));
-  for (int k = 1; k < 9; ++k) {
+  TEST_CASE("each worker its part") {
+    auto c = started<four_paws>();
+    Eigen::Matrix<double, 8, 1> paws;
+    paws << 0.01, -0.3, 0.02, -0.32, -0.05, -0.35, 0.1, -0.25;
+    c.get<"gait">().now = cca::sample<cca::array_of<paw, 4>>(paws);
     c.step();
-    CHECK((c.get<"b">().last.vector() - 1e-6 * k * k * Eigen::Vector4d(1, 2, 3, 4)).norm() < 1e-12);
+    const auto& angles = c.get<"robot">().last;
+    REQUIRE_EQ(c.get<"robot">().all.size(), 1);
+    for (int leg = 0; leg < 4; ++leg) {
+      leg_ik alone;
+      const auto p = alone.process(cca::in<"paw", paw>(paws.segment<2>(2 * leg), 0, true)).vector();
+      CHECK_EQ(angles.vector().segment<2>(2 * leg), p);
+    }
+    CHECK_EQ(angles.part<2>().vector(), angles.vector().segment<2>(4));
+    CHECK_EQ(angles[cca::element<knee, 3>{}], angles.vector()[7]);
+    CHECK_EQ(angles.origin(), 0);
   }
-  CHECK_EQ(c.get<"farm">().get<"worker1">().get<"stage1">().part, doctest::Approx(0.008));
-}
 
-TEST_CASE("an array of what has no number per axis") {
-  auto c = started<of_three>();
-  CHECK_EQ(c.get<"a">().now.vector(), cca::sample<three_orientations>().vector());
-  for (int i = 0; i < 3; ++i) CHECK_EQ(c.get<"a">().now.part<1>().vector()[3], 1);  // the zero is that of each
-  Eigen::Matrix<double, 12, 1> v;
-  for (int i = 0; i < 3; ++i) v.segment<4>(4 * i) = cca::sample<cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>>>::about({0, 0, 1}, 0.25 * i).vector();
-  const cca::sample<three_orientations> turned(v);
-  c.get<"a">().now = turned;
-  c.step();
-  for (int i = 0; i < 3; ++i) CHECK(c.get<"b">().last.vector()[i] == doctest::Approx(0.25 * i));
-  CHECK(cca::sample<three_orientations>().interpolated(turned, 0.5).part<2>().yaw() == doctest::Approx(0.25));
-}
+  TEST_CASE("over the axes of one's own, and with pipelines as workers") {
+    auto c = started<with_own_axes>();
+    c.get<"a">().now = cca::sample<all_angles>(Eigen::Vector4d(1, 2, 3, 4));
+    for (int k = 1; k < 9; ++k) {
+      c.step();
+      CHECK((c.get<"b">().last.vector() - 1e-6 * k * k * Eigen::Vector4d(1, 2, 3, 4)).norm() < 1e-12);
+    }
+    CHECK_EQ(c.get<"farm">().get<"worker1">().get<"stage1">().part, doctest::Approx(0.008));
+  }
 
+  TEST_CASE("an array of what has no number per axis") {
+    auto c = started<of_three>();
+    CHECK_EQ(c.get<"a">().now.vector(), cca::sample<three_orientations>().vector());
+    for (int i = 0; i < 3; ++i)
+      CHECK_EQ(c.get<"a">().now.part<1>().vector()[3], 1);  // the zero is that of each
+    Eigen::Matrix<double, 12, 1> v;
+    for (int i = 0; i < 3; ++i)
+      v.segment<4>(4 * i) =
+          cca::sample<cca::space<cca::orientation<trunk>, cca::axes<cca::x, cca::y, cca::z>>>::about(
+              {0, 0, 1}, 0.25 * i)
+              .vector();
+    const cca::sample<three_orientations> turned(v);
+    c.get<"a">().now = turned;
+    c.step();
+    for (int i = 0; i < 3; ++i) CHECK(c.get<"b">().last.vector()[i] == doctest::Approx(0.25 * i));
+    CHECK(cca::sample<three_orientations>().interpolated(turned, 0.5).part<2>().yaw() ==
+          doctest::Approx(0.25));
+  }
 }

@@ -65,11 +65,17 @@ void load_idle(Controller& c) {
 
 }  // namespace
 
-TEST_CASE("the left paw comes to a ball ahead") { check(run(short_run(1, skills::paw_side::left, skills::target::ahead))); }
+TEST_CASE("the left paw comes to a ball ahead") {
+  check(run(short_run(1, skills::paw_side::left, skills::target::ahead)));
+}
 
-TEST_CASE("the right paw comes to a ball that hangs inside") { check(run(short_run(2, skills::paw_side::right, skills::target::inside))); }
+TEST_CASE("the right paw comes to a ball that hangs inside") {
+  check(run(short_run(2, skills::paw_side::right, skills::target::inside)));
+}
 
-TEST_CASE("the right paw comes to a ball fixed in the world, at which the robot arrives; the table tells of each skill") {
+TEST_CASE(
+    "the right paw comes to a ball fixed in the world, at which the robot arrives; the table tells of each "
+    "skill") {
   auto c = short_run(5, skills::paw_side::right, skills::target::world);
   skills::set_seconds(c, 6);
   const auto r = run(c);
@@ -173,7 +179,11 @@ TEST_CASE("a paw at the ball goes with it at once, before its Reaching Controlle
   REQUIRE(c.get<"sequencer">().steps.step() == plan::at<"touch">);
   const auto off = [&] {
     const auto& robot = c.get<"robot">();
-    return (camera.ball - cca::chain_pose<skills::left_front>(Eigen::Vector3d(robot.abduction[0], robot.legs[0], robot.legs[4])).tip().at).norm();
+    return (camera.ball - cca::chain_pose<skills::left_front>(
+                              Eigen::Vector3d(robot.abduction[0], robot.legs[0], robot.legs[4]))
+                              .tip()
+                              .at)
+        .norm();
   };
   c.run(cca::for_beats<300>{});
   CHECK(off() < 1e-3);  // what the aim added up on the way is not gone yet
@@ -209,13 +219,16 @@ TEST_CASE("the summary is a list of runs") {
   r.reach_error = 0.00125;
   std::ostringstream text;
   skills::write_json(text, {{c, r}, {c, r}});
-  CHECK(text.str().find("[\n {\"seed\": 0, \"paw\": \"left\", \"target\": \"ahead\", \"reach_error_mm\": 1.25, ") == 0);
+  CHECK(text.str().find(
+            "[\n {\"seed\": 0, \"paw\": \"left\", \"target\": \"ahead\", \"reach_error_mm\": 1.25, ") == 0);
   CHECK(text.str().find("\"reach_time_s\": null, ") != std::string::npos);
   CHECK(text.str().find("\"fell\": true, \"speed_after_m_s\": 0, ") != std::string::npos);
 }
 
 TEST_CASE("a command line that can't be understood is refused") {
-  CHECK(skills::parse({"--paw", "right", "--target", "world", "--seed", "none"}).run.paw == skills::paw_side::right);
-  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{{"--paw", "hind"}, {"--target", "moon"}, {"--seed", "x"}, {"--push"}, {"--what"}})
+  CHECK(skills::parse({"--paw", "right", "--target", "world", "--seed", "none"}).run.paw ==
+        skills::paw_side::right);
+  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
+           {"--paw", "hind"}, {"--target", "moon"}, {"--seed", "x"}, {"--push"}, {"--what"}})
     CHECK_THROWS_AS(skills::parse(bad), skills::command_line_error);
 }

@@ -29,28 +29,26 @@ struct foot_in_trunk : cca::space<cca::cartesian_position<trunk>, xyz> {};
 // [spaces end]
 
 TEST_SUITE("space example") {
+  TEST_CASE("angles") {
+    // [methods]
+    const cca::sample<leg::angles> rest;                                         // the zero
+    const cca::sample<leg::angles> wish(Eigen::Vector2d(1.2, -0.6), 5'000'000);  // of 5 ms
+    const auto safe = wish.clamped();                                            // to the axes' limits
+    CHECK(safe[leg::hip{}] == 0.9);
+    CHECK(safe.origin() == 5'000'000);
+    CHECK(rest.interpolated(safe, 0.5)[leg::knee{}] == -0.3);
+    // [methods end]
+  }
 
-TEST_CASE("angles") {
-  // [methods]
-  const cca::sample<leg::angles> rest;                                         // the zero
-  const cca::sample<leg::angles> wish(Eigen::Vector2d(1.2, -0.6), 5'000'000);  // of 5 ms
-  const auto safe = wish.clamped();                                            // to the axes' limits
-  CHECK(safe[leg::hip{}] == 0.9);
-  CHECK(safe.origin() == 5'000'000);
-  CHECK(rest.interpolated(safe, 0.5)[leg::knee{}] == -0.3);
-  // [methods end]
-}
-
-TEST_CASE("frames") {
-  // [frames]
-  using attitude = decltype(cca::sample<leg::trunk_pose>().orientation());
-  using place = decltype(cca::sample<leg::trunk_pose>().position());
-  const auto pose = cca::sample<leg::trunk_pose>::of(place(Eigen::Vector3d(2, 0, 0.17)),
-                                                     attitude::from_roll_pitch_yaw(0, 0, cca::pi / 2));
-  const cca::sample<leg::foot_in_trunk> foot(Eigen::Vector3d(0.1, 0, -0.17));
-  const auto seen = pose.express(foot);  // a position in the world; pose.transform(foot) would not compile
-  CHECK((seen.vector() - Eigen::Vector3d(2, 0.1, 0)).norm() < 1e-12);
-  // [frames end]
-}
-
+  TEST_CASE("frames") {
+    // [frames]
+    using attitude = decltype(cca::sample<leg::trunk_pose>().orientation());
+    using place = decltype(cca::sample<leg::trunk_pose>().position());
+    const auto pose = cca::sample<leg::trunk_pose>::of(place(Eigen::Vector3d(2, 0, 0.17)),
+                                                       attitude::from_roll_pitch_yaw(0, 0, cca::pi / 2));
+    const cca::sample<leg::foot_in_trunk> foot(Eigen::Vector3d(0.1, 0, -0.17));
+    const auto seen = pose.express(foot);  // a position in the world; pose.transform(foot) would not compile
+    CHECK((seen.vector() - Eigen::Vector3d(2, 0.1, 0)).norm() < 1e-12);
+    // [frames end]
+  }
 }

@@ -43,18 +43,26 @@ struct plain_model {
     for (int i = 0; i < Space::size; ++i) v[i] = random(-Size, Size);
     return cca::sample<Space>(v);
   }
-  static bool close(const cca::sample<Space>& a, const cca::sample<Space>& b) { return (a.vector() - b.vector()).norm() < 1e-12; }
+  static bool close(const cca::sample<Space>& a, const cca::sample<Space>& b) {
+    return (a.vector() - b.vector()).norm() < 1e-12;
+  }
   template <class Vector>
-  static auto plus(const cca::sample<Space>& a, const Vector& by) { return a.plus(by); }
+  static auto plus(const cca::sample<Space>& a, const Vector& by) {
+    return a.plus(by);
+  }
 };
 
 // Joint angles up to whole turns.
 struct angle_model : plain_model<leg_angles, 10> {
-  static bool close(const cca::sample<leg_angles>& a, const cca::sample<leg_angles>& b) { return a.difference(b).norm() < 1e-9; }
+  static bool close(const cca::sample<leg_angles>& a, const cca::sample<leg_angles>& b) {
+    return a.difference(b).norm() < 1e-9;
+  }
 };
 
 struct phase_model : plain_model<phases, 20> {
-  static bool close(const cca::sample<phases>& a, const cca::sample<phases>& b) { return a.difference(b).norm() < 1e-9; }
+  static bool close(const cca::sample<phases>& a, const cca::sample<phases>& b) {
+    return a.difference(b).norm() < 1e-9;
+  }
   static auto plus(const cca::sample<phases>& a, const Eigen::Vector2d& by) { return a.advanced(by); }
 };
 
@@ -77,7 +85,9 @@ struct pose_model {
   static auto random(laws::source& random) {
     return sample::of(cca::sample<foot>(random.vector(2)), orientation_model::random(random));
   }
-  static bool close(const sample& a, const sample& b) { return a.distance(b) < 1e-12 && a.angle_to(b) < 1e-9; }
+  static bool close(const sample& a, const sample& b) {
+    return a.distance(b) < 1e-12 && a.angle_to(b) < 1e-9;
+  }
   static auto point(laws::source& random) { return cca::sample<foot>(random.vector(2)); }
   static auto act(const sample& a, const cca::sample<foot>& x) { return a.transform(x); }
 };

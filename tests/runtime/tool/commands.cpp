@@ -24,13 +24,15 @@ std::size_t count(const std::vector<hw::can_frame>& all, const hw::can_frame& f)
   return static_cast<std::size_t>(std::count(all.begin(), all.end(), f));
 }
 
-// What the drive does is looked at in every half millisecond: the torque of its law where it is, and where it is told to go.
+// What the drive does is looked at in every half millisecond: the torque of its law where it is, and where it
+// is told to go.
 struct jog_rig : rig {
   explicit jog_rig(std::span<const hw::bus_fault> script = {}) : rig({name}, script) {
     each = [this] {
       const auto& q = drives[0]->motor.now;
       const hw::drive_command c = drives[0]->law(clock);
-      const double law = c.stiffness * (c.position - q.position) + c.damping * (c.velocity - q.velocity) + c.torque;
+      const double law =
+          c.stiffness * (c.position - q.position) + c.damping * (c.velocity - q.velocity) + c.torque;
       strongest = std::max(strongest, std::abs(law));
       fastest = std::max(fastest, std::abs(q.velocity));
       if (c.stiffness > 0.2) farthest = std::max(farthest, std::abs(c.position));
@@ -39,13 +41,15 @@ struct jog_rig : rig {
   }
   double strongest = 0, fastest = 0, farthest = 0;
   std::function<void()> then{};
-  jog_order order{.limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2},
-                  .goal = 0.15};
+  jog_order order{
+      .limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2},
+      .goal = 0.15};
   std::unique_ptr<any_drive> drive = drive_named(name);
   ending run() { return jog(bus, "can0", *drive, order, *this, say); }
   double angle() const { return drives[0]->motor.now.position; }
   bool is_off() {
-    return drives[0]->law(clock).stiffness == 0 && drives[0]->law(clock).damping == 0 && last_of(leave.id) == leave;
+    return drives[0]->law(clock).stiffness == 0 && drives[0]->law(clock).damping == 0 &&
+           last_of(leave.id) == leave;
   }
 };
 
@@ -91,8 +95,8 @@ TEST_SUITE("list and watch") {
       const std::size_t n = r.far.receive(frames);
       for (std::size_t i = 0; i < n; ++i) {
         if (frames[i].frame.id == hw::standard(0x609))
-          r.far.send(
-              std::array{hw::can_frame{.id = hw::standard(0x589), .length = 8, .data = {0x43, 0, 0x10, 0, 0x92, 1, 2, 0}}});
+          r.far.send(std::array{hw::can_frame{
+              .id = hw::standard(0x589), .length = 8, .data = {0x43, 0, 0x10, 0, 0x92, 1, 2, 0}}});
         if (frames[i].frame.id == hw::extended(0x8004))
           r.far.send(std::array{hw::moteus<unit_moteus_motor, 4>::reply(0, 1, 0, 0)});
       }
@@ -102,12 +106,14 @@ TEST_SUITE("list and watch") {
     CHECK(r.told("  moteus:4  answers 400##1"));
   }
   TEST_CASE("a bus that is down, or on which nobody is, is told") {
-    const std::array away{hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 0}};
+    const std::array away{
+        hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 0}};
     rig r({name}, away);
     CHECK(list(r.bus, {.ask = {"mit"}}, r, r.say) == failed);
     CHECK(r.told("the bus is down"));
-    const std::array alone{hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 1},
-                           hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
+    const std::array alone{
+        hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 1},
+        hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
     rig q({name}, alone);
     CHECK(list(q.bus, {.ask = {"mit"}}, q, q.say) == failed);
     CHECK(q.told("nobody acknowledges"));
@@ -190,7 +196,8 @@ TEST_SUITE("jog") {
     CHECK(r.run() == done);
     CHECK(r.angle() == doctest::Approx(-0.1).epsilon(0.1));
   }
-  TEST_CASE("held fast it pulls with no more than half of the torque, does not jump when let go, and gives up") {
+  TEST_CASE(
+      "held fast it pulls with no more than half of the torque, does not jump when let go, and gives up") {
     jog_rig r;
     r.drives[0]->motor.inertia = 1e6;
     CHECK(r.run() == failed);
@@ -203,7 +210,8 @@ TEST_SUITE("jog") {
       if (freed.clock > 1000 * ms) freed.drives[0]->motor.inertia = 0.01;
     };
     CHECK(freed.run() == done);
-    CHECK(freed.strongest <= 0.5 + 0.1);  // what the drive's own law makes of a speed that the last frame did not know
+    CHECK(freed.strongest <=
+          0.5 + 0.1);  // what the drive's own law makes of a speed that the last frame did not know
     CHECK(freed.farthest <= 0.2);
   }
   TEST_CASE("a start or a goal outside of the range is refused, and nothing is enabled") {
@@ -243,7 +251,8 @@ TEST_SUITE("jog") {
     CHECK(silent.told("told to disable, and does not answer"));
     CHECK(silent.is_off());
 
-    const std::array script{hw::bus_fault{.what = hw::bus_trouble::link_down, .from = 200 * ms, .until = 230 * ms, .end = 0}};
+    const std::array script{
+        hw::bus_fault{.what = hw::bus_trouble::link_down, .from = 200 * ms, .until = 230 * ms, .end = 0}};
     jog_rig away(script);
     CHECK(away.run() == failed);
     CHECK(away.told("the bus is down"));
@@ -274,7 +283,8 @@ TEST_SUITE("jog") {
       REQUIRE(c.position >= l.low);
       REQUIRE(c.position <= l.high);
       REQUIRE(std::abs(c.velocity) <= l.speed);
-      REQUIRE(std::abs(c.stiffness * (c.position - at.position) + c.damping * (c.velocity - v)) <= l.torque * (1 + 1e-12));
+      REQUIRE(std::abs(c.stiffness * (c.position - at.position) + c.damping * (c.velocity - v)) <=
+              l.torque * (1 + 1e-12));
       REQUIRE(target.position == c.position);
     }
   }
@@ -288,10 +298,14 @@ struct board {
 };
 template <class Axis, std::uint32_t Number>
 struct some_joint : hw::joint<Axis, hw::mit_drive<hw::ak80_9, Number>, hw::mounting{}, hw::joint_servo{}> {};
-using joints = hw::joint_list<some_joint<cca::sim::left_front_hip, 1>, some_joint<cca::sim::right_front_hip, 2>,
-                              some_joint<cca::sim::left_hind_hip, 3>, some_joint<cca::sim::right_hind_hip, 4>,
-                              some_joint<cca::sim::left_front_knee, 5>, some_joint<cca::sim::right_front_knee, 6>,
-                              some_joint<cca::sim::left_hind_knee, 7>, some_joint<cca::sim::right_hind_knee, 8>>;
+using joints = hw::joint_list<some_joint<cca::sim::left_front_hip, 1>,
+                              some_joint<cca::sim::right_front_hip, 2>,
+                              some_joint<cca::sim::left_hind_hip, 3>,
+                              some_joint<cca::sim::right_hind_hip, 4>,
+                              some_joint<cca::sim::left_front_knee, 5>,
+                              some_joint<cca::sim::right_front_knee, 6>,
+                              some_joint<cca::sim::left_hind_knee, 7>,
+                              some_joint<cca::sim::right_hind_knee, 8>>;
 using synchronizer = hw::can_synchronizer<rig::wire_type::end_type, board, joints>;
 
 // A robot as a file of parameters sees it.
@@ -312,8 +326,10 @@ TEST_SUITE("calibrate") {
     rig r({name});
     r.drives[0]->motor.now.position = 0.25;
     const auto drive = drive_named(name);
-    calibrate_order o{
-        .joint = joint_named("left_hind_knee"), .at = 0.5, .mounted = {.gear = 2, .sign = -1, .offset = 0.1}, .file = file};
+    calibrate_order o{.joint = joint_named("left_hind_knee"),
+                      .at = 0.5,
+                      .mounted = {.gear = 2, .sign = -1, .offset = 0.1},
+                      .file = file};
     CHECK(calibrate(r.bus, "can0", *drive, o, r, r.say) == done);
     o.joint = joint_named("left_front_hip");
     o.at = -0.3;
@@ -328,19 +344,20 @@ TEST_SUITE("calibrate") {
     CHECK(count(r.seen, enter) == 0);
     std::remove(file.c_str());
   }
-  TEST_CASE("nothing is written over what someone else has written, for a joint that moves, or beyond a radian") {
+  TEST_CASE(
+      "nothing is written over what someone else has written, for a joint that moves, or beyond a radian") {
     const std::string file = "cca_can_other.toml";
     const std::string foreign = "[robot.synchronizer]\noffset = [0,0,0,0,0,0,0,0]\n[cpg]\nfrequency = 2\n";
     cca::detail::write_file(file, foreign);
     rig r({name});
     const auto drive = drive_named(name);
     calibrate_order o{.joint = 0, .at = 0.5, .file = file};
-    CHECK_THROWS_WITH_AS(
-        calibrate(r.bus, "can0", *drive, o, r, r.say),
-        (file + ": has more in it than the offsets of [robot.synchronizer]; let calibrate write into a file of its own, "
-                "and copy them from there")
-            .c_str(),
-        cca::refused);
+    CHECK_THROWS_WITH_AS(calibrate(r.bus, "can0", *drive, o, r, r.say),
+                         (file + ": has more in it than the offsets of [robot.synchronizer]; let calibrate "
+                                 "write into a file of its own, "
+                                 "and copy them from there")
+                             .c_str(),
+                         cca::refused);
     CHECK(cca::detail::read_file(file) == foreign);
     std::remove(file.c_str());
 
@@ -392,9 +409,10 @@ TEST_SUITE("record and replay") {
   }
   TEST_CASE("a log that makes no sense is refused with its line; of two interfaces one is to be named") {
     std::istringstream bad("(1.0) can0 123#11\n\n(1.1) can0 123#1\n");
-    CHECK_THROWS_WITH_AS(read_log(bad, "my.log"),
-                         "my.log:3: a byte has two hexadecimal digits, and one of them is missing, in `(1.1) can0 123#1`",
-                         cca::refused);
+    CHECK_THROWS_WITH_AS(
+        read_log(bad, "my.log"),
+        "my.log:3: a byte has two hexadecimal digits, and one of them is missing, in `(1.1) can0 123#1`",
+        cca::refused);
     std::istringstream two("(1.0) can0 123#11\n(1.1) can1 124#\n(1.2) can0 20000004#0008000000006000\n");
     const log_file log = read_log(two, "two");
     CHECK(log.errors == 1);
@@ -409,10 +427,12 @@ TEST_SUITE("record and replay") {
     CHECK(r.seen[0].id == hw::standard(0x124));
     CHECK(r.told("1 error frames left out"));
   }
-  TEST_CASE("replay asks first, stops at ctrl-c, and tells of a queue that stays full or a bus that is gone") {
+  TEST_CASE(
+      "replay asks first, stops at ctrl-c, and tells of a queue that stays full or a bus that is gone") {
     std::ostringstream text;
     for (int i = 0; i < 100; ++i)
-      text << text_of(log_line{.time = i * 100 * ms, .bus = "can0", .frame = {.id = hw::standard(1)}}) << '\n';
+      text << text_of(log_line{.time = i * 100 * ms, .bus = "can0", .frame = {.id = hw::standard(1)}})
+           << '\n';
     std::istringstream in(text.str());
     const log_file log = read_log(in, "log");
     rig r;
@@ -424,12 +444,14 @@ TEST_SUITE("record and replay") {
     unasked.say.yes = false;
     CHECK(replay(unasked.bus, "can0", log, {}, unasked, unasked.say) == not_confirmed);
     CHECK(unasked.bus.counters().sent == 0);
-    const std::array alone{hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 1},
-                           hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
+    const std::array alone{
+        hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 1},
+        hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
     rig nobody({}, alone);
     CHECK(replay(nobody.bus, "can0", log, {.speed = 0}, nobody, nobody.say) == failed);
     CHECK(nobody.told("the queue stays full: does anybody acknowledge?"));
-    const std::array gone{hw::bus_fault{.what = hw::bus_trouble::bus_off, .until = 1'000'000'000'000, .end = 0}};
+    const std::array gone{
+        hw::bus_fault{.what = hw::bus_trouble::bus_off, .until = 1'000'000'000'000, .end = 0}};
     rig off({}, gone);
     CHECK(replay(off.bus, "can0", log, {}, off, off.say) == failed);
     CHECK(off.told("the bus is bus-off"));
@@ -444,8 +466,8 @@ TEST_SUITE("the whole line") {
       r.out.str(""), r.error.str("");
       return run_and_tell(line, open, r, r.say);
     };
-    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1", "--hold", "0"}) ==
-          done);
+    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
+                "0.1", "--hold", "0"}) == done);
     CHECK(r.drives[0]->motor.now.position == doctest::Approx(0.1).epsilon(0.2));
     CHECK(ends({"enable", "can0", name, "--seconds", "0.5"}) == done);
     CHECK(ends({}) == done);
@@ -453,15 +475,19 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"jg", "can0"}) == misunderstood);
     CHECK(r.error.str() == "cca-can: `jg` is no command; `cca-can help` says what there is\n");
     CHECK(ends({"jog", "can0", name, "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == misunderstood);
-    CHECK(r.error.str() == "cca-can: --range is missing: the angles that the drive may be at, in rad, as -0.2,0.2\n");
-    CHECK(ends({"jog", "can0", name, "--range", "0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == misunderstood);
-    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--torque", "0.5", "--to", "0.1"}) == misunderstood);
+    CHECK(r.error.str() ==
+          "cca-can: --range is missing: the angles that the drive may be at, in rad, as -0.2,0.2\n");
+    CHECK(ends({"jog", "can0", name, "--range", "0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) ==
+          misunderstood);
+    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--torque", "0.5", "--to", "0.1"}) ==
+          misunderstood);
     CHECK(r.error.str() == "cca-can: --speed is missing: rad/s, as 0.5\n");
-    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.3"}) ==
-          misunderstood);
-    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1", "--by", "0.1"}) ==
-          misunderstood);
-    CHECK(ends({"jog", "can0", "odrive:3", "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == failed);
+    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
+                "0.3"}) == misunderstood);
+    CHECK(ends({"jog", "can0", name, "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
+                "0.1", "--by", "0.1"}) == misunderstood);
+    CHECK(ends({"jog", "can0", "odrive:3", "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
+                "0.1"}) == failed);
     CHECK(r.told("odrive:3 on can0: it does not answer"));
     CHECK(ends({"replay", "can0", "no/such.log"}) == refused);
     CHECK(r.told("no/such.log: cannot be read: No such file or directory"));
@@ -476,7 +502,8 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"pretend", "can0", "odrive:3", "--seconds", "0.1"}) == not_confirmed);
     CHECK(r.told("On can0 it answers in the place of drives"));
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1"}) == done);
-    CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1", "--silent-at", "0", "--silent-for", "0.05", "--fault-at", "0.01", "--code", "64", "--load", "-1"}) == done);
+    CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1", "--silent-at", "0", "--silent-for",
+                "0.05", "--fault-at", "0.01", "--code", "64", "--load", "-1"}) == done);
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--fault-at", "0.01"}) == misunderstood);
     CHECK(r.told("--code is missing: the firmware's number of a fault"));
     CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1", "--yes"}) == done);
@@ -494,7 +521,14 @@ TEST_SUITE("pretend") {
       if (r.clock <= 1000 * ms) at_one = r.seen.size();
       if (r.clock <= 1500 * ms) at_three_halves = r.seen.size();
     };
-    CHECK(pretend(r.far, drives, {.seconds = 2, .silent_at = 0.502, .fault_at = 1.5, .silent_for = 0.498, .code = 0x4000, .load = 0.25}, r) == done);
+    CHECK(pretend(r.far, drives,
+                  {.seconds = 2,
+                   .silent_at = 0.502,
+                   .fault_at = 1.5,
+                   .silent_for = 0.498,
+                   .code = 0x4000,
+                   .load = 0.25},
+                  r) == done);
     CHECK(at_half > 4);
     CHECK(at_one <= at_half + 2);  // what was under way
     CHECK(at_three_halves > at_one + 4);

@@ -12,8 +12,9 @@ namespace tool_test {
 
 struct dm8006 {
   static constexpr std::string_view name = "DM8006";
-  static constexpr auto limits = cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
-                                             cca::stiffness{0, 500}, cca::damping{0, 5}};
+  static constexpr auto limits =
+      cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
+                  cca::stiffness{0, 500}, cca::damping{0, 5}};
 };
 struct epos {
   static constexpr std::string_view name = "EPOS4";
@@ -34,8 +35,8 @@ void alike(const char* name, Reply reply, double most_torque = 0) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> some(-1, 1);
   for (int i = 0; i < 300; ++i) {
-    const hw::drive_command c{10 * some(random), 30 * some(random), 3 * some(random), 250 + 250 * some(random),
-                              2 + 2 * some(random)};
+    const hw::drive_command c{10 * some(random), 30 * some(random), 3 * some(random),
+                              250 + 250 * some(random), 2 + 2 * some(random)};
     const hw::set_point_frames s = named->set_point(c, most_torque), t = Drive::set_point(c);
     REQUIRE(s.frames.size() == t.frames.size() + named->clocked);
     CHECK(s.frames[0] == t.frames[0]);
@@ -67,7 +68,8 @@ std::string complaint(const char* name) {
 TEST_SUITE("drives by name") {
   TEST_CASE("an MIT drive is the one of its number and ranges") {
     using ak = hw::mit_drive<hw::ak80_9, 3>;
-    alike<ak>("mit:ak80-9:3", [](auto& some, auto& r) { return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
+    alike<ak>("mit:ak80-9:3",
+              [](auto& some, auto& r) { return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
     using dm = hw::mit_drive<dm8006, 7, 16, hw::mit_firmware::damiao>;
     alike<dm>("damiao:12.5/45/20:7@16",
               [](auto& some, auto& r) { return dm::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
@@ -83,7 +85,8 @@ TEST_SUITE("drives by name") {
     using c = hw::cia402<epos, 9, hw::cia402_mode::position>;
     alike<c>("cia402:4096/0.8:9", [](auto& some, auto& r) { return c::reply(0x27, 10 * some(r), some(r)); });
     using t = hw::cia402<epos, 9, hw::cia402_mode::torque>;
-    alike<t>("cia402-torque:4096/0.8:9", [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
+    alike<t>("cia402-torque:4096/0.8:9",
+             [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
     using m = hw::moteus<n1, 4>;
     alike<m>(
         "moteus:80/2:4", [](auto& some, auto& r) { return m::reply(10, some(r), some(r), some(r)); }, 12);
@@ -102,7 +105,8 @@ TEST_SUITE("drives by name") {
   TEST_CASE("a moteus may use no more torque than is stated with each command, and none to be enabled") {
     const auto drive = drive_named("moteus:80/2:4");
     hw::moteus<n1, 4>::request q;
-    REQUIRE(hw::moteus<n1, 4>::hear(drive->set_point({.position = 1, .torque = 0.4, .stiffness = 5}, 0.3).frames[0], q));
+    REQUIRE(hw::moteus<n1, 4>::hear(
+        drive->set_point({.position = 1, .torque = 0.4, .stiffness = 5}, 0.3).frames[0], q));
     CHECK(q.most_torque == doctest::Approx(0.3));
     CHECK(q.command.torque == doctest::Approx(0.3));
     hw::drive_report r;
@@ -115,7 +119,8 @@ TEST_SUITE("drives by name") {
     hw::drive_report r;
     CHECK_FALSE(drive->decode(hw::mit_drive<hw::ak80_9, 4>::reply(0, 0, 0), r));
     CHECK_FALSE(drive_named("odrive:5")->decode(hw::odrive<6, hw::odrive_mode::position>::heartbeat(8), r));
-    CHECK_FALSE(drive_named("cia402:4096/0.8:9")->decode(hw::cia402<epos, 10, hw::cia402_mode::position>::reply(0x27, 0, 0), r));
+    CHECK_FALSE(drive_named("cia402:4096/0.8:9")
+                    ->decode(hw::cia402<epos, 10, hw::cia402_mode::position>::reply(0x27, 0, 0), r));
     CHECK_FALSE(drive_named("moteus:80/2:4")->decode(hw::moteus<n1, 5>::reply(10, 0, 0, 0), r));
     CHECK(r.frames == 0);
   }
@@ -126,8 +131,9 @@ TEST_SUITE("drives by name") {
     const hw::drive_frames registers = drive_named("moteus:80/2:4")->ask();
     REQUIRE(registers.size() == 1);
     bool writes = false;
-    CHECK(hw::read_registers(registers[0].payload(),
-                             [&](hw::moteus_kind kind, std::uint32_t, double) { writes |= kind == hw::moteus_kind::write; }));
+    CHECK(hw::read_registers(registers[0].payload(), [&](hw::moteus_kind kind, std::uint32_t, double) {
+      writes |= kind == hw::moteus_kind::write;
+    }));
     CHECK_FALSE(writes);
     CHECK(drive_named("odrive:5")->ask().empty());
     const hw::drive_frames object = drive_named("cia402:4096/0.8:9")->ask();
@@ -138,17 +144,21 @@ TEST_SUITE("drives by name") {
   TEST_CASE("a name that is none says how it is written") {
     CHECK(complaint("mit") ==
           "`mit` names no drive: written as one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
-          "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, cia402:COUNTS/TORQUE:NUMBER, "
+          "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
+          "cia402:COUNTS/TORQUE:NUMBER, "
           "cia402-torque:COUNTS/TORQUE:NUMBER");
     CHECK(complaint("mit:3") ==
           "`mit:3` names no drive: it needs the ranges of its firmware, which no frame tells: mit:RANGES:3");
-    CHECK(complaint("mit:ak99:3") ==
-          "`mit:ak99:3` names no drive: expected a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or "
-          "ranges as `12.5/50/18`, got `ak99`");
+    CHECK(
+        complaint("mit:ak99:3") ==
+        "`mit:ak99:3` names no drive: expected a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or "
+        "ranges as `12.5/50/18`, got `ak99`");
     CHECK(complaint("mit:ak80-9:256") == "`mit:ak80-9:256` names no drive: its number is at most 255");
     CHECK(complaint("mit:ak80-9:0") == "`mit:ak80-9:0` names no drive: its number is at least 1");
-    CHECK(complaint("mit:ak80-9:3@3") == "`mit:ak80-9:3@3` names no drive: it can't answer under the id that it listens to");
-    CHECK(complaint("odrive:12.5:3") == "`odrive:12.5:3` names no drive: an ODrive has no ranges; write odrive:NUMBER");
+    CHECK(complaint("mit:ak80-9:3@3") ==
+          "`mit:ak80-9:3@3` names no drive: it can't answer under the id that it listens to");
+    CHECK(complaint("odrive:12.5:3") ==
+          "`odrive:12.5:3` names no drive: an ODrive has no ranges; write odrive:NUMBER");
     CHECK(complaint("moteus:80:3") == "`moteus:80:3` names no drive: expected kp and kd as `80/2`, got `80`");
     CHECK(complaint("damiao:12.5/-45/20:7").ends_with("got `12.5/-45/20`"));
     CHECK(complaint("servo:3").find("there is no family `servo`") != std::string::npos);

@@ -1,4 +1,5 @@
-// Every family of drives, played at the other end of a bus in memory: found, watched, enabled, jogged, calibrated.
+// Every family of drives, played at the other end of a bus in memory: found, watched, enabled, jogged,
+// calibrated.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include <cca/component/file.hpp>
+#include <cca/base/file.hpp>
 
 #include "../../../tools/cca_can/commands.hpp"
 #include "rig.hpp"
@@ -17,19 +18,20 @@ namespace {
 
 struct family {
   const char* name;
-  const char* listed;        // what `list` says
-  bool damps_by_itself;      // between two commands
-  double torque = 0.5;       // N m, of jog
+  const char* listed;    // what `list` says
+  bool damps_by_itself;  // between two commands
+  double torque = 0.5;   // N m, of jog
 };
 // The last one's greatest torque (6072h) is 0.8 N m.
-constexpr std::array families{family{"mit:ak80-9:3", "  mit:3  answers 000#03", true},
-                              family{"damiao:12.5/45/20:7", "  mit:7  answers 000#07", true},
-                              family{"mit-original:12.5/45/18:3", "  mit:3  answers 000#03", true},
-                              family{"odrive:3", "  odrive:3  ", false},
-                              family{"odrive-0.5:70", "  odrive:70  ", false},
-                              family{"moteus:20/0.8:4", "  moteus:4  answers 400##", true},
-                              family{"cia402-torque:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", false},
-                              family{"cia402:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", true, 0.9}};
+constexpr std::array families{
+    family{"mit:ak80-9:3", "  mit:3  answers 000#03", true},
+    family{"damiao:12.5/45/20:7", "  mit:7  answers 000#07", true},
+    family{"mit-original:12.5/45/18:3", "  mit:3  answers 000#03", true},
+    family{"odrive:3", "  odrive:3  ", false},
+    family{"odrive-0.5:70", "  odrive:70  ", false},
+    family{"moteus:20/0.8:4", "  moteus:4  answers 400##", true},
+    family{"cia402-torque:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", false},
+    family{"cia402:4096/0.8:9", "  cia402:9  answers 589#4300100092010200", true, 0.9}};
 
 double law_of(any_virtual& v, std::int64_t now) {
   const hw::drive_command c = v.law(now);
@@ -41,8 +43,9 @@ struct family_rig : rig {
   explicit family_rig(const family& f) : rig({f.name}), drive(drive_named(f.name, true, true)) {
     order.limits.torque = f.torque;
     each = [this] {
-      strongest = std::max(strongest, std::abs(std::clamp(law_of(*drives[0], clock), -drives[0]->motor.most_torque,
-                                                          drives[0]->motor.most_torque)));
+      strongest =
+          std::max(strongest, std::abs(std::clamp(law_of(*drives[0], clock), -drives[0]->motor.most_torque,
+                                                  drives[0]->motor.most_torque)));
       fastest = std::max(fastest, std::abs(drives[0]->motor.now.velocity));
       if (then) then();
     };
@@ -52,8 +55,9 @@ struct family_rig : rig {
   ending jogs() { return jog(bus, "can0", *drive, order, *this, say); }
 
   std::unique_ptr<any_drive> drive;
-  jog_order order{.limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2},
-                  .goal = 0.15};
+  jog_order order{
+      .limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2},
+      .goal = 0.15};
   double strongest = 0, fastest = 0;
   std::function<void()> then{};
 };
@@ -83,7 +87,8 @@ TEST_SUITE("every family") {
       r.drives[0]->motor.now.position = 0.1;
       const auto named = drive_named(f.name);
       CHECK_MESSAGE(enable(r.bus, "can0", *named, 1, r, r.say) == done, r.error.str());
-      // No torque is half a step beside it on the wire of MIT drives: 2 mN m, which nothing opposes for a second.
+      // No torque is half a step beside it on the wire of MIT drives: 2 mN m, which nothing opposes for a
+      // second.
       CHECK(std::abs(r.angle() - 0.1) < (named->takes_gains() ? 0.2 : 0.002));
       CHECK(r.told("disabled"));
       CHECK(r.is_off());
@@ -106,7 +111,8 @@ TEST_SUITE("every family") {
       CHECK(r.is_off());
     }
   }
-  TEST_CASE("pushed, it makes no more than was asked for at what it told; by torque alone never more at all") {
+  TEST_CASE(
+      "pushed, it makes no more than was asked for at what it told; by torque alone never more at all") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig r(f);
@@ -158,14 +164,17 @@ TEST_SUITE("every family") {
     const family torque = families[6], position = families[7];
     rig other({position.name});
     const auto as_torque_drive = drive_named(torque.name);
-    jog_order o{.limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2}, .goal = 0.15};
+    jog_order o{
+        .limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2},
+        .goal = 0.15};
     CHECK(jog(other.bus, "can0", *as_torque_drive, o, other, other.say) == failed);
     CHECK(other.told("it is configured for mode 8 (6061h), and its name says 10"));
     CHECK(enable(other.bus, "can0", *as_torque_drive, 1, other, other.say) == failed);
     rig strong({position.name});
     const auto as_position_drive = drive_named(position.name);
     CHECK(jog(strong.bus, "can0", *as_position_drive, o, strong, strong.say) == failed);
-    CHECK_MESSAGE(strong.told("may use 0.800000 N m (6072h): set that to at most 625 thousandths"), strong.error.str());
+    CHECK_MESSAGE(strong.told("may use 0.800000 N m (6072h): set that to at most 625 thousandths"),
+                  strong.error.str());
     CHECK(law_of(*strong.drives[0], strong.clock) == 0);
     rig mute({torque.name});
     mute.each = [&] { mute.drives[0]->go_silent(mute.clock > 20 * ms); };

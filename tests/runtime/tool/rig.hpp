@@ -58,7 +58,8 @@ struct rig : pace {
 
   // The last frame under this id.
   hw::can_frame last_of(hw::can_id id) const {
-    const auto at = std::find_if(seen.rbegin(), seen.rend(), [&](const hw::can_frame& f) { return f.id == id; });
+    const auto at =
+        std::find_if(seen.rbegin(), seen.rend(), [&](const hw::can_frame& f) { return f.id == id; });
     return at == seen.rend() ? hw::can_frame{} : *at;
   }
   bool told(const char* text) const { return (out.str() + error.str()).find(text) != std::string::npos; }

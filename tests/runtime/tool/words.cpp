@@ -35,18 +35,19 @@ TEST_SUITE("command line") {
     CHECK(w.next() == "can0");
     CHECK(w.next() == "mit:ak80-9:3");
     CHECK_FALSE(w.next());
-    CHECK(complaint([&] { w.nothing_left(); }) == "`--wrong`: nothing of this command; `cca-can help` says what there is");
+    CHECK(complaint([&] { w.nothing_left(); }) ==
+          "`--wrong`: nothing of this command; `cca-can help` says what there is");
   }
   TEST_CASE("a number that is none, or too large, says what was expected") {
-    CHECK(complaint([] {
-            words({"--speed", "fast"}).number("--speed", "rad/s", 0, 20);
-          }) == "--speed fast: expected rad/s, from 0 to 20");
-    CHECK(complaint([] {
-            words({"--speed", "21"}).number("--speed", "rad/s", 0, 20);
-          }) == "--speed 21: expected rad/s, from 0 to 20");
+    CHECK(complaint([] { words({"--speed", "fast"}).number("--speed", "rad/s", 0, 20); }) ==
+          "--speed fast: expected rad/s, from 0 to 20");
+    CHECK(complaint([] { words({"--speed", "21"}).number("--speed", "rad/s", 0, 20); }) ==
+          "--speed 21: expected rad/s, from 0 to 20");
     CHECK(complaint([] { words({"--speed", "nan"}).number("--speed", "rad/s", 0, 20); }) != "");
-    CHECK(complaint([] { words({"--speed"}).number("--speed", "rad/s", 0, 20); }) == "--speed: a value is expected after it");
-    CHECK(complaint([] { words({}).needed_number("--speed", "rad/s, as 0.5", 0, 20); }) == "--speed is missing: rad/s, as 0.5");
+    CHECK(complaint([] { words({"--speed"}).number("--speed", "rad/s", 0, 20); }) ==
+          "--speed: a value is expected after it");
+    CHECK(complaint([] { words({}).needed_number("--speed", "rad/s, as 0.5", 0, 20); }) ==
+          "--speed is missing: rad/s, as 0.5");
   }
   TEST_CASE("@file stands for its words") {
     const std::string file = "cca_can_words.limits";
@@ -57,7 +58,9 @@ TEST_SUITE("command line") {
     CHECK(w.next() == "jog");
     CHECK(w.next() == "can0");
     std::remove(file.c_str());
-    CHECK(complaint([] { words({"@nowhere/at.all"}); }).starts_with("nowhere/at.all: cannot be read: No such file"));
+    CHECK(complaint([] {
+            words({"@nowhere/at.all"});
+          }).starts_with("nowhere/at.all: cannot be read: No such file"));
   }
 }
 
@@ -102,11 +105,12 @@ TEST_SUITE("log") {
     std::mt19937 random(3);
     for (int i = 0; i < 20000; ++i) {
       const bool extended = random() % 2, fd = random() % 2, remote = !fd && random() % 8 == 0;
-      hw::can_frame f{.id = {static_cast<std::uint32_t>(random() & (extended ? 0x1FFFFFFFu : 0x7FFu)), extended},
-                      .length = fd ? hw::fd_length(random() % 65) : static_cast<std::uint8_t>(random() % 9),
-                      .fd = fd,
-                      .fast = fd && random() % 2,
-                      .remote = remote};
+      hw::can_frame f{
+          .id = {static_cast<std::uint32_t>(random() & (extended ? 0x1FFFFFFFu : 0x7FFu)), extended},
+          .length = fd ? hw::fd_length(random() % 65) : static_cast<std::uint8_t>(random() % 9),
+          .fd = fd,
+          .fast = fd && random() % 2,
+          .remote = remote};
       for (auto& byte : f.data) byte = static_cast<std::uint8_t>(random());
       const log_line line{.time = static_cast<std::int64_t>(random()) * 1'000'000, .bus = "can0", .frame = f};
       log_line read;
@@ -128,7 +132,8 @@ TEST_SUITE("log") {
     CHECK(read_line("(1.0) can0 123", line) == "a frame is written ID#DATA, and there is no `#` in it");
     CHECK(read_line("(1.0) can0 12#", line) == "an id has 3 hexadecimal digits, or 8 for 29 bits");
     CHECK(read_line("(1.0) can0 800#", line) == "an id of 11 bits is at most 7FF");
-    CHECK(read_line("(1.0) can0 123#123", line) == "a byte has two hexadecimal digits, and one of them is missing");
+    CHECK(read_line("(1.0) can0 123#123", line) ==
+          "a byte has two hexadecimal digits, and one of them is missing");
     CHECK(read_line("(1.0) can0 123#1G", line) == "`1G` is no byte in hexadecimal digits");
     CHECK(read_line("(1.0) can0 123#112233445566778899", line) == "a frame of this kind has at most 8 bytes");
     CHECK(read_line("(1.0) can0 123##1112233445566778899", line) == "an FD frame can't have 9 bytes");

@@ -1,18 +1,23 @@
-// The last links before the drives: nothing passes them that is beyond what a joint may do, whatever the mode.
+// The last links before the drives: nothing passes them that is beyond what a joint may do, whatever the
+// mode.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
-//   rate_guard    positions change at most as fast as the axis' `velocity`, from one set-point sent to the next. It begins where
-//                 the joint is measured, and until the command is caught up no faster than the parameter `approach`: so a start
-//                 is without a jump. The torque of a set-point, which is fed forward, changes by the axis' `torque_rate`. What
-//                 stiffness and damping make has no rate: it must follow the joint as fast as that is pushed. joint_servos feed
-//                 nothing forward, so with them, as in `oncilla`, `torque_rate` bounds nothing.
-//   limit_guard   position, velocity, stiffness and damping within their limits. The torque that the drive will make of the
-//                 set-point, where the joint is and as fast as it goes, stays within the torque limits: else stiffness,
-//                 damping and torque are scaled down alike. Beyond an end of its range, only torque that leads back; faster than
-//                 its limit, only torque that brakes.
+//   rate_guard    positions change at most as fast as the axis' `velocity`, from one set-point sent to the
+//   next. It begins where
+//                 the joint is measured, and until the command is caught up no faster than the parameter
+//                 `approach`: so a start is without a jump. The torque of a set-point, which is fed forward,
+//                 changes by the axis' `torque_rate`. What stiffness and damping make has no rate: it must
+//                 follow the joint as fast as that is pushed. joint_servos feed nothing forward, so with
+//                 them, as in `oncilla`, `torque_rate` bounds nothing.
+//   limit_guard   position, velocity, stiffness and damping within their limits. The torque that the drive
+//   will make of the
+//                 set-point, where the joint is and as fast as it goes, stays within the torque limits: else
+//                 stiffness, damping and torque are scaled down alike. Beyond an end of its range, only
+//                 torque that leads back; faster than its limit, only torque that brakes.
 //
-// Each change is counted, the first one kept: rule, joint, beat. Cost: about ten operations a joint. Source: limits by the
-// previous command and one-sided efforts as in ros2_control's joint_limits. Example: tests/runtime/drive_chain; docs/hardware.md.
+// Each change is counted, the first one kept: rule, joint, beat. Cost: about ten operations a joint. Source:
+// limits by the previous command and one-sided efforts as in ros2_control's joint_limits. Example:
+// tests/runtime/drive_chain; docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +27,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/component/reflect.hpp>
+#include <cca/base/reflect.hpp>
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/set_points.hpp>
 
@@ -48,7 +53,8 @@ public:
         j = {Joints::angle[i].nearest(q.known() ? q.angle : s.position), 0, true};
         continue;
       }
-      if (q.phase == motion_phase::begins) j = {Joints::angle[i].nearest(q.known() ? q.angle : j.position), 0, true};
+      if (q.phase == motion_phase::begins)
+        j = {Joints::angle[i].nearest(q.known() ? q.angle : j.position), 0, true};
       const joint_bounds speed = Joints::speed[i];
       const double down = j.approaching ? -std::min<double>(p.approach, -speed.lower) : speed.lower;
       const double up = j.approaching ? std::min<double>(p.approach, speed.upper) : speed.upper;
@@ -108,11 +114,13 @@ public:
       keep(s.damping, {0, most_damping}, safety_rule::range);
       keep(s.torque, Joints::torque[i], safety_rule::torque);
       if (q.known()) {
-        const double law = s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
+        const double law =
+            s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
         const double allowed = window(i, q).nearest(law);
         // A joint that can only be pulled gives nothing where it is asked to push: no cause to tell of.
         if (allowed != law && !(Joints::torque[i].lower >= 0 && law < 0))
-          noted.note(is_at_stop(i, q) ? safety_rule::stop : safety_rule::torque, static_cast<int>(i), now.index());
+          noted.note(is_at_stop(i, q) ? safety_rule::stop : safety_rule::torque, static_cast<int>(i),
+                     now.index());
         if (allowed != law) {  // 0 is always allowed, so this is a part of it
           const double part = allowed / law;
           s.stiffness *= part, s.damping *= part, s.torque *= part;

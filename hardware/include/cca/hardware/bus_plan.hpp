@@ -1,13 +1,15 @@
 // Which drives are on a bus, at which rates: checked while compiling.
 //
-//   struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>, left_hip, left_knee,
+//   struct left : cca::hardware::can_bus_plan<"left", cca::hardware::bit_rates{1'000'000}, cca::rate<400>,
+//   left_hip, left_knee,
 //   ...> {}; cca::hardware::socket_can bus("can0", {.replies = left::replies, .ours = left::requests});
 //
-// left::load is the part of the time that the bus is in use, each frame of each drive counted in its longest form
-// (frame_bits.hpp). Errors: bus.overloaded, above nine tenths (the rest is for frames that are repeated, and for other talk),
-// with the figures and the
-//   rate that would do; drive.duplicate_id, where two drives listen to, send or occupy one id. Drives whose replies say by their
-//   first byte who they are (`reply_mark`) may reply under one. Frames that end a cycle (SYNC) are counted once.
+// left::load is the part of the time that the bus is in use, each frame of each drive counted in its longest
+// form (frame_bits.hpp). Errors: bus.overloaded, above nine tenths (the rest is for frames that are repeated,
+// and for other talk), with the figures and the
+//   rate that would do; drive.duplicate_id, where two drives listen to, send or occupy one id. Drives whose
+//   replies say by their first byte who they are (`reply_mark`) may reply under one. Frames that end a cycle
+//   (SYNC) are counted once.
 // The buses of a whole robot are planned from its joints: robot_buses.hpp.
 // Cost: constants. Example: tests/runtime/hardware/bus_load.cpp; docs/can_bus.md.
 #pragma once
@@ -19,7 +21,7 @@
 
 #include <cca/graph/diagnosis.hpp>
 #include <cca/hardware/drive.hpp>
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 
 namespace cca::hardware {
 namespace detail {
@@ -35,8 +37,8 @@ struct drive_facts {
 };
 template <class D>
 constexpr drive_facts facts_of(std::string_view name = D::name) {
-  return {name,       D::requests,        D::replies,      broadcasts_of<D>, occupied_by<D>,
-          D::traffic, cycle_frames_of<D>, reply_mark_of<D>};
+  return {name,           D::requests, D::replies,         broadcasts_of<D>,
+          occupied_by<D>, D::traffic,  cycle_frames_of<D>, reply_mark_of<D>};
 }
 
 struct bus_use {
@@ -125,7 +127,9 @@ struct bus_figures {
   constexpr bool sound() const { return twice.a < 0 && !overloaded(); }
 };
 
-constexpr cca::detail::report tell_of_bus(std::string_view name, std::span<const drive_facts> drives, const bus_figures& bus) {
+constexpr cca::detail::report tell_of_bus(std::string_view name,
+                                          std::span<const drive_facts> drives,
+                                          const bus_figures& bus) {
   cca::detail::report r;
   r.where << name;
   auto& t = r.message;
@@ -137,19 +141,23 @@ constexpr cca::detail::report tell_of_bus(std::string_view name, std::span<const
     drive(bus.twice.b);
     t << " both use the id ";
     add_id(t, bus.twice.id);
-    t << (bus.twice.answers ? ": what one answers would be taken for the other's" : ": what is meant for one would move the other as well")
+    t << (bus.twice.answers ? ": what one answers would be taken for the other's"
+                            : ": what is meant for one would move the other as well")
       << "; give each of them an id of its own, in its firmware and in its type";
     return r;
   }
   const double left = static_cast<double>(most_percent) * 1e7 - bus.use.periodic;
   t << "bus.overloaded: the bus `" << name << "` at " << bus.rates.nominal << " bit/s would be in use for "
-    << static_cast<std::int64_t>(bus.load() * 100 + 0.5) << " % of the time: " << static_cast<std::int64_t>(drives.size())
-    << " drives send " << bus.use.frames_a_cycle << " frames a cycle, which take up to " << bus.use.cycle / 1000 << " us, at "
+    << static_cast<std::int64_t>(bus.load() * 100 + 0.5)
+    << " % of the time: " << static_cast<std::int64_t>(drives.size()) << " drives send "
+    << bus.use.frames_a_cycle << " frames a cycle, which take up to " << bus.use.cycle / 1000 << " us, at "
     << bus.hz << " Hz";
-  if (bus.use.periodic > 0) t << ", and " << bus.use.periodic / 1e7 << " % are frames that come by themselves";
+  if (bus.use.periodic > 0)
+    t << ", and " << bus.use.periodic / 1e7 << " % are frames that come by themselves";
   t << "; at most " << most_percent << " % may be planned. ";
   if (left > static_cast<double>(bus.use.cycle))
-    t << "Lower the rate to " << static_cast<std::int64_t>(left / static_cast<double>(bus.use.cycle)) << " Hz, put ";
+    t << "Lower the rate to " << static_cast<std::int64_t>(left / static_cast<double>(bus.use.cycle))
+      << " Hz, put ";
   else t << "Put ";
   t << "drives on a second bus, or use faster bit rates or CAN FD";
   return r;
@@ -193,7 +201,8 @@ struct can_bus_plan {
   static constexpr std::string_view name = Name.view();
   static constexpr bit_rates rates = Rates;
   static constexpr double load = check::figures.load();
-  static constexpr std::int64_t cycle = check::figures.use.cycle;  // ns that the frames of one cycle take at most
+  static constexpr std::int64_t cycle =
+      check::figures.use.cycle;  // ns that the frames of one cycle take at most
   static constexpr auto requests = [] {
     detail::filter_list<(0 + ... + (std::size(Drives::requests) + broadcasts_of<Drives>.size()))> all;
     for (const auto& d : check::drives)

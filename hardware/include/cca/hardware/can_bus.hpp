@@ -1,12 +1,14 @@
 // A CAN bus as a controller uses it: in batches, without waiting, and with its troubles as states.
 //
-// `send` takes a batch in the order given. What can't be taken now is dropped and counted, never kept: a set-point that goes
-// out late is worse than none. `full`: the transmit queue has no room for the rest of the batch. `away`: the bus is down or
-// off, nothing is taken. `invalid`: frames that can't be on this bus are left out, the others go.
-// That a frame was taken says nothing of who got it: whether a drive is there is known from what it answers.
+// `send` takes a batch in the order given. What can't be taken now is dropped and counted, never kept: a
+// set-point that goes out late is worse than none. `full`: the transmit queue has no room for the rest of the
+// batch. `away`: the bus is down or off, nothing is taken. `invalid`: frames that can't be on this bus are
+// left out, the others go. That a frame was taken says nothing of who got it: whether a drive is there is
+// known from what it answers.
 //
-// `receive` gives what has come, in order of arrival, at most as many as there is room for, and learns the bus's state; call it
-// in each beat. `confirmed` counts own frames that went over the bus; `in_flight()` those taken and not yet confirmed.
+// `receive` gives what has come, in order of arrival, at most as many as there is room for, and learns the
+// bus's state; call it in each beat. `confirmed` counts own frames that went over the bus; `in_flight()`
+// those taken and not yet confirmed.
 //
 // The laws are in tests/laws/can_bus_laws.hpp; models: memory_bus.hpp, socket_can.hpp. docs/can_bus.md.
 #pragma once
@@ -21,8 +23,8 @@
 
 namespace cca::hardware {
 
-// What ISO 11898-1 calls error active, warning, passive and bus-off, by the controller's error counters (0, 96, 128, 256);
-// down: there is no link at all.
+// What ISO 11898-1 calls error active, warning, passive and bus-off, by the controller's error counters (0,
+// 96, 128, 256); down: there is no link at all.
 enum class bus_state : std::uint8_t { active, warning, passive, bus_off, down };
 
 constexpr std::string_view name_of(bus_state s) {
@@ -35,7 +37,8 @@ constexpr bool is_away(bus_state s) { return s == bus_state::bus_off || s == bus
 
 struct received_frame {
   can_frame frame;
-  std::int64_t time = 0;  // ns of arrival, on the bus's clock: the monotonic one, or the virtual time of a bus in memory
+  std::int64_t time =
+      0;  // ns of arrival, on the bus's clock: the monotonic one, or the virtual time of a bus in memory
 };
 
 struct bus_counters {
@@ -68,18 +71,13 @@ struct send_result {
   send_outcome outcome = send_outcome::sent;  // `sent`: all of them; else why not, the first reason
 };
 
-template <class Bus>
-concept CanBus = requires(Bus& bus, const Bus& seen, std::span<const can_frame> out, std::span<received_frame> in) {
-  { bus.send(out) }
-  noexcept->std::same_as<send_result>;
-  { bus.receive(in) }
-  noexcept->std::same_as<std::size_t>;
-  { seen.state() }
-  noexcept->std::same_as<bus_state>;
-  { seen.counters() }
-  noexcept->std::convertible_to<bus_counters>;
-  { seen.in_flight() }
-  noexcept->std::convertible_to<std::uint64_t>;
-};
+template <class Bus> concept CanBus =
+    requires(Bus& bus, const Bus& seen, std::span<const can_frame> out, std::span<received_frame> in) {
+      { bus.send(out) } noexcept -> std::same_as<send_result>;
+      { bus.receive(in) } noexcept -> std::same_as<std::size_t>;
+      { seen.state() } noexcept -> std::same_as<bus_state>;
+      { seen.counters() } noexcept -> std::convertible_to<bus_counters>;
+      { seen.in_flight() } noexcept -> std::convertible_to<std::uint64_t>;
+    };
 
 }  // namespace cca::hardware

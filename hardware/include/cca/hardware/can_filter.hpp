@@ -1,5 +1,5 @@
-// Which ids are meant: those that agree with `id` in the bits of `mask`. Without a mask exactly one id; an 11-bit id never
-// matches a 29-bit one.
+// Which ids are meant: those that agree with `id` in the bits of `mask`. Without a mask exactly one id; an
+// 11-bit id never matches a 29-bit one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,9 @@ struct can_filter {
   can_id id{};
   std::uint32_t mask = 0x1FFFFFFF;
 
-  constexpr bool matches(can_id other) const { return other.extended == id.extended && ((other.number ^ id.number) & mask) == 0; }
+  constexpr bool matches(can_id other) const {
+    return other.extended == id.extended && ((other.number ^ id.number) & mask) == 0;
+  }
   friend constexpr bool operator==(const can_filter&, const can_filter&) = default;
 };
 

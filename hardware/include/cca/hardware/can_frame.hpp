@@ -1,9 +1,10 @@
 // A frame of a CAN bus, classic or FD, as it is on the wire but for what the controllers add.
 //
-// A frame is any value of its members; `valid()` says whether it can be on a bus: an id of 11 or 29 bits, at most 8 bytes in a
-// classic frame, in an FD frame one of the lengths that a length code can say (0 to 8, 12, 16, 20, 24, 32, 48, 64). A remote
-// frame asks for one: it has no payload, its length is what is asked for, and FD has none.
-// Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp; docs/can_bus.md.
+// A frame is any value of its members; `valid()` says whether it can be on a bus: an id of 11 or 29 bits, at
+// most 8 bytes in a classic frame, in an FD frame one of the lengths that a length code can say (0 to 8, 12,
+// 16, 20, 24, 32, 48, 64). A remote frame asks for one: it has no payload, its length is what is asked for,
+// and FD has none. Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp;
+// docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,8 @@ struct can_id {
   constexpr bool valid() const { return number <= (extended ? 0x1FFFFFFFu : 0x7FFu); }
   friend constexpr bool operator==(const can_id&, const can_id&) = default;
 
-  // What wins the bus when several begin at once: the lower id, bit by bit as sent; of an 11-bit id and a 29-bit one that begins
-  // alike, the former.
+  // What wins the bus when several begin at once: the lower id, bit by bit as sent; of an 11-bit id and a
+  // 29-bit one that begins alike, the former.
   friend constexpr bool goes_before(can_id a, can_id b) {
     const auto sent = [](can_id i) {
       return i.extended ? (std::uint64_t{i.number >> 18} << 20 | 1u << 19 | (i.number & 0x3FFFFu))
@@ -48,7 +49,8 @@ struct can_frame {
   can_id id{};
   std::uint8_t length = 0;  // bytes of payload
   bool fd = false;
-  bool fast = false;    // FD: its payload goes at the data bit rate (BRS). Some drives ignore frames that do not.
+  bool fast =
+      false;  // FD: its payload goes at the data bit rate (BRS). Some drives ignore frames that do not.
   bool remote = false;  // classic: asks for a frame
   std::array<std::uint8_t, longest_payload> data{};
 
@@ -80,16 +82,23 @@ constexpr can_frame filled(can_frame frame, std::span<const std::uint8_t> payloa
 
 // With more than 8 bytes it isn't valid.
 constexpr can_frame classic(can_id id, std::span<const std::uint8_t> payload) {
-  return detail::filled({.id = id, .length = static_cast<std::uint8_t>(std::min<std::size_t>(payload.size(), 255))}, payload);
+  return detail::filled(
+      {.id = id, .length = static_cast<std::uint8_t>(std::min<std::size_t>(payload.size(), 255))}, payload);
 }
 
 // With as many bytes of `pad` as the length codes want.
-constexpr can_frame fd(can_id id, std::span<const std::uint8_t> payload, std::uint8_t pad = 0, bool fast = true) {
-  can_frame frame = detail::filled({.id = id, .length = fd_length(payload.size()), .fd = true, .fast = fast}, payload);
+constexpr can_frame fd(can_id id,
+                       std::span<const std::uint8_t> payload,
+                       std::uint8_t pad = 0,
+                       bool fast = true) {
+  can_frame frame =
+      detail::filled({.id = id, .length = fd_length(payload.size()), .fd = true, .fast = fast}, payload);
   for (std::size_t i = payload.size(); i < frame.length; ++i) frame.data[i] = pad;
   return frame;
 }
 
-constexpr can_frame remote(can_id id, std::uint8_t length = 0) { return {.id = id, .length = length, .remote = true}; }
+constexpr can_frame remote(can_id id, std::uint8_t length = 0) {
+  return {.id = id, .length = length, .remote = true};
+}
 
 }  // namespace cca::hardware

@@ -1,8 +1,8 @@
-// Opens a raw CAN socket on an interface, and asks the interface how it is. Outside of the loop it throws cca::refused, with
-// what to do; the questions don't throw.
+// Opens a raw CAN socket on an interface, and asks the interface how it is. Outside of the loop it throws
+// cca::refused, with what to do; the questions don't throw.
 //
-// Filters are the kernel's, exact ones are found by a table. `bind` to a name that doesn't exist would mean all interfaces: so
-// the name is looked up first, and whether it is CAN.
+// Filters are the kernel's, exact ones are found by a table. `bind` to a name that doesn't exist would mean
+// all interfaces: so the name is looked up first, and whether it is CAN.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 #include <cca/hardware/kernel_frame.hpp>
 
 namespace cca::hardware::detail {
@@ -80,7 +80,8 @@ public:
     sockaddr_can address{};
     address.can_family = AF_CAN;
     address.can_ifindex = index(fd);
-    return address.can_ifindex != 0 && ::bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    return address.can_ifindex != 0 &&
+           ::bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
   }
   std::string text() const { return name.data(); }
 
@@ -98,7 +99,8 @@ inline std::string names_of_can_interfaces(int fd) {
   std::string names;
   if (auto* const all = if_nameindex()) {
     for (auto* each = all; each->if_index != 0; ++each)
-      if (can_interface(each->if_name).is_can(fd)) names += (names.empty() ? "" : ", ") + std::string(each->if_name);
+      if (can_interface(each->if_name).is_can(fd))
+        names += (names.empty() ? "" : ", ") + std::string(each->if_name);
     if_freenameindex(all);
   }
   return names.empty() ? "none" : names;
@@ -115,21 +117,25 @@ struct wanted_of_socket {
 };
 
 // None in `let_through` means all frames.
-inline file_descriptor open_can(const can_interface& which, std::span<const can_filter> let_through, wanted_of_socket wanted) {
+inline file_descriptor open_can(const can_interface& which,
+                                std::span<const can_filter> let_through,
+                                wanted_of_socket wanted) {
   file_descriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
   const int fd = socket.get();
   if (fd < 0) {
-    throw refused(errno == EAFNOSUPPORT
-                      ? "socket_can: this kernel has no CAN: load the modules can and can-raw, or use a kernel that has them"
-                      : std::string("socket_can: no socket: ") + std::strerror(errno));
+    throw refused(errno == EAFNOSUPPORT ? "socket_can: this kernel has no CAN: load the modules can and "
+                                          "can-raw, or use a kernel that has them"
+                                        : std::string("socket_can: no socket: ") + std::strerror(errno));
   }
   if (which.index(fd) == 0)
-    throw refused("socket_can: there is no interface `" + which.text() + "`; those with CAN: " + names_of_can_interfaces(fd));
+    throw refused("socket_can: there is no interface `" + which.text() +
+                  "`; those with CAN: " + names_of_can_interfaces(fd));
   if (!which.is_can(fd))
-    throw refused("socket_can: `" + which.text() + "` is no CAN interface; those with CAN: " + names_of_can_interfaces(fd));
+    throw refused("socket_can: `" + which.text() +
+                  "` is no CAN interface; those with CAN: " + names_of_can_interfaces(fd));
   if (wanted.fd && which.mtu(fd) != fd_size) {
-    throw refused("socket_can: `" + which.text() + "` takes no FD frames: with the link down, `ip link set " + which.text() +
-                  " type can fd on` with a `dbitrate` (vcan: `mtu 72`)");
+    throw refused("socket_can: `" + which.text() + "` takes no FD frames: with the link down, `ip link set " +
+                  which.text() + " type can fd on` with a `dbitrate` (vcan: `mtu 72`)");
   }
   if (let_through.size() > CAN_RAW_FILTER_MAX) throw refused("socket_can: more than 512 filters; use masks");
   if (!let_through.empty()) {
@@ -145,7 +151,8 @@ inline file_descriptor open_can(const can_interface& which, std::span<const can_
   if (wanted.own_frames) set_option(fd, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, yes, "confirmations");
   if (wanted.fd) set_option(fd, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, yes, "FD frames");
   if (wanted.times) set_option(fd, SOL_SOCKET, SO_TIMESTAMPNS, yes, "timestamps");
-  if (!which.bind(fd)) throw refused("socket_can: cannot bind to `" + which.text() + "`: " + std::strerror(errno));
+  if (!which.bind(fd))
+    throw refused("socket_can: cannot bind to `" + which.text() + "`: " + std::strerror(errno));
   return socket;
 }
 

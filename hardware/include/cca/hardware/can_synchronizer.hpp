@@ -1,18 +1,22 @@
-// The synchronizer of a robot on CAN: the one node that knows the buses. It reads all that came in `sense`, and writes in `act`.
+// The synchronizer of a robot on CAN: the one node that knows the buses. It reads all that came in `sense`,
+// and writes in `act`.
 //
-//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has told: the nodes behind it publish
+//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has told: the
+//   nodes behind it publish
 //           what is a number (oncilla_nodes.hpp)
 //           out "trunk"  the sensor board, as sim::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
 //   act     in "set_points" of the guards; optional "abduction" targets for the board
 //
-// `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and `start()` are the
-// deliberate way to motion: drives are enabled; once all of them are, the phase `begins` and the guards start where the joints
-// are. A bus that went away, a drive that says nothing for `silent_beats` or three times its own period, tells of a fault, jumps
-// or loses its speed, a sensor board that is silent or faulty, a loop that stood still, all trip the emergency stop, in the same
-// beat. Then set-points go out only if they damp, until `start()`. No set-point is sent behind frames that still wait: it would
-// be an old one. `on_fault` damps at once and stops; `on_stop` disables. Parameters: `offset`, the calibration of each joint, in
-// addition to its type's. Cost: two calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
+// `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and
+// `start()` are the deliberate way to motion: drives are enabled; once all of them are, the phase `begins`
+// and the guards start where the joints are. A bus that went away, a drive that says nothing for
+// `silent_beats` or three times its own period, tells of a fault, jumps or loses its speed, a sensor board
+// that is silent or faulty, a loop that stood still, all trip the emergency stop, in the same beat. Then
+// set-points go out only if they damp, until `start()`. No set-point is sent behind frames that still wait:
+// it would be an old one. `on_fault` damps at once and stops; `on_stop` disables. Parameters: `offset`, the
+// calibration of each joint, in addition to its type's. Cost: two calls of each bus a beat, some dozen
+// instructions a frame; no allocation. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +28,7 @@
 
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/component/reflect.hpp>
+#include <cca/base/reflect.hpp>
 #include <cca/hardware/joint_frames.hpp>
 #include <cca/hardware/link_supervisor.hpp>
 #include <cca/hardware/sensor_board.hpp>
@@ -48,33 +52,41 @@ public:
   parameters p{};
 
   static constexpr int silent_beats = 3, silent_board_beats = 10, enabling_beats = 1000;
-  static constexpr std::int64_t longest_pause = 3'500'000;  // ns on the bus's clock between two batches of answers
+  static constexpr std::int64_t longest_pause =
+      3'500'000;  // ns on the bus's clock between two batches of answers
 
   template <class... Buses>
   void connect(Buses&... all) {
-    static_assert(sizeof...(Buses) == buses,
-                  "cca::hardware::can_synchronizer: connect as many buses as the joints and the board are on");
+    static_assert(
+        sizeof...(Buses) == buses,
+        "cca::hardware::can_synchronizer: connect as many buses as the joints and the board are on");
     wires = {&all...};
   }
 
-  auto sense() -> std::tuple<out<J::axis::label, sim::measured_joint<typename J::axis>>..., out<"trunk", sim::measured_trunk>,
+  auto sense() -> std::tuple<out<J::axis::label, sim::measured_joint<typename J::axis>>...,
+                             out<"trunk", sim::measured_trunk>,
                              out<"joints", joint_states<joints>>> {
     listen();
     bring_up();
     typename joint_states<joints>::vector_type states;
-    for (std::size_t i = 0; i < count; ++i) joint_state{angle[i], speed[i], torque[i], trip_of(i), at}.put(states, i);
+    for (std::size_t i = 0; i < count; ++i)
+      joint_state{angle[i], speed[i], torque[i], trip_of(i), at}.put(states, i);
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense())(
-          Eigen::Vector3d(angle[I], J::speed_of(reports[I].velocity), J::torque_of(reports[I].torque))..., trunk(), states);
+          Eigen::Vector3d(angle[I], J::speed_of(reports[I].velocity), J::torque_of(reports[I].torque))...,
+          trunk(), states);
     });
   }
 
-  void act(in<"set_points", set_points<joints>> wanted, optional_in<"abduction", sim::abduction_angles> abduction) {
+  void act(in<"set_points", set_points<joints>> wanted,
+           optional_in<"abduction", sim::abduction_angles> abduction) {
     clear(outbox), moves = {};
     if (at == motion_phase::enabling) {
       outbox = enabling_frames;
     } else if (at == motion_phase::begins || at == motion_phase::running) {
-      each([&]<std::size_t... I>(std::index_sequence<I...>) { (order<J, I>(set_point::of(wanted.vector(), I)), ...); });
+      each([&]<std::size_t... I>(std::index_sequence<I...>) {
+        (order<J, I>(set_point::of(wanted.vector(), I)), ...);
+      });
     }
     if (abduction && at != motion_phase::stopped) {
       const auto& a = abduction.vector();
@@ -170,7 +182,8 @@ private:
     if (One::bus != b) return false;
     drive_report heard = reports[I];
     if (!One::drive::decode(f.frame, heard)) return false;
-    if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return ++jumps[I], true;  // no number to judge by
+    if ((heard.told & of_velocity) && !std::isfinite(heard.velocity))
+      return ++jumps[I], true;  // no number to judge by
     if (heard.told & of_position) {
       const double now = One::angle_of(heard.position) + p.offset[I];
       const double pause = static_cast<double>(f.time - told_at[I]) * 1e-9;
@@ -190,16 +203,19 @@ private:
     return true;
   }
 
-  // Steps of enabling; once all drives are ready and their positions known, and the buses are free, motion begins.
+  // Steps of enabling; once all drives are ready and their positions known, and the buses are free, motion
+  // begins.
   void bring_up() {
     if (at != motion_phase::enabling) return;
     clear(enabling_frames);
     bool all = true;
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       const auto next = [&]<class One, std::size_t K>() {
-        if (!is_free(One::bus)) return void(all = false);  // a step at a time, and none behind those of `stop`
+        if (!is_free(One::bus))
+          return void(all = false);  // a step at a time, and none behind those of `stop`
         const bool off = refused[K] || reports[K].activity == drive_activity::disabled;
-        if (off && budget % 50 == 0) std::get<K>(way) = {}, refused[K] = false;  // once more, now and then: a frame may be lost
+        if (off && budget % 50 == 0)
+          std::get<K>(way) = {}, refused[K] = false;  // once more, now and then: a frame may be lost
         if (!refused[K]) {
           const enable_step s = std::get<K>(way).next(reports[K]);
           for (std::size_t k = 0; k < s.frames.size(); ++k) enabling_frames[One::bus].add(s.frames[k]);
@@ -233,14 +249,15 @@ private:
   }
   template <class One>
   static drive_frames damped(double where) {
-    return frames_for<One>({{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)}, where, 0);
+    return frames_for<One>(
+        {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)}, where, 0);
   }
   template <class One>
   void add(const drive_frames& frames) {
     for (std::size_t k = 0; k < frames.size(); ++k) outbox[One::bus].add(frames[k]);
   }
-  // Behind frames that still wait a set-point would only become a stale one: it is dropped, and counted. Only what damps goes
-  // behind what moves, once: so it comes last.
+  // Behind frames that still wait a set-point would only become a stale one: it is dropped, and counted. Only
+  // what damps goes behind what moves, once: so it comes last.
   void post() {
     for (std::size_t b = 0; b < buses; ++b) {
       if (!wires[b] || outbox[b].empty() || !links[b].may_speak()) continue;
@@ -257,19 +274,26 @@ private:
     at = motion_phase::stopped;
     for (auto& l : links) l.stop();
   }
-  bool is_free(std::size_t b) const { return wires[b] && !is_away(wires[b]->state()) && wires[b]->in_flight() == 0; }
+  bool is_free(std::size_t b) const {
+    return wires[b] && !is_away(wires[b]->state()) && wires[b]->in_flight() == 0;
+  }
 
   std::array<std::uint64_t, count> frames_of_drives() const {
-    return each([&]<std::size_t... I>(std::index_sequence<I...>) { return std::array{reports[I].frames...}; });
+    return each(
+        [&]<std::size_t... I>(std::index_sequence<I...>) { return std::array{reports[I].frames...}; });
   }
-  safety_rule trip_of(std::size_t i) const { return at >= motion_phase::begins ? trips[i] : safety_rule::none; }
+  safety_rule trip_of(std::size_t i) const {
+    return at >= motion_phase::begins ? trips[i] : safety_rule::none;
+  }
 
   sim::measured_trunk::vector_type trunk() const {
     sim::measured_trunk::vector_type v;
     Eigen::Index n = 0;
-    const auto put = [&](const auto&... parts) { (std::ranges::for_each(parts, [&](double x) { v[n++] = x; }), ...); };
-    put(reading.orientation, reading.angular_velocity, reading.specific_force, reading.foot_load, reading.contact,
-        reading.abduction);
+    const auto put = [&](const auto&... parts) {
+      (std::ranges::for_each(parts, [&](double x) { v[n++] = x; }), ...);
+    };
+    put(reading.orientation, reading.angular_velocity, reading.specific_force, reading.foot_load,
+        reading.contact, reading.abduction);
     return v;
   }
 

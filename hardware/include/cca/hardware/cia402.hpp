@@ -1,24 +1,29 @@
-// A CANopen drive by CiA 402, cyclic synchronous position or torque: its state machine and process data, not a CANopen master.
+// A CANopen drive by CiA 402, cyclic synchronous position or torque: its state machine and process data, not
+// a CANopen master.
 //
-//   struct knee_motor { static constexpr std::string_view name = "EPOS4"; static constexpr double counts = 4096, torque = 0.8; };
-//   using knee = cca::hardware::cia402<knee_motor, 5, cca::hardware::cia402_mode::torque>;    // node 5
+//   struct knee_motor { static constexpr std::string_view name = "EPOS4"; static constexpr double counts =
+//   4096, torque = 0.8; }; using knee = cca::hardware::cia402<knee_motor, 5,
+//   cca::hardware::cia402_mode::torque>;    // node 5
 //
-// The motor's type says how many counts of position a turn of its shaft has, and its rated torque (object 6076h) in N m; torques
-// on the wire are thousandths of it. Configured elsewhere, kept in the drive: mode of operation (6060h: 8 or 10), interpolation
-// period (60C2h), what it does on a lost heartbeat (6007h), and the mapping, each sent on SYNC:
+// The motor's type says how many counts of position a turn of its shaft has, and its rated torque (object
+// 6076h) in N m; torques on the wire are thousandths of it. Configured elsewhere, kept in the drive: mode of
+// operation (6060h: 8 or 10), interpolation period (60C2h), what it does on a lost heartbeat (6007h), and the
+// mapping, each sent on SYNC:
 //   RPDO1 (200h + node): 6040h:16 control word, 607Ah:32 target position, 6071h:16 target torque
-//   TPDO1 (180h + node): 6041h:16 status word, 6064h:32 position, 6077h:16 torque       TPDO2 (280h + node): 606Ch:32 velocity,
-//   counts/s
-// The bus sends canopen_sync() once a cycle, after the set-points (`cycle_frames`). A drive begins pre-operational: enabling
-// starts it. set_point: NaN and infinity in what the mode uses refuse the command; beyond 32 or 16 bits, the end, and `cut`.
-// Positions count on from 2^31 - 1 to -2^31, and are told so: a joint that turns as far takes position_unwrap.hpp, 2^32 counts wide.
-// decode: process data, emergencies (080h + node), heartbeats (700h + node): one that says that it boots, means that it is off.
-// enabling: by what the status word says, to operation enabled, from the measured position, without torque; a fault is reset by a
+//   TPDO1 (180h + node): 6041h:16 status word, 6064h:32 position, 6077h:16 torque       TPDO2 (280h + node):
+//   606Ch:32 velocity, counts/s
+// The bus sends canopen_sync() once a cycle, after the set-points (`cycle_frames`). A drive begins
+// pre-operational: enabling starts it. set_point: NaN and infinity in what the mode uses refuse the command;
+// beyond 32 or 16 bits, the end, and `cut`. Positions count on from 2^31 - 1 to -2^31, and are told so: a
+// joint that turns as far takes position_unwrap.hpp, 2^32 counts wide. decode: process data, emergencies
+// (080h + node), heartbeats (700h + node): one that says that it boots, means that it is off. enabling: by
+// what the status word says, to operation enabled, from the measured position, without torque; a fault is
+// reset by a
 //   rising edge, eight times at most.
 // Watchdog: the drive's own, of heartbeat (1016h) or SYNC; set it: without it goes on with its last target.
-// Source: CiA 402-2 as in IEC 61800-7-201; state masks as in drive manuals (see docs/drives.md); classes of emergencies: CiA 301,
-// and 82xxh, 86xxh, 8Axxh (switches and ends of the range) as in maxon's EPOS4. The standards themselves are not public: what no
-// drive's manual says of them is not verified.
+// Source: CiA 402-2 as in IEC 61800-7-201; state masks as in drive manuals (see docs/drives.md); classes of
+// emergencies: CiA 301, and 82xxh, 86xxh, 8Axxh (switches and ends of the range) as in maxon's EPOS4. The
+// standards themselves are not public: what no drive's manual says of them is not verified.
 #pragma once
 
 #include <array>
@@ -72,7 +77,8 @@ constexpr cia402_state cia402_state_of(std::uint16_t status) {
   }
 }
 
-// The control word that leads one step on towards `enabled`; of a fault the rising edge of bit 7 does, so every other time.
+// The control word that leads one step on towards `enabled`; of a fault the rising edge of bit 7 does, so
+// every other time.
 constexpr std::uint16_t cia402_towards_enabled(cia402_state s, bool edge) {
   switch (s) {
     case cia402_state::fault:
@@ -93,12 +99,13 @@ constexpr can_frame canopen_sync() { return {.id = standard(0x080)}; }
 constexpr can_frame canopen_start(std::uint8_t node) {
   return {.id = standard(0), .length = 2, .data = {1, node}};
 }  // node 0: all
-constexpr can_frame canopen_stop(std::uint8_t node) { return {.id = standard(0), .length = 2, .data = {2, node}}; }
+constexpr can_frame canopen_stop(std::uint8_t node) {
+  return {.id = standard(0), .length = 2, .data = {2, node}};
+}
 
 template <class Type> concept Cia402Motor = requires {
   { Type::name } -> std::convertible_to<std::string_view>;
-  requires Type::counts >
-  0 && Type::torque > 0;
+  requires Type::counts > 0 && Type::torque > 0;
 };
 
 template <Cia402Motor Motor, std::uint8_t Node, cia402_mode Mode>
@@ -106,11 +113,13 @@ struct cia402 {
   static_assert(Node >= 1 && Node <= 127, "cca::hardware::cia402: a node is 1 to 127");
   static constexpr std::uint8_t node = Node;
   static constexpr bool by_position = Mode == cia402_mode::position;
-  static constexpr double counts_a_radian = Motor::counts / detail::radians_in_turn, least_torque = Motor::torque / 1000;
+  static constexpr double counts_a_radian = Motor::counts / detail::radians_in_turn,
+                          least_torque = Motor::torque / 1000;
 
   static constexpr std::string_view name = Motor::name;
-  static constexpr auto limits = cca::limits{cca::angle{-2147483647 / counts_a_radian, 2147483647 / counts_a_radian},
-                                             cca::torque{-32767 * least_torque, 32767 * least_torque}};
+  static constexpr auto limits =
+      cca::limits{cca::angle{-2147483647 / counts_a_radian, 2147483647 / counts_a_radian},
+                  cca::torque{-32767 * least_torque, 32767 * least_torque}};
   static constexpr std::uint8_t uses = by_position ? of_position : of_torque;
   static constexpr can_id receives = standard(0x200 + Node), sends = standard(0x180 + Node),
                           sends_velocity = standard(0x280 + Node), emergency = standard(0x080 + Node),
@@ -131,13 +140,14 @@ struct cia402 {
                                                          {.shape = {.length = 8}},
                                                          {.shape = {.length = 4}},
                                                          {.shape = {.length = 1}, .period = 100'000'000}}};
-  static constexpr drive_watchdog watchdog{0,
-                                           "by object 6007h, when the heartbeat it listens to (1016h) is lost; off unless set"};
+  static constexpr drive_watchdog watchdog{
+      0, "by object 6007h, when the heartbeat it listens to (1016h) is lost; off unless set"};
 
   static constexpr set_point_frames set_point(const drive_command& c) noexcept {
     set_point_frames s;
     s.finite = detail::is_finite(by_position ? c.position : c.torque);
-    if (s.finite) s.frames.add(process_data(0x000F, by_position ? c.position : 0, by_position ? 0 : c.torque, s.cut));
+    if (s.finite)
+      s.frames.add(process_data(0x000F, by_position ? c.position : 0, by_position ? 0 : c.torque, s.cut));
     return s;
   }
 
@@ -186,13 +196,18 @@ struct cia402 {
     std::uint8_t cut = 0;
     return process_data(word, 0, 0, cut);
   }
-  static constexpr drive_frames disable() noexcept { return {control(0x0000)}; }     // disable voltage: it is free
-  static constexpr drive_frames quick_stop() noexcept { return {control(0x0002)}; }  // by its ramp, then by object 605Ah
+  static constexpr drive_frames disable() noexcept {
+    return {control(0x0000)};
+  }  // disable voltage: it is free
+  static constexpr drive_frames quick_stop() noexcept {
+    return {control(0x0002)};
+  }  // by its ramp, then by object 605Ah
 
   class enabling {
   public:
     constexpr enable_step next(const drive_report& r) noexcept {
-      const auto s = r.states == 0 ? cia402_state::unknown : cia402_state_of(static_cast<std::uint16_t>(r.state));
+      const auto s =
+          r.states == 0 ? cia402_state::unknown : cia402_state_of(static_cast<std::uint16_t>(r.state));
       const bool measured = detail::is_finite(r.position);
       if (s == cia402_state::fault && ++resets > 16) return {disable(), enable_progress::failed};
       std::uint8_t cut = 0;
@@ -202,8 +217,9 @@ struct cia402 {
       if (!started) frames.add(canopen_start(Node));
       started = true;
       frames.add(process_data(word, measured ? r.position : 0, 0, cut));
-      return {frames, s == cia402_state::enabled && r.activity == drive_activity::enabled && measured ? enable_progress::done
-                                                                                                      : enable_progress::going};
+      return {frames, s == cia402_state::enabled && r.activity == drive_activity::enabled && measured
+                          ? enable_progress::done
+                          : enable_progress::going};
     }
 
   private:
@@ -229,7 +245,8 @@ struct cia402 {
   static constexpr can_frame velocity_frame(double velocity) noexcept {
     bool cut = false;
     can_frame f{.id = sends_velocity, .length = 4};
-    detail::put(f.data, 0, static_cast<std::uint32_t>(detail::nearest_integer(velocity * counts_a_radian, 32, cut)));
+    detail::put(f.data, 0,
+                static_cast<std::uint32_t>(detail::nearest_integer(velocity * counts_a_radian, 32, cut)));
     return f;
   }
   static constexpr can_frame emergency_frame(std::uint16_t code) noexcept {
@@ -244,12 +261,17 @@ struct cia402 {
 
 private:
   // Both process data are laid out alike: a word, a position, a torque.
-  static constexpr can_frame process_data(std::uint16_t word, double position, double torque, std::uint8_t& cut) {
+  static constexpr can_frame process_data(std::uint16_t word,
+                                          double position,
+                                          double torque,
+                                          std::uint8_t& cut) {
     can_frame f{.id = receives, .length = 8};
     bool far = false, strong = false;
     detail::put(f.data, 0, word);
-    detail::put(f.data, 2, static_cast<std::uint32_t>(detail::nearest_integer(position * counts_a_radian, 32, far)));
-    detail::put(f.data, 6, static_cast<std::uint16_t>(detail::nearest_integer(torque / least_torque, 16, strong)));
+    detail::put(f.data, 2,
+                static_cast<std::uint32_t>(detail::nearest_integer(position * counts_a_radian, 32, far)));
+    detail::put(f.data, 6,
+                static_cast<std::uint16_t>(detail::nearest_integer(torque / least_torque, 16, strong)));
     cut = static_cast<std::uint8_t>(cut | (far ? of_position : 0) | (strong ? of_torque : 0));
     return f;
   }

@@ -1,14 +1,15 @@
-// The emergency stop: where every trip of the chain comes together, and is kept until someone starts the robot deliberately.
+// The emergency stop: where every trip of the chain comes together, and is kept until someone starts the
+// robot deliberately.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points, `mark` now the motion_mode
 //
 // It trips on what the guards before it have marked, on what the synchronizer tells of a joint, and by hand:
 //   press()         from now on all drives are damped; `release()` alone moves nothing
 //   stop_softly()   they hold where they are, and soften
-// A healthy robot whose command is stale, not finite or late stops softly; whatever a drive, a sensor or the bus has to do with
-// is damped at once. The first cause is kept: rule, joint, beat. Motion comes back only where the synchronizer's `start` has
-// enabled the drives anew, and the button is released. Cost: two comparisons a joint. Example: tests/runtime/drive_chain;
-// docs/hardware.md.
+// A healthy robot whose command is stale, not finite or late stops softly; whatever a drive, a sensor or the
+// bus has to do with is damped at once. The first cause is kept: rule, joint, beat. Motion comes back only
+// where the synchronizer's `start` has enabled the drives anew, and the button is released. Cost: two
+// comparisons a joint. Example: tests/runtime/drive_chain; docs/hardware.md.
 #pragma once
 
 #include <algorithm>

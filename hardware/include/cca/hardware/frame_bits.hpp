@@ -1,15 +1,18 @@
 // How long a frame holds the bus at most: with as many stuff bits as its contents can force.
 //
-//   worst_case(frame_shape{.length = 8}) is 135 bits, 24 of them stuffing and 3 the pause before the next frame.
+//   worst_case(frame_shape{.length = 8}) is 135 bits, 24 of them stuffing and 3 the pause before the next
+//   frame.
 //
-// Classic: a start bit, id and flags (34 bits in all with an 11-bit id, 54 with a 29-bit one, the checksum included), 8 bits a
-// byte; over these after each run of 5 equal bits one of stuffing, of which each can begin the next run: one in 4 after the
-// first. Then 10 bits of delimiters, acknowledgement and end, and a pause of 3. FD: the bits from the start to BRS and from the
-// delimiter of the checksum on go at the nominal rate, those between at the data rate: ESI, length code, payload, and stuff count
-// (4) and checksum (17 bits, from 20 bytes on 21) with a fixed stuff bit before the first of them and after each 4. Stuffing by
-// contents ends with the payload. As much of it as can be is counted at the slower rate. Source: R. Davis et al., Controller Area
-// Network schedulability analysis, Real-Time Systems 35 (2007), eq. 1; ISO 11898-1:2015, 10.4.2. Compared with frames that are
-// stuffed bit by bit in tests/runtime/hardware/bus_load.cpp.
+// Classic: a start bit, id and flags (34 bits in all with an 11-bit id, 54 with a 29-bit one, the checksum
+// included), 8 bits a byte; over these after each run of 5 equal bits one of stuffing, of which each can
+// begin the next run: one in 4 after the first. Then 10 bits of delimiters, acknowledgement and end, and a
+// pause of 3. FD: the bits from the start to BRS and from the delimiter of the checksum on go at the nominal
+// rate, those between at the data rate: ESI, length code, payload, and stuff count (4) and checksum (17 bits,
+// from 20 bytes on 21) with a fixed stuff bit before the first of them and after each 4. Stuffing by contents
+// ends with the payload. As much of it as can be is counted at the slower rate. Source: R. Davis et al.,
+// Controller Area Network schedulability analysis, Real-Time Systems 35 (2007), eq. 1; ISO
+// 11898-1:2015, 10.4.2. Compared with frames that are stuffed bit by bit in
+// tests/runtime/hardware/bus_load.cpp.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +27,8 @@ struct frame_shape {
   bool extended = false, fd = false, fast = false;
 };
 constexpr frame_shape shape_of(const can_frame& f) {
-  return {.length = f.remote ? std::uint8_t{0} : f.length, .extended = f.id.extended, .fd = f.fd, .fast = f.fast};
+  return {
+      .length = f.remote ? std::uint8_t{0} : f.length, .extended = f.id.extended, .fd = f.fd, .fast = f.fast};
 }
 
 struct frame_bits {
@@ -35,7 +39,8 @@ struct bit_rates {
   std::int64_t nominal = 1'000'000, data = 5'000'000;  // bit/s; `data` for FD frames that are `fast`
 
   constexpr std::int64_t nanoseconds(frame_bits bits) const {
-    return (bits.nominal * 1'000'000'000 + nominal - 1) / nominal + (bits.data * 1'000'000'000 + data - 1) / data;
+    return (bits.nominal * 1'000'000'000 + nominal - 1) / nominal +
+           (bits.data * 1'000'000'000 + data - 1) / data;
   }
 };
 

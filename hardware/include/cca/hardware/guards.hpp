@@ -1,6 +1,8 @@
-// The first links of the chain in front of every drive: what a set-point must be before anyone looks at where it leads.
+// The first links of the chain in front of every drive: what a set-point must be before anyone looks at where
+// it leads.
 //
-//   act   in "wanted" set_points, out "safe" set_points; each marks the joint whose set-point breaks its rule (`mark`), and the
+//   act   in "wanted" set_points, out "safe" set_points; each marks the joint whose set-point breaks its rule
+//   (`mark`), and the
 //         emergency stop behind them acts on it
 //   finite_guard        NaN or infinity: the last finite set-point goes on instead, marked not_finite
 //   stale_guard         made from data older than the parameter `greatest_age`: marked stale
@@ -14,7 +16,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/component/reflect.hpp>
+#include <cca/base/reflect.hpp>
 #include <cca/hardware/set_points.hpp>
 
 namespace cca::hardware {
@@ -56,7 +58,8 @@ public:
 
   auto act(in<"wanted", set_points<Joints>> wanted, beat now) -> out<"safe", set_points<Joints>> {
     auto v = wanted.vector();
-    const bool stale = wanted.origin() != never && static_cast<double>(now.time() - wanted.origin()) > 1e9 * p.greatest_age;
+    const bool stale =
+        wanted.origin() != never && static_cast<double>(now.time() - wanted.origin()) > 1e9 * p.greatest_age;
     for (std::size_t i = 0; stale && i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
       s.trip(safety_rule::stale);

@@ -1,13 +1,13 @@
 // The frames by which a joint's drive is told its set-point, in the way that its family can.
 //
 //   frames_for<J>(set_point, angle, speed)   of the joint, in its own dimension; none where a number is none
-//     A drive that takes stiffness is told all of it. One that takes torque alone is told the torque that the set-point makes
-//     where the joint is. One that goes by position or velocity with gains of its own is told these.
-//   Where the set-point may not run (motion_mode), it only damps: by `damp()` of drives that have it, and a drive without
-//   stiffness is disabled.
-//   cycle_ends<Buses, J...>()   frames that end a cycle on each bus (SYNC), each once
-//   patience<J>(beats, ns)  after how many beats of so many ns a drive is silent: those that tell by themselves may take their
-//   time
+//     A drive that takes stiffness is told all of it. One that takes torque alone is told the torque that the
+//     set-point makes where the joint is. One that goes by position or velocity with gains of its own is told
+//     these.
+//   Where the set-point may not run (motion_mode), it only damps: by `damp()` of drives that have it, and a
+//   drive without stiffness is disabled. cycle_ends<Buses, J...>()   frames that end a cycle on each bus
+//   (SYNC), each once patience<J>(beats, ns)  after how many beats of so many ns a drive is silent: those
+//   that tell by themselves may take their time
 //
 // Cost: some multiplications and the codec's. docs/hardware.md.
 #pragma once
@@ -49,7 +49,8 @@ constexpr auto cycle_ends() {
 
 template <class J>
 constexpr int patience(int beats, std::int64_t beat) {
-  return beats * static_cast<int>(std::max<std::int64_t>(1, (report_period_of<typename J::drive> + beat - 1) / beat));
+  return beats *
+         static_cast<int>(std::max<std::int64_t>(1, (report_period_of<typename J::drive> + beat - 1) / beat));
 }
 
 }  // namespace cca::hardware

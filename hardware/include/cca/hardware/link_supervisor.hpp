@@ -4,15 +4,18 @@
 //   link.observe(bus.state(), bus.counters());   // each beat, after bus.receive
 //   if (link.may_move()) link.sent(bus.send(set_points));
 //
-// It begins `stopped`. `start` is the one way to `running`, a deliberate call, refused as long as the bus is away or still holds
-// frames: those would be stale. Whoever calls it begins at what the joints measure at that beat, not at what was last commanded.
-// From `running` it goes to `safe`, and stays there until the next `start`, when
+// It begins `stopped`. `start` is the one way to `running`, a deliberate call, refused as long as the bus is
+// away or still holds frames: those would be stale. Whoever calls it begins at what the joints measure at
+// that beat, not at what was last commanded. From `running` it goes to `safe`, and stays there until the next
+// `start`, when
 //   - the bus went off or down, be it for less than a beat (told from the counters, not from the state);
-//   - the bus dropped something of `FullCycles` batches in a row, its queue being full: nobody acknowledges, or it's overloaded;
+//   - the bus dropped something of `FullCycles` batches in a row, its queue being full: nobody acknowledges,
+//   or it's overloaded;
 //   - someone else sends what is ours alone to send.
-// The first cause is kept with its beat. `may_speak`: frames that brake, damp or ask can still go out; where not, it's the
-// drive's own watchdog that stops it. A bus that is passive still works: `degraded()` says so, and stops nothing. Cost: some
-// comparisons a beat. Laws and example: tests/runtime/hardware/link.cpp; docs/can_bus.md.
+// The first cause is kept with its beat. `may_speak`: frames that brake, damp or ask can still go out; where
+// not, it's the drive's own watchdog that stops it. A bus that is passive still works: `degraded()` says so,
+// and stops nothing. Cost: some comparisons a beat. Laws and example: tests/runtime/hardware/link.cpp;
+// docs/can_bus.md.
 #pragma once
 
 #include <cstdint>
@@ -27,13 +30,16 @@ enum class link_cause : std::uint8_t { none, bus_off, link_down, queue_full, int
 enum class start_refusal : std::uint8_t { none, bus_away, frames_in_flight };
 
 constexpr std::string_view name_of(link_cause c) {
-  constexpr std::string_view names[] = {"none", "bus-off", "link down", "transmit queue full", "another sender of our frames"};
+  constexpr std::string_view names[] = {"none", "bus-off", "link down", "transmit queue full",
+                                        "another sender of our frames"};
   return names[static_cast<std::size_t>(c)];
 }
 
 template <int FullCycles = 3>
 class link_supervisor {
-  static_assert(FullCycles >= 1, "cca::hardware::link_supervisor<N>: after N batches in a row that met a full queue it is safe");
+  static_assert(
+      FullCycles >= 1,
+      "cca::hardware::link_supervisor<N>: after N batches in a row that met a full queue it is safe");
 
 public:
   // Counts beats. The bus has received in this beat.
@@ -48,7 +54,8 @@ public:
 
   // What became of the batch of set-points of this beat.
   constexpr void sent(const send_result& result) {
-    if (result.outcome == send_outcome::away) stop_for(bus == bus_state::bus_off ? link_cause::bus_off : link_cause::link_down);
+    if (result.outcome == send_outcome::away)
+      stop_for(bus == bus_state::bus_off ? link_cause::bus_off : link_cause::link_down);
     full = result.outcome == send_outcome::full ? full + 1 : 0;
     dropped += result.outcome == send_outcome::full;
     if (full >= FullCycles) stop_for(link_cause::queue_full);
@@ -73,7 +80,9 @@ public:
   constexpr bool may_speak() const { return !is_away(bus); }
   constexpr bool degraded() const { return bus != bus_state::active; }
   constexpr link_cause first_cause() const { return cause; }
-  constexpr std::int64_t first_beat() const { return caused_at; }      // counted by `observe`, from 0; -1: no cause
+  constexpr std::int64_t first_beat() const {
+    return caused_at;
+  }  // counted by `observe`, from 0; -1: no cause
   constexpr std::uint64_t dropped_batches() const { return dropped; }  // that met a full queue
 
 private:

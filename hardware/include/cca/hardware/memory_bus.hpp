@@ -1,17 +1,19 @@
-// A CAN bus in memory, for tests and for machines without CAN: several ends on one wire, in virtual time, with troubles by
-// script.
+// A CAN bus in memory, for tests and for machines without CAN: several ends on one wire, in virtual time,
+// with troubles by script.
 //
 //   cca::hardware::memory_bus<2> wire({.rates = {1'000'000}, .seed = 7, .script = faults});
 //   auto robot = wire.end(0), drives = wire.end(1);    // each is a CanBus
 //   robot.send(frames); wire.advance(now);             // everything up to `now`, in nanoseconds, happens
 //
-// One frame at a time is on the wire, that of the lowest id first, for the longest time that such a frame can take
-// (frame_bits.hpp); it goes to all other ends. Nobody else there: it is not acknowledged and tried again, until the transmit
-// queue is full. An end that goes off or down loses its queue. The same calls, seed and script give the same, bit for bit; a copy
-// is a snapshot (ends are handles: take them anew from the copy).
+// One frame at a time is on the wire, that of the lowest id first, for the longest time that such a frame can
+// take (frame_bits.hpp); it goes to all other ends. Nobody else there: it is not acknowledged and tried
+// again, until the transmit queue is full. An end that goes off or down loses its queue. The same calls, seed
+// and script give the same, bit for bit; a copy is a snapshot (ends are handles: take them anew from the
+// copy).
 //
-// Depth: frames in an end's transmit queue; Arrivals: in its receive queue; what comes on top is lost and counted.
-// Cost: nothing is allocated. The script stays where it is: it must live as long as the bus. Laws: tests/laws/can_bus_laws.hpp.
+// Depth: frames in an end's transmit queue; Arrivals: in its receive queue; what comes on top is lost and
+// counted. Cost: nothing is allocated. The script stays where it is: it must live as long as the bus. Laws:
+// tests/laws/can_bus_laws.hpp.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +32,8 @@ namespace cca::hardware {
 
 struct memory_bus_options {
   bit_rates rates{};
-  bool one_shot =
-      false;  // tried once: what nobody acknowledges, or loses the arbitration, is given up; `ip link ... one-shot on`
+  bool one_shot = false;  // tried once: what nobody acknowledges, or loses the arbitration, is given up; `ip
+                          // link ... one-shot on`
   std::uint64_t seed = 0;
   std::span<const bus_fault> script{};
 };
@@ -129,7 +131,8 @@ private:
     if (sender != nobody) return;
     for (std::size_t i = 0; i < Ends; ++i) {
       if (!hears(i) || stations[i].out.empty()) continue;
-      if (sender == nobody || goes_before(stations[i].out.front().id, stations[sender].out.front().id)) sender = i;
+      if (sender == nobody || goes_before(stations[i].out.front().id, stations[sender].out.front().id))
+        sender = i;
     }
     if (sender == nobody) return;
     sent_at = clock + options.rates.nanoseconds(worst_case(shape_of(stations[sender].out.front())));
@@ -232,7 +235,8 @@ private:
       bus_state wanted = bus_state::active;
       for (const bus_fault& f : options.script)
         if (f.what > bus_trouble::corrupt && f.concerns_end(i) && f.now(clock))
-          wanted = std::max(wanted, static_cast<bus_state>(static_cast<int>(f.what) - static_cast<int>(bus_trouble::corrupt)));
+          wanted = std::max(wanted, static_cast<bus_state>(static_cast<int>(f.what) -
+                                                           static_cast<int>(bus_trouble::corrupt)));
       station& s = stations[i];
       if (wanted == s.scripted) continue;
       s.scripted = wanted;
@@ -249,7 +253,8 @@ private:
     const bus_state before = s.state;
     s.state = std::max(s.scripted, counted);
     if (s.state == before) return;
-    if (is_away(before) && !is_away(s.state)) ++(before == bus_state::down ? s.counters.ups : s.counters.restarts);
+    if (is_away(before) && !is_away(s.state))
+      ++(before == bus_state::down ? s.counters.ups : s.counters.restarts);
     if (s.state == bus_state::down) ++s.counters.downs;
     if (s.state == bus_state::bus_off) ++s.counters.bus_offs;
     if (!is_away(s.state)) return;
@@ -275,7 +280,9 @@ private:
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
   }
-  bool happens(double chance) { return chance >= 1 || static_cast<double>(random() >> 11) * 0x1p-53 < chance; }
+  bool happens(double chance) {
+    return chance >= 1 || static_cast<double>(random() >> 11) * 0x1p-53 < chance;
+  }
   void damage(can_frame& frame) {
     const std::size_t bytes = frame.payload().size();
     if (bytes == 0) return;

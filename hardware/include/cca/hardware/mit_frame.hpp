@@ -1,11 +1,13 @@
 // The frames of the MIT mini-cheetah protocol: five numbers to a drive, three back, each as steps of a range.
 //
-// Ranges are a type, since each firmware has its own and no frame says which: a wrong one scales motion and torque.
-//   command: position 16 bits, velocity, stiffness, damping, torque 12 bits, big-endian, in this order, 8 bytes
-//   reply:   id, position 16, velocity 12, torque 12 bits, 6 bytes; AK firmware adds temperature and error, 8 bytes
-// A special frame is seven bytes FF and one of FB to FE. A command whose numbers are all at their upper ends would be one: its
-// torque is lowered to the step FFA, at most 5 steps (0.02 N m of 18). Source: bgkatz/motorcontrol, Core/Src/can.c; CubeMars AK
-// series driver manual 1.0.8, 5.3.
+// Ranges are a type, since each firmware has its own and no frame says which: a wrong one scales motion and
+// torque.
+//   command: position 16 bits, velocity, stiffness, damping, torque 12 bits, big-endian, in this order, 8
+//   bytes reply:   id, position 16, velocity 12, torque 12 bits, 6 bytes; AK firmware adds temperature and
+//   error, 8 bytes
+// A special frame is seven bytes FF and one of FB to FE. A command whose numbers are all at their upper ends
+// would be one: its torque is lowered to the step FFA, at most 5 steps (0.02 N m of 18). Source:
+// bgkatz/motorcontrol, Core/Src/can.c; CubeMars AK series driver manual 1.0.8, 5.3.
 #pragma once
 
 #include <cstdint>
@@ -64,19 +66,19 @@ struct mit_wire {
     command w{step(position, c.position, of_position), step(velocity, c.velocity, of_velocity),
               step(stiffness, c.stiffness, of_stiffness), step(damping, c.damping, of_damping),
               step(torque, c.torque, of_torque)};
-    if (w.position == 0xFFFF && w.velocity == 0xFFF && w.stiffness == 0xFFF && w.damping == 0xFFF && w.torque >= 0xFFB &&
-        w.torque <= 0xFFE)
+    if (w.position == 0xFFFF && w.velocity == 0xFFF && w.stiffness == 0xFFF && w.damping == 0xFFF &&
+        w.torque >= 0xFFB && w.torque <= 0xFFE)
       w.torque = 0xFFA;
     return w;
   }
 
   static constexpr can_frame frame(can_id id, const command& w) {
     const auto byte = [](std::uint32_t n) { return static_cast<std::uint8_t>(n); };
-    return {
-        .id = id,
-        .length = 8,
-        .data = {byte(w.position >> 8), byte(w.position), byte(w.velocity >> 4), byte((w.velocity & 0xF) << 4 | w.stiffness >> 8),
-                 byte(w.stiffness), byte(w.damping >> 4), byte((w.damping & 0xF) << 4 | w.torque >> 8), byte(w.torque)}};
+    return {.id = id,
+            .length = 8,
+            .data = {byte(w.position >> 8), byte(w.position), byte(w.velocity >> 4),
+                     byte((w.velocity & 0xF) << 4 | w.stiffness >> 8), byte(w.stiffness),
+                     byte(w.damping >> 4), byte((w.damping & 0xF) << 4 | w.torque >> 8), byte(w.torque)}};
   }
 
   // The drive's side of it. Whether 8 bytes are a special frame is for the caller to ask first.

@@ -1,10 +1,11 @@
-// The registers of a moteus, as subframes in the payload of a frame: read one after the other, written one after the other.
+// The registers of a moteus, as subframes in the payload of a frame: read one after the other, written one
+// after the other.
 //
-// A subframe is its kind, how many registers, the first of them, and the values, each of 1, 2, 4 bytes or a float. Integers stand
-// for steps of a size that depends on the register; the most negative one, as NaN, means `none`, which on this bus is a value.
-// read_registers calls f(kind, register, value) for each; it stops where the bytes end or make no sense, and says whether they
-// did not. It reads nothing past the payload, and no more than 64 values. Source: mjbots/moteus, docs/protocol/can.md and
-// registers.md.
+// A subframe is its kind, how many registers, the first of them, and the values, each of 1, 2, 4 bytes or a
+// float. Integers stand for steps of a size that depends on the register; the most negative one, as NaN,
+// means `none`, which on this bus is a value. read_registers calls f(kind, register, value) for each; it
+// stops where the bytes end or make no sense, and says whether they did not. It reads nothing past the
+// payload, and no more than 64 values. Source: mjbots/moteus, docs/protocol/can.md and registers.md.
 #pragma once
 
 #include <cstdint>
@@ -68,9 +69,14 @@ constexpr double moteus_step(std::uint32_t which, moteus_value as) {
   return 0;
 }
 
-constexpr std::size_t moteus_size(moteus_value v) { return v == moteus_value::int8 ? 1 : v == moteus_value::int16 ? 2 : 4; }
+constexpr std::size_t moteus_size(moteus_value v) {
+  return v == moteus_value::int8 ? 1 : v == moteus_value::int16 ? 2 : 4;
+}
 
-constexpr double moteus_number(std::span<const std::uint8_t> bytes, std::size_t at, std::uint32_t which, moteus_value as) {
+constexpr double moteus_number(std::span<const std::uint8_t> bytes,
+                               std::size_t at,
+                               std::uint32_t which,
+                               moteus_value as) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (as == moteus_value::float32) return number_or_nan(static_cast<double>(got_float(bytes, at)));
   std::int64_t n = 0;
@@ -114,7 +120,8 @@ constexpr bool read_registers(std::span<const std::uint8_t> bytes, F&& f) {
     if (kind == moteus_kind::read) continue;
     const std::size_t size = detail::moteus_size(as);
     if (count > (bytes.size() - at) / size) return false;
-    for (; count > 0; --count, ++which, at += size) f(kind, which, detail::moteus_number(bytes, at, which, as));
+    for (; count > 0; --count, ++which, at += size)
+      f(kind, which, detail::moteus_number(bytes, at, which, as));
   }
   return true;
 }
@@ -127,7 +134,8 @@ public:
 
   // Up to three at a time have their number in the head.
   constexpr void head(moteus_kind kind, moteus_value as, moteus_register first, std::uint8_t count) {
-    byte(static_cast<std::uint8_t>(static_cast<unsigned>(kind) | static_cast<unsigned>(as) << 2 | (count <= 3 ? count : 0u)));
+    byte(static_cast<std::uint8_t>(static_cast<unsigned>(kind) | static_cast<unsigned>(as) << 2 |
+                                   (count <= 3 ? count : 0u)));
     if (count > 3) byte(count);
     byte(static_cast<std::uint8_t>(first));
   }

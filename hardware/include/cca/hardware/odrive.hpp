@@ -1,24 +1,29 @@
-// An ODrive axis that speaks CAN Simple, with firmware 0.5 (ODrive 3) or 0.6 (Pro, S1): same ids, other meanings in between.
+// An ODrive axis that speaks CAN Simple, with firmware 0.5 (ODrive 3) or 0.6 (Pro, S1): same ids, other
+// meanings in between.
 //
-//   using hip = cca::hardware::odrive<3, cca::hardware::odrive_mode::torque>;            // node 3; 0.6 unless stated
+//   using hip = cca::hardware::odrive<3, cca::hardware::odrive_mode::torque>;            // node 3; 0.6
+//   unless stated
 //
-// Ids are node << 5 | command; a node above 63 means 29 bits. Numbers are those of its encoder's shaft: turns there, rad here.
-// set_point by mode: position (float, turns; velocity and torque ahead as thousandths in 16 bits, so up to 205.9 rad/s and 32.767
-// N m),
-//   velocity (float, and torque ahead), torque (float). It has its gains by itself: stiffness and damping are not used. NaN and
-//   infinity refuse the command.
-// decode: heartbeat, encoder estimates, errors; of 0.6 temperatures and torques too. What the drive gives as NaN, it has not got:
-// NaN.
-// A position has no end and does not wrap; it grows coarser, to steps of 1/16 turn at a million turns.
+// Ids are node << 5 | command; a node above 63 means 29 bits. Numbers are those of its encoder's shaft: turns
+// there, rad here. set_point by mode: position (float, turns; velocity and torque ahead as thousandths in 16
+// bits, so up to 205.9 rad/s and 32.767 N m),
+//   velocity (float, and torque ahead), torque (float). It has its gains by itself: stiffness and damping are
+//   not used. NaN and infinity refuse the command.
+// decode: heartbeat, encoder estimates, errors; of 0.6 temperatures and torques too. What the drive gives as
+// NaN, it has not got: NaN. A position has no end and does not wrap; it grows coarser, to steps of 1/16 turn
+// at a million turns.
 //   That a heartbeat has no error does not mean that it drives: `activity` is `enabled` in closed loop only.
-// enabling: clears errors, sets the mode, waits for a measured position, asks for just that, and for closed loop.
-// Watchdog: a setting (axis.config.enable_watchdog, watchdog_timeout), off by default; set-points and a request for a state feed
+// enabling: clears errors, sets the mode, waits for a measured position, asks for just that, and for closed
+// loop. Watchdog: a setting (axis.config.enable_watchdog, watchdog_timeout), off by default; set-points and a
+// request for a state feed
 //   it (0.5: each frame to its node); when it has run out the axis goes idle, with an error.
-// Requests by remote frames are not used, since many adapters don't pass them: let it send cyclically (config.can.*_rate_ms).
-// Source: 0.6: odriverobotics/ros_odrive, odrive_base/include/can_simple_messages.hpp (made from the maker's own database), the
-// error and state numbers of odriverobotics/ODriveArduino, src/ODriveEnums.h, and of odrive-cansimple 0.6.10; what feeds the
-// watchdog: odriverobotics/ODriveResources, examples/can_simple.py. 0.5: odriverobotics/ODrive, docs/can-protocol.rst, and the
-// errors of odrive-cansimple 0.5.6. Not verified: whether 0.6 takes frames longer than its own (none is sent). docs/drives.md.
+// Requests by remote frames are not used, since many adapters don't pass them: let it send cyclically
+// (config.can.*_rate_ms). Source: 0.6: odriverobotics/ros_odrive, odrive_base/include/can_simple_messages.hpp
+// (made from the maker's own database), the error and state numbers of odriverobotics/ODriveArduino,
+// src/ODriveEnums.h, and of odrive-cansimple 0.6.10; what feeds the watchdog: odriverobotics/ODriveResources,
+// examples/can_simple.py. 0.5: odriverobotics/ODrive, docs/can-protocol.rst, and the errors of
+// odrive-cansimple 0.5.6. Not verified: whether 0.6 takes frames longer than its own (none is sent).
+// docs/drives.md.
 #pragma once
 
 #include <array>
@@ -66,25 +71,32 @@ inline constexpr fault_bit odrive_0_6_faults[] = {
     {0x04000008, drive_fault::position_sensor}, {0x00018000, drive_fault::limit},
     {0x40000010, drive_fault::configuration},   {0x08000020, drive_fault::power_stage}};
 inline constexpr fault_bit odrive_0_5_faults[] = {
-    {0x4000, drive_fault::emergency_stop}, {0x800, drive_fault::watchdog},    {0x18000, drive_fault::over_current},
-    {0x4, drive_fault::over_voltage},      {0x2, drive_fault::under_voltage}, {0x80180, drive_fault::position_sensor},
-    {0x3000, drive_fault::limit},          {0x1, drive_fault::configuration}, {0x70, drive_fault::power_stage},
-    {0x40000, drive_fault::over_temperature}};
+    {0x4000, drive_fault::emergency_stop}, {0x800, drive_fault::watchdog},
+    {0x18000, drive_fault::over_current},  {0x4, drive_fault::over_voltage},
+    {0x2, drive_fault::under_voltage},     {0x80180, drive_fault::position_sensor},
+    {0x3000, drive_fault::limit},          {0x1, drive_fault::configuration},
+    {0x70, drive_fault::power_stage},      {0x40000, drive_fault::over_temperature}};
 
 }  // namespace detail
 
-template <std::uint32_t Node, odrive_mode Mode, odrive_firmware Firmware = odrive_firmware::v0_6,
+template <std::uint32_t Node,
+          odrive_mode Mode,
+          odrive_firmware Firmware = odrive_firmware::v0_6,
           std::int64_t EstimatesPeriod = 10'000'000>
 struct odrive {
   static_assert(Node <= 0xFFFFFF, "cca::hardware::odrive: a node is at most 0xFFFFFF");
   static constexpr std::uint32_t node = Node;
   static constexpr odrive_firmware firmware = Firmware;
-  static constexpr std::int64_t report_period = EstimatesPeriod;  // ns; it tells where it is by itself, asked or not
-  static constexpr bool is_0_6 = Firmware == odrive_firmware::v0_6, by_position = Mode == odrive_mode::position,
+  static constexpr std::int64_t report_period =
+      EstimatesPeriod;  // ns; it tells where it is by itself, asked or not
+  static constexpr bool is_0_6 = Firmware == odrive_firmware::v0_6,
+                        by_position = Mode == odrive_mode::position,
                         by_velocity = Mode == odrive_mode::velocity;
   static constexpr double thousandths = 32.767;  // what 16 bits of them reach
 
-  static constexpr can_id id(odrive_command c) { return {Node << 5 | static_cast<std::uint32_t>(c), Node > 63}; }
+  static constexpr can_id id(odrive_command c) {
+    return {Node << 5 | static_cast<std::uint32_t>(c), Node > 63};
+  }
 
   static constexpr std::string_view name = is_0_6 ? "ODrive 0.6" : "ODrive 0.5";
   static constexpr auto limits =
@@ -108,7 +120,8 @@ struct odrive {
                                                       {id(odrive_command::estimates)},
                                                       {id(odrive_command::temperature)},
                                                       {id(odrive_command::torques)}}};
-  static constexpr std::array<can_filter, 1> occupies{{{{Node << 5, Node > 63}, 0x1FFFFFE0}}};  // Reboot, settings, and so on
+  static constexpr std::array<can_filter, 1> occupies{
+      {{{Node << 5, Node > 63}, 0x1FFFFFE0}}};  // Reboot, settings, and so on
   static constexpr std::array<frame_traffic, 3> traffic{
       {{.shape = {.length = 8, .extended = Node > 63}},
        {.shape = {.length = 8, .extended = Node > 63}, .period = EstimatesPeriod},
@@ -152,14 +165,18 @@ struct odrive {
     if (f.fd || f.remote || f.length != 8) return false;
     const auto p = f.payload();
     const auto word = [&p](std::size_t at) { return detail::got<std::uint32_t>(p, at); };
-    const auto number = [&p](std::size_t at) { return detail::number_or_nan(static_cast<double>(detail::got_float(p, at))); };
+    const auto number = [&p](std::size_t at) {
+      return detail::number_or_nan(static_cast<double>(detail::got_float(p, at)));
+    };
     if (f.id == id(odrive_command::heartbeat)) {
       r.state = p[4];
       r.code = word(0);
-      r.fault =
-          is_0_6 ? detail::fault_in(r.code, detail::odrive_0_6_faults) : detail::fault_in(r.code, detail::odrive_0_5_faults);
+      r.fault = is_0_6 ? detail::fault_in(r.code, detail::odrive_0_6_faults)
+                       : detail::fault_in(r.code, detail::odrive_0_5_faults);
       if (!is_0_6 && r.fault == drive_fault::none)
-        r.fault = p[6] & 1 ? drive_fault::position_sensor : (p[5] | p[7]) & 1 ? drive_fault::other : drive_fault::none;
+        r.fault = p[6] & 1            ? drive_fault::position_sensor
+                  : (p[5] | p[7]) & 1 ? drive_fault::other
+                                      : drive_fault::none;
       r.activity = r.fault != drive_fault::none ? drive_activity::faulted
                    : r.state == 8               ? drive_activity::enabled
                    : r.state <= 1               ? drive_activity::disabled
@@ -171,8 +188,9 @@ struct odrive {
       r.velocity = number(4) * detail::radians_in_turn;
       r.told = of_position | of_velocity;
     } else if (f.id == id(odrive_command::error)) {
-      const std::uint32_t active = is_0_6 ? word(0) : word(0) | word(4);  // 0.5: 64 bits of the motor's errors
-      r.code = active != 0 ? active : word(4);                            // 0.6: why it was disarmed
+      const std::uint32_t active =
+          is_0_6 ? word(0) : word(0) | word(4);  // 0.5: 64 bits of the motor's errors
+      r.code = active != 0 ? active : word(4);   // 0.6: why it was disarmed
       if (active != 0) {
         r.fault = is_0_6 ? detail::fault_in(active, detail::odrive_0_6_faults) : drive_fault::other;
         r.activity = drive_activity::faulted;
@@ -199,7 +217,9 @@ struct odrive {
     return f;
   }
   static constexpr can_frame estop() noexcept { return empty(odrive_command::estop, 0); }
-  static constexpr can_frame clear_errors() noexcept { return empty(odrive_command::clear_errors, is_0_6 ? 1 : 0); }
+  static constexpr can_frame clear_errors() noexcept {
+    return empty(odrive_command::clear_errors, is_0_6 ? 1 : 0);
+  }
   static constexpr can_frame controller_mode() noexcept {
     can_frame f = empty(odrive_command::set_controller_mode, 8);
     detail::put(f.data, 0, static_cast<std::uint32_t>(Mode));
@@ -216,7 +236,8 @@ struct odrive {
         states = r.states;
         return {{clear_errors(), controller_mode()}, enable_progress::going};
       }
-      if (r.activity == drive_activity::faulted && r.states >= states + 2) return {disable(), enable_progress::failed};
+      if (r.activity == drive_activity::faulted && r.states >= states + 2)
+        return {disable(), enable_progress::failed};
       if (!detail::is_finite(r.position)) return {};
       enable_step s{set_point({.position = r.position}).frames, enable_progress::going};
       if (r.activity == drive_activity::enabled && r.states > states) s.progress = enable_progress::done;
@@ -231,7 +252,8 @@ struct odrive {
 
   // The other side, for drives that are simulated.
   static constexpr bool hear(const can_frame& f, drive_command& c) noexcept {
-    if (f.id != id(input) || f.fd || f.remote || f.length != (Mode == odrive_mode::torque ? 4 : 8)) return false;
+    if (f.id != id(input) || f.fd || f.remote || f.length != (Mode == odrive_mode::torque ? 4 : 8))
+      return false;
     const auto p = f.payload();
     const auto thousandth = [&p](std::size_t at) {
       return static_cast<std::int16_t>(detail::got<std::uint16_t>(p, at)) / 1000.0;
@@ -264,7 +286,9 @@ struct odrive {
   }
 
 private:
-  static constexpr can_frame empty(odrive_command c, std::uint8_t length) { return {.id = id(c), .length = length}; }
+  static constexpr can_frame empty(odrive_command c, std::uint8_t length) {
+    return {.id = id(c), .length = length};
+  }
 };
 
 }  // namespace cca::hardware

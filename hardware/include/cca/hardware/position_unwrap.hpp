@@ -3,8 +3,9 @@
 //   position_unwrap unwrap{25.0};         // the width of the range
 //   q = unwrap(report.position);
 //
-// Right as long as it moves less than half the width between two reports: with 25 rad and 50 rad/s, reports may be 250 ms apart.
-// The first report is taken as it is. Only for drives that wrap: one that stays at its end must not be unwrapped.
+// Right as long as it moves less than half the width between two reports: with 25 rad and 50 rad/s, reports
+// may be 250 ms apart. The first report is taken as it is. Only for drives that wrap: one that stays at its
+// end must not be unwrapped.
 #pragma once
 
 namespace cca::hardware {

@@ -1,11 +1,13 @@
 // The buses of a robot, planned from its joints and its sensor board, while compiling.
 //
-//   using buses = cca::hardware::robot_buses<cca::rate<1000>, board, joints>;   // of cca::hardware::oncilla by itself
-//   buses::load<0>                                                              // the part of the time that bus 0 is in use
-//   cca::hardware::socket_can can0("can0", {.replies = buses::replies<0>, .ours = buses::requests<0>});
+//   using buses = cca::hardware::robot_buses<cca::rate<1000>, board, joints>;   // of cca::hardware::oncilla
+//   by itself buses::load<0>                                                              // the part of the
+//   time that bus 0 is in use cca::hardware::socket_can can0("can0", {.replies = buses::replies<0>, .ours =
+//   buses::requests<0>});
 //
-// Each bus is a plan as in bus_plan.hpp, by the bit rates that its joints state; messages name joints, and buses by their number.
-// Errors: bus.overloaded, drive.duplicate_id. Cost: constants. Example: tests/runtime/drive_chain/families.cpp; docs/can_bus.md.
+// Each bus is a plan as in bus_plan.hpp, by the bit rates that its joints state; messages name joints, and
+// buses by their number. Errors: bus.overloaded, drive.duplicate_id. Cost: constants. Example:
+// tests/runtime/drive_chain/families.cpp; docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -51,8 +53,10 @@ struct bus_check;
 template <std::size_t Bus, class Rate, class Board, class... J>
 struct bus_check<Bus, Rate, Board, joint_list<J...>> {
   static constexpr std::size_t most = sizeof...(J) + 1;
-  static constexpr auto on = users_on<most>(
-      {{{J::bus, J::rates, facts_of<typename J::drive>(J::axis::name)}..., {Board::bus, Board::rates, facts_of<Board>()}}}, Bus);
+  static constexpr auto on =
+      users_on<most>({{{J::bus, J::rates, facts_of<typename J::drive>(J::axis::name)}...,
+                       {Board::bus, Board::rates, facts_of<Board>()}}},
+                     Bus);
   static_assert(on.alike, "cca::hardware::robot_buses: all that is on one bus states the same bit rates");
   static constexpr bus_figures figures{on.view(), on.rates, Rate::hz};
   static constexpr bool sound = figures.sound();

@@ -1,15 +1,16 @@
-// A board with inertial unit, foot and abduction sensors on the robot's bus: our own protocol, classic frames, little-endian.
+// A board with inertial unit, foot and abduction sensors on the robot's bus: our own protocol, classic
+// frames, little-endian.
 //
-//   id      bytes                                                          to the board, before all that comes from it
-//   base    0-7 target of each abduction: i16, 0.1 mrad; -32768: as it is
-//   id      bytes                                                          from the board, each once a beat
-//   base+1  0-7 orientation of the trunk in the world: x y z w, i16, 1/32767 each
+//   id      bytes                                                          to the board, before all that
+//   comes from it base    0-7 target of each abduction: i16, 0.1 mrad; -32768: as it is id      bytes from
+//   the board, each once a beat base+1  0-7 orientation of the trunk in the world: x y z w, i16, 1/32767 each
 //   base+2  0-5 angular velocity, axes of the trunk: i16, 1 mrad/s; 6 contacts: bit per foot; 7 counter
 //   base+3  0-5 specific force, axes of the trunk: i16, 5 mm/s^2;       6 status, 0: fine;        7 counter
 //   base+4  0-7 load of each foot, upwards: i16, 10 mN
 //   base+5  0-7 angle of each abduction: i16, 0.1 mrad
-// Feet and legs: left front, right front, left hind, right hind. Beyond its range a number is its end. A quaternion that is not
-// of unit length (within 2 %) is refused. Cost: some dozen instructions a frame. docs/hardware.md.
+// Feet and legs: left front, right front, left hind, right hind. Beyond its range a number is its end. A
+// quaternion that is not of unit length (within 2 %) is refused. Cost: some dozen instructions a frame.
+// docs/hardware.md.
 #pragma once
 
 #include <array>
@@ -36,7 +37,8 @@ struct board_reading {
   static constexpr board_reading untold() {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     board_reading r;
-    r.orientation.fill(none), r.angular_velocity.fill(none), r.specific_force.fill(none), r.foot_load.fill(none), r.abduction.fill(none);
+    r.orientation.fill(none), r.angular_velocity.fill(none), r.specific_force.fill(none),
+        r.foot_load.fill(none), r.abduction.fill(none);
     return r;
   }
 };
@@ -49,13 +51,18 @@ struct sensor_board {
 
   static_assert(Base + 5 <= 0x7FF, "cca::hardware::sensor_board: its ids are base to base + 5, of 11 bits");
   static constexpr std::size_t bus = Bus;
-  static constexpr std::array<can_filter, 5> replies{
-      {{standard(Base + 1)}, {standard(Base + 2)}, {standard(Base + 3)}, {standard(Base + 4)}, {standard(Base + 5)}}};
+  static constexpr std::array<can_filter, 5> replies{{{standard(Base + 1)},
+                                                      {standard(Base + 2)},
+                                                      {standard(Base + 3)},
+                                                      {standard(Base + 4)},
+                                                      {standard(Base + 5)}}};
   static constexpr std::array<can_filter, 1> requests{{{standard(Base)}}};
-  static constexpr double angle_step = 1e-4, speed_step = 1e-3, force_step = 5e-3, load_step = 1e-2, part = 1.0 / 32767;
+  static constexpr double angle_step = 1e-4, speed_step = 1e-3, force_step = 5e-3, load_step = 1e-2,
+                          part = 1.0 / 32767;
 
   static constexpr bool decode(const can_frame& f, board_reading& r) noexcept {
-    if (f.id.extended || f.fd || f.remote || f.length != 8 || f.id.number <= Base || f.id.number > Base + 5) return false;
+    if (f.id.extended || f.fd || f.remote || f.length != 8 || f.id.number <= Base || f.id.number > Base + 5)
+      return false;
     const auto number = [&](std::size_t i) {
       return static_cast<double>(static_cast<std::int16_t>(detail::got<std::uint16_t>(f.payload(), 2 * i)));
     };

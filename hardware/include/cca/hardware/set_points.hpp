@@ -1,8 +1,10 @@
 // What flows in front of the drives: what each joint measures, what each drive is to do, and why it may not.
 //
-// Records of a few numbers an axis; no command of the metamodel, so nothing but the guards and the synchronizer reads them.
+// Records of a few numbers an axis; no command of the metamodel, so nothing but the guards and the
+// synchronizer reads them.
 //   joint_state   of an axis: angle, velocity, torque, trip (a safety_rule, 0: none), phase (a motion_phase)
-//   set_point     of an axis: position, velocity, torque, stiffness, damping (a drive_command of the joint), and `mark`: before
+//   set_point     of an axis: position, velocity, torque, stiffness, damping (a drive_command of the joint),
+//   and `mark`: before
 //                 the emergency stop the rule that it broke, behind it the motion_mode
 // Cost: as many doubles. docs/hardware.md.
 #pragma once
@@ -28,18 +30,19 @@ enum class safety_rule : std::uint8_t {
   drive_fault,   // a drive says that something is wrong with it
   implausible,   // a drive says that it jumped, or not how fast it goes
   link,          // the bus went off or down, its queue stays full, or someone else sends our frames
-  enabling,      // a drive would not be enabled, or the sensor board does not tell: why a start came to nothing
-  pressed,       // the emergency stop
-  asked,         // a soft stop
-  range,         // the rest change a set-point and stop nothing
+  enabling,  // a drive would not be enabled, or the sensor board does not tell: why a start came to nothing
+  pressed,   // the emergency stop
+  asked,     // a soft stop
+  range,     // the rest change a set-point and stop nothing
   rate,
   torque,
   stop,
 };
 constexpr std::string_view name_of(safety_rule r) {
-  constexpr std::string_view names[] = {"none",  "not finite",  "stale",  "stalled",          "silent",         "sensor board",
-                                        "fault", "implausible", "link",   "enabling",         "emergency stop", "soft stop",
-                                        "range", "rate",        "torque", "stop of the joint"};
+  constexpr std::string_view names[] = {"none",   "not finite",   "stale",          "stalled",
+                                        "silent", "sensor board", "fault",          "implausible",
+                                        "link",   "enabling",     "emergency stop", "soft stop",
+                                        "range",  "rate",         "torque",         "stop of the joint"};
   return names[static_cast<std::size_t>(r)];
 }
 
@@ -50,7 +53,8 @@ struct safety_event {
   std::int64_t beat = -1;
 };
 
-// How far the drives are. `begins`: in this beat they are enabled, and motion starts from where the joints are.
+// How far the drives are. `begins`: in this beat they are enabled, and motion starts from where the joints
+// are.
 enum class motion_phase : std::uint8_t { stopped, enabling, begins, running };
 // What the drives may do. `soft`: hold where they are, ever softer; then damped: brake, and give way.
 enum class motion_mode : std::uint8_t { run, soft, damped };
@@ -71,7 +75,8 @@ struct joint_state {
   template <class Vector>
   static joint_state of(const Vector& v, std::size_t axis) {
     const auto i = static_cast<Eigen::Index>(5 * axis);
-    return {v[i], v[i + 1], v[i + 2], static_cast<safety_rule>(v[i + 3]), static_cast<motion_phase>(v[i + 4])};
+    return {v[i], v[i + 1], v[i + 2], static_cast<safety_rule>(v[i + 3]),
+            static_cast<motion_phase>(v[i + 4])};
   }
   template <class Vector>
   void put(Vector& v, std::size_t axis) const {
@@ -93,7 +98,8 @@ struct set_point : drive_command {
   template <class Vector>
   void put(Vector& v, std::size_t axis) const {
     const auto i = static_cast<Eigen::Index>(6 * axis);
-    v[i] = position, v[i + 1] = velocity, v[i + 2] = torque, v[i + 3] = stiffness, v[i + 4] = damping, v[i + 5] = mark;
+    v[i] = position, v[i + 1] = velocity, v[i + 2] = torque, v[i + 3] = stiffness, v[i + 4] = damping,
+    v[i + 5] = mark;
   }
   void trip(safety_rule r) {
     if (mark == 0) mark = static_cast<double>(r);

@@ -1,7 +1,7 @@
 // The messages of one system call on a raw CAN socket: what sendmmsg and recvmmsg take, set up once.
 //
-// Only what a call has used is made ready again before the next. Its parts point into itself: it is neither copied nor moved.
-// Cost: 12 kB.
+// Only what a call has used is made ready again before the next. Its parts point into itself: it is neither
+// copied nor moved. Cost: 12 kB.
 #pragma once
 
 #include <array>

@@ -2,27 +2,29 @@
 //
 //   cca::hardware::socket_can bus("can0", {.replies = replies, .ours = requests, .fd = true});
 //
-// `replies`: the ids to let through, a filter of the kernel each; none: all. `ours`: the ids that only we send; a frame of
-// another sender under one of them counts as an intruder. They are let through as well, since own frames come back as
-// confirmations (from drivers that echo, when they went over the bus; from the others, when they were taken).
+// `replies`: the ids to let through, a filter of the kernel each; none: all. `ours`: the ids that only we
+// send; a frame of another sender under one of them counts as an intruder. They are let through as well,
+// since own frames come back as confirmations (from drivers that echo, when they went over the bus; from the
+// others, when they were taken).
 //
-// What the kernel calls errors are states here. ENETDOWN, ENODEV: down; it comes back by itself, also when the adapter was pulled
-// and put in again. Error frames: warning, passive, bus-off, restarted. ENOBUFS, EAGAIN, or as many frames in flight as
-// `most_in_flight`: full. Make that one batch: then no set-point waits behind an older one.
-// A controller in one-shot does not tell which frames it gave up. Say `gives_up_after`, most of a beat: what is not confirmed by
-// then counts as dropped and no longer as in flight.
-// Bus-off: the kernel may hold frames of the last batch, and send them when the controller is restarted. Leave `restart-ms` 0,
-// and restart by `ip link set can0 down` and `up`: then it forgets them. `stale()` counts those that went out all the same.
+// What the kernel calls errors are states here. ENETDOWN, ENODEV: down; it comes back by itself, also when
+// the adapter was pulled and put in again. Error frames: warning, passive, bus-off, restarted. ENOBUFS,
+// EAGAIN, or as many frames in flight as `most_in_flight`: full. Make that one batch: then no set-point waits
+// behind an older one. A controller in one-shot does not tell which frames it gave up. Say `gives_up_after`,
+// most of a beat: what is not confirmed by then counts as dropped and no longer as in flight. Bus-off: the
+// kernel may hold frames of the last batch, and send them when the controller is restarted. Leave
+// `restart-ms` 0, and restart by `ip link set can0 down` and `up`: then it forgets them. `stale()` counts
+// those that went out all the same.
 //
-// What is dear can be left out (docs/can_bus.md has the figures). `.confirmations = false`: own frames don't come back; then
-// `in_flight` is what the kernel still holds, and nothing is known of what waits in the controller: for buses on which nothing
-// moves. `.times = false`: a frame's time is that of `receive`.
+// What is dear can be left out (docs/can_bus.md has the figures). `.confirmations = false`: own frames don't
+// come back; then `in_flight` is what the kernel still holds, and nothing is known of what waits in the
+// controller: for buses on which nothing moves. `.times = false`: a frame's time is that of `receive`.
 //
-// Times are the kernel's of arrival, moved to the monotonic clock. Constructing throws cca::refused; nothing else throws, waits
-// or allocates. Remote frames pass only without filters. Cost: one system call a batch of up to 32 frames received or sent. Not
-// to be copied; a controller that is to be copied holds a pointer to it. Laws:
-// tests/laws/can_bus_laws.hpp, in tests/runtime/hardware/socket_can.cpp. Source: Linux, Documentation/networking/can.rst;
-// lely-core, io2/linux/can_chan.c, for ENOBUFS. docs/can_bus.md.
+// Times are the kernel's of arrival, moved to the monotonic clock. Constructing throws cca::refused; nothing
+// else throws, waits or allocates. Remote frames pass only without filters. Cost: one system call a batch of
+// up to 32 frames received or sent. Not to be copied; a controller that is to be copied holds a pointer to
+// it. Laws: tests/laws/can_bus_laws.hpp, in tests/runtime/hardware/socket_can.cpp. Source: Linux,
+// Documentation/networking/can.rst; lely-core, io2/linux/can_chan.c, for ENOBUFS. docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -59,12 +61,20 @@ class socket_can {
 public:
   explicit socket_can(std::string_view name, const socket_can_options& o = {})
       : interface(name),
-        socket(detail::open_can(interface, let_through(o), {.fd = o.fd, .own_frames = o.confirmations, .times = o.times})),
-        ours(o.ours.begin(), o.ours.end()), most_in_flight(o.most_in_flight), gives_up_after(o.gives_up_after), with_fd(o.fd),
-        with_own(o.confirmations), with_times(o.times), work(std::make_unique<detail::socket_batch>(o.times)) {
+        socket(detail::open_can(
+            interface, let_through(o), {.fd = o.fd, .own_frames = o.confirmations, .times = o.times})),
+        ours(o.ours.begin(), o.ours.end()),
+        most_in_flight(o.most_in_flight),
+        gives_up_after(o.gives_up_after),
+        with_fd(o.fd),
+        with_own(o.confirmations),
+        with_times(o.times),
+        work(std::make_unique<detail::socket_batch>(o.times)) {
     const detail::link now = interface.state(socket.get());
     carrier_was_lost = now == detail::link::no_carrier;
-    seen = now == detail::link::up ? bus_state::active : now == detail::link::no_carrier ? bus_state::bus_off : bus_state::down;
+    seen = now == detail::link::up           ? bus_state::active
+           : now == detail::link::no_carrier ? bus_state::bus_off
+                                             : bus_state::down;
   }
 
   send_result send(std::span<const can_frame> frames) noexcept {
@@ -82,7 +92,8 @@ public:
       std::size_t used = 0, n = 0;
       const std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(room_in_flight(), batch));
       for (; used < frames.size() && n < room; ++used) {
-        if (!frames[used].valid() || (frames[used].fd && !with_fd)) refuse(send_outcome::invalid, count.invalid, 1);
+        if (!frames[used].valid() || (frames[used].fd && !with_fd))
+          refuse(send_outcome::invalid, count.invalid, 1);
         else work->put(n++, frames[used]);
       }
       if (room == 0) {
@@ -103,8 +114,8 @@ public:
         } else if (errno != EINTR) {
           const bool full = errno == ENOBUFS || errno == EAGAIN;
           if (!full) went_down();
-          refuse(full ? send_outcome::full : send_outcome::away, full ? count.dropped_full : count.dropped_away,
-                 n - first + frames.size());
+          refuse(full ? send_outcome::full : send_outcome::away,
+                 full ? count.dropped_full : count.dropped_away, n - first + frames.size());
           return result;
         }
       }
@@ -127,7 +138,8 @@ public:
         look_whether_back();
         continue;
       }
-      const std::int64_t to_monotonic = nanoseconds_of(CLOCK_MONOTONIC) - (with_times ? nanoseconds_of(CLOCK_REALTIME) : 0);
+      const std::int64_t to_monotonic =
+          nanoseconds_of(CLOCK_MONOTONIC) - (with_times ? nanoseconds_of(CLOCK_REALTIME) : 0);
       for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i)
         if (take(i, into[n].frame)) stamp(into[n++], (with_times ? work->time(i) : 0) + to_monotonic);
       if (static_cast<std::size_t>(got) < asked) break;  // there was no more
@@ -135,7 +147,8 @@ public:
     }
     if (many) ask_what_was_lost();
     if (!with_own) ask_what_waits();
-    if (gives_up_after > 0 && unconfirmed > 0 && nanoseconds_of(CLOCK_MONOTONIC) - sent_at > gives_up_after) forget_in_flight();
+    if (gives_up_after > 0 && unconfirmed > 0 && nanoseconds_of(CLOCK_MONOTONIC) - sent_at > gives_up_after)
+      forget_in_flight();
     return n;
   }
 
@@ -234,7 +247,9 @@ private:
   std::uint32_t memory(int what, std::uint32_t untold) const noexcept {
     std::array<std::uint32_t, SK_MEMINFO_VARS> all{};
     socklen_t size = sizeof all;
-    return ::getsockopt(socket.get(), SOL_SOCKET, SO_MEMINFO, all.data(), &size) == 0 ? all[static_cast<std::size_t>(what)] : untold;
+    return ::getsockopt(socket.get(), SOL_SOCKET, SO_MEMINFO, all.data(), &size) == 0
+               ? all[static_cast<std::size_t>(what)]
+               : untold;
   }
 
   detail::can_interface interface;

@@ -2,13 +2,15 @@
 //
 //   virtual_cia402<cia402<knee_motor, 5, cia402_mode::position>, 20'000'000, cia402_lost::quick_stop> v;
 //
-// It boots pre-operational, and takes process data once NMT has started it: on SYNC, what has come since the last one; on SYNC it
-// answers, too. It goes through the states of CiA 402 by control words, and follows targets in operation enabled alone, with
-// Gains as those of its own servo where it goes by position. No process data for Timeout, or no SYNC to take them: emergency
-// 8250h, and what object 6007h says (Then): a fault; voltage off; or a quick stop, by which it comes to a stand and is then off
-// (605Ah = 2). The same when NMT takes it out of operation. Faults are told by an emergency and kept until the rising edge of
-// bit 7. Every 100 ms a heartbeat; after a reboot the one that says so. Not modelled: ramps, following errors, SDO. Source: CiA
-// 402-2 as in drive manuals (see docs/drives.md); CiA 301 for NMT, SYNC, emergencies and the event timer of an RPDO.
+// It boots pre-operational, and takes process data once NMT has started it: on SYNC, what has come since the
+// last one; on SYNC it answers, too. It goes through the states of CiA 402 by control words, and follows
+// targets in operation enabled alone, with Gains as those of its own servo where it goes by position. No
+// process data for Timeout, or no SYNC to take them: emergency 8250h, and what object 6007h says (Then): a
+// fault; voltage off; or a quick stop, by which it comes to a stand and is then off (605Ah = 2). The same
+// when NMT takes it out of operation. Faults are told by an emergency and kept until the rising edge of
+// bit 7. Every 100 ms a heartbeat; after a reboot the one that says so. Not modelled: ramps, following
+// errors, SDO. Source: CiA 402-2 as in drive manuals (see docs/drives.md); CiA 301 for NMT, SYNC, emergencies
+// and the event timer of an RPDO.
 #pragma once
 
 #include <cmath>
@@ -22,7 +24,9 @@ namespace cca::hardware {
 // As object 6007h counts them.
 enum class cia402_lost : std::uint8_t { fault = 1, disable_voltage = 2, quick_stop = 3 };
 
-template <class Drive, std::int64_t Timeout = 20'000'000, cia402_lost Then = cia402_lost::fault,
+template <class Drive,
+          std::int64_t Timeout = 20'000'000,
+          cia402_lost Then = cia402_lost::fault,
           virtual_gains Gains = virtual_gains{}>
 class virtual_cia402 : public virtual_troubles {
 public:
@@ -32,7 +36,8 @@ public:
 
   bool hear(const can_frame& f, std::int64_t now) {
     const bool sync = f == canopen_sync();
-    const bool nmt = f.id == standard(0) && f.length == 2 && !f.fd && !f.remote && (f.data[1] == Drive::node || f.data[1] == 0);
+    const bool nmt = f.id == standard(0) && f.length == 2 && !f.fd && !f.remote &&
+                     (f.data[1] == Drive::node || f.data[1] == 0);
     if (!sync && !nmt && f.id != Drive::receives) return false;
     look_at(now);
     if (booting()) return true;
@@ -58,14 +63,16 @@ public:
 
   drive_frames answer(const drive_motion& m) {
     drive_frames all;
-    if (state == cia402_state::quick_stop && std::fabs(m.velocity) < 0.05) state = cia402_state::switch_on_disabled;
+    if (state == cia402_state::quick_stop && std::fabs(m.velocity) < 0.05)
+      state = cia402_state::switch_on_disabled;
     if (mute()) return all;
     if (emergency != nothing) all.add(Drive::emergency_frame(static_cast<std::uint16_t>(emergency)));
     if (booted || clock - beaten >= 100'000'000) {
       all.add(Drive::heartbeat_frame(booted ? 0 : operational ? 0x05 : 0x7F));
       beaten = clock;
     }
-    if (asked) all.add(Drive::reply(status(), m.position, m.torque)), all.add(Drive::velocity_frame(m.velocity));
+    if (asked)
+      all.add(Drive::reply(status(), m.position, m.torque)), all.add(Drive::velocity_frame(m.velocity));
     emergency = nothing, booted = asked = false;
     return all;
   }

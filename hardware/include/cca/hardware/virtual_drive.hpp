@@ -2,13 +2,13 @@
 //
 // A virtual drive is what a drive's firmware is between bus and motor:
 //   v.hear(frame, now)         takes a frame; true: it was for this drive
-//   v.law(now)                 what its motor loop follows now, at its output (drive_command): no stiffness and no torque if it
-//   is
+//   v.law(now)                 what its motor loop follows now, at its output (drive_command): no stiffness
+//   and no torque if it is
 //                              not enabled, faulted, or unfed for longer than `timeout`
-//   v.answer(motion)           the frames that it sends in return for what it heard since the last call, or by itself
-//   v.enabled()                whether it would follow a set-point
-//   V::timeout, V::latches     its watchdog; whether it follows again, once that has run out, only after it was enabled anew
-//   V::waits                   whether it waits to be enabled; else a set-point is enough where it is off, as after a reboot
+//   v.answer(motion)           the frames that it sends in return for what it heard since the last call, or
+//   by itself v.enabled()                whether it would follow a set-point V::timeout, V::latches     its
+//   watchdog; whether it follows again, once that has run out, only after it was enabled anew V::waits
+//   whether it waits to be enabled; else a set-point is enough where it is off, as after a reboot
 //   v.go_silent(true), v.fail(code), v.reboot(now, duration), v.clear()   troubles on demand, and their end
 // Models: virtual_mit.hpp, virtual_odrive.hpp, virtual_moteus.hpp, virtual_cia402.hpp; their laws are in
 // tests/laws/virtual_drive_laws.hpp. Times in ns. Nothing is allocated; a copy is a snapshot. docs/drives.md.
@@ -30,21 +30,21 @@ struct drive_motion {
   double position = 0, velocity = 0, torque = 0;  // at the drive's output: rad, rad/s, N m
 };
 
-template <class Type>
-concept VirtualDrive = std::copyable<Type> && requires(Type& v, const can_frame& f, std::int64_t now, const drive_motion& m) {
-  typename Type::drive;
-  { v.hear(f, now) } -> std::same_as<bool>;
-  { v.law(now) } -> std::same_as<drive_command>;
-  { v.answer(m) } -> std::same_as<drive_frames>;
-  { v.enabled() } -> std::same_as<bool>;
-  { Type::timeout } -> std::convertible_to<std::int64_t>;
-  { Type::latches } -> std::convertible_to<bool>;
-  { Type::waits } -> std::convertible_to<bool>;
-  v.go_silent(true);
-  v.fail(std::uint32_t{1});
-  v.reboot(now, now);
-  v.clear();
-};
+template <class Type> concept VirtualDrive =
+    std::copyable<Type> && requires(Type& v, const can_frame& f, std::int64_t now, const drive_motion& m) {
+      typename Type::drive;
+      { v.hear(f, now) } -> std::same_as<bool>;
+      { v.law(now) } -> std::same_as<drive_command>;
+      { v.answer(m) } -> std::same_as<drive_frames>;
+      { v.enabled() } -> std::same_as<bool>;
+      { Type::timeout } -> std::convertible_to<std::int64_t>;
+      { Type::latches } -> std::convertible_to<bool>;
+      { Type::waits } -> std::convertible_to<bool>;
+      v.go_silent(true);
+      v.fail(std::uint32_t{1});
+      v.reboot(now, now);
+      v.clear();
+    };
 
 struct virtual_gains {
   double stiffness = 20, damping = 0.8;  // N m/rad, N m s/rad
@@ -74,8 +74,8 @@ public:
     const int steps = static_cast<int>(std::ceil(seconds / 1e-4));
     const double dt = seconds / steps;
     for (int i = 0; i < steps; ++i) {
-      const double wanted =
-          law.stiffness * (law.position - now.position) + law.damping * (law.velocity - now.velocity) + law.torque;
+      const double wanted = law.stiffness * (law.position - now.position) +
+                            law.damping * (law.velocity - now.velocity) + law.torque;
       now.torque = wanted < -most_torque ? -most_torque : wanted > most_torque ? most_torque : wanted;
       now.velocity += dt * (now.torque + load - friction * now.velocity) / inertia;
       now.position += dt * now.velocity;

@@ -2,14 +2,14 @@
 //
 //   virtual_mit<mit_drive<ak60_6, 3>, 20'000'000> v;      // its CAN_TIMEOUT: 20 ms
 //
-// It answers each frame that it gets, enabled or not, and moves only after `enter`: by what it was last told, before that too,
-// hence the kick of who enters without a zero command. Commands feed it, special frames do not. Not fed for Timeout it goes to
-// zero torque (motorcontrol zeroes its commands), and follows again as soon as it is fed. A fault, told in its error byte, takes
-// the torque away until it is cleared. A reboot: silent for so long, then not enabled. 8 bytes that are no special frame are a
-// command; other lengths are none.
-// Damiao differs: what it answers tells whether it is enabled, its watchdog is a fault (0xD), and a fault disables it: a
-// set-point that comes late moves nothing any more, until the fault is cleared and it was enabled anew. Source:
-// bgkatz/motorcontrol, Core/Src/{fsm,foc,stm32f4xx_it}.c.
+// It answers each frame that it gets, enabled or not, and moves only after `enter`: by what it was last told,
+// before that too, hence the kick of who enters without a zero command. Commands feed it, special frames do
+// not. Not fed for Timeout it goes to zero torque (motorcontrol zeroes its commands), and follows again as
+// soon as it is fed. A fault, told in its error byte, takes the torque away until it is cleared. A reboot:
+// silent for so long, then not enabled. 8 bytes that are no special frame are a command; other lengths are
+// none. Damiao differs: what it answers tells whether it is enabled, its watchdog is a fault (0xD), and a
+// fault disables it: a set-point that comes late moves nothing any more, until the fault is cleared and it
+// was enabled anew. Source: bgkatz/motorcontrol, Core/Src/{fsm,foc,stm32f4xx_it}.c.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,8 @@ public:
     look_at(now);
     if (booting()) return true;
     ++asked;
-    for (const mit_special what : {mit_special::clear_fault, mit_special::enter, mit_special::leave, mit_special::set_zero})
+    for (const mit_special what :
+         {mit_special::clear_fault, mit_special::enter, mit_special::leave, mit_special::set_zero})
       if (f == mit_special_frame(Drive::request_id, what)) return special(what), true;
     fed = now;
     command = Drive::wire::from_wire(Drive::wire::read(std::span<const std::uint8_t, 8>(f.data.data(), 8)));

@@ -2,20 +2,24 @@
 //
 //   virtual_moteus<moteus<hip_motor, 3>, moteus_timeout::brake> v;      // its servo.timeout_mode
 //
-// It answers each frame that it understands. Stopped, as after a reboot, it does not wait to be enabled: a set-point is enough.
-// Position mode follows the command, whose position goes on with its velocity; NaN as position: it stays where it stands. The
-// command holds for its own timeout (0: that of the drive's type; NaN: for ever); then comes mode 11, which does what Then says:
+// It answers each frame that it understands. Stopped, as after a reboot, it does not wait to be enabled: a
+// set-point is enough. Position mode follows the command, whose position goes on with its velocity; NaN as
+// position: it stays where it stands. The command holds for its own timeout (0: that of the drive's type;
+// NaN: for ever); then comes mode 11, which does what Then says:
 //   stop           nothing
-//   hold           its target slows down from the command's speed to a stand by Slowing, in rad/s^2 (servo.default_accel_limit;
-//                  infinity, as delivered, where none is set: at once), and stays there, with all of kp and kd. It does not give
-//                  way: a joint that is held so goes on holding, up to the drive's limit of current
+//   hold           its target slows down from the command's speed to a stand by Slowing, in rad/s^2
+//   (servo.default_accel_limit;
+//                  infinity, as delivered, where none is set: at once), and stays there, with all of kp and
+//                  kd. It does not give way: a joint that is held so goes on holding, up to the drive's limit
+//                  of current
 //   zero_velocity  damps
 //   brake          shorts its windings, which is here damped as strongly
-// From there, and from a fault, it does nothing but stop, which clears both. NaN or infinity elsewhere: not documented, here the
-// command is not taken. Not modelled: the modes on the way to position mode, limits of torque (servo.timeout_max_torque_Nm among
-// them) and velocity. Source: mjbots/moteus, docs/protocol/registers.md, docs/reference/configuration.md (servo.timeout_mode),
-// docs/troubleshooting/timeout-mode-11.md; for what a target is when the timeout comes: fw/bldc_servo_control.h and
-// bldc_servo_position.h.
+// From there, and from a fault, it does nothing but stop, which clears both. NaN or infinity elsewhere: not
+// documented, here the command is not taken. Not modelled: the modes on the way to position mode, limits of
+// torque (servo.timeout_max_torque_Nm among them) and velocity. Source: mjbots/moteus,
+// docs/protocol/registers.md, docs/reference/configuration.md (servo.timeout_mode),
+// docs/troubleshooting/timeout-mode-11.md; for what a target is when the timeout comes:
+// fw/bldc_servo_control.h and bldc_servo_position.h.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +34,9 @@ namespace cca::hardware {
 
 enum class moteus_timeout : std::uint8_t { stop = 0, hold = 10, zero_velocity = 12, brake = 15 };
 
-template <class Drive, moteus_timeout Then = moteus_timeout::zero_velocity, double Slowing = std::numeric_limits<double>::infinity()>
+template <class Drive,
+          moteus_timeout Then = moteus_timeout::zero_velocity,
+          double Slowing = std::numeric_limits<double>::infinity()>
 class virtual_moteus : public virtual_troubles {
 public:
   using drive = Drive;
@@ -61,7 +67,8 @@ public:
       case braking:
         return {.damping = Drive::motor::damping};
       case timed_out:
-        if constexpr (Then == moteus_timeout::hold) return held(static_cast<double>(now - fed - holds) * 1e-9);
+        if constexpr (Then == moteus_timeout::hold)
+          return held(static_cast<double>(now - fed - holds) * 1e-9);
         return {.damping = Then == moteus_timeout::stop ? 0.0 : Drive::motor::damping};
       default:
         return {};
@@ -73,7 +80,8 @@ public:
     last = m;
     for (; asked > 0; --asked)
       if (all.size() < 8)
-        all.add(Drive::reply(static_cast<std::uint8_t>(mode), m.position, m.velocity, m.torque, static_cast<std::uint8_t>(code)));
+        all.add(Drive::reply(static_cast<std::uint8_t>(mode), m.position, m.velocity, m.torque,
+                             static_cast<std::uint8_t>(code)));
     return mute() ? drive_frames() : all;
   }
 
@@ -96,7 +104,8 @@ private:
   }
   // So long after the timeout.
   drive_command held(double seconds) const {
-    const double v = command.velocity, until_still = std::fabs(v) / Slowing, t = std::min(seconds, until_still);
+    const double v = command.velocity, until_still = std::fabs(v) / Slowing,
+                 t = std::min(seconds, until_still);
     const double run = static_cast<double>(holds) * 1e-9;
     drive_command c{.stiffness = Drive::motor::stiffness, .damping = Drive::motor::damping};
     c.position = command.position + v * run + (t > 0 ? (v - std::copysign(0.5 * Slowing * t, v)) * t : 0);
@@ -116,7 +125,9 @@ private:
     mode = positioning;
     fed = clock;
     const double seconds = q.timeout;
-    holds = seconds != seconds ? for_ever : seconds > 0 && seconds < 1e6 ? static_cast<std::int64_t>(seconds * 1e9) : timeout;
+    holds = seconds != seconds             ? for_ever
+            : seconds > 0 && seconds < 1e6 ? static_cast<std::int64_t>(seconds * 1e9)
+                                           : timeout;
   }
 
   drive_command command{};

@@ -1,5 +1,5 @@
-// The virtual drive of each family, with the settings that virtual_*.hpp has unless stated: `virtual_of<Drive>`, for
-// virtual_robot.
+// The virtual drive of each family, with the settings that virtual_*.hpp has unless stated:
+// `virtual_of<Drive>`, for virtual_robot.
 #pragma once
 
 #include <cca/hardware/virtual_cia402.hpp>
@@ -13,9 +13,11 @@ template <class Drive>
 struct virtual_of;
 
 template <class Ranges, std::uint32_t Number, std::uint32_t Master, mit_firmware Firmware>
-struct virtual_of<mit_drive<Ranges, Number, Master, Firmware>> : virtual_mit<mit_drive<Ranges, Number, Master, Firmware>> {};
+struct virtual_of<mit_drive<Ranges, Number, Master, Firmware>>
+    : virtual_mit<mit_drive<Ranges, Number, Master, Firmware>> {};
 template <std::uint32_t Node, odrive_mode Mode, odrive_firmware Firmware, std::int64_t Period>
-struct virtual_of<odrive<Node, Mode, Firmware, Period>> : virtual_odrive<odrive<Node, Mode, Firmware, Period>> {};
+struct virtual_of<odrive<Node, Mode, Firmware, Period>>
+    : virtual_odrive<odrive<Node, Mode, Firmware, Period>> {};
 template <class Motor, std::uint8_t Servo, std::uint8_t Source>
 struct virtual_of<moteus<Motor, Servo, Source>> : virtual_moteus<moteus<Motor, Servo, Source>> {};
 template <class Motor, std::uint8_t Node, cia402_mode Mode>

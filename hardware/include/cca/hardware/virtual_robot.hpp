@@ -1,12 +1,12 @@
 // A robot's drives and sensor board on the far end of its buses, around whatever mechanics moves the joints.
 //
-//   virtual_robot<Bus, Virtual, Board, Joints> far;   // Virtual<Drive> is the virtual drive of each; the rest as in the robot
-//   far.connect(bus0, ...);
-//   far.listen(now);                     // hears all that came
+//   virtual_robot<Bus, Virtual, Board, Joints> far;   // Virtual<Drive> is the virtual drive of each; the
+//   rest as in the robot far.connect(bus0, ...); far.listen(now);                     // hears all that came
 //   const auto laws = far.laws(now);     // what each drive does, as a law of its joint
 //   far.tell(motions, board_reading);    // answers what was heard with what the mechanics says
 //
-// What finds no room in a queue is dropped, as a drive does. Example: examples/hardware_in_the_loop; docs/hardware.md.
+// What finds no room in a queue is dropped, as a drive does. Example: examples/hardware_in_the_loop;
+// docs/hardware.md.
 #pragma once
 
 #include <tuple>
@@ -32,7 +32,8 @@ public:
 
   template <class... Buses>
   void connect(Buses&... all) {
-    static_assert(sizeof...(Buses) == buses, "cca::hardware::virtual_robot: connect as many buses as the robot is on");
+    static_assert(sizeof...(Buses) == buses,
+                  "cca::hardware::virtual_robot: connect as many buses as the robot is on");
     wires = {&all...};
   }
 
@@ -47,7 +48,8 @@ public:
           tap(b, inbox[k].frame);
           if (b == Board::bus && Board::abducted(inbox[k].frame, abduction)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
-            ((J::bus == b ? void(std::get<I>(drives).hear(inbox[k].frame, now)) : void()), ...);  // some frames are for all
+            ((J::bus == b ? void(std::get<I>(drives).hear(inbox[k].frame, now)) : void()),
+             ...);  // some frames are for all
           });
         }
       }
@@ -66,8 +68,9 @@ public:
 
   void tell(const std::array<drive_motion, count>& joints, const board_reading& board) {
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      (send<J>(std::get<I>(drives).answer(
-           {J::drive_angle_of(joints[I].position), J::drive_speed_of(joints[I].velocity), J::drive_torque_of(joints[I].torque)})),
+      (send<J>(std::get<I>(drives).answer({J::drive_angle_of(joints[I].position),
+                                           J::drive_speed_of(joints[I].velocity),
+                                           J::drive_torque_of(joints[I].torque)})),
        ...);
     });
     if (!board_silent) wires[Board::bus]->send(Board::frames(board, counter++));

@@ -1,9 +1,9 @@
 // Numbers as drives put them into bytes, without reading past the payload.
 //
 // `steps`: a range in so many bits, as unsigned steps from its lower to its upper end.
-//   to_step: the nearest step; half-way between two the lower one, so that zero in the middle of a range is the same frame
-//   (7FFF, 7FF) that drivers which round down send. Beyond the range: its end, and `cut`. NaN is no number to ask for: the
-//   caller's to refuse. from_step: the number of a step.
+//   to_step: the nearest step; half-way between two the lower one, so that zero in the middle of a range is
+//   the same frame (7FFF, 7FF) that drivers which round down send. Beyond the range: its end, and `cut`. NaN
+//   is no number to ask for: the caller's to refuse. from_step: the number of a step.
 // Little- and big-endian integers and floats of fixed size, and float from double without leaving its range.
 // All of it constexpr. Tested over every step of 12 and 16 bits in tests/runtime/hardware/wire_numbers.cpp.
 #pragma once
@@ -23,7 +23,9 @@ struct steps {
   int bits;
 
   constexpr double count() const { return static_cast<double>((std::uint32_t{1} << bits) - 1); }
-  constexpr double from_step(std::uint32_t step) const { return lower + static_cast<double>(step) * ((upper - lower) / count()); }
+  constexpr double from_step(std::uint32_t step) const {
+    return lower + static_cast<double>(step) * ((upper - lower) / count());
+  }
   constexpr std::uint32_t to_step(double number, bool& cut) const {
     if (!(number > lower)) {
       cut |= number < lower;
@@ -37,7 +39,9 @@ struct steps {
     const auto below = static_cast<std::uint32_t>(exact);
     return exact - static_cast<double>(below) > 0.5 ? below + 1 : below;
   }
-  constexpr bool is_end(std::uint32_t step) const { return step == 0 || step == (std::uint32_t{1} << bits) - 1; }
+  constexpr bool is_end(std::uint32_t step) const {
+    return step == 0 || step == (std::uint32_t{1} << bits) - 1;
+  }
 };
 
 // The nearest of 2^bits - 1 integers around zero: the most negative one means something else on most buses.
@@ -70,7 +74,8 @@ template <class Unsigned>
 constexpr Unsigned got(std::span<const std::uint8_t> bytes, std::size_t at) {
   Unsigned number = 0;
   for (std::size_t i = 0; i < sizeof(Unsigned); ++i)
-    if (at + i < bytes.size()) number = static_cast<Unsigned>(number | static_cast<Unsigned>(Unsigned{bytes[at + i]} << (8 * i)));
+    if (at + i < bytes.size())
+      number = static_cast<Unsigned>(number | static_cast<Unsigned>(Unsigned{bytes[at + i]} << (8 * i)));
   return number;
 }
 constexpr float got_float(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -78,7 +83,9 @@ constexpr float got_float(std::span<const std::uint8_t> bytes, std::size_t at) {
 }
 
 // As a drive says it; what is no number, infinity as well, is NaN.
-constexpr double number_or_nan(double x) { return is_finite(x) ? x : std::numeric_limits<double>::quiet_NaN(); }
+constexpr double number_or_nan(double x) {
+  return is_finite(x) ? x : std::numeric_limits<double>::quiet_NaN();
+}
 
 inline constexpr double radians_in_turn = 6.283185307179586476925286766559;
 

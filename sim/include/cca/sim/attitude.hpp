@@ -12,8 +12,8 @@ struct quaternion {
   double w = 1, x = 0, y = 0, z = 0;
 };
 
-// Roll about x, then pitch about y, then yaw about z, each about an axis of the world (x forward, y left, z up).
-// Pitch is positive with the nose down, yaw to the left, roll to the right.
+// Roll about x, then pitch about y, then yaw about z, each about an axis of the world (x forward, y left, z
+// up). Pitch is positive with the nose down, yaw to the left, roll to the right.
 struct roll_pitch_yaw {
   double roll, pitch, yaw;
 };

@@ -1,7 +1,9 @@
 #pragma once
-// What goes wrong in a run, drawn from a seed: where the joints start, how the ground grips, when the trunk is pushed.
+// What goes wrong in a run, drawn from a seed: where the joints start, how the ground grips, when the trunk
+// is pushed.
 //
-// The same seed gives the same bits with every compiler: std::mt19937_64 is specified exactly, the distributions are our own.
+// The same seed gives the same bits with every compiler: std::mt19937_64 is specified exactly, the
+// distributions are our own.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,13 +16,13 @@
 namespace cca::sim {
 
 class uniform_numbers {
- public:
+public:
   explicit uniform_numbers(std::uint64_t seed) : bits_(seed) {}
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
   }
 
- private:
+private:
   std::mt19937_64 bits_;
 };
 

@@ -1,8 +1,10 @@
 #pragma once
-// One world of the Open Dynamics Engine, owned: the library, this thread's share of it, the world, its threading.
+// One world of the Open Dynamics Engine, owned: the library, this thread's share of it, the world, its
+// threading.
 //
-// Each world gets a self-threaded implementation of its own: with the shared default, two worlds stepped in two threads abort
-// in `ReleaseAJob`. The step's memory is reserved at once, so that a beat with more contacts than before does not allocate.
+// Each world gets a self-threaded implementation of its own: with the shared default, two worlds stepped in
+// two threads abort in `ReleaseAJob`. The step's memory is reserved at once, so that a beat with more
+// contacts than before does not allocate.
 #include <memory>
 #include <stdexcept>
 
@@ -15,7 +17,8 @@ namespace cca::sim {
 // The library, once in a process, and its data of the calling thread, once in a thread.
 inline void prepare_engine() {
   static const bool library = dInitODE2(0) != 0;
-  thread_local const bool data = library && dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
+  thread_local const bool data =
+      library && dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
   if (!data) throw std::runtime_error("the Open Dynamics Engine cannot be initialised");
 }
 
@@ -30,13 +33,14 @@ template <class T>
 using engine_handle = std::unique_ptr<T, engine_release>;
 
 class engine {
- public:
+public:
   explicit engine(const oncilla_model& m) {
     prepare_engine();
     threading_.reset(dThreadingAllocateSelfThreadedImplementation());
     world_.reset(dWorldCreate());
     contacts_.reset(dJointGroupCreate(0));
-    dWorldSetStepThreadingImplementation(id(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
+    dWorldSetStepThreadingImplementation(id(), dThreadingImplementationGetFunctions(threading_.get()),
+                                         threading_.get());
     const dWorldStepReserveInfo reserve{sizeof(dWorldStepReserveInfo), 1.2F, step_memory};
     dWorldSetStepMemoryReservationPolicy(id(), &reserve);
     dWorldSetGravity(id(), 0, 0, -m.gravity);
@@ -52,7 +56,7 @@ class engine {
 
   void step(double dt) { dWorldStep(id(), dt); }
 
- private:
+private:
   static constexpr unsigned step_memory = 1U << 20;
 
   engine_handle<dxThreadingImplementation> threading_;  // outlives the world

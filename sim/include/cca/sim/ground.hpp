@@ -1,9 +1,10 @@
 #pragma once
 // The terrain in the engine, and the robot's parts that can touch it.
 //
-// Parts are tried against every strip of ground in a fixed order: no space, no broad phase, hence no order that depends on
-// addresses. Parts don't collide with each other. Contacts are springs and dampers, given to the engine as ERP and CFM;
-// friction is a pyramid in proportion to the normal force (dContactApprox1; without it `mu` would be a force in newtons).
+// Parts are tried against every strip of ground in a fixed order: no space, no broad phase, hence no order
+// that depends on addresses. Parts don't collide with each other. Contacts are springs and dampers, given to
+// the engine as ERP and CFM; friction is a pyramid in proportion to the normal force (dContactApprox1;
+// without it `mu` would be a force in newtons).
 #include <array>
 #include <cmath>
 #include <vector>
@@ -18,7 +19,7 @@
 namespace cca::sim {
 
 class ground {
- public:
+public:
   ground(const oncilla_model& m, const terrain& shape) {
     for (const ground_strip& s : shape.strips()) strips_.push_back(box(s));
     prototype_.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1;
@@ -33,7 +34,8 @@ class ground {
   void touch(const engine& e, dGeomID part, OnContact on_contact) const {
     std::array<dContact, 4> contacts;
     for (const auto& strip : strips_) {
-      const int count = dCollide(part, strip.get(), static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
+      const int count =
+          dCollide(part, strip.get(), static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
       for (int i = 0; i < count; ++i) {
         dContact& c = contacts[static_cast<std::size_t>(i)];
         c.surface = prototype_;
@@ -44,7 +46,7 @@ class ground {
     }
   }
 
- private:
+private:
   static constexpr double depth = 1.0, width = 100.0;
 
   // A box whose top begins at the strip's edge; what overlaps a neighbour lies below its top.

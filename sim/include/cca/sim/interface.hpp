@@ -1,5 +1,6 @@
 #pragma once
-// What goes into the simulated robot in a beat and what comes out: commands to the motors, readings of the sensors.
+// What goes into the simulated robot in a beat and what comes out: commands to the motors, readings of the
+// sensors.
 #include <array>
 
 #include <cca/sim/attitude.hpp>
@@ -7,21 +8,23 @@
 
 namespace cca::sim {
 
-// Position targets of one leg's motors, rad. The knee's is the flexion that the cable is wound to. A target that isn't finite
-// is not taken: the motor keeps the last finite one (before any, the angle that the robot was put down with). Finite targets
-// are cut to the joint's range.
+// Position targets of one leg's motors, rad. The knee's is the flexion that the cable is wound to. A target
+// that isn't finite is not taken: the motor keeps the last finite one (before any, the angle that the robot
+// was put down with). Finite targets are cut to the joint's range.
 struct leg_command {
   double hip = 0;
   double knee = 0;
   double abduction = 0;
-  double hip_stiffness = oncilla_defaults.hip_stiffness;  // N m/rad, damping goes with it; negative or not finite: kept
+  double hip_stiffness =
+      oncilla_defaults.hip_stiffness;  // N m/rad, damping goes with it; negative or not finite: kept
 };
 
 using robot_command = std::array<leg_command, leg_count>;
 
-// What a drive with a loop of its own makes of a joint: torque = stiffness (position - q) + damping (velocity - v) + torque, for
-// the whole beat. Of the knee only what flexes it gets through the cable. Neither is cut to the joint's range: that is the
-// business of whoever commands such a drive. Laws that aren't finite are not taken: the drive keeps the last one.
+// What a drive with a loop of its own makes of a joint: torque = stiffness (position - q) + damping (velocity
+// - v) + torque, for the whole beat. Of the knee only what flexes it gets through the cable. Neither is cut
+// to the joint's range: that is the business of whoever commands such a drive. Laws that aren't finite are
+// not taken: the drive keeps the last one.
 struct joint_law {
   double position = 0;   // rad
   double velocity = 0;   // rad/s
@@ -55,10 +58,10 @@ struct leg_reading {
 
 // An inertial unit in the trunk's centre, axes of the trunk.
 struct trunk_reading {
-  quaternion orientation;        // turns the trunk's axes into the world's
-  vector3 angular_velocity{};    // rad/s
-  vector3 specific_force{};      // m/s^2, what an accelerometer shows: acceleration minus gravity, mean over the beat;
-                                 // (0, 0, +9.81) at rest on level ground
+  quaternion orientation;      // turns the trunk's axes into the world's
+  vector3 angular_velocity{};  // rad/s
+  vector3 specific_force{};  // m/s^2, what an accelerometer shows: acceleration minus gravity, mean over the
+                             // beat; (0, 0, +9.81) at rest on level ground
 };
 
 struct robot_reading {

@@ -1,9 +1,10 @@
 #pragma once
-// The leg in its own plane, in closed form: where the foot is, which angles bring it there, how much the springs pull.
+// The leg in its own plane, in closed form: where the foot is, which angles bring it there, how much the
+// springs pull.
 //
-// Plane: x forward, z up, origin in the hip. A segment at angle t points to (sin t, -cos t). The upper segment stands at `hip`,
-// the middle one at `hip - knee`, the lower one parallel to the upper (the pantograph). With the toe straight the leg is
-// therefore one of two links: upper + lower + toe, and middle.
+// Plane: x forward, z up, origin in the hip. A segment at angle t points to (sin t, -cos t). The upper
+// segment stands at `hip`, the middle one at `hip - knee`, the lower one parallel to the upper (the
+// pantograph). With the toe straight the leg is therefore one of two links: upper + lower + toe, and middle.
 #include <algorithm>
 #include <cmath>
 

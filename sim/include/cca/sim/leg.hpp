@@ -1,10 +1,11 @@
 #pragma once
 // One leg in the engine: four bodies, their joints, and the torques of springs and motors between them.
 //
-// Joints: abduction and hip together are a universal joint (axes: forward of the trunk, across the leg); knee, ankle and toe
-// are hinges across the leg; the pantograph keeps the lower segment parallel to the upper by an angular motor of one axis whose
-// stops are both zero (error below 1e-9 rad; a torque between the segments errs by 32 mrad or explodes).
-// Springs are explicit torques: the engine's own (ERP, CFM) would lose their energy within a second.
+// Joints: abduction and hip together are a universal joint (axes: forward of the trunk, across the leg);
+// knee, ankle and toe are hinges across the leg; the pantograph keeps the lower segment parallel to the upper
+// by an angular motor of one axis whose stops are both zero (error below 1e-9 rad; a torque between the
+// segments errs by 32 mrad or explodes). Springs are explicit torques: the engine's own (ERP, CFM) would lose
+// their energy within a second.
 #include <array>
 #include <cmath>
 
@@ -19,9 +20,14 @@
 namespace cca::sim {
 
 class leg {
- public:
+public:
   // Built in the plane x = forward, z = up, then tilted outward by the abduction.
-  leg(dWorldID world, const oncilla_model& m, dBodyID trunk, vector3 hip, double side, const leg_posture& posture)
+  leg(dWorldID world,
+      const oncilla_model& m,
+      dBodyID trunk,
+      vector3 hip,
+      double side,
+      const leg_posture& posture)
       : trunk_(trunk), side_(side) {
     const placement place{hip, side * posture.abduction};
     const double upper_angle = posture.hip, middle_angle = posture.hip - posture.knee;
@@ -62,7 +68,8 @@ class leg {
   dBodyID toe() const { return toe_; }
   std::array<dBodyID, 4> bodies() const { return {upper_, middle_, lower_, toe_}; }
 
-  // Angles and velocities, from the rotations of the bodies: they need no memory of how the robot was put down.
+  // Angles and velocities, from the rotations of the bodies: they need no memory of how the robot was put
+  // down.
   void read(leg_reading& r) const {
     const dReal* trunk = dBodyGetRotation(trunk_);
     const dReal* upper = dBodyGetRotation(upper_);
@@ -85,9 +92,10 @@ class leg {
   void drive(const oncilla_model& m, leg_motors& motors, leg_reading& r, double dt) const {
     const leg_command& target = motors.target;
     const servo_gains hip{target.hip_stiffness, target.hip_stiffness * m.hip_damping_time};
-    r.hip.torque = motors.by_law ? limit_torque(m.hip_motor, motors.hip_law(r.hip.angle, r.hip.velocity), r.hip.velocity)
-                                 : servo_torque(m.hip_motor, hip, target.hip - r.hip.angle,
-                                                motors.hip_target_speed - r.hip.velocity, r.hip.velocity);
+    r.hip.torque =
+        motors.by_law ? limit_torque(m.hip_motor, motors.hip_law(r.hip.angle, r.hip.velocity), r.hip.velocity)
+                      : servo_torque(m.hip_motor, hip, target.hip - r.hip.angle,
+                                     motors.hip_target_speed - r.hip.velocity, r.hip.velocity);
     twist(upper_, trunk_, column(upper_, 1), -r.hip.torque);
 
     const servo_gains abduction{m.abduction_stiffness, m.abduction_damping};
@@ -116,7 +124,7 @@ class leg {
 
   double pantograph_error() const { return angle_between(upper_, lower_); }
 
- private:
+private:
   // A point of the leg's plane, and the segments that start in it.
   struct flat_point {
     double x = 0, z = 0;
@@ -125,7 +133,8 @@ class leg {
     }
   };
 
-  // Where the leg's plane stands in the world: through the hip, turned by the abduction about the forward axis.
+  // Where the leg's plane stands in the world: through the hip, turned by the abduction about the forward
+  // axis.
   struct placement {
     vector3 hip;
     double tilt;
@@ -161,7 +170,8 @@ class leg {
     return joint;
   }
 
-  static dJointID parallel(dWorldID world, const oncilla_model& m, dBodyID child, dBodyID parent, vector3 axis) {
+  static dJointID parallel(
+      dWorldID world, const oncilla_model& m, dBodyID child, dBodyID parent, vector3 axis) {
     constexpr int in_first_body = 1;
     const dJointID joint = dJointCreateAMotor(world, nullptr);
     dJointAttach(joint, child, parent);
@@ -192,8 +202,8 @@ class leg {
     return std::atan2(-columns(a, 0, b, 2), columns(a, 0, b, 0));
   }
 
-  // How fast `body` swings forward against `other`. All but the trunk have one y axis, so any of the two bodies' will do;
-  // the first one's is taken, which must be a segment.
+  // How fast `body` swings forward against `other`. All but the trunk have one y axis, so any of the two
+  // bodies' will do; the first one's is taken, which must be a segment.
   static double speed_between(dBodyID body, dBodyID other) {
     const dReal* r = dBodyGetRotation(body);
     const dReal* w = dBodyGetAngularVel(body);

@@ -1,7 +1,9 @@
 #pragma once
-// What the motors give: a servo that follows a target within a torque-speed line, and a winch that pulls a knee by a cable.
+// What the motors give: a servo that follows a target within a torque-speed line, and a winch that pulls a
+// knee by a cable.
 //
-// Both are plain arithmetic on a state of a few numbers, which belongs to the world's state; neither knows the engine.
+// Both are plain arithmetic on a state of a few numbers, which belongs to the world's state; neither knows
+// the engine.
 #include <algorithm>
 #include <cmath>
 
@@ -31,15 +33,17 @@ struct servo_gains {
   double damping;    // N m s/rad
 };
 
-inline double servo_torque(motor_line line, servo_gains g, double angle_error, double speed_error, double speed) {
+inline double servo_torque(
+    motor_line line, servo_gains g, double angle_error, double speed_error, double speed) {
   return limit_torque(line, g.stiffness * angle_error + g.damping * speed_error, speed);
 }
 
-// The knee's cable on its pulley. It can only pull: it flexes the knee or hangs slack, extension is the spring's work.
+// The knee's cable on its pulley. It can only pull: it flexes the knee or hangs slack, extension is the
+// spring's work.
 struct cable_winch {
   double position = 0;  // rad of knee flexion that the wound cable stands for
   double speed = 0;
-  double torque = 0;    // what it pulled with last, >= 0
+  double torque = 0;  // what it pulled with last, >= 0
 
   void wind(const oncilla_model& m, double target, double dt) {
     const double wanted = (target - position) / dt;
@@ -49,8 +53,8 @@ struct cable_winch {
 
   double pull(const oncilla_model& m, double knee, double knee_speed) {
     const double stretch = position - knee;
-    torque = stretch > 0 ? std::clamp(m.cable_stiffness * stretch + m.cable_damping * (speed - knee_speed), 0.0,
-                                      m.knee_motor.torque)
+    torque = stretch > 0 ? std::clamp(m.cable_stiffness * stretch + m.cable_damping * (speed - knee_speed),
+                                      0.0, m.knee_motor.torque)
                          : 0.0;
     return torque;
   }

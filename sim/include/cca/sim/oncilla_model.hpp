@@ -1,13 +1,14 @@
 #pragma once
 // Every number of the simulated Oncilla in one table: lengths, masses, springs, motors, contact, engine.
 //
-// Published for the real robot are the total mass of 5.1 kg, a hip height of about 0.16 to 0.18 m, the kind of leg (three
-// segments, pantograph, diagonal spring, knee cable, passive toe, abduction servo) and that a trot reaches 0.63 m/s (Sproewitz
-// et al., Frontiers in Robotics and AI 5:67, 2018). No other dimension is published in a form that could be used; all others
-// are CHOSEN, so that a leg made of them stands and trots like the real one. SI units and radians throughout.
+// Published for the real robot are the total mass of 5.1 kg, a hip height of about 0.16 to 0.18 m, the kind
+// of leg (three segments, pantograph, diagonal spring, knee cable, passive toe, abduction servo) and that a
+// trot reaches 0.63 m/s (Sproewitz et al., Frontiers in Robotics and AI 5:67, 2018). No other dimension is
+// published in a form that could be used; all others are CHOSEN, so that a leg made of them stands and trots
+// like the real one. SI units and radians throughout.
 //
-// The table is a value: change a copy to simulate another robot. What is fixed at compile time (joint limits of the
-// dimensions) is read from `oncilla_defaults`.
+// The table is a value: change a copy to simulate another robot. What is fixed at compile time (joint limits
+// of the dimensions) is read from `oncilla_defaults`.
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -20,7 +21,9 @@ inline constexpr std::size_t leg_count = 4;
 enum class leg_id : std::size_t { left_front, right_front, left_hind, right_hind };
 
 constexpr bool is_front(std::size_t leg) { return leg < 2; }
-constexpr double side_of(std::size_t leg) { return leg % 2 == 0 ? 1.0 : -1.0; }  // +1: left, the side of positive y
+constexpr double side_of(std::size_t leg) {
+  return leg % 2 == 0 ? 1.0 : -1.0;
+}  // +1: left, the side of positive y
 constexpr double degrees(double angle) { return angle * std::numbers::pi / 180.0; }
 
 struct interval {
@@ -36,7 +39,8 @@ struct motor_line {
 };
 
 struct oncilla_model {
-  // Trunk: a box whose centre of mass lies above the middle of the four hips. It carries the abduction servos.
+  // Trunk: a box whose centre of mass lies above the middle of the four hips. It carries the abduction
+  // servos.
   double trunk_length = 0.280;
   double trunk_width = 0.110;
   double trunk_height = 0.080;
@@ -60,8 +64,8 @@ struct oncilla_model {
   double knee_radius = 0.012;     // spheres that touch the ground when a leg kneels
   double ankle_radius = 0.010;
 
-  // Joint ranges. Hip: 0 is straight down, positive swings the foot forward. Knee: flexion, 0 would be the straight leg.
-  // Abduction: positive moves the foot outward. Toe: 0 continues the lower segment.
+  // Joint ranges. Hip: 0 is straight down, positive swings the foot forward. Knee: flexion, 0 would be the
+  // straight leg. Abduction: positive moves the foot outward. Toe: 0 continues the lower segment.
   interval hip_range{-1.2, 1.9};  // forward beyond the horizontal: to reach
   interval knee_range{degrees(35), degrees(150)};
   interval abduction_range{degrees(-20), degrees(20)};
@@ -69,16 +73,17 @@ struct oncilla_model {
   double joint_friction = 0.02;  // of the knee, N m s/rad
 
   // Diagonal spring from the knee to a point of the lower segment, `spring_arm` beyond the ankle.
-  double spring_rate = 6254.0;             // N/m
+  double spring_rate = 6254.0;  // N/m
   double spring_arm = 0.035;
-  double spring_reference = degrees(60);   // flexion at which the spring's stretch is `spring_preload`
-  double spring_preload = -0.0143;         // negative: slack below 83 degrees of flexion
+  double spring_reference = degrees(60);  // flexion at which the spring's stretch is `spring_preload`
+  double spring_preload = -0.0143;        // negative: slack below 83 degrees of flexion
 
   // Toe spring, a torsion spring with friction in the passive joint.
-  double toe_stiffness = 2.0;    // N m/rad
-  double toe_damping = 0.003;    // N m s/rad
+  double toe_stiffness = 2.0;  // N m/rad
+  double toe_damping = 0.003;  // N m s/rad
 
-  // Motors. Hip and abduction servos follow their targets with stiffness and damping; the knee motor winds a cable.
+  // Motors. Hip and abduction servos follow their targets with stiffness and damping; the knee motor winds a
+  // cable.
   motor_line hip_motor{6.0, 14.0};
   motor_line knee_motor{6.0, 16.0};
   motor_line abduction_motor{3.0, 6.0};
@@ -99,8 +104,8 @@ struct oncilla_model {
 
   // Engine.
   double gravity = 9.81;
-  double step = 0.0005;     // s
-  int steps_per_beat = 2;   // a beat is 1 ms
+  double step = 0.0005;    // s
+  int steps_per_beat = 2;  // a beat is 1 ms
   double world_cfm = 1e-9;
   double world_erp = 0.2;
   double pantograph_erp = 0.3;

@@ -1,9 +1,10 @@
 #pragma once
 // The state of a world as a plain value: what must be put back for a run to go on bit for bit.
 //
-// The engine's own part is exactly position, rotation (as quaternion and as matrix: the engine keeps both, and normalising one
-// anew would change bits), velocity and angular velocity of every body. Forces are cleared by each step, contacts are made anew
-// in each, joints hold no state that isn't in the bodies (measured: tests/runtime/sim/snapshot.cpp).
+// The engine's own part is exactly position, rotation (as quaternion and as matrix: the engine keeps both,
+// and normalising one anew would change bits), velocity and angular velocity of every body. Forces are
+// cleared by each step, contacts are made anew in each, joints hold no state that isn't in the bodies
+// (measured: tests/runtime/sim/snapshot.cpp).
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -26,8 +27,8 @@ struct body_state {
   std::array<double, 3> angular_velocity;
 };
 
-// Motors with what they remember: targets that were taken last, the feed-forward's former target, the cable; or the laws that
-// drives with loops of their own follow.
+// Motors with what they remember: targets that were taken last, the feed-forward's former target, the cable;
+// or the laws that drives with loops of their own follow.
 struct leg_motors {
   leg_command target;
   double former_hip_target = 0;
@@ -41,10 +42,10 @@ struct world_state {
   std::array<body_state, body_count> bodies;
   std::array<leg_motors, leg_count> motors{};
   robot_reading reading{};
-  vector3 push{};              // N on the trunk, until it is set anew
-  double positive_work = 0;    // J, mechanical work that the motors gave, braking not counted
-  double absolute_work = 0;    // J, the same with braking counted as spent
-  double pantograph_error = 0; // rad, the largest so far
+  vector3 push{};               // N on the trunk, until it is set anew
+  double positive_work = 0;     // J, mechanical work that the motors gave, braking not counted
+  double absolute_work = 0;     // J, the same with braking counted as spent
+  double pantograph_error = 0;  // rad, the largest so far
   std::int64_t beats = 0;
   std::int64_t commands = 0;        // that were given
   std::int64_t trunk_contacts = 0;  // physics steps with the trunk on the ground
@@ -52,9 +53,12 @@ struct world_state {
 };
 
 static_assert(std::is_trivially_copyable_v<world_state>);
-static_assert(sizeof(world_state) % sizeof(double) == 0, "eight-byte members only: no padding, so bytes are the value");
+static_assert(sizeof(world_state) % sizeof(double) == 0,
+              "eight-byte members only: no padding, so bytes are the value");
 
-inline bool same_bits(const world_state& a, const world_state& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool same_bits(const world_state& a, const world_state& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 // FNV-1a over all bytes.
 inline std::uint64_t hash(const world_state& s) {
@@ -75,7 +79,8 @@ inline body_state save_body(dBodyID body) {
 }
 
 inline void restore_body(dBodyID body, const body_state& s) {
-  dBodySetPosition(body, s.position[0], s.position[1], s.position[2]);  // also tells the body's geometry that it moved
+  dBodySetPosition(body, s.position[0], s.position[1],
+                   s.position[2]);  // also tells the body's geometry that it moved
   // dBodySetQuaternion would normalise: bits are written where the engine keeps them.
   std::memcpy(const_cast<dReal*>(dBodyGetQuaternion(body)), s.quaternion.data(), sizeof s.quaternion);
   std::memcpy(const_cast<dReal*>(dBodyGetRotation(body)), s.rotation.data(), sizeof s.rotation);

@@ -16,7 +16,7 @@ struct ground_strip {
 };
 
 class terrain {
- public:
+public:
   static terrain flat() { return terrain("flat", {{-reach, 0, 2 * reach, 0}}); }
 
   static terrain slope(double pitch, double start = 1.5) {
@@ -39,16 +39,16 @@ class terrain {
     double value = 0;
     try {
       if (colon != text.npos) value = std::stod(number, &read);
-    } catch (const std::exception&) {
-      read = number.size() + 1;
-    }
+    } catch (const std::exception&) { read = number.size() + 1; }
     if (read == number.size() && std::isfinite(value)) {
       if (name == "flat" && colon == text.npos) return flat();
-      if (name == "slope" && std::abs(value) <= 30) return slope((colon == text.npos ? 3.0 : value) * 0.017453292519943295);
+      if (name == "slope" && std::abs(value) <= 30)
+        return slope((colon == text.npos ? 3.0 : value) * 0.017453292519943295);
       if (name == "steps" && std::abs(value) <= 100) return steps(colon == text.npos ? 0.006 : value / 1000);
     }
-    throw std::invalid_argument("terrain '" + std::string(text) +
-                                "': expected flat, slope[:degrees, at most 30] or steps[:millimetres, at most 100]");
+    throw std::invalid_argument(
+        "terrain '" + std::string(text) +
+        "': expected flat, slope[:degrees, at most 30] or steps[:millimetres, at most 100]");
   }
 
   const std::string& name() const { return name_; }
@@ -72,10 +72,11 @@ class terrain {
     return top;
   }
 
- private:
+private:
   static constexpr double reach = 200;  // m; farther than anybody walks
 
-  terrain(std::string name, std::vector<ground_strip> strips) : name_(std::move(name)), strips_(std::move(strips)) {}
+  terrain(std::string name, std::vector<ground_strip> strips)
+      : name_(std::move(name)), strips_(std::move(strips)) {}
 
   std::string name_;
   std::vector<ground_strip> strips_;

@@ -1,11 +1,13 @@
 #pragma once
 // The simulated Oncilla on its terrain: commands in, one beat of physics, readings out.
 //
-// A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical, in one thread or in
-// two. `save` and `restore` do the same with a plain value, for worlds built from the same model, terrain and posture.
-// Nothing that is read from the world changes it, and nothing but `advance`, `push`, `restore` and assignment does.
+// A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical,
+// in one thread or in two. `save` and `restore` do the same with a plain value, for worlds built from the
+// same model, terrain and posture. Nothing that is read from the world changes it, and nothing but `advance`,
+// `push`, `restore` and assignment does.
 //
-// Cost: a beat (two physics steps) takes about 0.1 ms on a core of 2023 and allocates nothing once it has run for a while.
+// Cost: a beat (two physics steps) takes about 0.1 ms on a core of 2023 and allocates nothing once it has run
+// for a while.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,8 +31,10 @@
 namespace cca::sim {
 
 class world {
- public:
-  explicit world(const oncilla_model& model = {}, const terrain& ground_shape = terrain::flat(), const initial_posture& posture = {})
+public:
+  explicit world(const oncilla_model& model = {},
+                 const terrain& ground_shape = terrain::flat(),
+                 const initial_posture& posture = {})
       : model_(model), terrain_(ground_shape), posture_(posture), engine_(model_), ground_(model_, terrain_) {
     build();
   }
@@ -60,12 +64,15 @@ class world {
     for (std::size_t i = 0; i < leg_count; ++i) {
       leg_motors& motors = state_.motors[i];
       motors.by_law = 1;
-      for (const auto& [kept, wanted] : {std::pair(&motors.hip_law, &laws[i].hip), std::pair(&motors.knee_law, &laws[i].knee)})
-        if (std::isfinite(wanted->position + wanted->velocity + wanted->torque + wanted->stiffness + wanted->damping))
+      for (const auto& [kept, wanted] :
+           {std::pair(&motors.hip_law, &laws[i].hip), std::pair(&motors.knee_law, &laws[i].knee)})
+        if (std::isfinite(wanted->position + wanted->velocity + wanted->torque + wanted->stiffness +
+                          wanted->damping))
           *kept = *wanted;
       motors.target.hip = motors.hip_law.position;
       motors.target.knee = motors.knee_law.position;
-      if (std::isfinite(laws[i].abduction)) motors.target.abduction = model_.abduction_range.clamp(laws[i].abduction);
+      if (std::isfinite(laws[i].abduction))
+        motors.target.abduction = model_.abduction_range.clamp(laws[i].abduction);
     }
     finish_beat();
   }
@@ -146,11 +153,12 @@ class world {
 
   std::uint64_t hash() const { return sim::hash(save()); }
 
- private:
+private:
   void build() {
     double lowest = 0;
     for (const leg_posture& p : posture_.legs)
-      lowest = std::min(lowest, std::cos(p.abduction) * foot_in_plane(sim::foot_position(model_, {p.hip, p.knee})).z);
+      lowest = std::min(lowest,
+                        std::cos(p.abduction) * foot_in_plane(sim::foot_position(model_, {p.hip, p.knee})).z);
     const double hip_height = -lowest + model_.foot_radius + clearance;
 
     trunk_ = dBodyCreate(engine_.id());
@@ -158,7 +166,8 @@ class world {
     dMassSetBoxTotal(&box, model_.trunk_mass, model_.trunk_length, model_.trunk_width, model_.trunk_height);
     dBodySetMass(trunk_, &box);
     dBodySetPosition(trunk_, model_.trunk_forward_of_hips, 0, hip_height + model_.trunk_above_hips);
-    dBodySetLinearVel(trunk_, posture_.trunk_velocity[0], posture_.trunk_velocity[1], posture_.trunk_velocity[2]);
+    dBodySetLinearVel(trunk_, posture_.trunk_velocity[0], posture_.trunk_velocity[1],
+                      posture_.trunk_velocity[2]);
     trunk_shape_ = box_on(trunk_, model_.trunk_length, model_.trunk_width, model_.trunk_height);
 
     bodies_[0] = trunk_;
@@ -193,7 +202,8 @@ class world {
       take(target.hip, command[i].hip, model_.hip_range);
       take(target.knee, command[i].knee, model_.knee_range);
       take(target.abduction, command[i].abduction, model_.abduction_range);
-      take(target.hip_stiffness, command[i].hip_stiffness < 0 ? target.hip_stiffness : command[i].hip_stiffness,
+      take(target.hip_stiffness,
+           command[i].hip_stiffness < 0 ? target.hip_stiffness : command[i].hip_stiffness,
            {0, model_.stiffest_hip});
       const interval believable{-model_.hip_feed_forward_speed, model_.hip_feed_forward_speed};
       motors.by_law = 0;
@@ -224,7 +234,8 @@ class world {
         leg_of[touching] = i;
         dJointSetFeedback(contact, &feedback[touching++]);
       });
-    for (const auto& knee : knees_) ground_.touch(engine_, knee.get(), [&](dJointID) { ++state_.knee_contacts; });
+    for (const auto& knee : knees_)
+      ground_.touch(engine_, knee.get(), [&](dJointID) { ++state_.knee_contacts; });
     bool trunk_down = false;
     ground_.touch(engine_, trunk_shape_.get(), [&](dJointID) { trunk_down = true; });
     state_.trunk_contacts += trunk_down;

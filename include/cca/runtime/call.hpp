@@ -1,4 +1,4 @@
-// The turn of one function in a beat: whether it fires, what it sees, the call; what it publishes is in
+// The call of one function in a beat: whether it fires, what it sees, the call; what it publishes is in
 // runtime/publish.hpp.
 #pragma once
 
@@ -13,7 +13,8 @@ namespace cca::detail {
 template <class Graph, int Input, class Parameter>
 struct argument {
   template <int Position, class Places>
-  CCA_GLUE static Parameter get(const memory<Graph>&, const Places& places, std::int64_t k, std::int64_t last, beat) {
+  CCA_GLUE static Parameter get(
+      const memory<Graph>&, const Places& places, std::int64_t k, std::int64_t last, beat) {
     return filled(input_in<Position>(places), k, last);
   }
   CCA_GLUE static Parameter filled(const input_seat<Graph, Input>& seat, std::int64_t k, std::int64_t last) {
@@ -25,12 +26,15 @@ struct argument {
 template <class Graph, int Input>
 struct argument<Graph, Input, beat> {
   template <int, class Places>
-  CCA_GLUE static beat get(const memory<Graph>&, const Places&, std::int64_t, std::int64_t, beat now) { return now; }
+  CCA_GLUE static beat get(const memory<Graph>&, const Places&, std::int64_t, std::int64_t, beat now) {
+    return now;
+  }
 };
 template <class Graph, int Input, fixed_string Scope, class Policy>
 struct argument<Graph, Input, observe<Scope, Policy>> {
   template <int, class Places>
-  CCA_GLUE static observations<Graph, Input> get(const memory<Graph>& m, const Places&, std::int64_t k, std::int64_t last, beat) {
+  CCA_GLUE static observations<Graph, Input> get(
+      const memory<Graph>& m, const Places&, std::int64_t k, std::int64_t last, beat) {
     return {m, k, last};
   }
 };
@@ -40,7 +44,8 @@ inline constexpr bool counts_for_origin = input_of<Graph, Input>.writer >= 0 && 
 
 // Its sample has surely arrived when the component fires, so that its origin is not `never`.
 template <class Graph, int Input>
-inline constexpr bool surely_arrived = counts_for_origin<Graph, Input> && input_of<Graph, Input>.in_beat && delay_of_input<Graph, Input> == 0;
+inline constexpr bool surely_arrived =
+    counts_for_origin<Graph, Input> && input_of<Graph, Input>.in_beat && delay_of_input<Graph, Input> == 0;
 
 template <class Graph, int... Input>
 constexpr int first_sure(std::integer_sequence<int, Input...>) {
@@ -49,7 +54,7 @@ constexpr int first_sure(std::integer_sequence<int, Input...>) {
   return first;
 }
 
-// Queues show what was taken. An input that does not count leaves the oldest as it is.
+// Queues show what was taken. An input that does not count nodes the oldest as it is.
 template <class Graph, int Input, bool IsFirst>
 CCA_GLUE void add_origin(std::int64_t& oldest, const input_seat<Graph, Input>& seat, std::int64_t k) {
   if constexpr (surely_arrived<Graph, Input>) {
@@ -62,31 +67,36 @@ CCA_GLUE void add_origin(std::int64_t& oldest, const input_seat<Graph, Input>& s
   }
 }
 
-// The oldest origin among the inputs as they were; `never` where none counts. Where it is settled at compile time
-// that a sample has arrived nothing is asked at run time: in a chain each question would depend on the one before.
+// The oldest origin among the inputs as they were; `never` where none counts. Where it is settled at compile
+// time that a sample has arrived nothing is asked at run time: in a chain each question would depend on the
+// one before.
 template <class Graph, class Places, int... Input, int... Position>
-CCA_GLUE std::int64_t oldest_wired([[maybe_unused]] const Places& places, [[maybe_unused]] std::int64_t k,
-                                      std::integer_sequence<int, Input...>, std::integer_sequence<int, Position...>) {
+CCA_GLUE std::int64_t oldest_wired([[maybe_unused]] const Places& places,
+                                   [[maybe_unused]] std::int64_t k,
+                                   std::integer_sequence<int, Input...>,
+                                   std::integer_sequence<int, Position...>) {
   constexpr int first = first_sure<Graph>(std::integer_sequence<int, Input...>{});
   std::int64_t oldest = never;
   ((Position == first ? add_origin<Graph, Input, true>(oldest, input_in<Position>(places), k) : void()), ...);
-  ((Position == first ? void() : add_origin<Graph, Input, false>(oldest, input_in<Position>(places), k)), ...);
+  ((Position == first ? void() : add_origin<Graph, Input, false>(oldest, input_in<Position>(places), k)),
+   ...);
   return oldest;
 }
 
 // The same where observers listen too.
-template <class Graph, int Turn>
+template <class Graph, int Call>
 CCA_GLUE std::int64_t oldest_heard(const memory<Graph>& m, std::int64_t k, std::int64_t oldest) {
-  for_each_observed<Graph, Turn>([&]<int Link>() {
-    if constexpr (plan_of<Graph>.links[Link].counts) oldest = older(oldest, observe_one<Graph, Link>(m, k).origin);
+  for_each_observed<Graph, Call>([&]<int Link>() {
+    if constexpr (plan_of<Graph>.links[Link].counts)
+      oldest = older(oldest, observe_one<Graph, Link>(m, k).origin);
   });
   return oldest;
 }
 
 // Does a function have an input with a queue?
 template <class Graph>
-constexpr bool has_queue(const turn& t) {
-  for (int i = t.first_input; i < t.first_input + t.half->input_count; ++i)
+constexpr bool has_queue(const call& t) {
+  for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
     if (is_queued(plan_of<Graph>.inputs[static_cast<std::size_t>(i)])) return true;
   return false;
 }
@@ -99,43 +109,49 @@ CCA_GLUE constexpr std::int64_t beats_since(std::int64_t k) {
 }
 
 // One function of a component, for all that are alike.
-template <class Graph, int Turn, class Parameters>
+template <class Graph, int Call, class Parameters>
 struct function_in_beat;
-template <class Graph, int Turn, class... Parameters>
-struct function_in_beat<Graph, Turn, list<Parameters...>> {
-  static constexpr const auto& t = turn_of<Graph, Turn>;
+template <class Graph, int Call, class... Parameters>
+struct function_in_beat<Graph, Call, list<Parameters...>> {
+  static constexpr const auto& t = call_of<Graph, Call>;
   static constexpr std::int64_t period = counts_of<Graph>.period;
-  using leaf_facts = leaf_of<Graph, t.leaf>;
-  using component = typename leaf_facts::component;
+  using types = node_types<Graph, t.node>;
+  using component = typename types::component;
   using function = function_facts<typename function_of<component, t.phase>::type>;
-  using facts = half_facts<list<Parameters...>, list<>>;
+  using facts = port_facts<list<Parameters...>, list<>>;
   using all_parameters = std::make_integer_sequence<int, sizeof...(Parameters)>;
-  using all_inputs = input_positions<Graph, Turn>;
+  using all_inputs = input_positions<Graph, Call>;
 
   memory<Graph>& m;
-  course& on;
+  beat_outcome& on;
   std::int64_t k;
-  int leaf;
-  seats<Graph, Turn> places;
+  int node;
+  seats<Graph, Call> places;
 
-  CCA_GLUE static void take_turn(memory<Graph>& m, [[maybe_unused]] locals<Graph>& l, course& on, std::int64_t k, const turn_place& of) {
+  CCA_GLUE static void take_turn(memory<Graph>& m,
+                                 [[maybe_unused]] locals<Graph>& l,
+                                 beat_outcome& on,
+                                 std::int64_t k,
+                                 const call_place& of) {
     if constexpr (!t.fires.never()) {
-      auto& self = cells_at<Graph, layout_of<Graph>.cells[t.leaf].group>(m).at(of.component);
-      const function_in_beat one{m, on, k, of.leaf, {m, l, of}};
+      auto& self = cells_at<Graph, layout_of<Graph>.cells[t.node].group>(m).at(of.component);
+      const function_in_beat one{m, on, k, of.node, {m, l, of}};
       if constexpr (t.fires.dynamic()) {
         one.ask(self, m.firings[of.firing]);
       } else {
-        constexpr bool is_timed = plan_of<Graph>.leaves[t.leaf].item->strategy->kind == strategy_kind::timed;
+        constexpr bool is_timed = plan_of<Graph>.nodes[t.node].item->strategy->kind == strategy_kind::timed;
         if constexpr (!t.fires.every_beat())
           if (!ticks<t.fires>(k)) return;
-        one.fire(self, {k, period, beats_since<t.fires, is_timed>(k)}, k == t.fires.first ? -1 : k - t.fires.period);
+        one.fire(self, {k, period, beats_since<t.fires, is_timed>(k)},
+                 k == t.fires.first ? -1 : k - t.fires.period);
       }
     }
   }
 
   CCA_GLUE void ask(component& self, last_firing& own) const {
-    using strategy = typename strategy_or_default<typename leaf_facts::strategy, (t.half->input_count > 0)>::type;
-    if (!asking<strategy>::template fires<Graph, Turn>(question<Graph, Turn>{m, places, k, own})) return;
+    using strategy =
+        typename strategy_or_default<typename types::strategy, (t.function->input_count > 0)>::type;
+    if (!asking<strategy>::template fires<Graph, Call>(question<Graph, Call>{m, places, k, own})) return;
     if constexpr (t.stored_seen) own.oldest = oldest_seen(all_inputs{});
     const std::int64_t last = own.last;
     own.last = k;
@@ -151,16 +167,18 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
       if constexpr (has_queue<Graph>(t)) take_all(all_inputs{});
       std::int64_t oldest = k * period;
       if constexpr (t.phase != phase_of_beat::sense) {
-        oldest = oldest_wired<Graph>(places, k, inputs_like<Graph, Turn>{}, all_inputs{});
-        if constexpr (has_observers(t)) oldest = oldest_heard<Graph, Turn>(m, k, oldest);
-        if constexpr (first_sure<Graph>(inputs_like<Graph, Turn>{}) < 0)
+        oldest = oldest_wired<Graph>(places, k, inputs_like<Graph, Call>{}, all_inputs{});
+        if constexpr (has_observers(t)) oldest = oldest_heard<Graph, Call>(m, k, oldest);
+        if constexpr (first_sure<Graph>(inputs_like<Graph, Call>{}) < 0)
           if (oldest == never) oldest = k * period;
       }
-      publish_all<Graph, outputs_like<Graph, Turn>>(result, places, m, on, k, oldest, leaf, typename function::results{});
+      publish_all<Graph, outputs_like<Graph, Call>>(result, places, m, on, k, oldest, node,
+                                                    typename function::results{});
     }
   }
 
-  // The number of an input that a parameter shows: an observer's own, else the first that is alike; of a beat, any.
+  // The number of an input that a parameter shows: an observer's own, else the first that is alike; of a
+  // beat, any.
   static constexpr int input_shown(int parameter) {
     const int position = facts::input_of_parameter[static_cast<std::size_t>(parameter)];
     return position < 0 ? -1 : layout_of<Graph>.like_input[t.first_input + position];
@@ -168,18 +186,27 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
 
   // The arguments are made in place: a function in between would copy them.
   template <int... I>
-  CCA_GLUE typename function::result call(component& self, beat now, std::int64_t last, std::integer_sequence<int, I...>) const {
+  CCA_GLUE typename function::result call(component& self,
+                                          beat now,
+                                          std::int64_t last,
+                                          std::integer_sequence<int, I...>) const {
     if constexpr (t.phase == phase_of_beat::process)
-      CCA_INLINE_CALL return self.process(argument<Graph, input_shown(I), Parameters>::template get<facts::input_of_parameter[I]>(m, places, k, last, now)...);
+      CCA_INLINE_CALL return self.process(
+          argument<Graph, input_shown(I), Parameters>::template get<facts::input_of_parameter[I]>(
+              m, places, k, last, now)...);
     else if constexpr (t.phase == phase_of_beat::sense)
-      CCA_INLINE_CALL return self.sense(argument<Graph, input_shown(I), Parameters>::template get<facts::input_of_parameter[I]>(m, places, k, last, now)...);
+      CCA_INLINE_CALL return self.sense(
+          argument<Graph, input_shown(I), Parameters>::template get<facts::input_of_parameter[I]>(
+              m, places, k, last, now)...);
     else
-      CCA_INLINE_CALL return self.act(argument<Graph, input_shown(I), Parameters>::template get<facts::input_of_parameter[I]>(m, places, k, last, now)...);
+      CCA_INLINE_CALL return self.act(
+          argument<Graph, input_shown(I), Parameters>::template get<facts::input_of_parameter[I]>(
+              m, places, k, last, now)...);
   }
 
   template <int... Position>
   CCA_GLUE void take_all(std::integer_sequence<int, Position...>) const {
-    (take_one<input_like<Graph, Turn, Position>>(input_in<Position>(places)), ...);
+    (take_one<input_like<Graph, Call, Position>>(input_in<Position>(places)), ...);
   }
   template <int Input>
   CCA_GLUE static void take_one(const input_seat<Graph, Input>& seat) {
@@ -190,7 +217,7 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
   template <int... Position>
   CCA_GLUE std::int64_t oldest_seen(std::integer_sequence<int, Position...>) const {
     std::int64_t oldest = std::numeric_limits<std::int64_t>::max();
-    (see<input_like<Graph, Turn, Position>>(oldest, input_in<Position>(places)), ...);
+    (see<input_like<Graph, Call, Position>>(oldest, input_in<Position>(places)), ...);
     return oldest;
   }
   template <int Input>
@@ -202,7 +229,11 @@ struct function_in_beat<Graph, Turn, list<Parameters...>> {
   }
 };
 
-template <class Graph, int Turn>
-using function_like = function_in_beat<Graph, Turn, typename function_facts<typename function_of<typename leaf_of<Graph, turn_of<Graph, Turn>.leaf>::component, turn_of<Graph, Turn>.phase>::type>::parameters>;
+template <class Graph, int Call>
+using function_like = function_in_beat<Graph,
+                                       Call,
+                                       typename function_facts<typename function_of<
+                                           typename node_types<Graph, call_of<Graph, Call>.node>::component,
+                                           call_of<Graph, Call>.phase>::type>::parameters>;
 
 }  // namespace cca::detail

@@ -26,7 +26,8 @@ struct text_of {
   constexpr text_of& operator<<(std::int64_t number) {
     std::array<char, 20> digits{};
     std::size_t n = 0;
-    std::uint64_t rest = number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+    std::uint64_t rest =
+        number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
     do digits[n++] = static_cast<char>('0' + rest % 10);
     while ((rest /= 10) != 0);
     if (number < 0) put('-');
@@ -41,7 +42,8 @@ struct text_of {
     *this << thousandths / 1000;
     if (const auto rest = thousandths % 1000; rest != 0) {
       *this << ".";
-      for (std::int64_t place = 100, left = rest; left != 0; left %= place, place /= 10) *this << left / place;
+      for (std::int64_t place = 100, left = rest; left != 0; left %= place, place /= 10)
+        *this << left / place;
     }
     return *this;
   }

@@ -1,4 +1,5 @@
-// The name of a type as the user wrote it, for messages and pictures: `leg_angles`, `cartesian_position<hip_frame>`.
+// The name of a type as the user wrote it, for messages and pictures: `leg_angles`,
+// `cartesian_position<hip_frame>`.
 #pragma once
 
 #include <array>
@@ -51,14 +52,16 @@ struct tidy_name {
   }
   constexpr std::string_view view() const { return {letters.data(), size}; }
 
- private:
+private:
   // Brackets belong to it, with all that is in them.
   constexpr std::size_t start_of_last_word() const {
     std::size_t at = size;
     for (int depth = 0; at > 0; --at) {
       const char c = letters[at - 1];
       if (c == '>' || c == ')' || c == '}') ++depth;
-      else if (depth == 0 && (c == '<' || c == '(' || c == '{' || c == ',' || c == ' ' || c == '&' || c == '*')) break;
+      else if (depth == 0 &&
+               (c == '<' || c == '(' || c == '{' || c == ',' || c == ' ' || c == '&' || c == '*'))
+        break;
       else if (c == '<' || c == '(' || c == '{') --depth;
     }
     return at;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include <cca/space/fixed_string.hpp>
+#include <cca/base/fixed_string.hpp>
 
 namespace cca::detail {
 

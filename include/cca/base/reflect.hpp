@@ -17,10 +17,10 @@
 
 namespace cca::detail {
 
-template <class Type>
-concept Reflected = boost::hana::Struct<Type>::value;
+template <class Type> concept Reflected = boost::hana::Struct<Type>::value;
 
-// A copy: Hana's own text isn't `inline`, and g++ 12 with the address sanitizer can't link inline data that points to it.
+// A copy: Hana's own text isn't `inline`, and g++ 12 with the address sanitizer can't link inline data that
+// points to it.
 template <class Name>
 inline constexpr auto field_name = [] {
   constexpr std::string_view name = Name::c_str();

@@ -8,7 +8,8 @@
 
 namespace cca::detail {
 
-// Number of letters to insert, remove, replace or swap with their neighbour. Long names are compared by their first part.
+// Number of letters to insert, remove, replace or swap with their neighbour. Long names are compared by their
+// first part.
 constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
   constexpr std::size_t longest = 48;
   a = a.substr(0, longest);
@@ -21,7 +22,8 @@ constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return rows[a.size() % 3][b.size()];

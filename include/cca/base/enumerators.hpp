@@ -1,5 +1,5 @@
-// The names of an enumeration, read from the compiler's own spelling, so that a file can say `terrain = "slope"`.
-// Enumerators of value 0 to 31, of an `enum class` or an enum with a fixed underlying type.
+// The names of an enumeration, read from the compiler's own spelling, so that a file can say `terrain =
+// "slope"`. Enumerators of value 0 to 31, of an `enum class` or an enum with a fixed underlying type.
 #pragma once
 
 #include <array>
@@ -13,8 +13,7 @@ namespace cca::detail {
 inline constexpr std::size_t enumerators_seen = 32;
 
 // A cast to an enum without fixed underlying type may be out of its range, which ends constant evaluation.
-template <class Type>
-concept NameableEnum = std::is_enum_v<Type> && requires { Type{0}; };
+template <class Type> concept NameableEnum = std::is_enum_v<Type> && requires { Type{0}; };
 
 template <class Enum, Enum... Values>
 constexpr std::string_view spelled_values() {

@@ -4,7 +4,8 @@
 #include <stdexcept>
 
 #ifndef __cpp_exceptions
-#error "cca: parameters and files that are refused are thrown, between beats and never within one: compile without -fno-exceptions"
+#error \
+    "cca: parameters and files that are refused are thrown, between beats and never within one: compile without -fno-exceptions"
 #endif
 
 namespace cca {

@@ -24,10 +24,13 @@ namespace detail {
 // FNV-1a. The hash of a path goes on where that of its scope ended, so nested paths need no strings.
 constexpr std::uint64_t hash(std::string_view text, std::uint64_t seed = 14695981039346656037ull) {
   const char* letter = text.data();
-  for (const char* end = letter + text.size(); letter != end; ++letter) seed = (seed ^ static_cast<unsigned char>(*letter)) * 1099511628211ull;
+  for (const char* end = letter + text.size(); letter != end; ++letter)
+    seed = (seed ^ static_cast<unsigned char>(*letter)) * 1099511628211ull;
   return seed;
 }
-constexpr std::uint64_t after_dot(std::uint64_t seed) { return (seed ^ static_cast<unsigned char>('.')) * 1099511628211ull; }
+constexpr std::uint64_t after_dot(std::uint64_t seed) {
+  return (seed ^ static_cast<unsigned char>('.')) * 1099511628211ull;
+}
 
 }  // namespace detail
 }  // namespace cca

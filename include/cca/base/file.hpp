@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include <cca/component/refused.hpp>
+#include <cca/base/refused.hpp>
 
 namespace cca::detail {
 
@@ -23,7 +23,8 @@ using open_file = std::unique_ptr<std::FILE, close_file>;
   std::error_code failed;
   const auto here = std::filesystem::current_path(failed).string();
   const bool relative = std::filesystem::path(file).is_relative();
-  throw refused(file + ": " + std::string(what) + ": " + std::strerror(error) + (relative ? " (looked in " + here + ")" : ""));
+  throw refused(file + ": " + std::string(what) + ": " + std::strerror(error) +
+                (relative ? " (looked in " + here + ")" : ""));
 }
 
 inline std::string read_file(const std::string& file) {
@@ -46,7 +47,8 @@ inline void write_file(const std::string& file, std::string_view text) {
   const std::string fresh = special ? target : target + ".new";
   open_file out(std::fopen(fresh.c_str(), "wb"));
   if (!out) refuse_file(file, "cannot be written", errno);
-  bool done = std::fwrite(text.data(), 1, text.size(), out.get()) == text.size() && std::fflush(out.get()) == 0;
+  bool done =
+      std::fwrite(text.data(), 1, text.size(), out.get()) == text.size() && std::fflush(out.get()) == 0;
   int failure = errno;
   done = std::fclose(out.release()) == 0 && done;
   if (done && !special && std::rename(fresh.c_str(), target.c_str()) != 0) {
