@@ -39,7 +39,7 @@ struct function_of<Type, phase_of_beat::act> {
 };
 
 template <class Type, phase_of_beat Phase>
-using function_of_component = ports_of_function<typename function_of<Type, Phase>::type>;
+using ports_of_component = ports_of_function<typename function_of<Type, Phase>::type>;
 
 // Equal for equal types, and else only by an accident of spelling, size and hash.
 template <class Type>
@@ -81,12 +81,12 @@ inline constexpr component_info component_of = [] {
   info.key = type_key<Type>;
   info.is_const = std::is_const_v<Type>;
   if constexpr (HasProcess<Type>) {
-    info.process = &function_of_component<Type, phase_of_beat::process>::value;
+    info.process = &ports_of_component<Type, phase_of_beat::process>::value;
     info.also_sense = HasSense<Type>;
     info.also_act = HasAct<Type>;
   } else {
-    if constexpr (HasSense<Type>) info.sense = &function_of_component<Type, phase_of_beat::sense>::value;
-    if constexpr (HasAct<Type>) info.act = &function_of_component<Type, phase_of_beat::act>::value;
+    if constexpr (HasSense<Type>) info.sense = &ports_of_component<Type, phase_of_beat::sense>::value;
+    if constexpr (HasAct<Type>) info.act = &ports_of_component<Type, phase_of_beat::act>::value;
   }
   info.bad_hook = bad_hook<Type>();
   info.bad_field = bad_field_of<Type>.name;

@@ -144,10 +144,10 @@ struct function_info {
 };
 
 template <class Parameters, class Results>
-struct port_facts;
+struct function_ports;
 
 template <class... Parameters, class... Results>
-struct port_facts<list<Parameters...>, list<Results...>> {
+struct function_ports<list<Parameters...>, list<Results...>> {
   static constexpr int input_count = ((parameter_facts<Parameters>::kind == parameter_kind::input) + ... + 0);
   static constexpr int output_count = ((result_facts<Results>::kind == result_kind::output) + ... + 0);
 
@@ -202,6 +202,6 @@ struct port_facts<list<Parameters...>, list<Results...>> {
 
 template <class Function>
 using ports_of_function =
-    port_facts<typename function_facts<Function>::parameters, typename function_facts<Function>::results>;
+    function_ports<typename function_facts<Function>::parameters, typename function_facts<Function>::results>;
 
 }  // namespace cca::detail

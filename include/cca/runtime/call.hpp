@@ -118,7 +118,7 @@ struct function_in_beat<Graph, Call, list<Parameters...>> {
   using types = node_types<Graph, t.node>;
   using component = typename types::component;
   using function = function_facts<typename function_of<component, t.phase>::type>;
-  using facts = port_facts<list<Parameters...>, list<>>;
+  using facts = function_ports<list<Parameters...>, list<>>;
   using all_parameters = std::make_integer_sequence<int, sizeof...(Parameters)>;
   using all_inputs = input_positions<Graph, Call>;
 

@@ -125,7 +125,7 @@ private:
       check_input<path_of_node<Graph, call_of<Graph, Call>.node>(),
                   typename node_types<Graph, call_of<Graph, Call>.node>::component, Name, false>();
     constexpr int parameter = [] {
-      const auto& positions = port_facts<list<Parameters...>, list<>>::input_of_parameter;
+      const auto& positions = function_ports<list<Parameters...>, list<>>::input_of_parameter;
       for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
         if (positions[i] == position) return static_cast<int>(i);
       return 0;

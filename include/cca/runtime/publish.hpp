@@ -149,8 +149,8 @@ CCA_GLUE void publish_all(const std::tuple<Results...>& results,
                           std::int64_t oldest,
                           int node,
                           list<Results...>) {
-  publish_each<Graph, Outputs, port_facts<list<>, list<Results...>>>(results, places, m, on, k, oldest, node,
-                                                                     std::index_sequence_for<Results...>{});
+  publish_each<Graph, Outputs, function_ports<list<>, list<Results...>>>(
+      results, places, m, on, k, oldest, node, std::index_sequence_for<Results...>{});
 }
 
 }  // namespace cca::detail

@@ -11,7 +11,7 @@
 namespace cca::detail {
 
 template <class Component>
-constexpr bool function_may_fault = half_of_component<Component, phase_of_beat::process>::value.may_fault;
+constexpr bool function_may_fault = ports_of_component<Component, phase_of_beat::process>::value.may_fault;
 
 template <class Port>
 constexpr bool goes_through = !std::is_void_v<typename passage_of<Port>::type>;
