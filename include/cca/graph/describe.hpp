@@ -11,7 +11,7 @@
 #include <string>
 
 #include <cca/graph/paths.hpp>
-#include <cca/graph/types.hpp>
+#include <cca/graph/plan/types.hpp>
 
 namespace cca {
 namespace detail {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include <cca/graph/message.hpp>
-#include <cca/graph/types.hpp>
+#include <cca/graph/plan/types.hpp>
 
 namespace cca {
 

@@ -1,7 +1,7 @@
 // Components and inner graphs by path.
 #pragma once
 
-#include <cca/graph/types.hpp>
+#include <cca/graph/plan/types.hpp>
 
 namespace cca::detail {
 

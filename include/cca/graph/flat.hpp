@@ -46,21 +46,20 @@ struct input {
   int next_of_writer = -1;   // the next input of the same output
   bool wired = false;        // by a wire or shown outside
   bool counts = true;        // for the time of origin
-  bool is_kept = false;      // read from where it is kept beyond the beat
   bool in_beat = false;      // surely published in the beat of the reader's firing
-  bool is_last = false;      // no later function of the beat reads the local that it reads
-  bool own_initial = false;  // its initial value is not that of the kept sample
+  bool own_initial = false;  // its initial value differs from that of the stored sample
   int queue = -1;            // number of its queue
 };
+
+// How a sample is stored; decided in graph/plan/storage.hpp. A queue is an input's own.
+enum class storage_kind : std::uint8_t { none, of_beat, newest, past, queue };
 
 struct output {
   int call = 0, port = 0;
   int first_reader = -1;
   bool watched = false;  // an `observe` of the graph listens to it
-  bool kept = false;     // some later beat reads it: a member; else a local of the beat
-  bool stamped = false;  // the beat of its publication is kept too
-  bool local = false;    // some input reads it in the same beat
-  int ring = 0;          // samples of the past that delayed readers need; 0: none
+  storage_kind storage = storage_kind::none;
+  int depth = 0;  // of the past
   ref<item_info> initial_of = nullptr;
 };
 
@@ -88,7 +87,6 @@ struct flat_view {
   double hz = 0;
   std::int64_t period = 0;   // nanoseconds a beat
   int calls_in_part = 0;     // graph/parts.hpp
-  bool ends_locals = false;  // graph/parts.hpp
   bool may_fault = false;
   verdict found{};
 };

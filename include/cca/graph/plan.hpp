@@ -6,7 +6,7 @@
 #include <cca/graph/coordination.hpp>
 #include <cca/graph/flatten.hpp>
 #include <cca/graph/latency.hpp>
-#include <cca/graph/memory.hpp>
+#include <cca/graph/plan/storage.hpp>
 #include <cca/graph/wiring.hpp>
 
 namespace cca::detail {
@@ -81,10 +81,7 @@ inline constexpr flat_of<Graph> clocked_of = then<Graph>(ordered_of<Graph>, [](f
 template <class Graph>
 inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
   g.calls_in_part = calls_in_part<Graph>;
-  g.ends_locals = simplified_once<Graph>;
-  remembering memory{g};
-  memory.run();
-  coordinating origins{memory.g};
+  coordinating origins{choose_storage(find_feedback(g))};
   origins.run();
   actuation commands{origins.g};
   commands.run();

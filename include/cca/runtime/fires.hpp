@@ -10,7 +10,7 @@
 namespace cca::detail {
 
 template <clock Clock>
-CCA_GLUE constexpr bool ticks(std::int64_t k) {
+CCA_INLINE constexpr bool ticks(std::int64_t k) {
   if constexpr (Clock.never()) return false;
   else if constexpr (Clock.every_beat()) return true;
   else if constexpr (Clock.period == 1) return k >= Clock.first;
@@ -23,58 +23,57 @@ CCA_GLUE constexpr bool ticks(std::int64_t k) {
 // The state of a function whose clock is known only at run time, when its strategy is asked.
 template <class Graph, int Call>
 struct question {
-  const memory<Graph>& m;
-  const seats<Graph, Call>& places;
-  std::int64_t k;
+  const beat_context<Graph>& b;
+  const call_place& at;
   const last_firing& self;
 
   template <int Position>
-  CCA_GLUE bool fresh() const {
-    constexpr int input = input_like<Graph, Call, Position>;
+  CCA_INLINE bool fresh() const {
+    constexpr int input = input_at<Graph, Call, Position>;
     if constexpr (is_wired<Graph, input>)
-      return is_fresh<Graph, input>(input_in<Position>(places), k, self.last);
+      return input_reader<Graph, input>::is_fresh(b, index_of_source<Graph>(at, Position), self.last);
     else return false;
   }
   template <int... Position>
-  CCA_GLUE bool any_fresh(std::integer_sequence<int, Position...>) const {
+  CCA_INLINE bool any_fresh(std::integer_sequence<int, Position...>) const {
     return (fresh<Position>() || ... || any_observed());
   }
   template <int... Position>
-  CCA_GLUE bool all_fresh(std::integer_sequence<int, Position...>) const {
-    return ((!is_wired<Graph, input_like<Graph, Call, Position>> || fresh<Position>()) && ... &&
+  CCA_INLINE bool all_fresh(std::integer_sequence<int, Position...>) const {
+    return ((!is_wired<Graph, input_at<Graph, Call, Position>> || fresh<Position>()) && ... &&
             (!has_observers(call_of<Graph, Call>) || any_observed()));
   }
 
   // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
   template <int... Position>
-  CCA_GLUE bool together(std::integer_sequence<int, Position...>) const {
+  CCA_INLINE bool together(std::integer_sequence<int, Position...>) const {
     std::int64_t common = never;
     bool all = true;
     (join<Position>(common, all), ...);
     return all && common > self.oldest;
   }
   template <int Position>
-  CCA_GLUE void join(std::int64_t& common, bool& all) const {
-    constexpr int input = input_like<Graph, Call, Position>;
+  CCA_INLINE void join(std::int64_t& common, bool& all) const {
+    constexpr int input = input_at<Graph, Call, Position>;
     if constexpr (is_wired<Graph, input>) {
-      const auto origin = origin_of<Graph, input>(input_in<Position>(places), k);
+      const auto origin = input_reader<Graph, input>::origin(b, index_of_source<Graph>(at, Position));
       if (common == never) common = origin;
       all = all && origin != never && origin == common;
     }
   }
 
   // Does an observer of this function listen to something fresh?
-  CCA_GLUE bool any_observed() const {
+  CCA_INLINE bool any_observed() const {
     bool any = false;
     if constexpr (has_observers(call_of<Graph, Call>))
       for_each_observed<Graph, Call>(
-          [&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
+          [&]<int Link>() { any = any || observed_output<Graph, Link>::arrived(b) > self.last; });
     return any;
   }
 };
 
 template <class Graph, int Call>
-CCA_GLUE beat beat_of(std::int64_t k, const last_firing& self) {
+CCA_INLINE beat beat_of(std::int64_t k, const last_firing& self) {
   return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
 }
 
@@ -131,33 +130,32 @@ private:
       return 0;
     }();
     constexpr int input = position < 0 ? 0 : position;  // the message says the rest
-    std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>> port{to_be_filled{}};
-    fill_port<Graph, input_like<Graph, Call, input>>(port, input_in<input>(asked.places), asked.k,
-                                                     asked.self.last);
-    return port;
+    using port = std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>>;
+    return input_reader<Graph, input_at<Graph, Call, input>>::template port<port>(
+        asked.b, index_of_source<Graph>(asked.at, input), asked.self.last);
   }
 };
 
 template <class Strategy>
 struct asking {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
-    return Strategy{}.fires(beat_of<Graph, Call>(q.k, q.self), inputs_view<Graph, Call>{q});
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
+    return Strategy{}.fires(beat_of<Graph, Call>(q.b.k, q.self), inputs_view<Graph, Call>{q});
   }
 };
 
 template <std::int64_t N, std::int64_t Phase>
 struct asking<timed<N, Phase>> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
-    return ticks<clock_of_strategy(strategy_of<timed<N, Phase>>)>(q.k);
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
+    return ticks<clock_of_strategy(strategy_of<timed<N, Phase>>)>(q.b.k);
   }
 };
 
 template <>
 struct asking<full_speed> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>&) {
+  CCA_INLINE static bool fires(const question<Graph, Call>&) {
     return true;
   }
 };
@@ -165,7 +163,7 @@ struct asking<full_speed> {
 template <>
 struct asking<inactive> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>&) {
+  CCA_INLINE static bool fires(const question<Graph, Call>&) {
     return false;
   }
 };
@@ -173,7 +171,7 @@ struct asking<inactive> {
 template <>
 struct asking<restless> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
     return q.any_fresh(input_positions<Graph, Call>{});
   }
 };
@@ -181,7 +179,7 @@ struct asking<restless> {
 template <>
 struct asking<moderate> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
     return q.all_fresh(input_positions<Graph, Call>{});
   }
 };
@@ -189,11 +187,11 @@ struct asking<moderate> {
 template <fixed_string... Names>
 struct asking<port_triggered<Names...>> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
     return any_named(q, input_positions<Graph, Call>{});
   }
   template <class Graph, int Call, int... Position>
-  CCA_GLUE static bool any_named(const question<Graph, Call>& q, std::integer_sequence<int, Position...>) {
+  CCA_INLINE static bool any_named(const question<Graph, Call>& q, std::integer_sequence<int, Position...>) {
     return (
         (is_named(call_of<Graph, Call>.function->inputs[Position].name) && q.template fresh<Position>()) ||
         ...);
@@ -204,15 +202,15 @@ struct asking<port_triggered<Names...>> {
 template <std::int64_t N>
 struct asking<timeout<N>> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
-    return q.k - (q.self.last < 0 ? 0 : q.self.last) >= N;
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
+    return q.b.k - (q.self.last < 0 ? 0 : q.self.last) >= N;
   }
 };
 
 template <>
 struct asking<coordinated> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
     return q.together(input_positions<Graph, Call>{});
   }
 };
@@ -220,7 +218,7 @@ struct asking<coordinated> {
 template <class... Strategies>
 struct asking<any_of<Strategies...>> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
     return (asking<Strategies>::template fires<Graph, Call>(q) || ...);
   }
 };
@@ -228,7 +226,7 @@ struct asking<any_of<Strategies...>> {
 template <class... Strategies>
 struct asking<all_of<Strategies...>> {
   template <class Graph, int Call>
-  CCA_GLUE static bool fires(const question<Graph, Call>& q) {
+  CCA_INLINE static bool fires(const question<Graph, Call>& q) {
     return (asking<Strategies>::template fires<Graph, Call>(q) && ...);
   }
 };

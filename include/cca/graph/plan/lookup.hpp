@@ -1,7 +1,7 @@
 // Entries of the plan as constants, by number.
 #pragma once
 
-#include <cca/graph/types.hpp>
+#include <cca/graph/plan/types.hpp>
 
 namespace cca::detail {
 
@@ -28,32 +28,18 @@ template <class Graph, int Output>
 inline constexpr clock published_of =
     published(output_port_of<Graph, Output>, call_of<Graph, output_of<Graph, Output>.call>);
 
-// The inputs and outputs of a function by their position in it, and for each the first one that is alike.
+// The inputs and outputs of a function by their position in it.
 template <class Graph, int Call>
 using input_positions = std::make_integer_sequence<int, call_of<Graph, Call>.function->input_count>;
-template <class Graph, int Call>
-using output_positions = std::make_integer_sequence<int, call_of<Graph, Call>.function->output_count>;
 
-template <class Graph, int First, int... I>
-auto alike_inputs(std::integer_sequence<int, I...>)
-    -> std::integer_sequence<int, layout_of<Graph>.like_input[First + I]...>;
-template <class Graph, int Call>
-using inputs_like =
-    decltype(alike_inputs<Graph, call_of<Graph, Call>.first_input>(input_positions<Graph, Call>{}));
-
-template <class Graph, int First, int... O>
-auto alike_outputs(std::integer_sequence<int, O...>)
-    -> std::integer_sequence<int, layout_of<Graph>.like_output[First + O]...>;
-template <class Graph, int Call>
-using outputs_like =
-    decltype(alike_outputs<Graph, call_of<Graph, Call>.first_output>(output_positions<Graph, Call>{}));
-
+// The input at a position: for all twins of a call, the first input that reads in the same way.
 template <class Graph, int Call, int Position>
-inline constexpr int input_like = layout_of<Graph>.like_input[call_of<Graph, Call>.first_input + Position];
+inline constexpr int input_at = layout_of<Graph>.input_twin[call_of<Graph, Call>.first_input + Position];
+template <class Graph, int Call, int Position>
+inline constexpr int output_at = layout_of<Graph>.output_twin[call_of<Graph, Call>.first_output + Position];
 
-// Where things lie.
-template <class Graph, int Group>
-inline constexpr const storage_group& group_of = layout_of<Graph>.groups[Group];
+template <class Graph, int Array>
+inline constexpr const sample_array& array_of = layout_of<Graph>.arrays[Array];
 
 template <class Graph, int Input>
 inline constexpr bool is_wired = input_of<Graph, Input>.writer >= 0;

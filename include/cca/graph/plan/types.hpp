@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include <cca/graph/layout.hpp>
+#include <cca/graph/plan/layout.hpp>
 
 namespace cca::detail {
 
