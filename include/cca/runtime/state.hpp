@@ -90,7 +90,7 @@ struct stored_array<Graph, Array, storage_kind::newest> {
       const auto& out = plan.outputs[o];
       const auto& space = *plan.calls[static_cast<std::size_t>(out.call)].function->outputs[out.port].space;
       for (int c = 0; c < array_of<Graph, Array>.size; ++c)
-        all[at.index].coordinates[c] = initial_coordinate(out.initial_of, space, c);
+        all[at.index].vector()[c] = initial_coordinate(out.initial_of, space, c);
     }
   }
 };

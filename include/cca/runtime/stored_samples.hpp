@@ -22,19 +22,29 @@
 
 namespace cca::detail {
 
+// Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial components
+// is: so the vector lives in bytes.
 template <int Size>
-struct stored_sample {
-  Eigen::Matrix<double, Size, 1> coordinates = Eigen::Matrix<double, Size, 1>::Zero();
-  std::int64_t time = never;
+class stored_sample {
+  using vector_type = Eigen::Matrix<double, Size, 1>;
 
-  CCA_INLINE const auto& vector() const { return coordinates; }
+public:
+  stored_sample() { ::new (static_cast<void*>(bytes)) vector_type(vector_type::Zero()); }
+
+  CCA_INLINE vector_type& vector() { return *std::launder(reinterpret_cast<vector_type*>(bytes)); }
+  CCA_INLINE const vector_type& vector() const {
+    return *std::launder(reinterpret_cast<const vector_type*>(bytes));
+  }
   CCA_INLINE std::int64_t origin() const { return time; }
 
-  template <class Vector>
-  CCA_INLINE void store(const Vector& v, std::int64_t origin) {
-    coordinates = v;
+  CCA_INLINE void store(const vector_type& v, std::int64_t origin) {
+    vector() = v;
     time = origin;
   }
+
+private:
+  alignas(vector_type) unsigned char bytes[sizeof(vector_type)];
+  std::int64_t time = never;
 };
 
 // The newest beat up to k in which a known clock ticks; -1 if none.
@@ -191,11 +201,11 @@ public:
   // The oldest that waits, or else what was taken last.
   CCA_INLINE const stored_sample<Size>* show(std::int64_t = 0, int = 0) const {
     const stored_sample<Size>& oldest = count > 0 ? ring[head] : taken;
-    return oldest.time == never ? nullptr : &oldest;
+    return oldest.origin() == never ? nullptr : &oldest;
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int = 0) const { return count > 0 ? k : -1; }
   CCA_INLINE bool is_empty() const { return count == 0; }
-  CCA_INLINE std::int64_t origin_of_taken() const { return taken.time; }
+  CCA_INLINE std::int64_t origin_of_taken() const { return taken.origin(); }
 
   // Removes the sample that the component has seen.
   CCA_INLINE void take() {
