@@ -162,9 +162,9 @@ private:
       auto& input =
           static_cast<typed_input<typename Port::space>&>(*inputs[static_cast<std::size_t>(positions[i])]);
       const bool fresh = input.update();
-      Port port{cca::detail::to_be_filled{}};
-      for (int c = 0; c < Port::space::size; ++c) port.set(c, input.newest().value[c]);
-      port.set(input.newest().origin, fresh);
+      typename Port::vector_type coordinates;
+      for (int c = 0; c < Port::space::size; ++c) coordinates[c] = input.newest().value[c];
+      Port port{coordinates, input.newest().origin, fresh};
       if constexpr (requires { port.set_wired(); }) {
         if (input.wired) port.set_wired();
       }
