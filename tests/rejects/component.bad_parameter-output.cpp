@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `out<torques, leg_torques>`, but
-// it may take only ports \(cca::in, cca::optional_in, Outputs are returned, not filled in.
+// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `out<torques, leg_torques>`, but it may take only ports \(cca::in, cca::optional_in,
+// Outputs are returned, not filled in.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may
-// return only ports \(cca::out, cca::maybe\) and a `process` returns what it publishes: ports, or a fault.
+// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may return only ports \(cca::out, cca::maybe\) and a
+// `process` returns what it publishes: ports, or a fault.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
-// EXPECT: graph\.unknown_item: `stance` is no graph: what runs is a struct derived from cca::graph<\.\.\.>; a
-// component is put into one as cca::node<`name`, stance> What runs is a graph, if only of one component.
+// EXPECT: graph\.unknown_item: `stance` is no graph: what runs is a struct derived from cca::graph<\.\.\.>; a component is put into one as cca::node<`name`, stance>
+// What runs is a graph, if only of one component.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>, cca::node<"stance", stance>> {};

@@ -1,5 +1,5 @@
-// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but names are joined by
-// dots to paths, and `\*` stands for any of them: use Ports, too, are named in paths.
+// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but names are joined by dots to paths, and `\*` stands for any of them: use
+// Ports, too, are named in paths.
 #include "parts.hpp"
 
 struct balance {

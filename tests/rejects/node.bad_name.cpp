@@ -1,5 +1,5 @@
-// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but names are joined by dots to paths, and
-// `\*` stands for any of them: use neither in a name Names are joined by dots to paths.
+// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but names are joined by dots to paths, and `\*` stands for any of them: use neither in a name
+// Names are joined by dots to paths.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

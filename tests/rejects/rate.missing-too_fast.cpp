@@ -1,5 +1,5 @@
-// EXPECT: rate\.missing: walk or one of its spaces states 2000000000 Hz, and a beat is at least a nanosecond
-// long: state at most 1,000,000,000 Hz A beat is at least a nanosecond long.
+// EXPECT: rate\.missing: walk or one of its spaces states 2000000000 Hz, and a beat is at least a nanosecond long: state at most 1,000,000,000 Hz
+// A beat is at least a nanosecond long.
 #include "parts.hpp"
 
 struct walk : cca::graph<

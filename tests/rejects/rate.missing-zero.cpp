@@ -1,5 +1,5 @@
-// EXPECT: rate\.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where
-// none is meant, leave it out A rate is above 0.
+// EXPECT: rate\.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where none is meant, leave it out
+// A rate is above 0.
 #include "parts.hpp"
 
 struct walk : cca::graph<

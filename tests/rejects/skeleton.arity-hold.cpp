@@ -1,6 +1,5 @@
-// EXPECT: skeleton\.arity: `held` \(hold<.*>\) leads from slow_angles \(100 Hz\) to fast_angles \(1000 Hz\),
-// which differ in more than their rate: name two spaces of one domain type over the same axes A hold changes
-// the rate, and nothing else.
+// EXPECT: skeleton\.arity: `held` \(hold<.*>\) leads from slow_angles \(100 Hz\) to fast_angles \(1000 Hz\), which differ in more than their rate: name two spaces of one domain type over the same axes
+// A hold changes the rate, and nothing else.
 #include "parts.hpp"
 
 struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<100>> {};

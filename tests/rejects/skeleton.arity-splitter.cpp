@@ -1,5 +1,5 @@
-// EXPECT: skeleton\.arity: `split` \(splitter<.*>\) is to take attitude apart, which has 4 numbers over 3
-// axes, so none of them belongs to one axis A quaternion has no number for each axis.
+// EXPECT: skeleton\.arity: `split` \(splitter<.*>\) is to take attitude apart, which has 4 numbers over 3 axes, so none of them belongs to one axis
+// A quaternion has no number for each axis.
 #include "parts.hpp"
 
 #if CCA_REJECT

@@ -1,5 +1,5 @@
-// EXPECT: space\.duplicate_axis: the space spread of `balance\.spread` has the axis `hip` twice, so reading
-// along it has two meanings: name each axis once in An axis stands for one coordinate of a space.
+// EXPECT: space\.duplicate_axis: the space spread of `balance\.spread` has the axis `hip` twice, so reading along it has two meanings: name each axis once in
+// An axis stands for one coordinate of a space.
 #include "parts.hpp"
 
 #if CCA_REJECT

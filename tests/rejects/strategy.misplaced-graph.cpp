@@ -1,5 +1,5 @@
-// EXPECT: strategy\.misplaced: `gait` \(walking\) is a graph, and a strategy stands on components: give it to
-// the nodes inside A graph does not fire; its components do.
+// EXPECT: strategy\.misplaced: `gait` \(walking\) is a graph, and a strategy stands on components: give it to the nodes inside
+// A graph does not fire; its components do.
 #include "parts.hpp"
 
 struct walking : cca::graph<cca::node<"cpg", oscillator>,

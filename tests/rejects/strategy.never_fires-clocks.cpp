@@ -1,5 +1,5 @@
-// EXPECT: strategy\.never_fires: `stance` \(stance\) never fires: the clocks under its cca::all_of have no
-// beat in common; change a period or a phase Clocks under `all_of` need a beat in common.
+// EXPECT: strategy\.never_fires: `stance` \(stance\) never fires: the clocks under its cca::all_of have no beat in common; change a period or a phase
+// Clocks under `all_of` need a beat in common.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

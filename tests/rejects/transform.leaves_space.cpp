@@ -1,5 +1,5 @@
-// EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another
-// space A transformation gives what it takes: here the paw in the trunk's frame, for one in the hip's.
+// EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another space
+// A transformation gives what it takes: here the paw in the trunk's frame, for one in the hip's.
 #include <cca/mapping/mapping.hpp>
 
 #include "parts.hpp"

@@ -1,5 +1,5 @@
-// EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in
-// walk `gait\.phase` is an input and `cpg\.phase` an A wire leads from an output to an input.
+// EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in walk `gait\.phase` is an input and `cpg\.phase` an
+// A wire leads from an output to an input.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: the wire `cpg` -> `gait\.phase` in walk names `cpg`, but a port is named with
-// its node: `node\.port` A port is named with its node.
+// EXPECT: wire\.unknown_port: the wire `cpg` -> `gait\.phase` in walk names `cpg`, but a port is named with its node: `node\.port`
+// A port is named with its node.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

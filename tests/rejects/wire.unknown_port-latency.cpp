@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: cca::latency<`cpg\.phase`, `gait\.angles`> in walk names `gait\.angles`, but
-// `gait` \(gait\) has no such input A bound names ports that exist.
+// EXPECT: wire\.unknown_port: cca::latency<`cpg\.phase`, `gait\.angles`> in walk names `gait\.angles`, but `gait` \(gait\) has no such input
+// A bound names ports that exist.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

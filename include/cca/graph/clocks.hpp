@@ -38,102 +38,41 @@ struct clocking {
       }
   }
 
-  constexpr int wired_inputs(const call& t) const {
-    int count = 0;
-    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) count += g.inputs[i].wired;
-    return count;
-  }
-
-  constexpr clock arrivals(const input& i) const {
+  constexpr clock arrival_clock(const input& i) const {
     if (i.writer < 0) return port_of(g, i).space ? never_clock : dynamic_clock;
     return shifted(published(g, g.outputs[i.writer]), i.delay);
   }
 
-  // Fires when any of the inputs is fresh; an input's samples wait, so it suffices to look at arrivals.
-  constexpr clock of_any(const call& t, const strategy_info& strategy) const {
-    clock any = never_clock;
-    bool queued = false, all_equal = true, first = true;
-    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) {
-      const auto& in = g.inputs[i];
-      if (!in.wired) continue;
-      if (strategy.kind == strategy_kind::port_triggered) {
-        bool named = false;
-        for (int n = 0; n < strategy.count; ++n) named |= strategy.names[n] == port_of(g, in).name;
-        if (!named) continue;
-      }
-      const auto arrival = arrivals(in);
-      if (arrival.every_beat() && in.queue < 0) return arrival;
-      all_equal &= first || arrival == any;
-      any = first ? arrival : union_of(any, arrival);
-      queued |= in.queue >= 0;
-      first = false;
-    }
-    return queued && !all_equal ? dynamic_clock : any;
+  // The wired inputs of a function, as its strategy sees them.
+  constexpr arrivals arrivals_of(const call& t, scratch_of<arrival>& list) const {
+    int count = 0;
+    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
+      if (const auto& in = g.inputs[i]; in.wired)
+        list[count++] = {port_of(g, in).name, arrival_clock(in), in.queue >= 0};
+    return {&list[0], count};
   }
 
-  // Fires when all inputs are fresh. With the slowest input last in its first round, it fires with that one.
-  constexpr clock of_all(const call& t) const {
-    clock slowest = never_clock;
-    bool queued = false, all_equal = true, known = true;
-    std::int64_t last_start = 0;
-    for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i) {
-      if (!g.inputs[i].wired) continue;
-      const auto arrival = arrivals(g.inputs[i]);
-      if (arrival.never()) return never_clock;
-      known &= arrival.known();
-      if (slowest.known()) all_equal &= arrival == slowest;
-      queued |= g.inputs[i].queue >= 0;
-      last_start = arrival.first > last_start ? arrival.first : last_start;
-      if (arrival.period > slowest.period ||
-          (arrival.period == slowest.period && arrival.first > slowest.first))
-        slowest = arrival;
-    }
-    return known && slowest.first == last_start && (!queued || all_equal) ? slowest : dynamic_clock;
-  }
-
-  constexpr clock of_strategy(const call& t) const {
+  constexpr clock clock_from_arrivals(const call& t) const {
     const auto& strategy = strategy_of_call(g, t);
-    switch (strategy.kind) {
-      case strategy_kind::restless:
-      case strategy_kind::port_triggered:
-        return of_any(t, strategy);
-      case strategy_kind::moderate:
-        return of_all(t);
-      default:
-        return clock_of_strategy(strategy);
-    }
+    if (!strategy.has_clock_from) return strategy.alone;
+    scratch_of<arrival> list(t.function->input_count);
+    return strategy.clock_from(arrivals_of(t, list));
   }
 
-  // It fires only when an input has arrived, and none of those that it looks at ever will.
   constexpr bool waits_in_vain(const call& t, const strategy_info& strategy) const {
-    int vain = 0;
-    switch (strategy.kind) {
-      case strategy_kind::restless:
-      case strategy_kind::moderate:
-      case strategy_kind::coordinated:
-        return wired_inputs(t) == 0;
-      case strategy_kind::port_triggered:
-        for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
-          for (int n = 0; n < strategy.count; ++n)
-            if (g.inputs[i].wired && strategy.names[n] == port_of(g, g.inputs[i]).name) return false;
-        return true;
-      case strategy_kind::any_of:
-      case strategy_kind::all_of:
-        for (int i = 0; i < strategy.count; ++i) vain += waits_in_vain(t, *strategy.parts[i]);
-        return vain > 0 && (strategy.kind == strategy_kind::all_of || vain == strategy.count);
-      default:
-        return false;
-    }
+    if (!strategy.waits_for_inputs) return false;
+    scratch_of<arrival> list(t.function->input_count);
+    return strategy.waits_in_vain(arrivals_of(t, list));
   }
 
   constexpr void check_strategy(int call_index) {
     const auto& t = g.calls[call_index];
     const auto& strategy = strategy_of_call(g, t);
-    if (counts_no_beats(strategy))
+    if (find_part(strategy, [](const strategy_info& s) { return !s.mistake.empty(); }))
       return refuse(rule::strategy_never_fires, &item_of_call(g, t), scope_of(call_index), call_index, 2);
     if (waits_in_vain(t, strategy))
       refuse(rule::strategy_never_fires, &item_of_call(g, t), scope_of(call_index), call_index, 0);
-    if (excludes_itself(strategy))
+    if (find_part(strategy, [](const strategy_info& s) { return s.excludes_itself; }))
       refuse(rule::strategy_never_fires, &item_of_call(g, t), scope_of(call_index), call_index, 1);
   }
 
@@ -165,21 +104,13 @@ struct clocking {
   }
 
   constexpr void run() {
-    for (int t = 0; t < g.call_count; ++t)
-      g.calls[t].fires = clock_of_strategy(strategy_of_call(g, g.calls[t]));
+    for (int t = 0; t < g.call_count; ++t) g.calls[t].fires = strategy_of_call(g, g.calls[t]).alone;
     for (int r = 0; r < g.call_count; ++r) {
       auto& t = g.calls[g.order[r]];
-      if (t.fires.dynamic()) t.fires = of_strategy(t);
+      if (t.fires.dynamic()) t.fires = clock_from_arrivals(t);
     }
     check_rates();
   }
 };
-
-constexpr bool uses_coordination(const strategy_info& strategy) {
-  if (strategy.kind == strategy_kind::coordinated) return true;
-  for (int i = 0; is_combined(strategy) && i < strategy.count; ++i)
-    if (uses_coordination(*strategy.parts[i])) return true;
-  return false;
-}
 
 }  // namespace cca::detail

@@ -25,10 +25,6 @@ struct coordinating {
     return true;
   }
 
-  static constexpr bool ticks(clock c, std::int64_t k) {
-    return c.known() && k >= c.first && (k - c.first) % c.period == 0;
-  }
-
   // Beats to follow, or 0 if that would take too long.
   constexpr int horizon(const scratch& marked) const {
     std::int64_t common = 1, first = 0;
@@ -106,7 +102,7 @@ struct coordinating {
 
   constexpr void run() {
     for (int t = 0; t < g.call_count; ++t)
-      if (strategy_of_call(g, g.calls[t]).kind == strategy_kind::coordinated) check(t);
+      if (strategy_of_call(g, g.calls[t]).needs_one_origin) check(t);
   }
 };
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <cca/graph/clock.hpp>
+#include <cca/component/strategies.hpp>
 #include <cca/graph/items.hpp>
 #include <cca/graph/rules.hpp>
 
@@ -136,11 +136,11 @@ constexpr const port_info& port_of(const flat_view& g, const output& o) {
 constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
 
 // The strategy of a component, the default filled in.
-inline constexpr strategy_info each_beat{strategy_kind::timed, 1}, each_sample{strategy_kind::restless};
 constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& t) {
   const auto& item = item_of_call(g, t);
-  if (item.strategy->kind != strategy_kind::by_default) return *item.strategy;
-  return item.component->resource() || t.function->input_count == 0 ? each_beat : each_sample;
+  if (item.strategy) return *item.strategy;
+  return item.component->resource() || t.function->input_count == 0 ? strategy_of<timed<1>>
+                                                                    : strategy_of<restless>;
 }
 
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }

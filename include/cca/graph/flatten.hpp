@@ -79,16 +79,13 @@ struct flattening {
   }
 
   constexpr void check_strategy(const strategy_info& strategy, const item_info& item, int in_scope) {
-    if (strategy.kind == strategy_kind::port_triggered)
-      for (int i = 0; i < strategy.count; ++i)
-        if (!has_input(item, strategy.names[i])) {
-          // The name is told through the item's strategy and its index.
-          refuse(rule::strategy_unknown_port, &item, in_scope, i);
-          if (g.found.item == &item && g.found.broken == rule::strategy_unknown_port)
-            unknown_trigger = strategy.names[i];
-        }
-    for (int i = 0; is_combined(strategy) && i < strategy.count; ++i)
-      check_strategy(*strategy.parts[i], item, in_scope);
+    for (const auto name : strategy.named_inputs)
+      if (!has_input(item, name)) {
+        refuse(rule::strategy_unknown_port, &item, in_scope);
+        if (g.found.item == &item && g.found.broken == rule::strategy_unknown_port && unknown_trigger.empty())
+          unknown_trigger = name;
+      }
+    for (int i = 0; i < strategy.part_count; ++i) check_strategy(*strategy.parts[i], item, in_scope);
   }
   std::string_view unknown_trigger{};
 
@@ -114,12 +111,10 @@ struct flattening {
     if (!is_sound && (!component.bad_field.empty() || component.forgot_parameters))
       refuse(rule::parameters_unsupported_type, &item, in_scope);
     if (g.found.broken == rule::none) last_sound = component.key;
-    const auto kind = item.strategy->kind;
-    if (kind == strategy_kind::by_default) return;
+    if (!item.strategy) return;
     if (!item.unknown_type.empty()) refuse(rule::strategy_no_fires, &item, in_scope);
     check_strategy(*item.strategy, item, in_scope);
-    if (component.resource() && kind != strategy_kind::timed && kind != strategy_kind::full_speed &&
-        kind != strategy_kind::inactive)
+    if (component.resource() && !item.strategy->for_resource_nodes)
       refuse(rule::strategy_misplaced, &item, in_scope);
   }
 
@@ -163,7 +158,7 @@ struct flattening {
       if (part.kind == item_kind::node) {
         add_component(part, index, node_hash);
       } else {
-        if (part.strategy->kind != strategy_kind::by_default) refuse(rule::strategy_misplaced, &part, index);
+        if (part.strategy) refuse(rule::strategy_misplaced, &part, index);
         add_graph(*part.inner, index, &part, node_hash);
       }
     }

@@ -20,7 +20,7 @@ struct item_info {
   std::string_view from{}, to{};               // a node: its name; expose: inner and outer name
   ref<component_info> component = nullptr;     // node
   ref<graph_info> inner = nullptr;             // graph
-  const strategy_info* strategy = nullptr;     // node, graph
+  ref<strategy_info> strategy = nullptr;       // node, graph; none: the default
   policy_kind policy = policy_kind::unstated;  // wire
   full_kind full = full_kind::drop_oldest;
   int number = 0;  // delay, capacity, or the bound in beats of a require
@@ -127,12 +127,12 @@ inline constexpr item_info item_of{.unknown_type = type_name<Item>()};
 // same.
 template <class Component, class Strategy>
 constexpr item_info node_item(std::string_view name) {
-  item_info item{.from = name,
-                 .strategy = &strategy_of<Strategy>,
-                 .from_hash = hash(name),
-                 .strategy_key = type_key<Strategy>};
+  item_info item{.from = name, .from_hash = hash(name), .strategy_key = type_key<Strategy>};
   describe_node<Component>(item);
-  if constexpr (!ProcessingStrategy<Strategy>) item.unknown_type = type_name<Strategy>();
+  if constexpr (!std::is_same_v<Strategy, by_default>) {
+    item.strategy = &strategy_of<Strategy>;
+    if constexpr (!ProcessingStrategy<Strategy>) item.unknown_type = type_name<Strategy>();
+  }
   return item;
 }
 template <fixed_string Name, class Component, class Strategy>

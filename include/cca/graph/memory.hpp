@@ -104,10 +104,7 @@ struct remembering {
   // It fires only when this input has just arrived: the only one, and no sample waits.
   constexpr bool fires_with(const input& i) const {
     const auto& t = g.calls[i.call];
-    const auto kind = strategy_of_call(g, t).kind;
-    if (kind != strategy_kind::restless && kind != strategy_kind::moderate &&
-        kind != strategy_kind::port_triggered)
-      return false;
+    if (!strategy_of_call(g, t).fires_on_arrival) return false;
     int wired = 0;
     for (int other = t.first_input; other < t.first_input + t.function->input_count; ++other)
       wired += g.inputs[other].wired;

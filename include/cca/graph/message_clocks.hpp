@@ -29,7 +29,7 @@ constexpr void tell_rate_mismatch(auto& t) {
     if (t.where.size > 0) --t.where.size;  // without the dot
     t.say() << "the inner graph `" << t.where.view() << "` (" << t.graph().name << ") states " << t.item().hz
             << " Hz, but " << t.g.scopes[0].graph->name << " runs at " << t.g.hz
-            << " Hz: give intersection_of one rate, or let the inner one state none";
+            << " Hz: give both one rate, or let the inner one state none";
     return;
   }
   const auto& out = t.g.outputs[t.found().a];

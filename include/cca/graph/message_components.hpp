@@ -77,7 +77,7 @@ constexpr void tell_no_process(auto& t) {
   t.at_node();
   t.node();
   if (t.found().a == 1)
-    t.say() << " has intersection_of `process` and `" << (t.item().component->also_sense ? "sense" : "act")
+    t.say() << " has both `process` and `" << (t.item().component->also_sense ? "sense" : "act")
             << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
   else if (t.found().a == 2)
     t.say() << " is const, and what a component holds changes as it runs: leave the `const` out";

@@ -219,7 +219,7 @@ constexpr void tell_mismatch(auto& t) {
   else if (!same_axes(a, b))
     t.say() << ": the axes differ; use a splitter or a collector, or give both ends one space";
   else if (a.hz != b.hz)
-    t.say() << ": the rates differ; give intersection_of spaces one rate, or let one of them state none";
+    t.say() << ": the rates differ; give both spaces one rate, or let one of them state none";
   else
     t.say() << ": their domain types, axes or frames have the same names but are different types; use those "
                "of one namespace";

@@ -11,7 +11,7 @@ namespace cca::detail {
 template <class Number>
 class scratch_of {
 public:
-  explicit constexpr scratch_of(int size, Number fill = 0)
+  explicit constexpr scratch_of(int size, Number fill = {})
       : numbers(new Number[static_cast<std::size_t>(size) + 1]) {
     for (int i = 0; i <= size; ++i) numbers[i] = fill;
   }

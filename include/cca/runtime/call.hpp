@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include <cca/runtime/fires.hpp>
+#include <cca/runtime/strategy_inputs.hpp>
 #include <cca/runtime/publish.hpp>
 
 namespace cca::detail {
@@ -139,7 +139,8 @@ struct function_in_beat<Graph, Call, list<Parameters...>> {
       if constexpr (t.fires.dynamic()) {
         one.ask(self, m.firings[of.firing]);
       } else {
-        constexpr bool is_timed = plan_of<Graph>.nodes[t.node].item->strategy->kind == strategy_kind::timed;
+        constexpr auto strategy = plan_of<Graph>.nodes[t.node].item->strategy;
+        constexpr bool is_timed = strategy && strategy->first_dt_is_period;
         if constexpr (!t.fires.every_beat())
           if (!ticks<t.fires>(k)) return;
         one.fire(self, {k, period, beats_since<t.fires, is_timed>(k)},
@@ -151,7 +152,7 @@ struct function_in_beat<Graph, Call, list<Parameters...>> {
   CCA_GLUE void ask(component& self, last_firing& own) const {
     using strategy =
         typename strategy_or_default<typename types::strategy, (t.function->input_count > 0)>::type;
-    if (!asking<strategy>::template fires<Graph, Call>(question<Graph, Call>{m, places, k, own})) return;
+    if (!strategy_fires<strategy>(question<Graph, Call>{m, places, k, own})) return;
     if constexpr (t.stored_seen) own.oldest = oldest_seen(all_inputs{});
     const std::int64_t last = own.last;
     own.last = k;
