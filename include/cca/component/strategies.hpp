@@ -1,5 +1,5 @@
 // All strategies of the library. What every one of them must have (a random test, a row in
-// docs/strategies.md) is checked over this list: tests/semantics/strategies.cpp.
+// docs/strategies.md) is checked over this list: tests/semantics/every_strategy.cpp.
 #pragma once
 
 #include <cca/component/strategies/all_of.hpp>
