@@ -1,4 +1,4 @@
-// EXPECT: component\.no_process: `stance` \(const stance\) is const, and what a component holds changes as it runs: leave the `const` out
+// EXPECT: component\.no_process: `stance` \(const stance\) is const, but a component changes as it runs: remove the `const`
 // A component is not const: its parameters are loaded, its state changes, and a snapshot is assigned to it.
 #include "parts.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: graph\.unknown_item: `stance` is no graph: what runs is a struct derived from cca::graph<\.\.\.>; a component is put into one as cca::node<`name`, stance>
+// EXPECT: graph\.unknown_item: `stance` is no graph: a controller runs a struct derived from cca::graph<\.\.\.>; put a component into one as cca::node<`name`, stance>
 // What runs is a graph, if only of one component.
 #include "parts.hpp"
 

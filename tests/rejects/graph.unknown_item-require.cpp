@@ -1,4 +1,4 @@
-// EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a graph, so it would be passed over: write
+// EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a graph, so it would be ignored: write
 // An item is written in full.
 #include "parts.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but names are joined by dots to paths, and `\*` stands for any of them: use
+// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but dots join names to paths, and `\*` stands for any name: use
 // Ports, too, are named in paths.
 #include "parts.hpp"
 

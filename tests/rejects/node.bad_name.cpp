@@ -1,4 +1,4 @@
-// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but names are joined by dots to paths, and `\*` stands for any of them: use neither in a name
+// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but dots join names to paths, and `\*` stands for any name: use neither in a name
 // Names are joined by dots to paths.
 #include "parts.hpp"
 

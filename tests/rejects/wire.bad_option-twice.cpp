@@ -1,4 +1,4 @@
-// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has two policies, or two initial values, of which only one could hold: leave one of
+// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has two policies or two initial values: leave one of
 // Of two policies only one could hold.
 #include "parts.hpp"
 

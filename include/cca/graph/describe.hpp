@@ -10,7 +10,7 @@
 
 #include <string>
 
-#include <cca/graph/paths.hpp>
+#include <cca/graph/plan/paths.hpp>
 #include <cca/graph/types.hpp>
 
 namespace cca {

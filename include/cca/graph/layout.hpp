@@ -8,7 +8,7 @@
 
 #include <bit>
 
-#include <cca/graph/plan.hpp>
+#include <cca/graph/plan/plan.hpp>
 
 namespace cca::detail {
 

@@ -2,7 +2,8 @@
 // readers need some past; an input whose delayed wire closes a loop does not count for the time of origin.
 #pragma once
 
-#include <cca/graph/clocks.hpp>
+#include <cca/graph/plan/flat.hpp>
+#include <cca/graph/plan/scratch.hpp>
 #include <cca/graph/parts.hpp>
 
 namespace cca::detail {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cca/base/inlining.hpp>
-#include <cca/graph/flat.hpp>
+#include <cca/graph/plan/flat.hpp>
 
 namespace cca::detail {
 

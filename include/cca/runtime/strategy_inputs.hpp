@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include <cca/graph/paths.hpp>
+#include <cca/graph/plan/paths.hpp>
 #include <cca/runtime/fires.hpp>
 
 namespace cca::detail {
