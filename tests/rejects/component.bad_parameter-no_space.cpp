@@ -17,6 +17,7 @@ struct halving {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"half", halving>,
                          cca::expose<"half.angle", "angle">,
                          cca::expose<"half.half", "half">> {};

@@ -2,7 +2,7 @@
 // What runs is a graph, if only of one component.
 #include "parts.hpp"
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"stance", stance>> {};
+struct walk : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"stance", stance>> {};
 
 #if CCA_REJECT
 cca::controller<stance> c;

@@ -10,6 +10,6 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>> {};
+struct walk : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"balance", balance>> {};
 
 cca::controller<walk> c;

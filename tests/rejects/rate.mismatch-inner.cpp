@@ -7,6 +7,6 @@ struct walking : cca::graph<cca::rate<500>, cca::node<"stance", stance>> {};
 #else
 struct walking : cca::graph<cca::rate<1000>, cca::node<"stance", stance>> {};
 #endif
-struct robot : cca::graph<cca::rate<1000>, cca::node<"walking", walking>> {};
+struct robot : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"walking", walking>> {};
 
 cca::controller<robot> c;

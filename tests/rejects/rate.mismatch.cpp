@@ -8,6 +8,7 @@ struct camera {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::node<"camera", camera, cca::timed<5>>
 #else

@@ -2,13 +2,13 @@
 // A beat is at least a nanosecond long.
 #include "parts.hpp"
 
-struct walk : cca::graph<
+struct walk : cca::graph<cca::node<"log", logbook>,
 #if CCA_REJECT
-                  cca::rate<2'000'000'000>,
+                         cca::rate<2'000'000'000>,
 #else
-                  cca::rate<1'000'000'000>,
+                         cca::rate<1'000'000'000>,
 #endif
-                  cca::node<"stance", stance>> {
+                         cca::node<"stance", stance>> {
 };
 
 cca::controller<walk> c;

@@ -7,6 +7,7 @@ struct drive {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance, cca::timed<10, 9>>,
                          cca::node<"limits", cca::limiter<leg_angles>>,
                          cca::node<"split", cca::splitter<"angles", leg_angles>, cca::timed<1>>,

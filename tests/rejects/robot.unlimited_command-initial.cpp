@@ -4,6 +4,7 @@
 
 struct walk
     : cca::graph<cca::rate<1000>,
+                 cca::node<"log", logbook>,
                  cca::node<"stance", stance, cca::timed<10, 9>>,
                  cca::node<"limits", cca::limiter<leg_angles>>,
                  cca::node<"leg", leg>,

@@ -9,6 +9,7 @@ using order = cca::by_priority<"reflex", "swing">;
 #endif
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"swing", stance>,
                          cca::node<"recorder", recorder>,
                          cca::node<"arbiter", cca::arbiter<"angles", leg_angles, order>>,

@@ -14,6 +14,7 @@ struct encoder {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"x", encoder<cca::x>>,
                          cca::node<"y", encoder<cca::y>>,
                          cca::node<"z", encoder<cca::z>>,

@@ -10,6 +10,7 @@ struct fast_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::ra
 #endif
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance, cca::timed<10>>,
                          cca::node<"held", cca::hold<slow_angles, fast_angles>, cca::timed<1>>,
                          cca::wire<"stance.angles", "held.input", cca::latest>> {};

@@ -10,6 +10,7 @@ struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::ra
 struct fast_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance, cca::timed<4>>,
                          cca::node<"smooth", cca::interpolate<slow_angles, fast_angles>, cca::timed<1>>,
                          cca::wire<"stance.angles", "smooth.input", cca::latest>> {};

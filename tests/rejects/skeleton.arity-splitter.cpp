@@ -13,6 +13,7 @@ struct inertial_unit {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"trunk", inertial_unit>,
                          cca::node<"split", cca::splitter<"trunk", measured>>,
                          cca::wire<"trunk.trunk", "split.trunk">> {};

@@ -7,6 +7,7 @@ struct operator_panel {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"panel", operator_panel>,
                          cca::node<"recorder", recorder>,

@@ -19,6 +19,7 @@ struct all_legs {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"legs", all_legs>,
                          cca::node<"plan", cca::farm_on_threads<worker, legs, legs>>,
                          cca::wire<"legs.angles", "plan.input">> {};

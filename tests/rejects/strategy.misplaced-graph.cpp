@@ -7,6 +7,7 @@ struct walking : cca::graph<cca::node<"cpg", oscillator>,
                             cca::wire<"cpg.phase", "gait.phase">> {};
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::node<"gait", walking, cca::timed<10>>
 #else

@@ -4,6 +4,7 @@
 
 struct walk
     : cca::graph<cca::rate<1000>,
+                 cca::node<"log", logbook>,
                  cca::node<"cpg", oscillator>,
 #if CCA_REJECT
                  cca::node<"gait", gait, cca::any_of<cca::timeout<15>, cca::port_triggered<"angles">>>,

@@ -20,6 +20,7 @@ struct paw {
   auto process(cca::beat) -> cca::out<"position", paw_in_hip> { return {}; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"paw", paw>,
                          cca::node<"lift", cca::transformation<paw_in_hip, lifted>>,
                          cca::wire<"paw.position", "lift.input">> {};

@@ -24,6 +24,7 @@ struct panel {
   auto process(cca::beat) -> cca::out<"go", go> { return 1.0; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"panel", panel>,
                          cca::node<"reach", reach>,

@@ -13,6 +13,6 @@ struct walk : cca::graph<cca::node<"cpg", oscillator>,
                          > {
 };
 
-struct robot : cca::graph<cca::rate<1000>, cca::node<"walking", walk>> {};
+struct robot : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"walking", walk>> {};
 
 cca::controller<robot> c;
