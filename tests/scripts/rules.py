@@ -44,6 +44,17 @@ def rule_headers(root):
     return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text()) for header in sorted(folder.rglob("*.hpp"))}
 
 
+def forgotten_strategies(root):
+    """Each header of component/strategies/ holds a strategy of its name, which stands in the list of strategies.hpp."""
+    folder = root / "include/cca/component/strategies"
+    file = folder.with_suffix(".hpp")
+    listed = re.search(r"using library_strategies = list<(.*?)>;\n", file.read_text(), re.S) if file.exists() else None
+    names = set(re.findall(r"\w+", listed[1])) if listed else set()
+    for header in sorted(folder.glob("*.hpp")):
+        if header.stem not in names:
+            yield f"{header.relative_to(root)}: its strategy is not in the list of include/cca/component/strategies.hpp"
+
+
 def problems(root):
     known = rules(root)
     tested = {file.stem.split("-")[0]: file for file in sorted((root / "tests/rejects").glob("*.cpp"))}
@@ -64,6 +75,7 @@ def problems(root):
             yield f"{header}: its one rule must have the id {header.stem.replace('_', '.', 1)}"
         elif ids[0] not in listed:
             yield f"{header}: its rule is not in the list of {LIST}"
+    yield from forgotten_strategies(root)
     if not known:
         yield "no rule found in the headers"
 

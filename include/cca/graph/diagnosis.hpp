@@ -13,7 +13,7 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/graph/diagnosis/spelling.hpp>
+#include <cca/graph/diagnosis/as_written.hpp>
 #include <cca/graph/types.hpp>
 
 namespace cca {

@@ -1,7 +1,7 @@
 // moderate: fires if every input is fresh.
 #pragma once
 
-#include <cca/component/strategies/arrivals.hpp>
+#include <cca/component/arrival_clocks.hpp>
 #include <cca/component/strategy.hpp>
 
 namespace cca {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include <cca/component/strategies/arrivals.hpp>
+#include <cca/component/arrival_clocks.hpp>
 #include <cca/component/strategy.hpp>
 
 namespace cca {

@@ -1,7 +1,7 @@
 // restless: fires if any input is fresh. The default of components with inputs.
 #pragma once
 
-#include <cca/component/strategies/arrivals.hpp>
+#include <cca/component/arrival_clocks.hpp>
 #include <cca/component/strategy.hpp>
 
 namespace cca {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <cca/component/strategies/beats.hpp>
+#include <cca/component/beat_count.hpp>
 #include <cca/component/strategy.hpp>
 
 namespace cca {
