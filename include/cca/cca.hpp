@@ -5,7 +5,7 @@
 // First: where these refuse something, the compilers tell of each file around them.
 #include <cca/component/port.hpp>
 
-#include <cca/runtime/fires.hpp>
+#include <cca/runtime/strategy_inputs.hpp>
 
 #include <cca/component/component.hpp>
 #include <cca/component/parameters.hpp>

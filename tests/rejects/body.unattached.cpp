@@ -30,6 +30,7 @@ struct joints {
   auto process(cca::beat) -> cca::out<"angles", angles> { return {}; }
 };
 struct reach : cca::graph<cca::rate<1000>,
+                          cca::node<"log", logbook>,
                           cca::node<"joints", joints>,
                           cca::node<"finger", cca::part_kinematics<robot, "thumb", angles, finger_place>>,
                           cca::wire<"joints.angles", "finger.angles">> {};

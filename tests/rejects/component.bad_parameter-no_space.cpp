@@ -1,6 +1,5 @@
-// EXPECT: component\.bad_parameter: a port is of a space, and this type is none: make one of it, as in
-// `struct leg_angles : cca::space< A port says of which space its samples are: a bare number has neither axes
-// nor limits.
+// EXPECT: component\.bad_parameter: a port is of a space, and this type is none: make one of it, as in `struct leg_angles : cca::space<
+// A port says of which space its samples are: a bare number has neither axes nor limits.
 #include "parts.hpp"
 
 struct elbow_angle : cca::space<cca::joint_angles, cca::axes<knee>> {};
@@ -18,6 +17,7 @@ struct halving {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"half", halving>,
                          cca::expose<"half.angle", "angle">,
                          cca::expose<"half.half", "half">> {};

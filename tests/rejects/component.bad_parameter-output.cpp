@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `out<torques, leg_torques>`, but
-// it may take only ports \(cca::in, cca::optional_in, Outputs are returned, not filled in.
+// EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `out<torques, leg_torques>`, but it may take only ports \(cca::in, cca::optional_in,
+// Outputs are returned, not filled in.
 #include "parts.hpp"
 
 struct balance {
@@ -11,6 +11,7 @@ struct balance {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"balance", balance>,
                          cca::node<"stance", stance>,
                          cca::wire<"stance.angles", "balance.angles">> {};

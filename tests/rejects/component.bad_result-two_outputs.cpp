@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_result: `balance` \(balance\) has two outputs named `torques`, so a wire to it would
-// have two meanings: give one of them another name The outputs of a component have names of their own.
+// EXPECT: component\.bad_result: `balance` \(balance\) has two outputs named `torques`, so a wire to it would have two meanings: give one of them another name
+// The outputs of a component have names of their own.
 #include "parts.hpp"
 
 struct balance {
@@ -17,6 +17,7 @@ struct balance {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"balance", balance>,
                          cca::node<"stance", stance>,
                          cca::wire<"stance.angles", "balance.angles">> {};

@@ -1,5 +1,5 @@
-// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may
-// return only ports \(cca::out, cca::maybe\) and a `process` returns what it publishes: ports, or a fault.
+// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may return only ports \(cca::out, cca::maybe\) and a
+// `process` returns what it publishes: ports, or a fault.
 #include "parts.hpp"
 
 struct balance {
@@ -13,6 +13,7 @@ struct balance {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"balance", balance>,
                          cca::node<"stance", stance>,
                          cca::wire<"stance.angles", "balance.angles">> {};

@@ -1,5 +1,5 @@
-// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_stop` that would never be called,
-// for it is not `void on_stop\(\)`: make it a public A hook is called from outside.
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_stop` that would never be called, because it is not `void on_stop\(\)`: make it a public
+// A hook is called from outside.
 #include "parts.hpp"
 
 class balance {

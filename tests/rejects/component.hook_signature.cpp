@@ -1,6 +1,5 @@
-// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_start` that would never be called,
-// for it is not `void on_start\(\)`: make it a public A hook of the right name and another signature would be
-// passed over in silence.
+// EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_start` that would never be called, because it is not `void on_start\(\)`: make it a public
+// A hook of the right name and another signature would be passed over in silence.
 #include "parts.hpp"
 
 struct balance {

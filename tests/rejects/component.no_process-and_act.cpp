@@ -1,6 +1,6 @@
-// EXPECT: component\.no_process: `balance` \(balance\) has both `process` and `act`: a component has
-// `process`, a resource node has `sense` and `act`; make two A component is called once in a beat, a resource
-// node before and after all components: a node is one or the other.
+// EXPECT: component\.no_process: `balance` \(balance\) has both `process` and `act`: a component has `process`, a resource node has `sense` and `act`; make two
+// A component is called once in a beat, a resource node before and after all components: a node is one or the
+// other.
 #include "parts.hpp"
 
 struct balance {

@@ -1,9 +1,9 @@
-// EXPECT: component\.no_process: `stance` \(const stance\) is const, and what a component holds changes as it
-// runs: leave the `const` out A component is not const: its parameters are loaded, its state changes, and a
-// snapshot is assigned to it.
+// EXPECT: component\.no_process: `stance` \(const stance\) is const, but a component changes as it runs: remove the `const`
+// A component is not const: its parameters are loaded, its state changes, and a snapshot is assigned to it.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::node<"stance", const stance>
 #else

@@ -1,5 +1,5 @@
-// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read:
-// give it one, public, neither overloaded nor a template `process` is called from outside.
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
+// `process` is called from outside.
 #include "parts.hpp"
 
 class balance {

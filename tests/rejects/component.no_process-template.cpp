@@ -1,6 +1,5 @@
-// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read:
-// give it one, public, neither overloaded nor a template A template has no signature from which ports could
-// be read.
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
+// A template has no signature from which ports could be read.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
-// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read:
-// give it one, public, neither overloaded nor a template A component is known by its function `process`.
+// EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
+// A component is known by its function `process`.
 #include "parts.hpp"
 
 struct balance {
@@ -11,6 +11,7 @@ struct balance {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"balance", balance>,
                          cca::node<"stance", stance>,
                          cca::wire<"stance.angles", "balance.angles">> {};

@@ -25,6 +25,7 @@ struct counter {
   auto process(cca::beat) -> cca::out<"counts", encoder> { return {}; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"counter", counter>,
                          cca::node<"reach", reach>,

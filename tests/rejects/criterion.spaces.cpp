@@ -22,6 +22,7 @@ struct camera {
 #endif
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"camera", camera>,
                          cca::node<"reach", reach>,

@@ -1,6 +1,6 @@
-// EXPECT: drive\.duplicate_id: on the bus `0` the drives 1 \(left_front_hip\) and 2 \(left_front_knee\) both
-// use the id 0x001 A robot knows which drives share a bus: on one bus each has an id of its own, on another
-// it may be used again.
+// EXPECT: drive\.duplicate_id: on the bus `0` the drives 1 \(left_front_hip\) and 2 \(left_front_knee\) both use the id 0x001
+// A robot knows which drives share a bus: on one bus each has an id of its own, on another it may be used
+// again.
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/oncilla.hpp>

@@ -22,6 +22,7 @@ struct ball {
   auto process(cca::beat) -> cca::out<"place", paw_place> { return {}; }
 };
 struct reach : cca::graph<cca::rate<1000>,
+                          cca::node<"log", logbook>,
                           cca::node<"ball", ball>,
                           cca::node<"ik", cca::inverse_kinematics<leg_chain, leg_angles, paw_place>>,
                           cca::wire<"ball.place", "ik.position">> {};

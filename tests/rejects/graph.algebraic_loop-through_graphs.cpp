@@ -1,6 +1,5 @@
-// EXPECT: graph\.algebraic_loop: `inner\.a\.angles` -> `inner\.b\.angles`, `inner\.b\.angles` ->
-// `outer\.angles`, `outer\.angles` -> `inner\.a\.angles` are a loop without The loop is found through inner
-// graphs.
+// EXPECT: graph\.algebraic_loop: `inner\.a\.angles` -> `inner\.b\.angles`, `inner\.b\.angles` -> `outer\.angles`, `outer\.angles` -> `inner\.a\.angles` are a loop without
+// The loop is found through inner graphs.
 #include "parts.hpp"
 
 struct filter : cca::graph<cca::node<"a", posture>,

@@ -1,8 +1,8 @@
-// EXPECT: graph\.unknown_item: `stance` is no graph: what runs is a struct derived from cca::graph<\.\.\.>; a
-// component is put into one as cca::node<`name`, stance> What runs is a graph, if only of one component.
+// EXPECT: graph\.unknown_item: `stance` is no graph: a controller runs a struct derived from cca::graph<\.\.\.>; put a component into one as cca::node<`name`, stance>
+// What runs is a graph, if only of one component.
 #include "parts.hpp"
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"stance", stance>> {};
+struct walk : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"stance", stance>> {};
 
 #if CCA_REJECT
 cca::controller<stance> c;

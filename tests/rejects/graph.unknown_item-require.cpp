@@ -1,8 +1,9 @@
-// EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a
-// graph, so it would be passed over: write An item is written in full.
+// EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a graph, so it would be ignored: write
+// An item is written in full.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,
                          cca::node<"gait", gait>,
                          cca::wire<"cpg.phase", "gait.phase">,

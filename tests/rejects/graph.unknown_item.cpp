@@ -1,9 +1,9 @@
-// EXPECT: graph\.unknown_item: `gait` in walk is no item of a graph, so it would be passed over: write
-// cca::node<`name`, type> for a component or graph; the A graph is made of items; what is none would be
-// passed over.
+// EXPECT: graph\.unknown_item: `gait` in walk is no item of a graph, so it would be ignored: write cca::node<`name`, type> for a component or graph; the
+// A graph is made of items; what is none would be passed over.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,
 #if CCA_REJECT
                          gait,

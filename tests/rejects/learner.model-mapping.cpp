@@ -17,6 +17,7 @@ struct ball {
   auto process(cca::beat) -> cca::out<"position", paw> { return {}; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"ball", ball>,
                          cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, learner>>,
                          cca::wire<"ball.position", "ik.input">> {};

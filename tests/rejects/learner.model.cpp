@@ -22,6 +22,7 @@ struct source {
   }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"in", source>,
                          cca::node<"stance", stance>,
                          cca::node<"dmp", dmp>,

@@ -32,6 +32,7 @@ struct paw {
   auto process(cca::beat) -> cca::out<"position", paw_in_hip> { return {}; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"paw", paw>,
                          cca::node<"height", height_of_paw>,
                          cca::wire<"paw.position", "height.input">> {};

@@ -3,6 +3,7 @@
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
 #if CCA_REJECT
                          cca::expose<"stance.angles", "">

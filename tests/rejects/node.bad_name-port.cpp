@@ -1,5 +1,5 @@
-// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but names are joined by
-// dots to paths, and `\*` stands for any of them: use Ports, too, are named in paths.
+// EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but dots join names to paths, and `\*` stands for any name: use
+// Ports, too, are named in paths.
 #include "parts.hpp"
 
 struct balance {
@@ -10,6 +10,6 @@ struct balance {
 #endif
 };
 
-struct walk : cca::graph<cca::rate<1000>, cca::node<"balance", balance>> {};
+struct walk : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"balance", balance>> {};
 
 cca::controller<walk> c;

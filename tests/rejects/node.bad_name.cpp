@@ -1,8 +1,9 @@
-// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but names are joined by dots to paths, and
-// `\*` stands for any of them: use neither in a name Names are joined by dots to paths.
+// EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but dots join names to paths, and `\*` stands for any name: use neither in a name
+// Names are joined by dots to paths.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,
 #if CCA_REJECT
                          cca::node<"leg.front", gait>,

@@ -3,6 +3,7 @@
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"left", stance>,
                          cca::node<"right", stance>,
                          cca::expose<"left.angles", "angles">,

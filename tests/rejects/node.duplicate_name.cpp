@@ -1,9 +1,9 @@
-// EXPECT: node\.duplicate_name: two nodes of walk are named `gait` \(oscillator, gait\), so a path to them
-// has two meanings: give one of them another name A path names one thing: the nodes of a graph, and what it
-// shows outside, have names of their own.
+// EXPECT: node\.duplicate_name: two nodes of walk are named `gait` \(oscillator, gait\), so a path to them has two meanings: give one of them another name
+// A path names one thing: the nodes of a graph, and what it shows outside, have names of their own.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"gait", oscillator>,
 #if CCA_REJECT
                          cca::node<"gait", gait>,

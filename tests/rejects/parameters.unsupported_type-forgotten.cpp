@@ -1,5 +1,5 @@
-// EXPECT: parameters\.unsupported_type: `balance` \(balance\) has a struct `parameters` but no public member
-// `parameters p`, so nothing would ever set them: add Parameters that no member holds would never be set.
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\) has a struct `parameters` but no public member `parameters p`, so nothing would ever set them: add
+// Parameters that no member holds would never be set.
 #include "parts.hpp"
 
 struct balance {

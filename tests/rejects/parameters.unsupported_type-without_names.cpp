@@ -1,6 +1,5 @@
-// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`,
-// of which nothing is known: name its fields in it with What a struct of parameters holds is known by the
-// names of its fields.
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`, whose fields are unknown: name them in it with
+// What a struct of parameters holds is known by the names of its fields.
 #include "parts.hpp"
 
 struct balance {

@@ -3,6 +3,7 @@
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::rate<500>,
 #else

@@ -1,14 +1,14 @@
-// EXPECT: rate\.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where
-// none is meant, leave it out A rate is above 0.
+// EXPECT: rate\.missing: a rate is a number of updates per second above 0, as in `cca::rate<1000>`; where none is meant, leave it out
+// A rate is above 0.
 #include "parts.hpp"
 
-struct walk : cca::graph<
+struct walk : cca::graph<cca::node<"log", logbook>,
 #if CCA_REJECT
-                  cca::rate<0>,
+                         cca::rate<0>,
 #else
-                  cca::rate<1000>,
+                         cca::rate<1000>,
 #endif
-                  cca::node<"stance", stance>> {
+                         cca::node<"stance", stance>> {
 };
 
 cca::controller<walk> c;

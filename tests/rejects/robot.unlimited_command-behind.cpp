@@ -1,9 +1,9 @@
-// EXPECT: robot\.unlimited_command: `posture\.angles` reaches the actuator `leg\.command` without passing a
-// limiter: put a cca::limiter<leg_angles> between them What comes after the limiter and may change the
-// command undoes it.
+// EXPECT: robot\.unlimited_command: `posture\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
+// What comes after the limiter and may change the command undoes it.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"limits", cca::limiter<leg_angles>>,
                          cca::node<"posture", posture>,

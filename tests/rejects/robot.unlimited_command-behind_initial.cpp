@@ -1,6 +1,5 @@
-// EXPECT: robot\.unlimited_command: `split\.angles` may be read before a first command has passed a limiter,
-// and would then hold the cca::initial of its wire, which lies outside of the limits of `knee`, on its way to
-// the actuator `drive\.command` The same holds for the wires between a limiter and the actuator.
+// EXPECT: robot\.unlimited_command: `split\.angles` may be read before a first command has passed a limiter, and would then hold the cca::initial of its wire, which lies outside of the limits of `knee`, on its way to the actuator `drive\.command`
+// The same holds for the wires between a limiter and the actuator.
 #include "parts.hpp"
 
 struct drive {
@@ -8,6 +7,7 @@ struct drive {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance, cca::timed<10, 9>>,
                          cca::node<"limits", cca::limiter<leg_angles>>,
                          cca::node<"split", cca::splitter<"angles", leg_angles>, cca::timed<1>>,

@@ -1,10 +1,10 @@
-// EXPECT: robot\.unlimited_command: `leg\.command` may be read before a first command has passed a limiter,
-// and would then hold the cca::initial of its wire The limits of a command hold for what the actuator gets
-// before the first one, too.
+// EXPECT: robot\.unlimited_command: `leg\.command` may be read before a first command has passed a limiter, and would then hold the cca::initial of its wire
+// The limits of a command hold for what the actuator gets before the first one, too.
 #include "parts.hpp"
 
 struct walk
     : cca::graph<cca::rate<1000>,
+                 cca::node<"log", logbook>,
                  cca::node<"stance", stance, cca::timed<10, 9>>,
                  cca::node<"limits", cca::limiter<leg_angles>>,
                  cca::node<"leg", leg>,

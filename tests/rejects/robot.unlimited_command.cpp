@@ -1,8 +1,9 @@
-// EXPECT: robot\.unlimited_command: `stance\.angles` reaches the actuator `leg\.command` without passing a
-// limiter: put a cca::limiter<leg_angles> between them No command reaches an actuator but through a limiter.
+// EXPECT: robot\.unlimited_command: `stance\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
+// No command reaches an actuator but through a limiter.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"leg", leg>,
 #if CCA_REJECT

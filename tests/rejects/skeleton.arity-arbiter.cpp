@@ -1,5 +1,5 @@
-// EXPECT: skeleton\.arity: `arbiter` \(arbiter<.*>\) has 1 source, but between fewer than two there is
-// nothing to choose or to mix: name two or more An arbiter with one writer.
+// EXPECT: skeleton\.arity: `arbiter` \(arbiter<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more
+// An arbiter with one writer.
 #include "parts.hpp"
 
 #if CCA_REJECT
@@ -9,6 +9,7 @@ using order = cca::by_priority<"reflex", "swing">;
 #endif
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"swing", stance>,
                          cca::node<"recorder", recorder>,
                          cca::node<"arbiter", cca::arbiter<"angles", leg_angles, order>>,

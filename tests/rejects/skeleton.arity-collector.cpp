@@ -1,5 +1,5 @@
-// EXPECT: skeleton\.arity: `whole` \(collector<.*>\) is to put attitude together, which has 4 numbers over 3
-// axes, so it is not made of one for each Nor is a quaternion made of one number for each axis.
+// EXPECT: skeleton\.arity: `whole` \(collector<.*>\) is to put attitude together, which has 4 numbers over 3 axes, so it is not made of one for each
+// Nor is a quaternion made of one number for each axis.
 #include "parts.hpp"
 
 #if CCA_REJECT
@@ -14,6 +14,7 @@ struct encoder {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"x", encoder<cca::x>>,
                          cca::node<"y", encoder<cca::y>>,
                          cca::node<"z", encoder<cca::z>>,

@@ -1,5 +1,5 @@
-// EXPECT: skeleton\.arity: `split` \(splitter<.*>\) is to take attitude apart, which has 4 numbers over 3
-// axes, so none of them belongs to one axis A quaternion has no number for each axis.
+// EXPECT: skeleton\.arity: `split` \(splitter<.*>\) is to take attitude apart, which has 4 numbers over 3 axes, so none of them belongs to one axis
+// A quaternion has no number for each axis.
 #include "parts.hpp"
 
 #if CCA_REJECT
@@ -13,6 +13,7 @@ struct inertial_unit {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"trunk", inertial_unit>,
                          cca::node<"split", cca::splitter<"trunk", measured>>,
                          cca::wire<"trunk.trunk", "split.trunk">> {};

@@ -1,5 +1,5 @@
-// EXPECT: skeleton\.arity: `mode` \(switch_between<.*>\) has 1 source, but between fewer than two there is
-// nothing to choose or to mix: name two or more A switch with nothing to switch to.
+// EXPECT: skeleton\.arity: `mode` \(switch_between<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more
+// A switch with nothing to switch to.
 #include "parts.hpp"
 
 struct operator_panel {
@@ -7,6 +7,7 @@ struct operator_panel {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"panel", operator_panel>,
                          cca::node<"recorder", recorder>,

@@ -1,6 +1,5 @@
-// EXPECT: skeleton\.arity: `plan` \(farm_on_threads<.*>\) is to have pipeline<posture, posture> on threads,
-// but that is a graph, whose nodes run in the loop: put what it does into one component A graph belongs to
-// the loop, so it can't be a worker on a thread.
+// EXPECT: skeleton\.arity: `plan` \(farm_on_threads<.*>\) is to have pipeline<posture, posture> on threads, but that is a graph, whose nodes run in the loop: put what it does into one component
+// A graph belongs to the loop, so it can't be a worker on a thread.
 #include <cca/skeleton/farm_on_threads.hpp>
 
 #include "parts.hpp"
@@ -20,6 +19,7 @@ struct all_legs {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"legs", all_legs>,
                          cca::node<"plan", cca::farm_on_threads<worker, legs, legs>>,
                          cca::wire<"legs.angles", "plan.input">> {};

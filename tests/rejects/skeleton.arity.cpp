@@ -1,6 +1,5 @@
-// EXPECT: skeleton\.arity: `blend` \(blend<.*>\) blends 3 sources by 2 weights, but it takes one for each
-// source, or of two sources one: give it a space of weights with 3 axes A blend of three needs a weight for
-// each.
+// EXPECT: skeleton\.arity: `blend` \(blend<.*>\) blends 3 sources by 2 weights, but it takes one for each source, or of two sources one: give it a space of weights with 3 axes
+// A blend of three needs a weight for each.
 #include "parts.hpp"
 
 struct two_weights : cca::space<cca::amplitude, cca::axes<cca::x, cca::y>> {};

@@ -1,5 +1,5 @@
-// EXPECT: space\.duplicate_axis: the space spread of `balance\.spread` has the axis `hip` twice, so reading
-// along it has two meanings: name each axis once in An axis stands for one coordinate of a space.
+// EXPECT: space\.duplicate_axis: the space spread of `balance\.spread` has the axis `hip` twice, so reading along it has two meanings: name each axis once in
+// An axis stands for one coordinate of a space.
 #include "parts.hpp"
 
 #if CCA_REJECT
@@ -12,6 +12,7 @@ struct balance {
 };
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"balance", balance>,
                          cca::node<"stance", stance>,
                          cca::wire<"stance.angles", "balance.angles">> {};

@@ -1,6 +1,5 @@
-// EXPECT: space\.mismatch: `source\.y` publishes foot \(cartesian_position<hip_frame> over x, z\) but
-// `target\.x` expects expected \(cartesian_position<world> over The frame belongs to the domain type: where a
-// foot is seen from the hip is not where it is in the world.
+// EXPECT: space\.mismatch: `source\.y` publishes foot \(cartesian_position<hip_frame> over x, z\) but `target\.x` expects expected \(cartesian_position<world> over
+// The frame belongs to the domain type: where a foot is seen from the hip is not where it is in the world.
 #include "parts.hpp"
 
 struct hip_frame : cca::frame<"hip"> {};

@@ -1,6 +1,5 @@
-// EXPECT: space\.mismatch: `legs\.gait\.angles` \(exposed as `legs\.angles`\) publishes leg_angles
-// \(joint_angles over hip, knee\) but `drive\.torques` expects leg_torques However much is done with the
-// controller, the graph is all that is told of.
+// EXPECT: space\.mismatch: `legs\.gait\.angles` \(exposed as `legs\.angles`\) publishes leg_angles \(joint_angles over hip, knee\) but `drive\.torques` expects leg_torques
+// However much is done with the controller, the graph is all that is told of.
 #include "parts.hpp"
 
 struct legs : cca::graph<cca::node<"cpg", oscillator>,

@@ -1,6 +1,5 @@
-// EXPECT: space\.mismatch: `walking\.gait\.angles` \(exposed as `walking\.angles`\) publishes leg_angles
-// \(joint_angles over hip, knee\) but `watch\.torques` expects leg_torques \(joint_torques over Ports of an
-// inner graph are named by their own path.
+// EXPECT: space\.mismatch: `walking\.gait\.angles` \(exposed as `walking\.angles`\) publishes leg_angles \(joint_angles over hip, knee\) but `watch\.torques` expects leg_torques \(joint_torques over
+// Ports of an inner graph are named by their own path.
 #include "parts.hpp"
 
 struct walking : cca::graph<cca::node<"cpg", oscillator>,

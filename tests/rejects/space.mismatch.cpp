@@ -1,6 +1,6 @@
-// EXPECT: space\.mismatch: `limits\.safe` publishes leg_angles \(joint_angles over hip, knee at 1000 Hz\) but
-// `leg\.command` expects foot_angles \(joint_angles over A wire joins two ports of one space: domain type,
-// axes in their order, rate. The README quotes this message.
+// EXPECT: space\.mismatch: `limits\.safe` publishes leg_angles \(joint_angles over hip, knee at 1000 Hz\) but `leg\.command` expects foot_angles \(joint_angles over
+// A wire joins two ports of one space: domain type, axes in their order, rate. The README quotes this
+// message.
 #include <cca/cca.hpp>
 
 struct hip : cca::dimension<"hip"> {

@@ -1,6 +1,5 @@
-// EXPECT: strategy\.coordination: `compare` \(comparison\) is cca::coordinated, but `compare\.wanted` \(from
-// `wanted\.angles`, every 2 beats\) and `compare\.actual` What compares samples of one time needs sources
-// that make some at one time.
+// EXPECT: strategy\.coordination: `compare` \(comparison\) is cca::coordinated, but `compare\.wanted` \(from `wanted\.angles`, every 2 beats\) and `compare\.actual`
+// What compares samples of one time needs sources that make some at one time.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,9 +1,9 @@
-// EXPECT: strategy\.misplaced: `leg` \(leg\) is a resource node, which runs at fixed beats: it may be
-// cca::timed, cca::full_speed or cca::inactive A resource node begins and ends beats, so it can't wait for
-// its inputs.
+// EXPECT: strategy\.misplaced: `leg` \(leg\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
+// A resource node begins and ends beats, so it can't wait for its inputs.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"limits", cca::limiter<leg_angles>>,
 #if CCA_REJECT

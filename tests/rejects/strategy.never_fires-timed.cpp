@@ -1,8 +1,9 @@
-// EXPECT: strategy\.never_fires: `stance` \(stance\) counts beats by a number below 1: in cca::timed<N> and
-// cca::timeout<N> it is at least 1 Nor does a clock tick every no beats.
+// EXPECT: strategy\.never_fires: `stance` \(stance\) counts beats by a number below 1: in cca::timed<N> and cca::timeout<N> it is at least 1
+// Nor does a clock tick every no beats.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::node<"stance", stance, cca::timed<0>>
 #else

@@ -1,5 +1,5 @@
-// EXPECT: strategy\.never_fires: `watch` \(watch\) fires when an input is fresh, but none of those that it
-// waits for is wired: wire one, or make it cca::timed The input that it waits for is the one to wire.
+// EXPECT: strategy\.never_fires: `watch` \(watch\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
+// The input that it waits for is the one to wire.
 #include "parts.hpp"
 
 struct watch {

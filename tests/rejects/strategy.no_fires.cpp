@@ -1,8 +1,9 @@
-// EXPECT: strategy\.no_fires: `stance` \(stance\) has the strategy `rate<100>`, which cannot say when it
-// fires: use one like cca::timed<10> or cca::moderate, or A strategy says when a component fires.
+// EXPECT: strategy\.no_fires: `stance` \(stance\) has the strategy `rate<100>`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or
+// A strategy says when a component fires.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
 #if CCA_REJECT
                          cca::node<"stance", stance, cca::rate<100>>
 #else

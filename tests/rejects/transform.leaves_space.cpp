@@ -1,5 +1,5 @@
-// EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another
-// space A transformation gives what it takes: here the paw in the trunk's frame, for one in the hip's.
+// EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another space
+// A transformation gives what it takes: here the paw in the trunk's frame, for one in the hip's.
 #include <cca/mapping/mapping.hpp>
 
 #include "parts.hpp"
@@ -20,6 +20,7 @@ struct paw {
   auto process(cca::beat) -> cca::out<"position", paw_in_hip> { return {}; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"paw", paw>,
                          cca::node<"lift", cca::transformation<paw_in_hip, lifted>>,
                          cca::wire<"paw.position", "lift.input">> {};

@@ -1,5 +1,5 @@
-// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has two policies, or two initial
-// values, of which only one could hold: leave one of Of two policies only one could hold.
+// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has two policies or two initial values: leave one of
+// Of two policies only one could hold.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
-// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has the option `timed<10>`, which
-// is none: it may have a policy \(cca::latest, A wire has a policy and an initial value, and nothing else.
+// EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has the option `timed<10>`, which is no option of a wire: it may have a policy \(cca::latest,
+// A wire has a policy and an initial value, and nothing else.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,8 +1,9 @@
-// EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in
-// walk `gait\.phase` is an input and `cpg\.phase` an A wire leads from an output to an input.
+// EXPECT: wire\.direction: a wire leads from an output to an input, but in `gait\.phase` -> `cpg\.phase` in walk `gait\.phase` is an input and `cpg\.phase` an
+// A wire leads from an output to an input.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,
                          cca::node<"gait", gait>,
 #if CCA_REJECT

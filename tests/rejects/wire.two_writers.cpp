@@ -1,10 +1,9 @@
-// EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an
-// input has one writer: put an arbiter in front, cca::arbiter<`angles`, leg_angles, cca::by_priority<`first`,
-// `second`>>, and wire each to an input of it An input has one writer; which of two is to be heard somebody
-// has to decide.
+// EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an input has one writer: put an arbiter in front, cca::arbiter<`angles`, leg_angles, cca::by_priority<`first`, `second`>>, and wire each to an input of it
+// An input has one writer; which of two is to be heard somebody has to decide.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"swing", stance>,
                          cca::node<"recorder", recorder>,

@@ -1,5 +1,5 @@
-// EXPECT: wire\.unconnected_input: `compare\.actual` is not connected: in walk, wire an output of leg_angles
-// \(joint_angles over hip, knee\) to `compare\.actual`, An input needs a wire.
+// EXPECT: wire\.unconnected_input: `compare\.actual` is not connected: in walk, wire an output of leg_angles \(joint_angles over hip, knee\) to `compare\.actual`,
+// An input needs a wire.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

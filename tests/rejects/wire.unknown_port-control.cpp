@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input
-// that its module or its criterion has A mapping stands on an input that is there.
+// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input that its module or its criterion has
+// A mapping stands on an input that is there.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/motor/vite.hpp>
@@ -24,6 +24,7 @@ struct panel {
   auto process(cca::beat) -> cca::out<"go", go> { return 1.0; }
 };
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"stance", stance>,
                          cca::node<"panel", panel>,
                          cca::node<"reach", reach>,

@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: cca::expose<`gait\.angle`, `angles`> in walk names `gait\.angle`, but `gait`
-// \(gait\) has no such port; did you mean `gait\.angles`\? What a graph shows outside exists inside.
+// EXPECT: wire\.unknown_port: cca::expose<`gait\.angle`, `angles`> in walk names `gait\.angle`, but `gait` \(gait\) has no such port; did you mean `gait\.angles`\?
+// What a graph shows outside exists inside.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::node<"cpg", oscillator>,
@@ -13,6 +13,6 @@ struct walk : cca::graph<cca::node<"cpg", oscillator>,
                          > {
 };
 
-struct robot : cca::graph<cca::rate<1000>, cca::node<"walking", walk>> {};
+struct robot : cca::graph<cca::rate<1000>, cca::node<"log", logbook>, cca::node<"walking", walk>> {};
 
 cca::controller<robot> c;

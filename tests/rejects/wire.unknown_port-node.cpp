@@ -1,8 +1,9 @@
-// EXPECT: wire\.unknown_port: the wire `cgp\.phase` -> `gait\.phase` in walk names `cgp\.phase`, but there is
-// no node `cgp`; did you mean `cpg\.phase`\? Nor can it name a node that does not exist.
+// EXPECT: wire\.unknown_port: the wire `cgp\.phase` -> `gait\.phase` in walk names `cgp\.phase`, but there is no node `cgp`; did you mean `cpg\.phase`\?
+// Nor can it name a node that does not exist.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,
                          cca::node<"gait", gait>,
 #if CCA_REJECT

@@ -1,5 +1,5 @@
-// EXPECT: wire\.unknown_port: cca::observe<`gpc\.\*`> in walk hears nothing, for no output has such a path:
-// write it from the nodes of this graph on, as in What is listened to from outside exists.
+// EXPECT: wire\.unknown_port: cca::observe<`gpc\.\*`> in walk matches no output: write the path from the nodes of this graph on, as in
+// What is listened to from outside exists.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,9 +1,9 @@
-// EXPECT: wire\.unknown_port: the wire `cpg\.phase` -> `gait\.phsae` in walk names `gait\.phsae`, but `gait`
-// \(gait\) has no such input; did you mean `gait\.phase`\? A wire names ports that exist; the nearest one is
-// offered.
+// EXPECT: wire\.unknown_port: the wire `cpg\.phase` -> `gait\.phsae` in walk names `gait\.phsae`, but `gait` \(gait\) has no such input; did you mean `gait\.phase`\?
+// A wire names ports that exist; the nearest one is offered.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
                          cca::node<"cpg", oscillator>,
                          cca::node<"gait", gait>,
 #if CCA_REJECT

@@ -47,7 +47,7 @@ class Reject:
 
 
 def order(root):
-    """The ids as the header lists them, which is the order of the checks; then the others."""
+    """The rules of graphs in the order of their list; then the others."""
     listed = rules.rules_of_graphs(root)
     tested = {file.stem.split("-")[0] for file in (root / "tests/rejects").glob("*.cpp")}
     return [rule for rule in listed if rule in tested] + sorted(tested - set(listed))

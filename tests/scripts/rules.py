@@ -3,20 +3,21 @@
 
 usage: rules.py [ROOT of the repository]
 
-A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...". Those
-that graphs are checked by stand also in tests/rejects/many_nodes/mistakes.cpp.
+A rule is a string literal in a header that is, or begins with, its id: "space.mismatch" or "space.mismatch: ...". Each rule
+of graphs has a header of its own, a line in include/cca/graph/diagnosis/rules.hpp, and a mistake in
+tests/rejects/many_nodes/mistakes.cpp.
 """
 import pathlib
 import re
 import sys
 
 FAMILIES = ("space wire node graph rate queue strategy component parameters robot frame transform mapping body skeleton learner "
-            "criterion latency remote deployment bus drive").split()
+            "criterion latency remote deployment bus drive quantity").split()
 LITERAL = re.compile(r'"((?:%s)\.[a-z_]+)[":]' % "|".join(FAMILIES))
 
 
 def rules(root):
-    """Id -> the first header that has it. Comments are left out, and so are wires, whose paths look alike."""
+    """Id -> the first header that has it. Comments do not count, nor do wires, whose paths look like ids."""
     found = {}
     for base in ("include", "sim/include", "hardware/include"):
         for header in sorted((root / base).rglob("*.hpp")):
@@ -27,10 +28,31 @@ def rules(root):
     return found
 
 
+LIST = "include/cca/graph/diagnosis/rules.hpp"
+
+
 def rules_of_graphs(root):
-    """The ids in graph/rules.hpp: those that a graph of many nodes must be told briefly, too."""
-    header = root / "include/cca/graph/rules.hpp"
-    return re.findall(r'^    "([a-z_]+\.[a-z_]+)",', header.read_text(), re.M) if header.exists() else []
+    """The ids of the rules of graphs, in the order of the list. A graph of many nodes must get each message briefly, too."""
+    file = root / LIST
+    listed = re.search(r"using rules = list<(.*?)>;", file.read_text(), re.S) if file.exists() else None
+    return [name.strip().replace("_", ".", 1) for name in listed[1].split(",")] if listed else []
+
+
+def rule_headers(root):
+    """Ids by header, of the folder where each rule has one."""
+    folder = (root / LIST).with_suffix("")
+    return {header.relative_to(root): re.findall(r'id = "([^"]+)";', header.read_text()) for header in sorted(folder.rglob("*.hpp"))}
+
+
+def forgotten_strategies(root):
+    """Each header of component/strategies/ holds a strategy of its name, which stands in the list of strategies.hpp."""
+    folder = root / "include/cca/component/strategies"
+    file = folder.with_suffix(".hpp")
+    listed = re.search(r"using library_strategies = list<(.*?)>;\n", file.read_text(), re.S) if file.exists() else None
+    names = set(re.findall(r"\w+", listed[1])) if listed else set()
+    for header in sorted(folder.glob("*.hpp")):
+        if header.stem not in names:
+            yield f"{header.relative_to(root)}: its strategy is not in the list of include/cca/component/strategies.hpp"
 
 
 def problems(root):
@@ -47,6 +69,13 @@ def problems(root):
     for rule, file in tested.items():
         if rule not in known:
             yield f"{file.relative_to(root)}: no header states the rule {rule}"
+    listed = rules_of_graphs(root)
+    for header, ids in rule_headers(root).items():
+        if ids != [header.stem.replace("_", ".", 1)]:
+            yield f"{header}: its one rule must have the id {header.stem.replace('_', '.', 1)}"
+        elif ids[0] not in listed:
+            yield f"{header}: its rule is not in the list of {LIST}"
+    yield from forgotten_strategies(root)
     if not known:
         yield "no rule found in the headers"
 

@@ -96,6 +96,22 @@ class Rules(Tree):
         self.assertEqual(sorted(rules.rules(self.root)), ["space.mismatch", "wire.direction"])
         self.assertEqual(len(list(rules.problems(self.root))), 2)
 
+    def test_rules_of_graphs(self):
+        def header(name, id):
+            self.write(f"include/cca/graph/diagnosis/rules/wires/{name}.hpp", f'static constexpr std::string_view id = "{id}";\n')
+            self.write(f"tests/rejects/{id}.cpp", "")
+
+        self.write("include/cca/graph/diagnosis/rules.hpp", "using rules = list<\n    wire_direction,\n    wire_two_writers\n>;\n")
+        header("wire_two_writers", "wire.two_writers")
+        header("wire_direction", "wire.direction")
+        self.write("tests/rejects/many_nodes/mistakes.cpp", "// EXPECT a: wire\\.direction: a\n// EXPECT b: wire\\.two_writers: b\n")
+        self.assertEqual(rules.rules_of_graphs(self.root), ["wire.direction", "wire.two_writers"])
+        self.assertEqual(list(rules.problems(self.root)), [])
+        header("wire_forgotten", "wire.forgotten")
+        header("wire_direction", "wire.other")
+        # One header is not in the list, one has another id than its name, and no header states wire.direction.
+        self.assertEqual(len(list(rules.problems(self.root))), 3)
+
 
 class Rejects(Tree):
     SOUND = '// EXPECT: space\\.mismatch: a and b\n#if CCA_REJECT\nstatic_assert(false, "space.mismatch: a and b");\n#endif\n'

@@ -68,36 +68,6 @@ public:
 
   long architectures = 0, samples = 0, firings = 0;
 
-private:
-  void add(const strategy& s, const std::string& where) {
-    constexpr const char* names[] = {"default",  "timed",          "restless",    "moderate",
-                                     "timeout",  "port_triggered", "coordinated", "full_speed",
-                                     "inactive", "any_of",         "all_of",      "user"};
-    ++counts[(s.is == strategy::user ? "user: " + s.names[0] : names[s.is]) + where];
-    if (s.is == strategy::timed && s.phase != 0) ++counts["timed with a phase" + where];
-    for (const strategy& part : s.parts) add(part, where);
-  }
-
-  void add(const input& in, const turn& t, const interpreter& i) {
-    if (!in.wired) {
-      counts["optional_in, not wired"] += in.reads > 0;
-      return;
-    }
-    counts["optional_in, wired"] += in.optional && in.fresh_reads > 0;
-    if (in.fresh_reads == 0) return;
-    counts["initial"] += std::any_of(in.initial.begin(), in.initial.end(), [](double x) { return x != 0; });
-    counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
-    if (in.is == policy::latest) ++counts["latest"];
-    if (in.is == policy::delayed) ++counts[in.delay == 1 ? "delayed<1>" : "delayed<N>"];
-    counts["delayed, its own writer"] += in.is == policy::delayed && i.g.turns[in.writer].node == t.node;
-    if (in.is != policy::queue) return;
-    constexpr const char* names[] = {"queue, drop_oldest", "queue, drop_newest", "queue, reject"};
-    const std::string name = names[static_cast<int>(in.full)];
-    ++counts[name];
-    counts[name + ": lost"] += in.full != when_full::reject && in.dropped > 0;
-    counts["queue, read empty after a sample"] += in.taken && in.reads > in.fresh_reads;
-  }
-
   static constexpr const char* wanted[] = {"default",
                                            "timed",
                                            "timed with a phase",
@@ -170,6 +140,36 @@ private:
                                            "skeleton: collector",
                                            "skeleton: share_out",
                                            "skeleton: gather"};
+
+private:
+  void add(const strategy& s, const std::string& where) {
+    constexpr const char* names[] = {"default",  "timed",          "restless",    "moderate",
+                                     "timeout",  "port_triggered", "coordinated", "full_speed",
+                                     "inactive", "any_of",         "all_of",      "user"};
+    ++counts[(s.is == strategy::user ? "user: " + s.names[0] : names[s.is]) + where];
+    if (s.is == strategy::timed && s.phase != 0) ++counts["timed with a phase" + where];
+    for (const strategy& part : s.parts) add(part, where);
+  }
+
+  void add(const input& in, const turn& t, const interpreter& i) {
+    if (!in.wired) {
+      counts["optional_in, not wired"] += in.reads > 0;
+      return;
+    }
+    counts["optional_in, wired"] += in.optional && in.fresh_reads > 0;
+    if (in.fresh_reads == 0) return;
+    counts["initial"] += std::any_of(in.initial.begin(), in.initial.end(), [](double x) { return x != 0; });
+    counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
+    if (in.is == policy::latest) ++counts["latest"];
+    if (in.is == policy::delayed) ++counts[in.delay == 1 ? "delayed<1>" : "delayed<N>"];
+    counts["delayed, its own writer"] += in.is == policy::delayed && i.g.turns[in.writer].node == t.node;
+    if (in.is != policy::queue) return;
+    constexpr const char* names[] = {"queue, drop_oldest", "queue, drop_newest", "queue, reject"};
+    const std::string name = names[static_cast<int>(in.full)];
+    ++counts[name];
+    counts[name + ": lost"] += in.full != when_full::reject && in.dropped > 0;
+    counts["queue, read empty after a sample"] += in.taken && in.reads > in.fresh_reads;
+  }
 
   std::map<std::string, long> counts;
 };

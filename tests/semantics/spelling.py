@@ -158,7 +158,7 @@ def code(made):
     top = f"architecture_{made.seed}::top"
     as_long = []  # as graphs of very many functions are: cut into parts, and each function simplified once
     if made.seed % 3 == 0:
-        as_long.append(f"template <>\nconstexpr int cca::detail::turns_in_part<{top}> = {1 + made.seed % 4};")
+        as_long.append(f"template <>\nconstexpr int cca::detail::calls_in_part<{top}> = {1 + made.seed % 4};")
     if made.seed % 5 == 0:
         as_long.append(f"template <>\nconstexpr bool cca::detail::simplified_once<{top}> = true;")
     if as_long:

@@ -28,10 +28,10 @@ struct slow_graph_mended : cca::graph<cca::rate<1000>, cca::node<"a", source<>>>
 
 struct inner_rate : khz<cca::node<"g", slow_graph>> {};
 struct inner_rate_mended : khz<cca::node<"g", slow_graph_mended>> {};
-static_assert(tells<inner_rate, inner_rate_mended>({"rate.mismatch", "g",
-                                                    "the inner graph `g` (slow_graph) states 250 Hz, but "
-                                                    "inner_rate runs at 1000 Hz: give both one rate, or let "
-                                                    "the inner one state none"}));
+static_assert(tells<inner_rate, inner_rate_mended>(
+    {"rate.mismatch", "g",
+     "the inner graph `g` (slow_graph) states 250 Hz, but inner_rate runs at 1000 Hz: give both one rate, or "
+     "let the inner one state none"}));
 
 struct at_100 : cca::space<cca::number, cca::axes<cca::x>, cca::rate<100>> {};
 
@@ -40,8 +40,7 @@ struct space_rate_mended : khz<cca::node<"a", source<at_100>, cca::timed<10>>> {
 static_assert(tells<space_rate, space_rate_mended>(
     {"rate.mismatch", "a.y",
      "`a.y` is published every 4 beats, that is at 250 Hz, but its space is at_100 (number over x at 100 "
-     "Hz): "
-     "change the strategy of `a`, or the rate of the space, or let the space state none"}));
+     "Hz): change the strategy of `a`, or the rate of the space, or let the space state none"}));
 
 struct to_100 {
   auto process(cca::in<"x", signal>) -> cca::out<"y", at_100> { return {}; }
@@ -54,8 +53,7 @@ struct space_rate_derived_mended
 static_assert(tells<space_rate_derived, space_rate_derived_mended>(
     {"rate.mismatch", "b.y",
      "`b.y` is published every 5 beats, that is at 200 Hz, but its space is at_100 (number over x at 100 "
-     "Hz): "
-     "change the strategy of `b`, or the rate of the space, or let the space state none"}));
+     "Hz): change the strategy of `b`, or the rate of the space, or let the space state none"}));
 
 struct unstated
     : khz<cca::node<"a", source<>>, cca::node<"b", sink<>, cca::timed<10>>, cca::wire<"a.y", "b.x">> {};
@@ -73,12 +71,11 @@ struct unstated_phase : khz<cca::node<"a", source<>, cca::timed<4, 3>>,
 struct unstated_phase_mended : khz<cca::node<"a", source<>, cca::timed<4, 4>>,
                                    cca::node<"b", sink<>, cca::timed<4>>,
                                    cca::wire<"a.y", "b.x">> {};
-static_assert(
-    tells<unstated_phase, unstated_phase_mended>({"rate.unstated", "a.y -> b.x",
-                                                  "`a.y` is published every 4 beats from beat 3 but `b.x` is "
-                                                  "read every 4 beats, and the wire does not say what "
-                                                  "happens between them: write cca::wire<`a.y`, `b.x`, "
-                                                  "cca::latest>, or cca::queue or cca::delayed instead"}));
+static_assert(tells<unstated_phase, unstated_phase_mended>(
+    {"rate.unstated", "a.y -> b.x",
+     "`a.y` is published every 4 beats from beat 3 but `b.x` is read every 4 beats, and the wire does not "
+     "say what happens between them: write cca::wire<`a.y`, `b.x`, cca::latest>, or cca::queue or "
+     "cca::delayed instead"}));
 
 struct overflow : khz<cca::node<"a", source<>>,
                       cca::node<"b", sink<>, cca::timed<3>>,
@@ -86,11 +83,11 @@ struct overflow : khz<cca::node<"a", source<>>,
 struct overflow_mended : khz<cca::node<"a", source<>, cca::timed<3, 1>>,
                              cca::node<"b", sink<>, cca::timed<3>>,
                              cca::wire<"a.y", "b.x", cca::queue<8, cca::reject>>> {};
-static_assert(tells<overflow, overflow_mended>({"queue.overflow", "a.y -> b.x",
-                                                "`a.y` is published every beat but `b.x` is read every 3 "
-                                                "beats, so the queue of 8 between them is full sooner "
-                                                "or later, which cca::reject forbids: read faster, or say "
-                                                "what is lost: cca::drop_oldest or cca::drop_newest"}));
+static_assert(tells<overflow, overflow_mended>(
+    {"queue.overflow", "a.y -> b.x",
+     "`a.y` is published every beat but `b.x` is read every 3 beats, so the queue of 8 between them is full "
+     "sooner or later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or "
+     "cca::drop_newest"}));
 
 struct overflow_never_read : khz<cca::node<"a", source<>>,
                                  cca::node<"b", sink<>, cca::inactive>,
@@ -101,8 +98,7 @@ struct overflow_never_read_mended : khz<cca::node<"a", source<>>,
 static_assert(tells<overflow_never_read, overflow_never_read_mended>(
     {"queue.overflow", "a.y -> b.x",
      "`a.y` is published every beat but `b.x` is never read, so the queue of 8 between them is full sooner "
-     "or "
-     "later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or "
+     "or later, which cca::reject forbids: read faster, or say what is lost: cca::drop_oldest or "
      "cca::drop_newest"}));
 
 struct late_reader {  // fires first when the delayed sample is there
@@ -116,9 +112,8 @@ struct overflow_at_first : khz<cca::node<"a", source<>>,
 static_assert(tells<overflow_at_first<10>, overflow_at_first<11>>(
     {"queue.overflow", "a.y -> b.x",
      "`a.y` is published every beat but `b.x` is read every beat from beat 10, so the queue of 10 between "
-     "them is full "
-     "sooner or later, which cca::reject forbids: read sooner, or say what is lost: cca::drop_oldest or "
-     "cca::drop_newest"}));
+     "them is full sooner or later, which cca::reject forbids: read sooner, or say what is lost: "
+     "cca::drop_oldest or cca::drop_newest"}));
 
 // What waits when it is first read waits as long ever after.
 template <int Room, int Beats>
@@ -135,9 +130,8 @@ static_assert(cca::well_formed<age_at_first<4, 3>> &&
 struct deaf : khz<cca::node<"b", listener<>>> {};
 struct deaf_mended : khz<cca::node<"b", listener<>, cca::any_of<cca::restless, cca::timeout<9>>>> {};
 static_assert(tells<deaf, deaf_mended>({"strategy.never_fires", "b",
-                                        "`b` (listener<>) fires when an input is fresh, but none of those "
-                                        "that it waits for is wired: wire one, or "
-                                        "make it cca::timed"}));
+                                        "`b` (listener<>) fires only when a sample arrives, but no input "
+                                        "that it waits for is wired: wire one, or make it cca::timed"}));
 
 struct deaf_trigger : khz<cca::node<"a", source<>>,
                           cca::node<"b", listener<>, cca::port_triggered<"z">>,
@@ -146,18 +140,17 @@ struct deaf_trigger_mended
     : khz<cca::node<"a", source<>>,
           cca::node<"b", listener<>, cca::any_of<cca::port_triggered<"z">, cca::port_triggered<"x">>>,
           cca::wire<"a.y", "b.x">> {};
-static_assert(
-    tells<deaf_trigger, deaf_trigger_mended>({"strategy.never_fires", "b",
-                                              "`b` (listener<>) fires when an input is fresh, but none of "
-                                              "those that it waits for is wired: wire one, or "
-                                              "make it cca::timed"}));
+static_assert(tells<deaf_trigger, deaf_trigger_mended>(
+    {"strategy.never_fires", "b",
+     "`b` (listener<>) fires only when a sample arrives, but no input that it waits for is wired: wire one, "
+     "or make it cca::timed"}));
 
 struct exclusive : khz<cca::node<"a", source<>, cca::all_of<cca::timed<2>, cca::timed<4, 1>>>> {};
 struct exclusive_mended : khz<cca::node<"a", source<>, cca::all_of<cca::timed<2>, cca::timed<3, 1>>>> {};
-static_assert(tells<exclusive, exclusive_mended>({"strategy.never_fires", "a",
-                                                  "`a` (source<>) never fires: the clocks under its "
-                                                  "cca::all_of have no beat in common; change a period or a "
-                                                  "phase"}));
+static_assert(
+    tells<exclusive, exclusive_mended>({"strategy.never_fires", "a",
+                                        "`a` (source<>) never fires: the clocks under its cca::all_of have "
+                                        "no beat in common; change a period or a phase"}));
 
 struct exclusive_within
     : khz<cca::
@@ -166,9 +159,16 @@ struct exclusive_within
 struct exclusive_within_mended : khz<cca::node<"a", source<>, cca::any_of<cca::timed<2>, cca::timed<3>>>> {};
 static_assert(tells<exclusive_within, exclusive_within_mended>(
     {"strategy.never_fires", "a",
-     "`a` (source<>) never fires: the clocks under its cca::all_of have no beat in common; change a period "
-     "or a "
-     "phase"}));
+     "`a` (source<>) has all_of<timed<2>, timed<2, 1>> in its strategy, which never fires: its clocks have "
+     "no beat in common; change a period or a phase, or remove it"}));
+
+struct exclusive_and_waiting
+    : khz<cca::node<"a", source<>>,
+          cca::node<"b", sink<>, cca::all_of<cca::restless, cca::all_of<cca::timed<2>, cca::timed<4, 3>>>>,
+          cca::wire<"a.y", "b.x", cca::latest>> {};
+static_assert(cca::diagnosis<exclusive_and_waiting>.message ==
+              "strategy.never_fires: `b` (sink<>) has all_of<timed<2>, timed<4, 3>> in its strategy, which "
+              "never fires: its clocks have no beat in common; change a period or a phase, or remove it");
 
 struct loop
     : khz<cca::node<"a", step<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "a.x">> {
@@ -177,11 +177,10 @@ struct loop_mended : khz<cca::node<"a", step<>>,
                          cca::node<"b", step<>>,
                          cca::wire<"a.y", "b.x">,
                          cca::wire<"b.y", "a.x", cca::delayed<1>>> {};
-static_assert(
-    tells<loop, loop_mended>({"graph.algebraic_loop", "b.y -> a.x",
-                              "`a.y` -> `b.x`, `b.y` -> `a.x` are a loop without delay, so none of their "
-                              "components can come first; say "
-                              "where it may be a beat late: cca::wire<`b.y`, `a.x`, cca::delayed<1>>"}));
+static_assert(tells<loop, loop_mended>(
+    {"graph.algebraic_loop", "b.y -> a.x",
+     "`a.y` -> `b.x`, `b.y` -> `a.x` are a loop without delay, so none of their components can come first; "
+     "say where it may be a beat late: cca::wire<`b.y`, `a.x`, cca::delayed<1>>"}));
 
 struct loop_of_three : khz<cca::node<"z", source<>>,
                            cca::node<"a", merge<>>,
@@ -206,16 +205,14 @@ struct loop_of_three_mended : khz<cca::node<"z", source<>>,
 static_assert(tells<loop_of_three, loop_of_three_mended>(
     {"graph.algebraic_loop", "c.y -> a.b",
      "`a.y` -> `b.x`, `b.y` -> `c.x`, `c.y` -> `a.b` are a loop without delay, so none of their components "
-     "can come "
-     "first; say where it may be a beat late: cca::wire<`c.y`, `a.b`, cca::delayed<1>>"}));
+     "can come first; say where it may be a beat late: cca::wire<`c.y`, `a.b`, cca::delayed<1>>"}));
 
 struct loop_of_one : khz<cca::node<"a", step<>>, cca::wire<"a.y", "a.x">> {};
 struct loop_of_one_mended : khz<cca::node<"a", step<>>, cca::wire<"a.y", "a.x", cca::delayed<1>>> {};
-static_assert(
-    tells<loop_of_one, loop_of_one_mended>({"graph.algebraic_loop", "a.y -> a.x",
-                                            "`a.y` -> `a.x` is a loop without delay, so its component would "
-                                            "have to come before itself; say where it may "
-                                            "be a beat late: cca::wire<`a.y`, `a.x`, cca::delayed<1>>"}));
+static_assert(tells<loop_of_one, loop_of_one_mended>(
+    {"graph.algebraic_loop", "a.y -> a.x",
+     "`a.y` -> `a.x` is a loop without delay, so its component would have to come before itself; say where "
+     "it may be a beat late: cca::wire<`a.y`, `a.x`, cca::delayed<1>>"}));
 
 struct eye {
   auto sense(cca::in<"x", signal>) -> cca::out<"y", signal> { return {}; }
@@ -230,8 +227,7 @@ struct backwards_mended : khz<cca::node<"e", eye>,
 static_assert(tells<backwards, backwards_mended>(
     {"graph.algebraic_loop", "a.y -> e.x",
      "`a.y` -> `e.x` leads back within a beat, which is: every sense, then every component, then every act; "
-     "say "
-     "where it may be a beat late: cca::wire<`a.y`, `e.x`, cca::delayed<1>>"}));
+     "say where it may be a beat late: cca::wire<`a.y`, `e.x`, cca::delayed<1>>"}));
 
 struct watcher {
   auto process(cca::observe<"a.*">) -> cca::out<"y", signal> { return {}; }
@@ -245,9 +241,8 @@ struct observed_loop_mended
     : khz<cca::node<"o", late_watcher>, cca::node<"a", step<>>, cca::wire<"o.y", "a.x">> {};
 static_assert(tells<observed_loop, observed_loop_mended>(
     {"graph.algebraic_loop", "o",
-     "`o` listens to `a.*`, and so to `a.y`, which depends on what it publishes itself, so neither can come "
-     "first; "
-     "let it listen a beat later: cca::observe<`a.*`, cca::delayed<1>>"}));
+     "`o` observes `a.*`, and so `a.y`, which depends on what it publishes itself, so neither can come "
+     "first; let it observe a beat later: cca::observe<`a.*`, cca::delayed<1>>"}));
 
 struct apart : khz<cca::node<"a", source<>, cca::timed<2, 0>>,
                    cca::node<"c", source<>, cca::timed<2, 1>>,
@@ -259,12 +254,11 @@ struct apart_mended : khz<cca::node<"a", source<>, cca::timed<2>>,
                           cca::node<"m", merge<>, cca::coordinated>,
                           cca::wire<"a.y", "m.a">,
                           cca::wire<"c.y", "m.b">> {};
-static_assert(tells<apart, apart_mended>({"strategy.coordination", "m",
-                                          "`m` (merge<>) is cca::coordinated, but `m.a` (from `a.y`, every 2 "
-                                          "beats) and `m.b` (from `c.y`, every 2 beats "
-                                          "from beat 1) never hold samples of one time of origin, so it "
-                                          "would never fire: feed them from one source at "
-                                          "one rate, with equal delays, or make it cca::moderate"}));
+static_assert(tells<apart, apart_mended>(
+    {"strategy.coordination", "m",
+     "`m` (merge<>) is cca::coordinated, but `m.a` (from `a.y`, every 2 beats) and `m.b` (from `c.y`, every "
+     "2 beats from beat 1) never hold samples of one time of origin, so it would never fire: feed them from "
+     "one source at one rate, with equal delays, or make it cca::moderate"}));
 
 struct old : khz<cca::node<"a", source<>>,
                  cca::node<"b", sink<>>,
@@ -274,10 +268,10 @@ struct old_mended : khz<cca::node<"a", source<>>,
                         cca::node<"b", sink<>>,
                         cca::wire<"a.y", "b.x", cca::delayed<2>>,
                         cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
-static_assert(tells<old, old_mended>({"latency.exceeded", "a.y -> b.x",
-                                      "a sample of `a.y` can be 3 beats old when `b.x` is read, but old "
-                                      "requires at most 2: shorten a delay or a "
-                                      "queue on the way, or run the components on it more often"}));
+static_assert(tells<old, old_mended>(
+    {"latency.exceeded", "a.y -> b.x",
+     "a sample of `a.y` can be 3 beats old when `b.x` is read, but old requires at most 2: shorten a delay "
+     "or a queue on the way, or run the components on it more often"}));
 
 struct perhaps {
   auto process(cca::in<"x", signal>) -> cca::maybe<"y", signal> { return {}; }
@@ -295,10 +289,9 @@ struct of_any_age_mended : khz<cca::node<"a", source<>>,
                                cca::wire<"a.y", "p.x">,
                                cca::wire<"p.y", "b.x">,
                                cca::require<cca::latency<"a.y", "b.x">, cca::beats<0>>> {};
-static_assert(
-    tells<of_any_age, of_any_age_mended>({"latency.exceeded", "a.y -> b.x",
-                                          "a sample of `a.y` can be of any age when `b.x` is read, but "
-                                          "of_any_age requires at most 9: a clock on the way "
-                                          "is known only at run time; make those components cca::timed"}));
+static_assert(tells<of_any_age, of_any_age_mended>(
+    {"latency.exceeded", "a.y -> b.x",
+     "a sample of `a.y` can be of any age when `b.x` is read, but of_any_age requires at most 9: a clock on "
+     "the way is known only at run time; make those components cca::timed"}));
 
 }  // namespace

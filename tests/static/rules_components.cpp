@@ -13,8 +13,7 @@ struct twice : khz<cca::node<"a", source<>>, cca::node<"a", step<>>, cca::wire<"
 struct twice_mended : khz<cca::node<"a", source<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">> {};
 static_assert(tells<twice, twice_mended>({"node.duplicate_name", "a",
                                           "two nodes of twice are named `a` (source<>, step<>), so a path to "
-                                          "them has two meanings: give one of them "
-                                          "another name"}));
+                                          "them has two meanings: give one of them another name"}));
 
 struct twice_outside : khz<cca::node<"a", source<>>,
                            cca::node<"b", source<>>,
@@ -30,36 +29,34 @@ static_assert(tells<twice_outside, twice_outside_mended>(
 
 struct twice_inside : khz<cca::node<"g", twice>> {};
 struct twice_inside_mended : khz<cca::node<"g", twice_mended>> {};
-static_assert(
-    tells<twice_inside, twice_inside_mended>({"node.duplicate_name", "g.a",
-                                              "two nodes of twice are named `a` (source<>, step<>), so a "
-                                              "path to them has two meanings: give one of them "
-                                              "another name"}));
+static_assert(tells<twice_inside, twice_inside_mended>(
+    {"node.duplicate_name", "g.a",
+     "two nodes of twice are named `a` (source<>, step<>), so a path to them has two meanings: give one of "
+     "them another name"}));
 
 struct nothing {};
 
 struct empty : khz<cca::node<"a", nothing>> {};
 struct empty_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<empty, empty_mended>({"component.no_process", "a",
-                                          "`a` (nothing) has no `process` from which its ports could be "
-                                          "read: give it one, public, neither overloaded "
-                                          "nor a template, as in `auto process(cca::in<...>) -> "
-                                          "cca::out<...>`; a resource node has `sense` and `act` "
-                                          "instead"}));
+static_assert(tells<empty, empty_mended>(
+    {"component.no_process", "a",
+     "`a` (nothing) has no `process` from which its ports could be read: give it one, public, neither "
+     "overloaded nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource node has "
+     "`sense` and `act` instead"}));
 
 struct number : khz<cca::node<"a", int>> {};
 struct number_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<number, number_mended>({"component.no_process", "a",
-                                            "`a` (int) has no `process` from which its ports could be read: "
-                                            "give it one, public, neither overloaded nor a "
-                                            "template, as in `auto process(cca::in<...>) -> cca::out<...>`; "
-                                            "a resource node has `sense` and `act` instead"}));
+static_assert(tells<number, number_mended>(
+    {"component.no_process", "a",
+     "`a` (int) has no `process` from which its ports could be read: give it one, public, neither overloaded "
+     "nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource node has `sense` and "
+     "`act` instead"}));
 
 struct unchanging : khz<cca::node<"a", const source<>>> {};
 struct unchanging_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<unchanging, unchanging_mended>(
     {"component.no_process", "a",
-     "`a` (source<>) is const, and what a component holds changes as it runs: leave the `const` out"}));
+     "`a` (source<>) is const, but a component changes as it runs: remove the `const`"}));
 
 struct two_processes {
   void process(cca::in<"x", signal>) {}
@@ -72,8 +69,7 @@ static_assert(tells<overloaded, overloaded_mended>(
     {"component.no_process", "a",
      "`a` (two_processes) has no `process` from which its ports could be read: give it one, public, neither "
      "overloaded nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource node has "
-     "`sense` "
-     "and `act` instead"}));
+     "`sense` and `act` instead"}));
 
 class private_process {
   void process(cca::beat) {}
@@ -81,12 +77,11 @@ class private_process {
 
 struct hidden : khz<cca::node<"a", private_process>> {};
 struct hidden_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<hidden, hidden_mended>({"component.no_process", "a",
-                                            "`a` (private_process) has no `process` from which its ports "
-                                            "could be read: give it one, public, neither "
-                                            "overloaded nor a template, as in `auto process(cca::in<...>) -> "
-                                            "cca::out<...>`; a resource node has `sense` "
-                                            "and `act` instead"}));
+static_assert(tells<hidden, hidden_mended>(
+    {"component.no_process", "a",
+     "`a` (private_process) has no `process` from which its ports could be read: give it one, public, "
+     "neither overloaded nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource "
+     "node has `sense` and `act` instead"}));
 
 struct template_process {
   template <class Port>
@@ -95,12 +90,11 @@ struct template_process {
 
 struct generic : khz<cca::node<"a", template_process>> {};
 struct generic_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<generic, generic_mended>({"component.no_process", "a",
-                                              "`a` (template_process) has no `process` from which its ports "
-                                              "could be read: give it one, public, neither "
-                                              "overloaded nor a template, as in `auto process(cca::in<...>) "
-                                              "-> cca::out<...>`; a resource node has `sense` "
-                                              "and `act` instead"}));
+static_assert(tells<generic, generic_mended>(
+    {"component.no_process", "a",
+     "`a` (template_process) has no `process` from which its ports could be read: give it one, public, "
+     "neither overloaded nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource "
+     "node has `sense` and `act` instead"}));
 
 struct process_is_data {
   int process = 0;
@@ -108,12 +102,11 @@ struct process_is_data {
 
 struct data : khz<cca::node<"a", process_is_data>> {};
 struct data_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<data, data_mended>({"component.no_process", "a",
-                                        "`a` (process_is_data) has no `process` from which its ports could "
-                                        "be read: give it one, public, neither "
-                                        "overloaded nor a template, as in `auto process(cca::in<...>) -> "
-                                        "cca::out<...>`; a resource node has `sense` "
-                                        "and `act` instead"}));
+static_assert(tells<data, data_mended>(
+    {"component.no_process", "a",
+     "`a` (process_is_data) has no `process` from which its ports could be read: give it one, public, "
+     "neither overloaded nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource "
+     "node has `sense` and `act` instead"}));
 
 struct process_and_sense {
   void process(cca::beat) {}
@@ -137,8 +130,7 @@ static_assert(tells<takes_number, takes_number_mended>(
     {"component.bad_parameter", "a",
      "`a` (with_number): `process` takes `int`, but it may take only ports (cca::in, cca::optional_in, "
      "cca::observe) and the cca::beat, each by value or by reference to const; give constants as "
-     "`parameters`, and "
-     "data of other components by a wire"}));
+     "`parameters`, and data of other components by a wire"}));
 
 struct with_reference {
   void process(cca::in<"x", signal>&) {}
@@ -151,8 +143,7 @@ static_assert(tells<takes_reference, takes_reference_mended>(
     {"component.bad_parameter", "a",
      "`a` (with_reference): `process` takes `in<x, signal>&`, but it may take only ports (cca::in, "
      "cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to const; give "
-     "constants as "
-     "`parameters`, and data of other components by a wire"}));
+     "constants as `parameters`, and data of other components by a wire"}));
 
 struct with_output {
   void act(cca::out<"x", signal>) {}
@@ -164,8 +155,7 @@ static_assert(tells<takes_output, takes_output_mended>(
     {"component.bad_parameter", "a",
      "`a` (with_output): `act` takes `out<x, signal>`, but it may take only ports (cca::in, "
      "cca::optional_in, cca::observe) and the cca::beat, each by value or by reference to const; give "
-     "constants as "
-     "`parameters`, and data of other components by a wire"}));
+     "constants as `parameters`, and data of other components by a wire"}));
 
 struct same_inputs {
   void process(cca::in<"x", signal>, cca::in<"x", signal>) {}
@@ -173,10 +163,10 @@ struct same_inputs {
 
 struct two_inputs : khz<cca::node<"a", same_inputs>, cca::node<"s", source<>>, cca::wire<"s.y", "a.x">> {};
 struct two_inputs_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<two_inputs, two_inputs_mended>({"component.bad_parameter", "a",
-                                                    "`a` (same_inputs) has two inputs named `x`, so a wire "
-                                                    "to it would have two meanings: give one of them another "
-                                                    "name"}));
+static_assert(
+    tells<two_inputs, two_inputs_mended>({"component.bad_parameter", "a",
+                                          "`a` (same_inputs) has two inputs named `x`, so a wire to it would "
+                                          "have two meanings: give one of them another name"}));
 
 struct same_in_halves {
   auto sense(cca::in<"w", signal>) -> cca::out<"y", signal> { return {}; }
@@ -189,8 +179,7 @@ struct two_inputs_of_halves_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<two_inputs_of_halves, two_inputs_of_halves_mended>(
     {"component.bad_parameter", "a",
      "`a` (same_in_halves) has two inputs named `w`, so a wire to it would have two meanings: give one of "
-     "them "
-     "another name"}));
+     "them another name"}));
 
 struct same_outputs {
   auto process(cca::beat) -> std::tuple<cca::out<"y", signal>, cca::maybe<"y", signal>> { return {}; }
@@ -198,10 +187,10 @@ struct same_outputs {
 
 struct two_outputs : khz<cca::node<"a", same_outputs>> {};
 struct two_outputs_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<two_outputs, two_outputs_mended>({"component.bad_result", "a",
-                                                      "`a` (same_outputs) has two outputs named `y`, so a "
-                                                      "wire to it would have two meanings: give one of them "
-                                                      "another name"}));
+static_assert(
+    tells<two_outputs, two_outputs_mended>({"component.bad_result", "a",
+                                            "`a` (same_outputs) has two outputs named `y`, so a wire to it "
+                                            "would have two meanings: give one of them another name"}));
 
 struct gives_number {
   double process(cca::beat) { return 0; }
@@ -209,11 +198,10 @@ struct gives_number {
 
 struct returns_number : khz<cca::node<"a", gives_number>> {};
 struct returns_number_mended : khz<cca::node<"a", source<>>> {};
-static_assert(
-    tells<returns_number, returns_number_mended>({"component.bad_result", "a",
-                                                  "`a` (gives_number): `process` returns `double`, but it "
-                                                  "may return only ports (cca::out, cca::maybe) and a "
-                                                  "cca::fault, one or several in a std::tuple, or void"}));
+static_assert(tells<returns_number, returns_number_mended>(
+    {"component.bad_result", "a",
+     "`a` (gives_number): `process` returns `double`, but it may return only ports (cca::out, cca::maybe) "
+     "and a cca::fault, one or several in a std::tuple, or void"}));
 
 struct gives_pair {
   auto process(cca::beat) -> std::pair<cca::out<"y", signal>, int> { return {}; }
@@ -243,11 +231,10 @@ struct starts_with_beat : source<> {
 
 struct hook : khz<cca::node<"a", starts_with_beat>> {};
 struct hook_mended : khz<cca::node<"a", source<>>> {};
-static_assert(
-    tells<hook, hook_mended>({"component.hook_signature", "a",
-                              "`a` (starts_with_beat) has a hook `on_start` that would never be called, for "
-                              "it is not `void on_start()`: "
-                              "make it a public function of that signature, or give it another name"}));
+static_assert(tells<hook, hook_mended>(
+    {"component.hook_signature", "a",
+     "`a` (starts_with_beat) has a hook `on_start` that would never be called, because it is not `void "
+     "on_start()`: make it a public function of that signature, or give it another name"}));
 
 class loads_in_private : public source<> {
   void on_load() {}
@@ -257,9 +244,8 @@ struct hook_hidden : khz<cca::node<"a", loads_in_private>> {};
 struct hook_hidden_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<hook_hidden, hook_hidden_mended>(
     {"component.hook_signature", "a",
-     "`a` (loads_in_private) has a hook `on_load` that would never be called, for it is not `void "
-     "on_load()`: make "
-     "it a public function of that signature, or give it another name"}));
+     "`a` (loads_in_private) has a hook `on_load` that would never be called, because it is not `void "
+     "on_load()`: make it a public function of that signature, or give it another name"}));
 
 struct stops_in_two_ways : source<> {
   int on_stop() { return 0; }
@@ -276,9 +262,8 @@ struct hook_overloaded : khz<cca::node<"a", stops_in_two_ways>> {};
 struct hook_overloaded_mended : khz<cca::node<"a", stops>> {};
 static_assert(tells<hook_overloaded, hook_overloaded_mended>(
     {"component.hook_signature", "a",
-     "`a` (stops_in_two_ways) has a hook `on_stop` that would never be called, for it is not `void "
-     "on_stop()`: make "
-     "it a public function of that signature, or give it another name"}));
+     "`a` (stops_in_two_ways) has a hook `on_stop` that would never be called, because it is not `void "
+     "on_stop()`: make it a public function of that signature, or give it another name"}));
 
 struct fault_is_data : source<> {
   bool on_fault = false;
@@ -288,9 +273,8 @@ struct hook_is_data : khz<cca::node<"a", fault_is_data>> {};
 struct hook_is_data_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<hook_is_data, hook_is_data_mended>(
     {"component.hook_signature", "a",
-     "`a` (fault_is_data) has a hook `on_fault` that would never be called, for it is not `void on_fault()`: "
-     "make "
-     "it a public function of that signature, or give it another name"}));
+     "`a` (fault_is_data) has a hook `on_fault` that would never be called, because it is not `void "
+     "on_fault()`: make it a public function of that signature, or give it another name"}));
 
 struct with_pointer : source<> {
   struct parameters {
@@ -307,12 +291,11 @@ struct with_gain : source<> {
 
 struct parameter : khz<cca::node<"a", with_pointer>> {};
 struct parameter_mended : khz<cca::node<"a", with_gain>> {};
-static_assert(tells<parameter, parameter_mended>({"parameters.unsupported_type", "a",
-                                                  "`a` (with_pointer): its parameter `table` is a `void*`, "
-                                                  "which no file can hold: use a number, bool, enum "
-                                                  "class, cca::bounded, cca::quantity, cca::text, a "
-                                                  "std::array or Eigen vector of fixed size of these, or a "
-                                                  "struct with BOOST_HANA_DEFINE_STRUCT"}));
+static_assert(tells<parameter, parameter_mended>(
+    {"parameters.unsupported_type", "a",
+     "`a` (with_pointer): its parameter `table` is a `void*`, which no file can hold: use a number, bool, "
+     "enum class, cca::bounded, cca::quantity, cca::text, a std::array or Eigen vector of fixed size of "
+     "these, or a struct with BOOST_HANA_DEFINE_STRUCT"}));
 
 struct tuning {
   BOOST_HANA_DEFINE_STRUCT(tuning, (int, order), (std::string, model));
@@ -329,10 +312,8 @@ struct parameter_nested_mended : khz<cca::node<"a", with_gain>> {};
 static_assert(tells<parameter_nested, parameter_nested_mended>(
     {"parameters.unsupported_type", "a",
      "`a` (with_inner_text): its parameter `filter.model` is a `std::string`, which no file can hold: use a "
-     "number, "
-     "bool, enum class, cca::bounded, cca::quantity, cca::text, a std::array or Eigen vector of fixed size "
-     "of "
-     "these, or a struct with BOOST_HANA_DEFINE_STRUCT"}));
+     "number, bool, enum class, cca::bounded, cca::quantity, cca::text, a std::array or Eigen vector of "
+     "fixed size of these, or a struct with BOOST_HANA_DEFINE_STRUCT"}));
 
 struct without_p : source<> {
   struct parameters {
@@ -345,8 +326,7 @@ struct parameter_forgotten_mended : khz<cca::node<"a", with_gain>> {};
 static_assert(tells<parameter_forgotten, parameter_forgotten_mended>(
     {"parameters.unsupported_type", "a",
      "`a` (without_p) has a struct `parameters` but no public member `parameters p`, so nothing would ever "
-     "set "
-     "them: add `parameters p{...};` with the default values"}));
+     "set them: add `parameters p{...};` with the default values"}));
 
 struct without_names : source<> {
   struct parameters {
@@ -359,26 +339,24 @@ struct parameter_unknown : khz<cca::node<"a", without_names>> {};
 struct parameter_unknown_mended : khz<cca::node<"a", with_gain>> {};
 static_assert(tells<parameter_unknown, parameter_unknown_mended>(
     {"parameters.unsupported_type", "a",
-     "`a` (without_names): its parameter `p` is a `without_names::parameters`, of which nothing is known: "
-     "name its "
-     "fields in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied"}));
+     "`a` (without_names): its parameter `p` is a `without_names::parameters`, whose fields are unknown: "
+     "name them in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied"}));
 
 struct hip_twice : cca::space<cca::joint_angles, cca::axes<hip, knee, hip>> {};
 
 struct axis_twice : khz<cca::node<"a", source<hip_twice>>> {};
 struct axis_twice_mended : khz<cca::node<"a", source<angles>>> {};
-static_assert(tells<axis_twice, axis_twice_mended>({"space.duplicate_axis", "a.y",
-                                                    "the space hip_twice of `a.y` has the axis `hip` twice, "
-                                                    "so reading along it has two meanings: name each axis "
-                                                    "once in cca::axes<...>"}));
+static_assert(tells<axis_twice, axis_twice_mended>(
+    {"space.duplicate_axis", "a.y",
+     "the space hip_twice of `a.y` has the axis `hip` twice, so reading along it has two meanings: name each "
+     "axis once in cca::axes<...>"}));
 
 struct axis_twice_read : khz<cca::node<"a", listener<hip_twice>>> {};
 struct axis_twice_read_mended : khz<cca::node<"a", source<angles>>> {};
-static_assert(
-    tells<axis_twice_read, axis_twice_read_mended>({"space.duplicate_axis", "a.x",
-                                                    "the space hip_twice of `a.x` has the axis `hip` twice, "
-                                                    "so reading along it has two meanings: name each axis "
-                                                    "once in cca::axes<...>"}));
+static_assert(tells<axis_twice_read, axis_twice_read_mended>(
+    {"space.duplicate_axis", "a.x",
+     "the space hip_twice of `a.x` has the axis `hip` twice, so reading along it has two meanings: name each "
+     "axis once in cca::axes<...>"}));
 
 struct trigger : khz<cca::node<"a", source<>>,
                      cca::node<"b", sink<>, cca::port_triggered<"xx">>,
@@ -410,7 +388,7 @@ struct trigger_none : khz<cca::node<"a", source<>, cca::port_triggered<"x">>> {}
 struct trigger_none_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<trigger_none, trigger_none_mended>(
     {"strategy.unknown_port", "a",
-     "`a` (source<>) is cca::port_triggered by `x`, but it has no such input: it has none at all"}));
+     "`a` (source<>) is cca::port_triggered by `x`, but it has no such input: it has no inputs at all"}));
 
 struct resource_waits : khz<cca::node<"r", robot<signal>, cca::restless>,
                             cca::node<"a", source<>>,
@@ -435,9 +413,8 @@ struct no_item : khz<cca::node<"a", source<>>, source<>> {};
 struct no_item_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<no_item, no_item_mended>(
     {"graph.unknown_item", "no_item",
-     "`source<>` in no_item is no item of a graph, so it would be passed over: write cca::node<`name`, type> "
-     "for a "
-     "component or graph; the others are cca::wire, cca::expose, cca::observe, cca::rate and "
+     "`source<>` in no_item is no item of a graph, so it would be ignored: write cca::node<`name`, type> for "
+     "a component or graph; the others are cca::wire, cca::expose, cca::observe, cca::rate and "
      "cca::require<cca::latency<...>, cca::beats<N>>"}));
 
 struct no_bound : khz<cca::node<"a", source<>>,
@@ -450,17 +427,16 @@ struct no_bound_mended : khz<cca::node<"a", source<>>,
                              cca::require<cca::latency<"a.y", "b.x">, cca::beats<2>>> {};
 static_assert(tells<no_bound, no_bound_mended>(
     {"graph.unknown_item", "no_bound",
-     "`require<latency<a.y, b.x>, rate<2>>` in no_bound is no item of a graph, so it would be passed "
-     "over: write cca::node<`name`, type> for a component or graph; the others are cca::wire, cca::expose, "
-     "cca::observe, cca::rate and cca::require<cca::latency<...>, cca::beats<N>>"}));
+     "`require<latency<a.y, b.x>, rate<2>>` in no_bound is no item of a graph, so it would be ignored: write "
+     "cca::node<`name`, type> for a component or graph; the others are cca::wire, cca::expose, cca::observe, "
+     "cca::rate and cca::require<cca::latency<...>, cca::beats<N>>"}));
 
 struct dotted_node : khz<cca::node<"a.b", source<>>> {};
 struct dotted_node_mended : khz<cca::node<"a_b", source<>>> {};
 static_assert(
     tells<dotted_node, dotted_node_mended>({"node.bad_name", "a.b",
-                                            "a node of dotted_node is named `a.b`, but names are joined by "
-                                            "dots to paths, and `*` stands for any of them: "
-                                            "use neither in a name"}));
+                                            "a node of dotted_node is named `a.b`, but dots join names to "
+                                            "paths, and `*` stands for any name: use neither in a name"}));
 
 struct nameless_node : khz<cca::node<"", source<>>> {};
 struct nameless_node_mended : khz<cca::node<"a", source<>>> {};
@@ -474,26 +450,24 @@ struct with_dotted_port {
 
 struct dotted_port : khz<cca::node<"a", with_dotted_port>> {};
 struct dotted_port_mended : khz<cca::node<"a", source<>>> {};
-static_assert(tells<dotted_port, dotted_port_mended>({"node.bad_name", "a",
-                                                      "a port of `a` (with_dotted_port) is named `x.1`, but "
-                                                      "names are joined by dots to paths, and `*` stands for "
-                                                      "any of them: use neither in a name"}));
+static_assert(tells<dotted_port, dotted_port_mended>(
+    {"node.bad_name", "a",
+     "a port of `a` (with_dotted_port) is named `x.1`, but dots join names to paths, and `*` stands for any "
+     "name: use neither in a name"}));
 
 struct starred_expose : khz<cca::node<"a", source<>>, cca::expose<"a.y", "all.*">> {};
 struct starred_expose_mended : khz<cca::node<"a", source<>>, cca::expose<"a.y", "all">> {};
-static_assert(
-    tells<starred_expose, starred_expose_mended>({"node.bad_name", "a.y",
-                                                  "a port that starred_expose exposes is named `all.*`, but "
-                                                  "names are joined by dots to paths, and `*` stands "
-                                                  "for any of them: use neither in a name"}));
+static_assert(tells<starred_expose, starred_expose_mended>(
+    {"node.bad_name", "a.y",
+     "a port that starred_expose exposes is named `all.*`, but dots join names to paths, and `*` stands for "
+     "any name: use neither in a name"}));
 
 struct no_strategy : khz<cca::node<"a", source<>, signal>> {};
 struct no_strategy_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<no_strategy, no_strategy_mended>(
     {"strategy.no_fires", "a",
      "`a` (source<>) has the strategy `signal`, which cannot say when it fires: use one like cca::timed<10> "
-     "or "
-     "cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const Inputs&)`"}));
+     "or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, const Inputs&)`"}));
 
 struct fires_by_beat_only {
   static bool fires(cca::beat) { return true; }
@@ -510,14 +484,13 @@ static_assert(tells<no_template_strategy, no_template_strategy_mended>(
     {"strategy.no_fires", "b",
      "`b` (sink<>) has the strategy `fires_by_beat_only`, which cannot say when it fires: use one like "
      "cca::timed<10> or cca::moderate, or give it `template <class Inputs> static bool fires(cca::beat, "
-     "const "
-     "Inputs&)`"}));
+     "const Inputs&)`"}));
 
 // A component, and not even that, in place of a graph.
 static_assert(!cca::well_formed<nothing> && !cca::well_formed<int>);
 static_assert(told{"graph.unknown_item", "nothing",
-                   "`nothing` is no graph: what runs is a struct derived from cca::graph<...>; a component "
-                   "is put into one as cca::node<`name`, nothing>"}
+                   "`nothing` is no graph: a controller runs a struct derived from cca::graph<...>; put a "
+                   "component into one as cca::node<`name`, nothing>"}
                   .by(cca::diagnosis<nothing>));
 
 }  // namespace

@@ -50,11 +50,10 @@ struct inner_path_mended : khz<cca::node<"g", showing>,
                                cca::node<"b", sink<>>,
                                cca::wire<"a.y", "g.x">,
                                cca::wire<"g.y", "b.x">> {};
-static_assert(
-    tells<inner_path, inner_path_mended>({"wire.unknown_port", "g.out.y -> b.x",
-                                          "the wire `g.out.y` -> `b.x` in inner_path names `g.out.y`, but a "
-                                          "path into an inner graph cannot be wired: "
-                                          "showing exposes this port as `g.y`, name that"}));
+static_assert(tells<inner_path, inner_path_mended>(
+    {"wire.unknown_port", "g.out.y -> b.x",
+     "the wire `g.out.y` -> `b.x` in inner_path names `g.out.y`, but a path into an inner graph cannot be "
+     "wired: showing exposes this port as `g.y`, name that"}));
 
 struct inner_path_hidden : khz<cca::node<"g", showing>,
                                cca::node<"a", source<>>,
@@ -69,8 +68,8 @@ struct inner_path_hidden_mended : khz<cca::node<"g", showing>,
 static_assert(tells<inner_path_hidden, inner_path_hidden_mended>(
     {"wire.unknown_port", "g.hidden.y -> b.x",
      "the wire `g.hidden.y` -> `b.x` in inner_path_hidden names `g.hidden.y`, but a path into an inner graph "
-     "cannot "
-     "be wired: let showing show the port, with cca::expose<`hidden.y`, `y`>, and name `g.y` here"}));
+     "cannot be wired: let showing expose the port, with cca::expose<`hidden.y`, `y`>, and name `g.y` "
+     "here"}));
 
 struct not_shown : khz<cca::node<"g", showing>,
                        cca::node<"a", source<>>,
@@ -84,8 +83,7 @@ struct not_shown_mended : khz<cca::node<"g", showing>,
                               cca::wire<"g.y", "b.x">> {};
 static_assert(tells<not_shown, not_shown_mended>({"wire.unknown_port", "g.z -> b.x",
                                                   "the wire `g.z` -> `b.x` in not_shown names `g.z`, but `g` "
-                                                  "(showing) exposes no such output; did you mean "
-                                                  "`g.y`?"}));
+                                                  "(showing) exposes no such output; did you mean `g.y`?"}));
 
 struct shows_nothing : khz<cca::node<"a", source<>>, cca::expose<"a.z", "z">> {};
 struct shows_nothing_mended : khz<cca::node<"a", source<>>, cca::expose<"a.y", "z">> {};
@@ -105,8 +103,8 @@ struct shows_inner_path_mended : khz<cca::node<"g", showing>,
 static_assert(tells<shows_inner_path, shows_inner_path_mended>(
     {"wire.unknown_port", "g.hidden.y -> z",
      "cca::expose<`g.hidden.y`, `z`> in shows_inner_path names `g.hidden.y`, but a path into an inner graph "
-     "cannot "
-     "be wired: let showing show the port, with cca::expose<`hidden.y`, `y`>, and name `g.y` here"}));
+     "cannot be wired: let showing expose the port, with cca::expose<`hidden.y`, `y`>, and name `g.y` "
+     "here"}));
 
 struct bound_of_nothing : khz<cca::node<"a", source<>>,
                               cca::node<"b", sink<>>,
@@ -119,15 +117,14 @@ struct bound_of_nothing_mended : khz<cca::node<"a", source<>>,
 static_assert(tells<bound_of_nothing, bound_of_nothing_mended>(
     {"wire.unknown_port", "a.y -> b.z",
      "cca::latency<`a.y`, `b.z`> in bound_of_nothing names `b.z`, but `b` (sink<>) has no such input; did "
-     "you mean "
-     "`b.x`?"}));
+     "you mean `b.x`?"}));
 
 struct reversed : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"b.x", "a.y">> {};
 struct reversed_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
-static_assert(tells<reversed, reversed_mended>({"wire.direction", "b.x -> a.y",
-                                                "a wire leads from an output to an input, but in `b.x` -> "
-                                                "`a.y` in reversed `b.x` is an input and `a.y` an "
-                                                "output: turn it round, cca::wire<`a.y`, `b.x`>"}));
+static_assert(tells<reversed, reversed_mended>(
+    {"wire.direction", "b.x -> a.y",
+     "a wire leads from an output to an input, but in `b.x` -> `a.y` in reversed `b.x` is an input and `a.y` "
+     "an output: turn it round, cca::wire<`a.y`, `b.x`>"}));
 
 struct from_input : khz<cca::node<"a", source<>>,
                         cca::node<"b", sink<>>,
@@ -139,10 +136,10 @@ struct from_input_mended : khz<cca::node<"a", source<>>,
                                cca::node<"c", sink<>>,
                                cca::wire<"a.y", "b.x">,
                                cca::wire<"a.y", "c.x">> {};
-static_assert(tells<from_input, from_input_mended>({"wire.direction", "b.x -> c.x",
-                                                    "a wire leads from an output to an input, but in `b.x` "
-                                                    "-> `c.x` in from_input `b.x` is an input: name an "
-                                                    "output there; did you mean `a.y`?"}));
+static_assert(tells<from_input, from_input_mended>(
+    {"wire.direction", "b.x -> c.x",
+     "a wire leads from an output to an input, but in `b.x` -> `c.x` in from_input `b.x` is an input: name "
+     "an output there; did you mean `a.y`?"}));
 
 struct to_output : khz<cca::node<"a", source<>>,
                        cca::node<"b", sink<>>,
@@ -153,10 +150,10 @@ struct to_output_mended : khz<cca::node<"a", source<>>,
                               cca::node<"b", sink<>>,
                               cca::node<"c", source<>>,
                               cca::wire<"a.y", "b.x">> {};
-static_assert(tells<to_output, to_output_mended>({"wire.direction", "a.y -> c.y",
-                                                  "a wire leads from an output to an input, but in `a.y` -> "
-                                                  "`c.y` in to_output `c.y` is an output: name an input "
-                                                  "there; did you mean `b.x`?"}));
+static_assert(tells<to_output, to_output_mended>(
+    {"wire.direction", "a.y -> c.y",
+     "a wire leads from an output to an input, but in `a.y` -> `c.y` in to_output `c.y` is an output: name "
+     "an input there; did you mean `b.x`?"}));
 
 struct two_writers : khz<cca::node<"a", source<>>,
                          cca::node<"c", source<>>,
@@ -224,8 +221,7 @@ struct domain_mended
 static_assert(tells<domain, domain_mended>(
     {"space.mismatch", "a.y -> b.x",
      "`a.y` publishes angles (joint_angles over hip, knee) but `b.x` expects torques (joint_torques over "
-     "hip, "
-     "knee): the domain types differ; put a mapping between them, or wire another port"}));
+     "hip, knee): the domain types differ; put a mapping between them, or wire another port"}));
 
 struct hip_angle : cca::space<cca::joint_angles, cca::axes<hip>> {};
 
@@ -233,11 +229,10 @@ struct axes : khz<cca::node<"a", source<angles>>, cca::node<"b", sink<hip_angle>
 };
 struct axes_mended
     : khz<cca::node<"a", source<angles>>, cca::node<"b", sink<angles>>, cca::wire<"a.y", "b.x">> {};
-static_assert(
-    tells<axes, axes_mended>({"space.mismatch", "a.y -> b.x",
-                              "`a.y` publishes angles (joint_angles over hip, knee) but `b.x` expects "
-                              "hip_angle (joint_angles over hip): the "
-                              "axes differ; use a splitter or a collector, or give both ends one space"}));
+static_assert(tells<axes, axes_mended>(
+    {"space.mismatch", "a.y -> b.x",
+     "`a.y` publishes angles (joint_angles over hip, knee) but `b.x` expects hip_angle (joint_angles over "
+     "hip): the axes differ; use a splitter or a collector, or give both ends one space"}));
 
 struct other_order : cca::space<cca::joint_angles, cca::axes<knee, hip>> {};
 
@@ -245,11 +240,10 @@ struct order
     : khz<cca::node<"a", source<angles>>, cca::node<"b", sink<other_order>>, cca::wire<"a.y", "b.x">> {};
 struct order_mended
     : khz<cca::node<"a", source<angles>>, cca::node<"b", sink<angles>>, cca::wire<"a.y", "b.x">> {};
-static_assert(
-    tells<order, order_mended>({"space.mismatch", "a.y -> b.x",
-                                "`a.y` publishes angles (joint_angles over hip, knee) but `b.x` expects "
-                                "other_order (joint_angles over knee, "
-                                "hip): the axes stand in another order; give both ends one space"}));
+static_assert(tells<order, order_mended>(
+    {"space.mismatch", "a.y -> b.x",
+     "`a.y` publishes angles (joint_angles over hip, knee) but `b.x` expects other_order (joint_angles over "
+     "knee, hip): the axes are in another order; give both ends one space"}));
 
 struct hip_frame {};
 struct world_frame {};
@@ -272,10 +266,10 @@ struct slow : cca::space<cca::number, cca::axes<cca::x>, cca::rate<62.5>> {};
 
 struct rate : khz<cca::node<"a", source<fast>>, cca::node<"b", sink<slow>>, cca::wire<"a.y", "b.x">> {};
 struct rate_mended : khz<cca::node<"a", source<fast>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
-static_assert(tells<rate, rate_mended>({"space.mismatch", "a.y -> b.x",
-                                        "`a.y` publishes fast (number over x at 1000 Hz) but `b.x` expects "
-                                        "slow (number over x at 62.5 Hz): the rates "
-                                        "differ; give both spaces one rate, or let one of them state none"}));
+static_assert(tells<rate, rate_mended>(
+    {"space.mismatch", "a.y -> b.x",
+     "`a.y` publishes fast (number over x at 1000 Hz) but `b.x` expects slow (number over x at 62.5 Hz): the "
+     "rates differ; give both spaces one rate, or let one of them state none"}));
 
 namespace elsewhere {
 struct hip : cca::dimension<"hip"> {};
@@ -288,11 +282,11 @@ struct same_names
 };
 struct same_names_mended
     : khz<cca::node<"a", source<angles>>, cca::node<"b", sink<angles>>, cca::wire<"a.y", "b.x">> {};
-static_assert(tells<same_names, same_names_mended>({"space.mismatch", "a.y -> b.x",
-                                                    "`a.y` publishes angles (joint_angles over hip, knee) "
-                                                    "but `b.x` expects angles (joint_angles over hip, knee): "
-                                                    "their domain types, axes or frames have the same names "
-                                                    "but are different types; use those of one namespace"}));
+static_assert(tells<same_names, same_names_mended>(
+    {"space.mismatch", "a.y -> b.x",
+     "`a.y` publishes angles (joint_angles over hip, knee) but `b.x` expects angles (joint_angles over hip, "
+     "knee): their domain types, axes or frames have the same names but are different types; use those of "
+     "one namespace"}));
 
 struct inner_space : khz<cca::node<"g", showing>,
                          cca::node<"b", sink<angles>>,
@@ -307,19 +301,17 @@ struct inner_space_mended : khz<cca::node<"g", showing>,
 static_assert(tells<inner_space, inner_space_mended>(
     {"space.mismatch", "g.y -> b.x",
      "`g.out.y` (exposed as `g.y`) publishes signal (number over x) but `b.x` expects angles (joint_angles "
-     "over hip, "
-     "knee): the domain types differ; put a mapping between them, or wire another port"}));
+     "over hip, knee): the domain types differ; put a mapping between them, or wire another port"}));
 
 struct unconnected : khz<cca::node<"a", source<>>, cca::node<"m", merge<>>, cca::wire<"a.y", "m.a">> {};
 struct unconnected_mended : khz<cca::node<"a", source<>>,
                                 cca::node<"m", merge<>>,
                                 cca::wire<"a.y", "m.a">,
                                 cca::expose<"m.b", "b">> {};
-static_assert(
-    tells<unconnected, unconnected_mended>({"wire.unconnected_input", "m.b",
-                                            "`m.b` is not connected: in unconnected, wire an output of "
-                                            "signal (number over x) to `m.b`, or expose it, or "
-                                            "make it a cca::optional_in"}));
+static_assert(tells<unconnected, unconnected_mended>(
+    {"wire.unconnected_input", "m.b",
+     "`m.b` is not connected: in unconnected, wire an output of signal (number over x) to `m.b`, or expose "
+     "it, or make it a cca::optional_in"}));
 
 struct unconnected_shown : khz<cca::node<"g", showing>> {};
 struct unconnected_shown_mended
@@ -327,19 +319,17 @@ struct unconnected_shown_mended
 static_assert(tells<unconnected_shown, unconnected_shown_mended>(
     {"wire.unconnected_input", "g.in.x",
      "`g.in.x` is not connected: in unconnected_shown, wire an output of signal (number over x) to `g.x`, or "
-     "expose "
-     "it, or make it a cca::optional_in"}));
+     "expose it, or make it a cca::optional_in"}));
 
 struct deeper : cca::graph<cca::node<"g", showing>, cca::expose<"g.x", "z">> {};
 
 struct unconnected_deep : khz<cca::node<"h", deeper>> {};
 struct unconnected_deep_mended
     : khz<cca::node<"h", deeper>, cca::node<"a", source<>>, cca::wire<"a.y", "h.z">> {};
-static_assert(
-    tells<unconnected_deep, unconnected_deep_mended>({"wire.unconnected_input", "h.g.in.x",
-                                                      "`h.g.in.x` is not connected: in unconnected_deep, "
-                                                      "wire an output of signal (number over x) to `h.z`, or "
-                                                      "expose it, or make it a cca::optional_in"}));
+static_assert(tells<unconnected_deep, unconnected_deep_mended>(
+    {"wire.unconnected_input", "h.g.in.x",
+     "`h.g.in.x` is not connected: in unconnected_deep, wire an output of signal (number over x) to `h.z`, "
+     "or expose it, or make it a cca::optional_in"}));
 
 struct unfinished : cca::graph<cca::node<"g", showing>, cca::node<"b", sink<>>, cca::wire<"g.y", "b.x">> {};
 
@@ -348,8 +338,7 @@ struct unconnected_inside_mended : khz<cca::node<"g", showing>, cca::expose<"g.x
 static_assert(tells<unconnected_inside, unconnected_inside_mended>(
     {"wire.unconnected_input", "h.g.in.x",
      "`h.g.in.x` is not connected: in unfinished, wire an output of signal (number over x) to `g.x`, or "
-     "expose it, "
-     "or make it a cca::optional_in"}));
+     "expose it, or make it a cca::optional_in"}));
 
 struct toe_angle : cca::space<cca::joint_angles, cca::axes<hip, toe>> {};
 
@@ -366,8 +355,7 @@ struct no_limits_mended : khz<cca::node<"a", source<angles>>,
 static_assert(tells<no_limits, no_limits_mended>(
     {"space.missing_limits", "l.command",
      "`l.command` takes commands of toe_angle, but its axis `toe` states no limits of angle to keep them "
-     "within: "
-     "add `static constexpr auto limits = cca::limits{cca::angle{lower, upper}};` to it"}));
+     "within: add `static constexpr auto limits = cca::limits{cca::angle{lower, upper}};` to it"}));
 
 struct no_limits_of_torque : khz<cca::node<"a", source<torques>>,
                                  cca::node<"r", robot<torques>>,
@@ -382,8 +370,7 @@ struct no_limits_of_torque_mended : khz<cca::node<"a", source<angles>>,
 static_assert(tells<no_limits_of_torque, no_limits_of_torque_mended>(
     {"space.missing_limits", "r.command",
      "`r.command` takes commands of torques, but its axis `hip` states no limits of torque to keep them "
-     "within: add "
-     "`static constexpr auto limits = cca::limits{cca::torque{lower, upper}};` to it"}));
+     "within: add `static constexpr auto limits = cca::limits{cca::torque{lower, upper}};` to it"}));
 
 struct unlimited
     : khz<cca::node<"a", source<angles>>, cca::node<"r", robot<>>, cca::wire<"a.y", "r.command">> {};
@@ -395,8 +382,7 @@ struct unlimited_mended : khz<cca::node<"a", source<angles>>,
 static_assert(tells<unlimited, unlimited_mended>(
     {"robot.unlimited_command", "a.y -> r.command",
      "`a.y` reaches the actuator `r.command` without passing a limiter: put a cca::limiter<angles> between "
-     "them "
-     "(its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
+     "them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
 
 struct unlimited_behind : khz<cca::node<"a", source<angles>>,
                               cca::node<"l", cca::limiter<angles>>,
@@ -418,8 +404,7 @@ struct unlimited_behind_mended : khz<cca::node<"a", source<angles>>,
 static_assert(tells<unlimited_behind, unlimited_behind_mended>(
     {"robot.unlimited_command", "s.y -> r.command",
      "`s.y` reaches the actuator `r.command` without passing a limiter: put a cca::limiter<angles> between "
-     "them "
-     "(its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
+     "them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
 
 struct unlimited_measured : khz<cca::node<"r", robot<>>, cca::wire<"r.measured", "r.command">> {};
 struct unlimited_measured_mended : khz<cca::node<"r", robot<>>,
@@ -429,8 +414,7 @@ struct unlimited_measured_mended : khz<cca::node<"r", robot<>>,
 static_assert(tells<unlimited_measured, unlimited_measured_mended>(
     {"robot.unlimited_command", "r.measured -> r.command",
      "`r.measured` reaches the actuator `r.command` without passing a limiter: put a cca::limiter<angles> "
-     "between "
-     "them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
+     "between them (its input is `command`, its output `safe`), or a cca::unlimited where that is meant"}));
 
 struct limited_later : khz<cca::node<"a", source<angles>, cca::timed<10, 9>>,
                            cca::node<"l", cca::limiter<angles>>,
@@ -445,8 +429,8 @@ struct limited_later_mended : khz<cca::node<"a", source<angles>, cca::timed<10, 
 static_assert(tells<limited_later, limited_later_mended>(
     {"robot.unlimited_command", "l.safe -> r.command",
      "`r.command` may be read before a first command has passed a limiter, and would then hold the "
-     "cca::initial of its wire, which lies outside of the "
-     "limits of `knee`, on its way to the actuator: give the wire a cca::initial<...> within them"}));
+     "cca::initial of its wire, which lies outside of the limits of `knee`, on its way to the actuator: give "
+     "the wire a cca::initial<...> within them"}));
 
 // Never read, and so no matter.
 struct limited_at_once : khz<cca::node<"a", source<angles>>,
@@ -461,19 +445,17 @@ struct no_option
 struct no_option_mended : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
 static_assert(tells<no_option, no_option_mended>(
     {"wire.bad_option", "a.y -> b.x",
-     "the wire `a.y` -> `b.x` has the option `timed<2>`, which is none: it may have a policy (cca::latest, "
-     "cca::delayed<N>, cca::queue<C, F>) and a cca::initial<...>"}));
+     "the wire `a.y` -> `b.x` has the option `timed<2>`, which is no option of a wire: it may have a policy "
+     "(cca::latest, cca::delayed<N>, cca::queue<C, F>) and a cca::initial<...>"}));
 
 struct two_policies : khz<cca::node<"a", source<>>,
                           cca::node<"b", sink<>>,
                           cca::wire<"a.y", "b.x", cca::delayed<1>, cca::latest>> {};
 struct two_policies_mended
     : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", cca::delayed<1>>> {};
-static_assert(
-    tells<two_policies, two_policies_mended>({"wire.bad_option", "a.y -> b.x",
-                                              "the wire `a.y` -> `b.x` has two policies, or two initial "
-                                              "values, of which only one could hold: leave one of "
-                                              "each"}));
+static_assert(tells<two_policies, two_policies_mended>(
+    {"wire.bad_option", "a.y -> b.x",
+     "the wire `a.y` -> `b.x` has two policies or two initial values: leave one of each"}));
 
 struct two_initials : khz<cca::node<"a", source<>>,
                           cca::node<"b", sink<>>,
@@ -481,11 +463,9 @@ struct two_initials : khz<cca::node<"a", source<>>,
 struct two_initials_mended : khz<cca::node<"a", source<>>,
                                  cca::node<"b", sink<>>,
                                  cca::wire<"a.y", "b.x", cca::latest, cca::initial<2>>> {};
-static_assert(
-    tells<two_initials, two_initials_mended>({"wire.bad_option", "a.y -> b.x",
-                                              "the wire `a.y` -> `b.x` has two policies, or two initial "
-                                              "values, of which only one could hold: leave one of "
-                                              "each"}));
+static_assert(tells<two_initials, two_initials_mended>(
+    {"wire.bad_option", "a.y -> b.x",
+     "the wire `a.y` -> `b.x` has two policies or two initial values: leave one of each"}));
 
 struct lossless_queue : khz<cca::node<"a", source<>>,
                             cca::node<"b", sink<>>,
@@ -493,34 +473,30 @@ struct lossless_queue : khz<cca::node<"a", source<>>,
 struct lossless_queue_mended : khz<cca::node<"a", source<>>,
                                    cca::node<"b", sink<>>,
                                    cca::wire<"a.y", "b.x", cca::queue<2, cca::reject>>> {};
-static_assert(
-    tells<lossless_queue, lossless_queue_mended>({"wire.bad_option", "a.y -> b.x",
-                                                  "the wire `a.y` -> `b.x` has a queue that does `latest` "
-                                                  "when it is full: say what is lost, cca::drop_oldest or "
-                                                  "cca::drop_newest, or cca::reject"}));
+static_assert(tells<lossless_queue, lossless_queue_mended>(
+    {"wire.bad_option", "a.y -> b.x",
+     "the wire `a.y` -> `b.x` has a queue with `latest`, which does not say what a full queue loses: write "
+     "cca::drop_oldest, cca::drop_newest or cca::reject"}));
 
 template <class Policy>
 struct with_policy : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", Policy>> {
 };
 static_assert(tells<with_policy<cca::delayed<0>>, with_policy<cca::delayed<1>>>(
     {"wire.bad_option", "a.y -> b.x",
-     "the wire `a.y` -> `b.x` has a delay of 0, but that is at least 1: say so, or write cca::latest "
-     "instead"}));
+     "the wire `a.y` -> `b.x` has a delay of 0: write at least 1, or cca::latest instead"}));
 static_assert(
     tells<with_policy<cca::queue<0, cca::drop_oldest>>, with_policy<cca::queue<1, cca::drop_oldest>>>(
         {"wire.bad_option", "a.y -> b.x",
-         "the wire `a.y` -> `b.x` has a queue of 0, but that is at least 1: say so, or write cca::latest "
-         "instead"}));
+         "the wire `a.y` -> `b.x` has a queue of 0: write at least 1, or cca::latest instead"}));
 static_assert(cca::diagnosis<with_policy<cca::delayed<-1>>>.rule == "wire.bad_option");
 
 struct hears_nothing
     : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"c.*">> {};
 struct hears_nothing_mended
     : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">, cca::observe<"a.*">> {};
-static_assert(
-    tells<hears_nothing, hears_nothing_mended>({"wire.unknown_port", "c.*",
-                                                "cca::observe<`c.*`> in hears_nothing hears nothing, for no "
-                                                "output has such a path: write it from the nodes of "
-                                                "this graph on, as in `node.port` or `node.*`"}));
+static_assert(tells<hears_nothing, hears_nothing_mended>(
+    {"wire.unknown_port", "c.*",
+     "cca::observe<`c.*`> in hears_nothing matches no output: write the path from the nodes of this graph "
+     "on, as in `node.port` or `node.*`"}));
 
 }  // namespace

@@ -108,6 +108,7 @@ static_assert(listed<cca::angle,
 struct flow {
   double lower, upper;
   static constexpr std::string_view unit = "m^3/s";
+  static constexpr auto on_nan = cca::nan_policy::zero;
 };
 static_assert(listed<flow>(), "a quantity of the user's own");
 static_assert(180 * cca::units_of<cca::angle>[2].factor == cca::pi);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cca/adaptive/criterion.hpp>
-#include <cca/component/strategy.hpp>
+#include <cca/component/strategies.hpp>
 
 namespace cca {
 
@@ -46,7 +46,7 @@ template <fixed_string Input, class Other, class... Rest>
 struct control_among<Input, Other, Rest...> : control_among<Input, Rest...> {};
 
 template <class Type> concept StatesStrategy =
-    strategy_of<Type>.kind != strategy_kind::user || requires { &Type::template fires<any_inputs>; };
+    requires { &Type::template fires<any_inputs>; };
 
 template <class... Options>
 struct strategy_among {

@@ -1,112 +1,166 @@
-// Processing strategies: when a component fires. Beats are counted from 0.
+// What a processing strategy is. A strategy says when a component fires; each one is a struct in
+// component/strategies/, and a user's own is the same kind of struct:
+//
+//   template <class Inputs>
+//   static bool fires(cca::beat now, const Inputs& in);
+//
+// `in` has, of each input, what the component would read: `in.template get<"x">()` with its value, `origin()`
+// and `fresh()`; and of all inputs `any_fresh()`, `all_fresh()`, `share_new_origin()`, `fresh<"x">()` and
+// `beats_since_fired()`.
+//
+// `fires` is all that a strategy needs: the loop asks it in each beat. What else it states (all optional)
+// lets the compiler work out clocks, refuse mistakes and draw the strategy:
+//
+//   add_name(text)          its name in pictures and messages; without it, the name of the type
+//   clock                   the beats in which it fires, whatever arrives
+//   clock_in_combination    the same under any_of and all_of, where it differs from `clock`
+//   clock_from(arrivals)    the beats in which it fires, from those in which samples arrive
+//   waits_in_vain(arrivals) true if it waits for inputs of which none is wired (strategy.never_fires)
+//   named_inputs            the inputs that it names (strategy.unknown_port)
+//   mistake                 what is wrong with its numbers, as the end of a sentence (strategy.never_fires)
+//   excludes_itself         true if no beat can satisfy it (strategy.never_fires)
+//   for_resource_nodes      true if a resource node may have it (strategy.misplaced)
+//   first_dt_is_period      true if `dt()` is a whole period in the first firing too; else it is one beat
+//   fires_on_arrival        true if it fires only in beats in which a sample arrives
+//   needs_one_origin        true if its inputs must share an origin (strategy.coordination)
+//   parts                   detail::list of the strategies that it combines
+//
+// Cost: a strategy whose clock is known costs a test of the beat's index, or nothing. Example of one's own:
+// tests/runtime/core/pages.cpp; docs/strategies.md.
 #pragma once
 
 #include <array>
 #include <concepts>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
-#include <cca/component/beat.hpp>
 #include <cca/base/fixed_string.hpp>
+#include <cca/base/ref.hpp>
+#include <cca/base/text.hpp>
+#include <cca/base/type_name.hpp>
+#include <cca/component/beat.hpp>
+#include <cca/component/clock.hpp>
+#include <cca/component/signature.hpp>
 
-namespace cca {
+namespace cca::detail {
 
-// In beat k if (k - Phase) mod N = 0; N > 0.
-template <std::int64_t N, std::int64_t Phase = 0>
-struct timed {};
+// Stands on a node that states no strategy: restless with inputs, timed<1> without.
+struct by_default {};
 
-struct restless {};  // if any input is fresh
-struct moderate {};  // if every input is fresh
-struct coordinated {
-};  // if every input holds a sample of one time of origin, later than what it saw when it last fired
-struct full_speed {};  // always
-struct inactive {};    // never
-
-// If N beats have passed since it last fired (since beat 0, if never), N > 0; for use in any_of<moderate,
-// timeout<15>>.
-template <std::int64_t N>
-struct timeout {};
-
-// If any of the named inputs is fresh.
-template <fixed_string... Inputs>
-struct port_triggered {};
-
-template <class... Strategies>
-struct any_of {};
-
-template <class... Strategies>
-struct all_of {};
-
-namespace detail {
-
-struct by_default {};  // restless with inputs, timed<1> without
-
-enum class strategy_kind : std::uint8_t {
-  by_default,
-  timed,
-  restless,
-  moderate,
-  timeout,
-  port_triggered,
-  coordinated,
-  full_speed,
-  inactive,
-  any_of,
-  all_of,
-  user
+// When samples arrive at one wired input.
+struct arrival {
+  std::string_view input;
+  clock when;
+  bool queued = false;
 };
 
-// A strategy as a value, for the constexpr functions that compute clocks and check rules.
+// The wired inputs of one function.
+struct arrivals {
+  const arrival* first = nullptr;
+  int count = 0;
+
+  constexpr const arrival* begin() const { return first; }
+  constexpr const arrival* end() const { return first + count; }
+};
+
+// Names of inputs that a strategy states.
+struct input_names {
+  const std::string_view* first = nullptr;
+  int count = 0;
+
+  constexpr const std::string_view* begin() const { return first; }
+  constexpr const std::string_view* end() const { return first + count; }
+  constexpr bool has(std::string_view input) const {
+    for (const auto name : *this)
+      if (name == input) return true;
+    return false;
+  }
+};
+
+constexpr clock unknown_clock(const arrivals&) { return dynamic_clock; }
+constexpr bool waits_for_nothing(const arrivals&) { return false; }
+
+// A strategy as a value: what the constexpr functions of graph/ work on. The members are explained above.
 struct strategy_info {
-  strategy_kind kind = strategy_kind::user;
-  std::int64_t n = 0, phase = 0;
-  const std::string_view* names = nullptr;
+  void (*add_name)(text&) = nullptr;
+  clock alone = dynamic_clock, in_combination = dynamic_clock;
+  bool has_clock_from = false;
+  clock (*clock_from)(const arrivals&) = &unknown_clock;
+  bool waits_for_inputs = false;
+  bool (*waits_in_vain)(const arrivals&) = &waits_for_nothing;
+  input_names named_inputs{};
+  std::string_view mistake{};
+  bool excludes_itself = false, for_resource_nodes = false, first_dt_is_period = false,
+       fires_on_arrival = false, needs_one_origin = false;
   const strategy_info* const* parts = nullptr;
-  int count = 0;  // of names or parts
+  int part_count = 0;
 };
-
-constexpr bool is_combined(const strategy_info& strategy) {
-  return strategy.kind == strategy_kind::any_of || strategy.kind == strategy_kind::all_of;
-}
-
-template <fixed_string... Names>
-inline constexpr std::array<std::string_view, sizeof...(Names) + 1> names_of{Names.view()..., {}};
 
 template <class Strategy>
-inline constexpr strategy_info strategy_of{};
+constexpr void add_strategy_name(text& t) {
+  if constexpr (requires { Strategy::add_name(t); }) Strategy::add_name(t);
+  else t << type_name<Strategy>();
+}
 
+template <class Strategy>
+constexpr strategy_info make_strategy_info();
+
+template <class Strategy>
+inline constexpr strategy_info strategy_of = make_strategy_info<Strategy>();
+
+template <class Parts>
+struct infos_of;
 template <class... Parts>
-inline constexpr std::array<const strategy_info*, sizeof...(Parts) + 1> parts_of{&strategy_of<Parts>...,
-                                                                                 nullptr};
+struct infos_of<list<Parts...>> {
+  static constexpr std::array<const strategy_info*, sizeof...(Parts) + 1> all{&strategy_of<Parts>...,
+                                                                              nullptr};
+};
 
-template <>
-inline constexpr strategy_info strategy_of<by_default>{strategy_kind::by_default};
-template <>
-inline constexpr strategy_info strategy_of<restless>{strategy_kind::restless};
-template <>
-inline constexpr strategy_info strategy_of<moderate>{strategy_kind::moderate};
-template <>
-inline constexpr strategy_info strategy_of<coordinated>{strategy_kind::coordinated};
-template <>
-inline constexpr strategy_info strategy_of<full_speed>{strategy_kind::full_speed};
-template <>
-inline constexpr strategy_info strategy_of<inactive>{strategy_kind::inactive};
+template <class Strategy>
+constexpr strategy_info make_strategy_info() {
+  strategy_info s{.add_name = &add_strategy_name<Strategy>};
+  if constexpr (requires { Strategy::clock; }) s.alone = s.in_combination = Strategy::clock;
+  if constexpr (requires { Strategy::clock_in_combination; })
+    s.in_combination = Strategy::clock_in_combination;
+  if constexpr (requires { &Strategy::clock_from; }) {
+    s.has_clock_from = true;
+    s.clock_from = &Strategy::clock_from;
+  }
+  if constexpr (requires { &Strategy::waits_in_vain; }) {
+    s.waits_for_inputs = true;
+    s.waits_in_vain = &Strategy::waits_in_vain;
+  }
+  if constexpr (requires { Strategy::named_inputs; }) s.named_inputs = Strategy::named_inputs;
+  if constexpr (requires { Strategy::mistake; }) s.mistake = Strategy::mistake;
+  if constexpr (requires { Strategy::excludes_itself; }) s.excludes_itself = Strategy::excludes_itself;
+  if constexpr (requires { Strategy::for_resource_nodes; })
+    s.for_resource_nodes = Strategy::for_resource_nodes;
+  if constexpr (requires { Strategy::first_dt_is_period; })
+    s.first_dt_is_period = Strategy::first_dt_is_period;
+  if constexpr (requires { Strategy::fires_on_arrival; }) s.fires_on_arrival = Strategy::fires_on_arrival;
+  if constexpr (requires { Strategy::needs_one_origin; }) s.needs_one_origin = Strategy::needs_one_origin;
+  if constexpr (requires { typename Strategy::parts; }) {
+    s.parts = infos_of<typename Strategy::parts>::all.data();
+    s.part_count = static_cast<int>(infos_of<typename Strategy::parts>::all.size()) - 1;
+  }
+  return s;
+}
 
-template <std::int64_t N, std::int64_t Phase>
-inline constexpr strategy_info strategy_of<timed<N, Phase>>{strategy_kind::timed, N, Phase};
-template <std::int64_t N>
-inline constexpr strategy_info strategy_of<timeout<N>>{strategy_kind::timeout, N};
-template <fixed_string... Inputs>
-inline constexpr strategy_info strategy_of<port_triggered<Inputs...>>{
-    strategy_kind::port_triggered, 0, 0, names_of<Inputs...>.data(), nullptr, sizeof...(Inputs)};
-template <class... Parts>
-inline constexpr strategy_info strategy_of<any_of<Parts...>>{
-    strategy_kind::any_of, 0, 0, nullptr, parts_of<Parts...>.data(), sizeof...(Parts)};
-template <class... Parts>
-inline constexpr strategy_info strategy_of<all_of<Parts...>>{
-    strategy_kind::all_of, 0, 0, nullptr, parts_of<Parts...>.data(), sizeof...(Parts)};
+// The strategy itself, or the first of its parts and their parts, for which the predicate holds.
+template <class Predicate>
+constexpr ref<strategy_info> find_part(const strategy_info& strategy, Predicate holds) {
+  if (holds(strategy)) return &strategy;
+  for (int i = 0; i < strategy.part_count; ++i)
+    if (const auto found = find_part(*strategy.parts[i], holds)) return found;
+  return nullptr;
+}
 
-// Stands for the inputs of any component, to check a user's strategy.
+constexpr bool uses_coordination(const strategy_info& strategy) {
+  return bool(find_part(strategy, [](const strategy_info& s) { return s.needs_one_origin; }));
+}
+
+// Stands for the inputs of any component, to check a strategy.
 struct any_inputs {
   struct port {
     bool fresh() const;
@@ -114,16 +168,20 @@ struct any_inputs {
   };
   template <fixed_string Name>
   port get() const;
+  template <fixed_string Name>
+  bool fresh() const;
+  bool any_fresh() const;
+  bool all_fresh() const;
+  bool share_new_origin() const;
+  std::int64_t beats_since_fired() const;
 };
 
-}  // namespace detail
+}  // namespace cca::detail
 
-// A strategy of the user's own: `bool fires(cca::beat now, const Inputs& in)`, a template on Inputs. It sees
-// each input as it would be read: `in.template get<"x">()` has value, `origin()` and `fresh()`.
-template <class Strategy> concept ProcessingStrategy =
-    detail::strategy_of<Strategy>.kind != detail::strategy_kind::user ||
-    requires(beat now, const detail::any_inputs& in) {
-      { Strategy{}.fires(now, in) } -> std::convertible_to<bool>;
-    };
+namespace cca {
+
+template <class Strategy> concept ProcessingStrategy = requires(beat now, const detail::any_inputs& in) {
+  { Strategy{}.fires(now, in) } -> std::convertible_to<bool>;
+};
 
 }  // namespace cca

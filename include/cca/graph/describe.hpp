@@ -10,8 +10,8 @@
 
 #include <string>
 
-#include <cca/graph/paths.hpp>
-#include <cca/graph/plan/types.hpp>
+#include <cca/graph/plan/paths.hpp>
+#include <cca/graph/layout/types.hpp>
 
 namespace cca {
 namespace detail {
@@ -80,22 +80,9 @@ private:
   String when(int l) const {
     const auto& t = g.calls[g.nodes[l].first_call];
     if (g.hz > 0 && t.fires.known()) return hertz(g.hz / static_cast<double>(t.fires.period));
-    return strategy_name(strategy_of_call(g, t));
-  }
-
-  static String strategy_name(const strategy_info& s) {
-    static constexpr std::string_view names[] = {
-        "by default",  "timed",      "restless", "moderate", "timeout", "port_triggered",
-        "coordinated", "full_speed", "inactive", "any_of",   "all_of",  "own strategy"};
-    String name(names[static_cast<std::size_t>(s.kind)]);
-    if (is_combined(s)) {
-      name += "<";
-      for (int i = 0; i < s.count; ++i) name += (i ? ", " : "") + strategy_name(*s.parts[i]);
-      name += ">";
-    } else if (s.kind == strategy_kind::timed || s.kind == strategy_kind::timeout) {
-      name += "<" + std::to_string(s.n) + ">";
-    }
-    return name;
+    detail::text name;
+    strategy_of_call(g, t).add_name(name);
+    return String(name.view());
   }
 
   String label(const input& in, const char* line_break) const {

@@ -5,15 +5,16 @@
 //   static_assert(cca::diagnosis<broken>.rule == "space.mismatch");
 #pragma once
 
-// First: where this refuses something, the compilers tell of each file around it.
+// Included first: compilers list the files around a message, and so there are fewer.
 #include <cca/component/port.hpp>
 
 #include <array>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
-#include <cca/graph/message.hpp>
-#include <cca/graph/plan/types.hpp>
+#include <cca/graph/diagnosis/as_written.hpp>
+#include <cca/graph/layout/types.hpp>
 
 namespace cca {
 
@@ -29,44 +30,49 @@ struct report {
   text where{}, message{};
 };
 
-// The first broken rule. What is no graph at all is told so.
+// The id of the first broken rule, or nothing. A type that is no graph gets its own message.
 template <class Type>
-consteval rule broken_by() {
-  if constexpr (Graph<Type>) return counts_of<Type>.found.broken;
-  else return rule::graph_unknown_item;
+consteval std::string_view broken_by() {
+  if constexpr (Graph<Type>) return counts_of<Type>.found.rule;
+  else return graph_unknown_item::id;
 }
 
-template <class Type, class Telling, class Report>
+template <class... Rules>
+auto as_tuple(list<Rules...>) -> std::tuple<Rules*...>;
+
+template <class Type, class Writer, class Report>
 consteval Report make_report() {
   Report r;
   if constexpr (Graph<Type>) {
+    constexpr auto number = number_of_rule(broken_by<Type>(), rules{});
+    using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(rules{}))>>;
     auto plan = plan_of<Type>;
-    Telling t{plan.view(), flattened_of<Type>.unknown_trigger};
-    tell(t);
-    r = {t.where, t.message};
+    Writer m{plan.view()};
+    m.say() << rule::id << ": ";
+    rule::tell(m);
+    r = {m.where, m.message};
   } else {
     r.where << type_name<Type>();
-    r.message << rule_ids[static_cast<std::size_t>(broken_by<Type>())] << ": `" << type_name<Type>()
-              << "` is no graph: what runs is a struct derived from cca::graph<...>; a component is put into "
-                 "one as cca::node<`name`, "
-              << type_name<Type>() << ">";
+    r.message
+        << broken_by<Type>() << ": `" << type_name<Type>()
+        << "` is no graph: a controller runs a struct derived from cca::graph<...>; put a component into one "
+           "as cca::node<`name`, "
+        << type_name<Type>() << ">";
   }
   return {as_written(r.where), as_written(r.message)};
 }
 template <class Graph>
-inline constexpr auto report_of = make_report<Graph, telling, report>();
+inline constexpr auto report_of = make_report<Graph, message_writer, report>();
 
 template <class Graph>
 consteval diagnosis_value make_diagnosis() {
-  constexpr auto broken = broken_by<Graph>();
-  if constexpr (broken == rule::none) return {};
-  else
-    return {rule_ids[static_cast<std::size_t>(broken)], report_of<Graph>.where.view(),
-            report_of<Graph>.message.view()};
+  if constexpr (broken_by<Graph>().empty()) return {};
+  else return {broken_by<Graph>(), report_of<Graph>.where.view(), report_of<Graph>.message.view()};
 }
 
-// Never defined: the compiler names it, and with it the message. g++ prints text in a template argument
-// whole; clang cuts it after 35 letters, so there it goes in lines of at most so many, broken between words.
+// Never defined: the compiler prints it, and with it the message. g++ prints text in a template argument
+// whole; clang cuts it after 35 letters, so there the message is broken between words into lines of at
+// most 35.
 template <auto... Text>
 struct refused_graph;
 
@@ -119,7 +125,7 @@ using refusal = refused_graph<message<report_of<Graph>.message.size>(report_of<G
 }  // namespace detail
 
 template <class Graph>
-inline constexpr bool well_formed = detail::broken_by<Graph>() == detail::rule::none;
+inline constexpr bool well_formed = detail::broken_by<Graph>().empty();
 
 template <class Graph>
 inline constexpr diagnosis_value diagnosis = detail::make_diagnosis<Graph>();

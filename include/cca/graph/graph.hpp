@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include <cca/component/component.hpp>
-#include <cca/component/strategy.hpp>
+#include <cca/component/strategies.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/space.hpp>
 

@@ -7,18 +7,18 @@
 // an angle by their `velocity`, a velocity by `acceleration`, a torque by `torque_rate`, an axis that states
 // none at will. Each number is checked for
 //
-//   finite   NaN and infinity are no commands: an angle or a stiffness stays as it last was, a velocity,
-//   acceleration or
-//            torque goes to the allowed number nearest to zero (a torque that is held would go on to
-//            accelerate);
-//   range    then the nearest allowed number is taken;
-//   rate     and of those, the nearest that can be reached since the last safe command: in the time since
-//   then, but no
-//            more than one period of the space's rate, so that a pause is no leave to jump.
+//   finite   NaN and infinity are no commands: the quantity's `on_nan` says whether the last safe command is
+//   held
+//            (an angle, a stiffness) or the allowed number nearest to zero is published (a velocity, a
+//            torque);
+//   range    else the nearest allowed number is published;
+//   rate     and of the allowed numbers the nearest that can be reached since the last safe command, in at
+//   most
+//            one period of the space's rate: after a pause a command may not jump.
 //
-// It starts from "measured", where that is wired and has come, and holds it until a first command has; else
-// the first command is taken as it is. Each number changed is counted, and the first cause kept: which axis,
-// which check, in which beat.
+// It starts from "measured", if that is wired and a sample has arrived, and holds it until the first command;
+// else it takes the first command as it is. It counts each number that it changes, and keeps the first cause:
+// which axis, which check, in which beat.
 //
 // Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest
 // runs only when a command is changed. Errors: space.missing_limits. Example:
@@ -52,31 +52,22 @@ struct intervention {
 
 namespace detail {
 
-// The quantity that limits how fast another one may change, and whether a lost command of it is held.
+// The quantity that limits how fast another one may change.
 template <class Quantity>
-struct limiting {
-  using rate = void;
-  static constexpr bool holds = true;
+struct rate_of_quantity {
+  using type = void;
 };
 template <>
-struct limiting<angle> {
-  using rate = velocity;
-  static constexpr bool holds = true;
+struct rate_of_quantity<angle> {
+  using type = velocity;
 };
 template <>
-struct limiting<velocity> {
-  using rate = acceleration;
-  static constexpr bool holds = false;
+struct rate_of_quantity<velocity> {
+  using type = acceleration;
 };
 template <>
-struct limiting<acceleration> {
-  using rate = void;
-  static constexpr bool holds = false;
-};
-template <>
-struct limiting<torque> {
-  using rate = torque_rate;
-  static constexpr bool holds = false;
+struct rate_of_quantity<torque> {
+  using type = torque_rate;
 };
 
 // `a` where the comparison is false, so also where `b` is NaN: one instruction each.
@@ -88,7 +79,7 @@ template <class Space>
 struct limits_of {
   static constexpr std::size_t size = Space::size;
   using quantity = typename Space::domain::quantity;
-  using rate_quantity = typename limiting<quantity>::rate;
+  using rate_quantity = typename rate_of_quantity<quantity>::type;
   struct bounds {
     double lower, upper;
   };
@@ -205,9 +196,7 @@ private:
       const auto [low, high] = limits::window(axis, last[axis], dt);
       if (wanted >= low && wanted <= high) return;
       const bool lost = !std::isfinite(wanted);
-      const double goal = !lost                                                ? wanted
-                          : detail::limiting<typename limits::quantity>::holds ? last[axis]
-                                                                               : 0;
+      const double goal = !lost ? wanted : limits::quantity::on_nan == nan_policy::hold ? last[axis] : 0;
       value[axis] = detail::at_most(high, detail::at_least(low, goal));
       ++count;
       if (first.cause == limited_by::nothing)

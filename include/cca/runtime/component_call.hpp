@@ -5,8 +5,8 @@
 #include <limits>
 #include <new>
 
-#include <cca/runtime/fires.hpp>
 #include <cca/runtime/publish.hpp>
+#include <cca/runtime/strategy_inputs.hpp>
 
 namespace cca::detail {
 
@@ -48,8 +48,8 @@ struct component_call_of<Graph, Call, list<Parameters...>, std::integer_sequence
     } else if constexpr (c.fires.dynamic()) {
       one.ask_strategy();
     } else {
-      constexpr bool is_timed =
-          plan_of<Graph>.nodes[c.node].item->strategy->kind == strategy_kind::timed;
+      constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy;
+      constexpr bool is_timed = strategy && strategy->first_dt_is_period;
       if constexpr (!c.fires.every_beat())
         if (!ticks<c.fires>(b.k)) return;
       one.fire({b.k, period, beats_since<c.fires, is_timed>(b.k)},
@@ -62,7 +62,7 @@ private:
     last_firing& own = b.state.firings[at.firing];
     using strategy =
         typename strategy_or_default<typename node_types<Graph, c.node>::strategy, (sizeof...(Position) > 0)>::type;
-    if (!asking<strategy>::template fires<Graph, Call>(question<Graph, Call>{b, at, own})) return;
+    if (!strategy_fires<strategy>(question<Graph, Call>{b, at, own})) return;
     if constexpr (c.stored_seen) own.oldest = oldest_seen();
     const std::int64_t last = own.last;
     own.last = b.k;

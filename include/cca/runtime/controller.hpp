@@ -13,7 +13,7 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/graph/find.hpp>
+#include <cca/graph/layout/nodes_by_path.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/refusal.hpp>

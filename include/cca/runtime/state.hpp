@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <cca/graph/plan/lookup.hpp>
+#include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/stored_samples.hpp>
 
 namespace cca::detail {

@@ -16,8 +16,8 @@
 #include <cca/base/eigen.hpp>
 #include <cca/base/inlining.hpp>
 #include <cca/component/fault.hpp>
-#include <cca/graph/clock.hpp>
-#include <cca/graph/items.hpp>
+#include <cca/component/clock.hpp>
+#include <cca/graph/plan/items.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::detail {

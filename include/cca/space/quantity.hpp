@@ -3,92 +3,120 @@
 //   struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9},
 //   cca::torque{-3, 3}}; };
 //
-// Units are SI units, angles in radians; a number is held in the unit that its quantity states. A quantity of
-// one's own is another such struct. Other spellings of the units, for files, are in units.hpp.
+// Units are SI units, angles in radians; a number is in the unit that its quantity states. To make a quantity
+// of your own, write another such struct. units.hpp has other spellings of the units, for files.
+//
+// A quantity states in `on_nan` what a limiter publishes when a command is no finite number. There is no
+// default: a torque or a current that is held goes on to accelerate, an angle that goes to zero jumps.
+// Errors: quantity.on_nan.
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <string_view>
 #include <type_traits>
 
 namespace cca {
 
+enum class nan_policy : std::uint8_t {
+  hold,  // the last safe command
+  zero   // the allowed number nearest to zero
+};
+
 // About a joint.
 struct angle {
   double lower, upper;
   static constexpr std::string_view unit = "rad";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 struct velocity {
   double lower, upper;
   static constexpr std::string_view unit = "rad/s";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct acceleration {
   double lower, upper;
   static constexpr std::string_view unit = "rad/s^2";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct torque {
   double lower, upper;
   static constexpr std::string_view unit = "N m";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct torque_rate {
   double lower, upper;
   static constexpr std::string_view unit = "N m/s";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct stiffness {
   double lower, upper;
   static constexpr std::string_view unit = "N m/rad";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 struct damping {
   double lower, upper;
   static constexpr std::string_view unit = "N m s/rad";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 
 // Along a line.
 struct length {
   double lower, upper;
   static constexpr std::string_view unit = "m";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 struct speed {
   double lower, upper;
   static constexpr std::string_view unit = "m/s";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct force {
   double lower, upper;
   static constexpr std::string_view unit = "N";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct linear_stiffness {
   double lower, upper;
   static constexpr std::string_view unit = "N/m";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 struct linear_damping {
   double lower, upper;
   static constexpr std::string_view unit = "N s/m";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 
 // Neither. `frequency` is in scalar.hpp: it is a domain type as well.
 struct mass {
   double lower, upper;
   static constexpr std::string_view unit = "kg";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 struct duration {
   double lower, upper;
   static constexpr std::string_view unit = "s";
+  static constexpr auto on_nan = nan_policy::hold;
 };
 struct power {
   double lower, upper;
   static constexpr std::string_view unit = "W";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct voltage {
   double lower, upper;
   static constexpr std::string_view unit = "V";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct current {
   double lower, upper;
   static constexpr std::string_view unit = "A";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 struct value {
   double lower, upper;
   static constexpr std::string_view unit = "";
+  static constexpr auto on_nan = nan_policy::hold;
 };  // a number without a unit
 
 template <class Type> concept Quantity = requires(const Type range) {
@@ -97,9 +125,28 @@ template <class Type> concept Quantity = requires(const Type range) {
   { range.upper } -> std::convertible_to<double>;
 };
 
+namespace detail {
+
+template <class Quantity>
+constexpr bool states_on_nan() {
+  constexpr bool states = requires {
+    { Quantity::on_nan } -> std::convertible_to<nan_policy>;
+  };
+  static_assert(
+      states,
+      "quantity.on_nan: this quantity does not say what a limiter does with a command that is NaN: add "
+      "`static constexpr auto on_nan = cca::nan_policy::hold;` to it (keep the last command), or "
+      "`cca::nan_policy::zero` (go to zero)");
+  return true;
+}
+
+}  // namespace detail
+
 // The limits of a dimension, one range a quantity.
 template <class... Quantities>
 struct limits : Quantities... {
+  static_assert((detail::states_on_nan<Quantities>() && ...));
+
   template <class Quantity>
   static constexpr bool has = (std::is_same_v<Quantity, Quantities> || ...);
 

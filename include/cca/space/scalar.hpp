@@ -26,6 +26,7 @@ struct amplitude : detail::linear_domain {
 struct frequency {
   double lower, upper;
   static constexpr std::string_view unit = "Hz";
+  static constexpr auto on_nan = nan_policy::hold;
 
   using quantity = frequency;
   static constexpr bool actuated = false;

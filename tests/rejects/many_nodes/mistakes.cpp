@@ -1,55 +1,34 @@
-// EXPECT graph_unknown_item: graph\.unknown_item: `sink` in graph_unknown_item is no item of a graph, so it
-// would be passed over: write cca::node<`name`, type> for a component or EXPECT node_bad_name:
-// node\.bad_name: a node of node_bad_name is named `extra\.one`, but names are joined by dots to paths, and
-// `\*` stands for any of them: use neither in a EXPECT strategy_no_fires: strategy\.no_fires: `extra`
-// \(source\) has the strategy `sink`, which cannot say when it fires: use one like cca::timed<10> or
-// cca::moderate, or give it EXPECT wire_bad_option: wire\.bad_option: the wire `n7\.y` -> `extra\.x` has the
-// option `timed<2>`, which is none: it may have a policy \(cca::latest, cca::delayed<N>, EXPECT
-// node_duplicate_name: node\.duplicate_name: two nodes of node_duplicate_name are named `n7` \(step, sink\),
-// so a path to them has two meanings: give one of them another name EXPECT skeleton_arity: skeleton\.arity:
-// `extra` \(switch_between<.*>\) has 1 source, but between fewer than two there is nothing to choose or to
-// mix: name two or more, or EXPECT component_no_process: component\.no_process: `extra` \(without_function\)
-// has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
-// EXPECT component_bad_parameter: component\.bad_parameter: `extra` \(takes_number\): `process` takes
-// `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and EXPECT
-// component_bad_result: component\.bad_result: `extra` \(returns_number\): `process` returns `double`, but it
-// may return only ports \(cca::out, cca::maybe\) and a cca::fault, one EXPECT component_hook_signature:
-// component\.hook_signature: `extra` \(starts_with_number\) has a hook `on_start` that would never be called,
-// for it is not `void on_start\(\)`: make it a EXPECT parameters_unsupported_type:
-// parameters\.unsupported_type: `extra` \(has_pointer\): its parameter `table` is a `const double ?\*`, which
-// no file can hold: use a number, bool, enum EXPECT space_duplicate_axis: space\.duplicate_axis: the space
-// angle_twice of `extra\.y` has the axis `hip` twice, so reading along it has two meanings: name each axis
-// once in EXPECT strategy_unknown_port: strategy\.unknown_port: `extra` \(merge\) is cca::port_triggered by
-// `c`, but it has no such input; did you mean `a`\? EXPECT strategy_misplaced: strategy\.misplaced: `extra`
-// \(actuator<signal>\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed
-// or cca::inactive EXPECT wire_unknown_port: wire\.unknown_port: the wire `n8\.out` -> `extra\.b` in
-// wire_unknown_port names `n8\.out`, but `n8` \(step\) has no such output; did you mean `n8\.y`\? EXPECT
-// wire_direction: wire\.direction: a wire leads from an output to an input, but in `extra\.x` -> `n7\.y` in
-// wire_direction `extra\.x` is an input and `n7\.y` an output: EXPECT wire_two_writers: wire\.two_writers:
-// `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front,
-// cca::arbiter<`x`, signal, EXPECT wire_bad_initial: wire\.bad_initial: cca::initial of the wire `n7\.y` ->
-// `extra\.x` gives 2 numbers, but `extra\.x` has 1: give one for each, or one for all EXPECT space_mismatch:
-// space\.mismatch: `extra\.y` publishes hip_angle \(joint_angles over hip\) but `end\.x` expects signal
-// \(number over x\): the domain types differ; put a EXPECT wire_unconnected_input: wire\.unconnected_input:
-// `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to
-// `extra\.b`, or expose it, EXPECT rate_missing: rate\.missing: neither rate_missing nor any of its spaces
-// states a rate, so a beat has no length: add cca::rate<1000> to the graph EXPECT strategy_never_fires:
-// strategy\.never_fires: `extra` \(listener\) fires when an input is fresh, but none of those that it waits
-// for is wired: wire one, or make it cca::timed EXPECT graph_algebraic_loop: graph\.algebraic_loop: `p\.y` ->
-// `q\.x`, `q\.y` -> `p\.x` are a loop without delay, so none of their components can come first; say where it
-// may be a beat EXPECT rate_mismatch: rate\.mismatch: `extra\.y` is published every 2 beats, that is at 500
-// Hz, but its space is fast_signal \(number over x at 1000 Hz\): change the strategy EXPECT rate_unstated:
-// rate\.unstated: `n7\.y` is published every beat but `extra\.x` is read every 10 beats, and the wire does
-// not say what happens between them: write EXPECT queue_overflow: queue\.overflow: `n7\.y` is published every
-// beat but `extra\.x` is read every 10 beats, so the queue of 4 between them is full sooner or later, which
-// EXPECT strategy_coordination: strategy\.coordination: `extra` \(merge\) is cca::coordinated, but `extra\.a`
-// \(from `even\.y`, every 2 beats\) and `extra\.b` \(from `odd\.y`, every 2 beats EXPECT
-// space_missing_limits: space\.missing_limits: `limits\.command` takes commands of leg_angles, but its axis
-// `knee` states no limits of angle to keep them within: add `static EXPECT robot_unlimited_command:
-// robot\.unlimited_command: `extra\.y` reaches the actuator `leg\.command` without passing a limiter: put a
-// cca::limiter<hip_angle> between them \(its EXPECT latency_exceeded: latency\.exceeded: a sample of `n0\.y`
-// can be 5 beats old when `extra\.x` is read, but latency_exceeded requires at most 4: shorten a delay or a
-// queue Each rule of a graph, broken in one of fifty nodes.
+// EXPECT graph_unknown_item: graph\.unknown_item: `sink` in graph_unknown_item is no item of a graph, so it would be ignored: write cca::node<`name`, type> for a component or
+// EXPECT node_bad_name: node\.bad_name: a node of node_bad_name is named `extra\.one`, but dots join names to paths, and `\*` stands for any name: use neither in a
+// EXPECT strategy_no_fires: strategy\.no_fires: `extra` \(source\) has the strategy `sink`, which cannot say when it fires: use one like cca::timed<10> or cca::moderate, or give it
+// EXPECT wire_bad_option: wire\.bad_option: the wire `n7\.y` -> `extra\.x` has the option `timed<2>`, which is no option of a wire: it may have a policy \(cca::latest, cca::delayed<N>,
+// EXPECT node_duplicate_name: node\.duplicate_name: two nodes of node_duplicate_name are named `n7` \(step, sink\), so a path to them has two meanings: give one of them another name
+// EXPECT skeleton_arity: skeleton\.arity: `extra` \(switch_between<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more, or
+// EXPECT component_no_process: component\.no_process: `extra` \(without_function\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
+// EXPECT component_bad_parameter: component\.bad_parameter: `extra` \(takes_number\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and
+// EXPECT component_bad_result: component\.bad_result: `extra` \(returns_number\): `process` returns `double`, but it may return only ports \(cca::out, cca::maybe\) and a cca::fault, one
+// EXPECT component_hook_signature: component\.hook_signature: `extra` \(starts_with_number\) has a hook `on_start` that would never be called, because it is not `void on_start\(\)`: make it a
+// EXPECT parameters_unsupported_type: parameters\.unsupported_type: `extra` \(has_pointer\): its parameter `table` is a `const double ?\*`, which no file can hold: use a number, bool, enum
+// EXPECT space_duplicate_axis: space\.duplicate_axis: the space angle_twice of `extra\.y` has the axis `hip` twice, so reading along it has two meanings: name each axis once in
+// EXPECT strategy_unknown_port: strategy\.unknown_port: `extra` \(merge\) is cca::port_triggered by `c`, but it has no such input; did you mean `a`\?
+// EXPECT strategy_misplaced: strategy\.misplaced: `extra` \(actuator<signal>\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
+// EXPECT wire_unknown_port: wire\.unknown_port: the wire `n8\.out` -> `extra\.b` in wire_unknown_port names `n8\.out`, but `n8` \(step\) has no such output; did you mean `n8\.y`\?
+// EXPECT wire_direction: wire\.direction: a wire leads from an output to an input, but in `extra\.x` -> `n7\.y` in wire_direction `extra\.x` is an input and `n7\.y` an output:
+// EXPECT wire_two_writers: wire\.two_writers: `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front, cca::arbiter<`x`, signal,
+// EXPECT wire_bad_initial: wire\.bad_initial: cca::initial of the wire `n7\.y` -> `extra\.x` gives 2 numbers, but `extra\.x` has 1: give one for each, or one for all
+// EXPECT space_mismatch: space\.mismatch: `extra\.y` publishes hip_angle \(joint_angles over hip\) but `end\.x` expects signal \(number over x\): the domain types differ; put a
+// EXPECT wire_unconnected_input: wire\.unconnected_input: `extra\.b` is not connected: in wire_unconnected_input, wire an output of signal \(number over x\) to `extra\.b`, or expose it,
+// EXPECT rate_missing: rate\.missing: neither rate_missing nor any of its spaces states a rate, so a beat has no length: add cca::rate<1000> to the graph
+// EXPECT strategy_never_fires: strategy\.never_fires: `extra` \(listener\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
+// EXPECT graph_algebraic_loop: graph\.algebraic_loop: `p\.y` -> `q\.x`, `q\.y` -> `p\.x` are a loop without delay, so none of their components can come first; say where it may be a beat
+// EXPECT rate_mismatch: rate\.mismatch: `extra\.y` is published every 2 beats, that is at 500 Hz, but its space is fast_signal \(number over x at 1000 Hz\): change the strategy
+// EXPECT rate_unstated: rate\.unstated: `n7\.y` is published every beat but `extra\.x` is read every 10 beats, and the wire does not say what happens between them: write
+// EXPECT queue_overflow: queue\.overflow: `n7\.y` is published every beat but `extra\.x` is read every 10 beats, so the queue of 4 between them is full sooner or later, which
+// EXPECT strategy_coordination: strategy\.coordination: `extra` \(merge\) is cca::coordinated, but `extra\.a` \(from `even\.y`, every 2 beats\) and `extra\.b` \(from `odd\.y`, every 2 beats
+// EXPECT space_missing_limits: space\.missing_limits: `limits\.command` takes commands of leg_angles, but its axis `knee` states no limits of angle to keep them within: add `static
+// EXPECT robot_unlimited_command: robot\.unlimited_command: `extra\.y` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<hip_angle> between them \(its
+// EXPECT latency_exceeded: latency\.exceeded: a sample of `n0\.y` can be 5 beats old when `extra\.x` is read, but latency_exceeded requires at most 4: shorten a delay or a queue
+// Each rule of a graph, broken in one of fifty nodes.
 #include "fifty_nodes.hpp"
 
 struct hip : cca::dimension<"hip"> {

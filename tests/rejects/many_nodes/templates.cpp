@@ -1,24 +1,24 @@
 // EXPECT farm: skeleton\.arity: `extra` \(farm<.*>\) cannot be shared out: what comes in
-// EXPECT farm_on_threads: skeleton\.arity: `extra` \(farm_on_threads<.*>\) is to have pipeline<step, step> on
-// threads, but that is a graph EXPECT pipeline: skeleton\.arity: `extra` \(pipeline<.*>\) is a pipeline whose
-// stage 1 merge has 2 inputs EXPECT splitter: skeleton\.arity: `extra` \(splitter<.*>\) is to take attitude
-// apart, which has 4 numbers over 3 axes EXPECT collector: skeleton\.arity: `extra` \(collector<.*>\) is to
-// put attitude together, which has 4 numbers over 3 axes EXPECT arbiter: skeleton\.arity: `extra`
-// \(arbiter<.*>\) has 1 source EXPECT blend: skeleton\.arity: `extra` \(blend<.*>\) blends 3 sources by 2
-// weights EXPECT hold: skeleton\.arity: `extra` \(hold<.*>\) leads from slow \(100 Hz\) to fast_pair \(1000
-// Hz\), which differ in more than their rate EXPECT interpolate: skeleton\.arity: `extra` \(interpolate<.*>\)
-// leads from odd \(300 Hz\) to fast \(1000 Hz\) EXPECT decimate: skeleton\.arity: `extra` \(decimate<.*>\)
-// leads from fast \(1000 Hz\) to odd \(300 Hz\) EXPECT chain: mapping\.chain: a mapping of this chain takes
-// samples of another space EXPECT transformation: transform\.leaves_space: the function of this
-// transformation returns something that lies in another space EXPECT kinematics: frame\.mismatch: kinematics
-// say where a chain's tip is in the frame of the chain's base EXPECT adaptive_mapping: learner\.model: the
-// learner of this adaptive mapping adapts a model between other spaces EXPECT cycle: body\.cycle: the parts
-// of this body close a loop EXPECT unattached: body\.unattached: a part of this body hangs on nothing EXPECT
-// tracker: learner\.model: the learner of this module adapts another model EXPECT criterion:
-// criterion\.spaces: the criterion of this adaptive component measures in another space EXPECT no_space:
-// component\.bad_parameter: a port is of a space, and this type is none Rules that a template checks where it
-// is named, each broken in one of fifty nodes; the graphs are templates, so that it is named only in the one
-// that is asked for.
+// EXPECT farm_on_threads: skeleton\.arity: `extra` \(farm_on_threads<.*>\) is to have pipeline<step, step> on threads, but that is a graph
+// EXPECT pipeline: skeleton\.arity: `extra` \(pipeline<.*>\) is a pipeline whose stage 1 merge has 2 inputs
+// EXPECT splitter: skeleton\.arity: `extra` \(splitter<.*>\) is to take attitude apart, which has 4 numbers over 3 axes
+// EXPECT collector: skeleton\.arity: `extra` \(collector<.*>\) is to put attitude together, which has 4 numbers over 3 axes
+// EXPECT arbiter: skeleton\.arity: `extra` \(arbiter<.*>\) has 1 source
+// EXPECT blend: skeleton\.arity: `extra` \(blend<.*>\) blends 3 sources by 2 weights
+// EXPECT hold: skeleton\.arity: `extra` \(hold<.*>\) leads from slow \(100 Hz\) to fast_pair \(1000 Hz\), which differ in more than their rate
+// EXPECT interpolate: skeleton\.arity: `extra` \(interpolate<.*>\) leads from odd \(300 Hz\) to fast \(1000 Hz\)
+// EXPECT decimate: skeleton\.arity: `extra` \(decimate<.*>\) leads from fast \(1000 Hz\) to odd \(300 Hz\)
+// EXPECT chain: mapping\.chain: a mapping of this chain takes samples of another space
+// EXPECT transformation: transform\.leaves_space: the function of this transformation returns something that lies in another space
+// EXPECT kinematics: frame\.mismatch: kinematics say where a chain's tip is in the frame of the chain's base
+// EXPECT adaptive_mapping: learner\.model: the learner of this adaptive mapping adapts a model between other spaces
+// EXPECT cycle: body\.cycle: the parts of this body close a loop
+// EXPECT unattached: body\.unattached: a part of this body hangs on nothing
+// EXPECT tracker: learner\.model: the learner of this module adapts another model
+// EXPECT criterion: criterion\.spaces: the criterion of this adaptive component measures in another space
+// EXPECT no_space: component\.bad_parameter: a port is of a space, and this type is none
+// Rules that a template checks where it is named, each broken in one of fifty nodes; the graphs are
+// templates, so that it is named only in the one that is asked for.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/adaptive/tracking.hpp>

@@ -39,7 +39,7 @@ struct wrong : cca::graph<cca::node<"swing", swing>,
 
 constexpr std::string_view message = R"(// [message]
 space.mismatch: `limits.safe` publishes leg_angles (joint_angles over hip, knee at 1000 Hz) but `leg.command` expects
-foot_angles (joint_angles over knee, hip at 1000 Hz): the axes stand in another order; give both ends one space
+foot_angles (joint_angles over knee, hip at 1000 Hz): the axes are in another order; give both ends one space
 )";  // [message end]
 
 }  // namespace

@@ -3,7 +3,8 @@
 // forever).
 #pragma once
 
-#include <cca/graph/order.hpp>
+#include <cca/graph/plan/flat.hpp>
+#include <cca/graph/plan/scratch.hpp>
 
 namespace cca::detail {
 

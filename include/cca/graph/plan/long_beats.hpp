@@ -6,7 +6,7 @@
 // A graph of up to `most_in_one` calls is one loop and pays nothing.
 #pragma once
 
-#include <cca/graph/flat.hpp>
+#include <cca/graph/plan/flat.hpp>
 
 namespace cca::detail {
 

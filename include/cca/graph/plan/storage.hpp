@@ -7,7 +7,6 @@
 //   past      some reader has a delay of more than a beat: the last ones
 #pragma once
 
-#include <cca/graph/clocks.hpp>
 #include <cca/graph/plan/feedback.hpp>
 #include <cca/graph/plan/long_beats.hpp>
 
@@ -19,10 +18,7 @@ struct storage_step {
   // The component fires only when this input has just arrived: it is the only one, and no sample waits.
   constexpr bool fires_with(const input& i) const {
     const auto& c = g.calls[i.call];
-    const auto kind = strategy_of_call(g, c).kind;
-    if (kind != strategy_kind::restless && kind != strategy_kind::moderate &&
-        kind != strategy_kind::port_triggered)
-      return false;
+    if (!strategy_of_call(g, c).fires_on_arrival) return false;
     int wired = 0;
     for (int other = c.first_input; other < c.first_input + c.function->input_count; ++other)
       wired += g.inputs[other].wired;

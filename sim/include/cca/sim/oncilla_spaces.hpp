@@ -110,6 +110,7 @@ struct angular_velocity {
 struct linear_acceleration {
   double lower, upper;
   static constexpr std::string_view unit = "m/s^2";
+  static constexpr auto on_nan = nan_policy::zero;
 };
 
 // Acceleration minus gravity: what an accelerometer shows; upwards, 9.81 m/s^2 at rest.

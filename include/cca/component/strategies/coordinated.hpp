@@ -1,0 +1,21 @@
+// coordinated: fires if every input holds a sample that arrived, all of one time of origin, later than the
+// oldest that the component saw when it last fired.
+#pragma once
+
+#include <cca/component/strategy.hpp>
+
+namespace cca {
+
+struct coordinated {
+  static constexpr bool needs_one_origin = true;
+
+  static constexpr void add_name(auto& text) { text << "coordinated"; }
+  static constexpr bool waits_in_vain(const detail::arrivals& inputs) { return inputs.count == 0; }
+
+  template <class Inputs>
+  static constexpr bool fires(beat, const Inputs& in) {
+    return in.share_new_origin();
+  }
+};
+
+}  // namespace cca

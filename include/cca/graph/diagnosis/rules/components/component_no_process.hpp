@@ -1,0 +1,32 @@
+// component.no_process: a component has `process`; a resource node has `sense` and `act`.
+#pragma once
+
+#include <cca/graph/diagnosis/rule.hpp>
+
+namespace cca::detail {
+
+struct component_no_process {
+  static constexpr std::string_view id = "component.no_process";
+
+  static constexpr bool is_broken(when::component_kind, const flat_view&, const finding& f) {
+    const auto& c = *f.item->component;
+    return (!c.process && !c.resource()) || c.also_sense || c.also_act || c.is_const;
+  }
+
+  static constexpr void tell(auto& m) {
+    const auto& c = *m.item().component;
+    m.at_node();
+    m.node();
+    if (!c.process && !c.resource())
+      m.say()
+          << " has no `process` from which its ports could be read: give it one, public, neither overloaded "
+             "nor a template, as in `auto process(cca::in<...>) -> cca::out<...>`; a resource node has "
+             "`sense` and `act` instead";
+    else if (c.also_sense || c.also_act)
+      m.say() << " has both `process` and `" << (c.also_sense ? "sense" : "act")
+              << "`: a component has `process`, a resource node has `sense` and `act`; make two nodes of it";
+    else m.say() << " is const, but a component changes as it runs: remove the `const`";
+  }
+};
+
+}  // namespace cca::detail

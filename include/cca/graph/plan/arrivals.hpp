@@ -1,0 +1,31 @@
+// When samples arrive at the inputs of a function, as its strategy sees it.
+#pragma once
+
+#include <cca/graph/plan/flat.hpp>
+#include <cca/graph/plan/scratch.hpp>
+
+namespace cca::detail {
+
+constexpr clock arrival_clock(const flat_view& g, const input& i) {
+  if (i.writer < 0) return port_of(g, i).space ? never_clock : dynamic_clock;
+  return shifted(published(g, g.outputs[i.writer]), i.delay);
+}
+
+// Calls f with the arrivals at all wired inputs.
+template <class F>
+constexpr auto with_arrivals(const flat_view& g, const call& t, F f) {
+  scratch_of<arrival> list(t.function->input_count);
+  int count = 0;
+  for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
+    if (const auto& in = g.inputs[i]; in.wired)
+      list[count++] = {port_of(g, in).name, arrival_clock(g, in), is_queued(in)};
+  return f(arrivals{&list[0], count});
+}
+
+constexpr bool waits_in_vain(const flat_view& g, const call& t) {
+  const auto& strategy = strategy_of_call(g, t);
+  return strategy.waits_for_inputs &&
+         with_arrivals(g, t, [&](const arrivals& inputs) { return strategy.waits_in_vain(inputs); });
+}
+
+}  // namespace cca::detail

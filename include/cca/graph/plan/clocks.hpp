@@ -1,0 +1,36 @@
+// Step 5, find the clocks: when each function fires and each output is published, in the order of the beat.
+#pragma once
+
+#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/plan/arrivals.hpp>
+
+namespace cca::detail {
+
+constexpr clock clock_of(const flat_view& g, const call& t) {
+  const auto& strategy = strategy_of_call(g, t);
+  if (!strategy.has_clock_from) return strategy.alone;
+  return with_arrivals(g, t, [&](const arrivals& inputs) { return strategy.clock_from(inputs); });
+}
+
+constexpr flat_view find_clocks(flat_view g) {
+  // First the clocks that depend on no arrivals: a delayed wire may lead back to an earlier function.
+  for (int t = 0; t < g.call_count; ++t) g.calls[t].fires = strategy_of_call(g, g.calls[t]).alone;
+  for (int r = 0; r < g.call_count; ++r) {
+    auto& t = g.calls[g.order[r]];
+    if (t.fires.dynamic()) t.fires = clock_of(g, t);
+  }
+
+  for (int o = 0; o < g.output_count; ++o) {
+    const auto& t = g.calls[g.outputs[o].call];
+    check<when::clocked_output>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .output = o});
+  }
+  for (int i = 0; i < g.input_count; ++i) {
+    const auto& in = g.inputs[i];
+    if (in.writer >= 0)
+      check<when::clocked_wire>(
+          g, {.item = in.wire, .scope = scope_of_call(g, g.calls[in.call]), .input = i, .output = in.writer});
+  }
+  return g;
+}
+
+}  // namespace cca::detail

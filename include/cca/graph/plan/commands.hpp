@@ -1,0 +1,60 @@
+// Commands on their way to actuators: each passes a limiter.
+#pragma once
+
+#include <cca/graph/plan/flat.hpp>
+
+namespace cca::detail {
+
+// Does an input move something?
+constexpr bool is_actuated(const flat_view& g, const input& in) {
+  return g.calls[in.call].phase == phase_of_beat::act && port_of(g, in).space->actuated;
+}
+
+// Commands that leave this function are limited: it is a limiter, or a resource node that is checked itself.
+constexpr bool ends_limit_search(const flat_view& g, const call& t) {
+  return item_of_call(g, t).component->limits_commands || t.phase == phase_of_beat::act;
+}
+
+// Do all ways to this output lead through a limiter, or through components that keep their outputs within the
+// range of their inputs (a splitter)?
+constexpr bool is_limited(const flat_view& g, int output_index, int depth = 0) {
+  const auto& t = g.calls[g.outputs[output_index].call];
+  if (ends_limit_search(g, t)) return true;
+  if (!item_of_call(g, t).component->preserves_limits || depth > g.node_count) return false;
+  for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
+    if (g.inputs[i].writer >= 0 && !is_limited(g, g.inputs[i].writer, depth + 1)) return false;
+  return true;
+}
+
+// The axis along which the initial value that a wire states lies outside of the limits, or -1.
+constexpr int axis_beyond_limits(const flat_view& g, const input& in) {
+  const auto& wire = *in.wire;
+  if (!wire.initial || in.in_beat) return -1;
+  const auto& space = *port_of(g, in).space;
+  for (int c = 0; c < space.axis_count; ++c) {
+    const double value = wire.initial[wire.initial_count == 1 ? 0 : c];
+    if (!(space.lower[c] <= value && value <= space.upper[c])) return c;
+  }
+  return -1;
+}
+
+struct initial_beyond_limits {
+  int input = -1, axis = -1;
+};
+
+// On all wires between this input and the limiters before it: what they hold may be read before a limiter
+// first fires.
+constexpr initial_beyond_limits find_initial_beyond_limits(const flat_view& g,
+                                                           int input_index,
+                                                           int depth = 0) {
+  const auto& in = g.inputs[input_index];
+  if (in.writer < 0 || depth > g.node_count) return {};
+  if (const int axis = axis_beyond_limits(g, in); axis >= 0) return {input_index, axis};
+  const auto& t = g.calls[g.outputs[in.writer].call];
+  if (ends_limit_search(g, t) || !item_of_call(g, t).component->preserves_limits) return {};
+  for (int i = t.first_input; i < t.first_input + t.function->input_count; ++i)
+    if (const auto found = find_initial_beyond_limits(g, i, depth + 1); found.axis >= 0) return found;
+  return {};
+}
+
+}  // namespace cca::detail

@@ -1,0 +1,133 @@
+// Step 2, connect: binds wires and observers to ports.
+#pragma once
+
+#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/plan/names.hpp>
+
+namespace cca::detail {
+
+struct connector {
+  flat_view g;
+  const table_entry* names;
+  std::uint64_t mask;
+
+  constexpr void connect(int writer, int reader, const item_info& item, int in_scope) {
+    auto& in = g.inputs[reader];
+    const finding facts{.item = &item, .scope = in_scope, .input = reader, .output = writer};
+    if (in.writer >= 0) return check<when::second_writer>(g, facts);
+    in.writer = writer;
+    in.wired = true;
+    in.wire = &item;
+    if (item.policy == policy_kind::delayed) in.delay = item.number;
+    in.next_of_writer = g.outputs[writer].first_reader;
+    g.outputs[writer].first_reader = reader;
+    check<when::connection>(g, facts);
+    if (item.policy != policy_kind::queue) return;
+    in.queue = g.queue_count++;
+    if (item.full == full_kind::reject) g.may_fault = true;
+  }
+
+  // In a graph without inner ones no other path has an entry.
+  constexpr bool is_port(std::string_view path) const { return g.scope_count == 1 || names_port(path); }
+
+  constexpr bool has(std::string_view path, std::uint64_t key) const {
+    return is_port(path) && find(names, mask, key) >= 0;
+  }
+
+  constexpr void add_wire(const item_info& item, int in_scope) {
+    const finding facts{.item = &item, .scope = in_scope};
+    if (!item.unknown_type.empty() || item.repeats_option) check<when::wire_options>(g, facts);
+    const auto& from = g.scopes[in_scope];
+    const auto a = path_hash(from, item.from, item.from_hash), b = path_hash(from, item.to, item.to_hash);
+    const int writer = is_port(item.from) ? find(names, mask, a ^ as_output) : -1;
+    if (writer < 0) {
+      const bool is_input = has(item.from, a ^ as_input);
+      return check<when::unknown_port>(g, {.item = &item,
+                                           .scope = in_scope,
+                                           .is_opposite = is_input,
+                                           .is_reversed = is_input && has(item.to, b ^ as_output)});
+    }
+    bool found = false;
+    if (is_port(item.to)) {
+      name_search readers(names, mask, b ^ as_input);
+      for (int i = readers.next(); i >= 0; i = readers.next()) {
+        found = true;
+        connect(writer, i, item, in_scope);
+      }
+    }
+    if (!found)
+      check<when::unknown_port>(
+          g,
+          {.item = &item, .scope = in_scope, .at_reader = true, .is_opposite = has(item.to, b ^ as_output)});
+  }
+
+  // Does an observer hear this output? It names a path or a scope, as in `dmp.status.*`.
+  constexpr bool under(const output& o, std::string_view listened, int observer_scope) const {
+    const auto& t = g.calls[o.call];
+    const auto& l = g.nodes[t.node];
+    std::array<std::string_view, 34> path{};
+    int length = 0;
+    path[static_cast<std::size_t>(length++)] = port_of(g, o).name;
+    path[static_cast<std::size_t>(length++)] = l.item->from;
+    int s = l.scope;
+    for (; s != observer_scope && s >= 0; s = g.scopes[s].parent) {
+      if (g.scopes[s].item && length < 34) path[static_cast<std::size_t>(length++)] = g.scopes[s].item->from;
+    }
+    if (s != observer_scope) return false;
+    // From the outermost name inwards: `*` is any one name, and at the end any path.
+    for (std::string_view rest = listened;;) {
+      std::size_t dot = 0;
+      while (dot < rest.size() && rest[dot] != '.') ++dot;
+      const auto word = rest.substr(0, dot);
+      if (dot == rest.size()) return word == "*" ? length > 0 : length == 1 && word == path[0];
+      if (length == 0) return false;
+      --length;
+      if (word != "*" && word != path[static_cast<std::size_t>(length)]) return false;
+      rest.remove_prefix(dot + 1);
+    }
+  }
+
+  constexpr void add_observers(int capacity) {
+    for (int i = 0; i < g.input_count; ++i) {
+      const auto& port = port_of(g, g.inputs[i]);
+      if (port.space) continue;
+      const int from = g.nodes[g.calls[g.inputs[i].call].node].scope;
+      for (int o = 0; o < g.output_count && g.link_count < capacity; ++o)
+        if (g.outputs[o].call != g.inputs[i].call && under(g.outputs[o], port.name, from)) {
+          g.links[g.link_count++] = {i, o};
+          g.inputs[i].wired = true;
+        }
+    }
+  }
+
+  // An `observe` among the items of a graph: what it names can be read between beats.
+  constexpr void add_watch(const item_info& item, int in_scope) {
+    bool found = false;
+    for (int o = 0; o < g.output_count; ++o)
+      if (under(g.outputs[o], item.from, in_scope)) found = g.outputs[o].watched = true;
+    if (!found) check<when::unknown_port>(g, {.item = &item, .scope = in_scope});
+  }
+
+  constexpr void run(int link_capacity) {
+    for (int s = 0; s < g.scope_count; ++s) {
+      const auto& graph = *g.scopes[s].graph;
+      for (int i = 0; i < graph.count; ++i)
+        if (graph.items[i].kind == item_kind::wire) add_wire(graph.items[i], s);
+        else if (graph.items[i].kind == item_kind::observe) add_watch(graph.items[i], s);
+    }
+    add_observers(link_capacity);
+    for (int i = 0; i < g.input_count; ++i) {
+      const auto& t = g.calls[g.inputs[i].call];
+      if (!g.inputs[i].wired)
+        check<when::open_input>(g, {.item = &item_of_call(g, t), .scope = scope_of_call(g, t), .input = i});
+    }
+  }
+};
+
+constexpr flat_view connect(flat_view g, const table_entry* names, std::uint64_t mask, int link_capacity) {
+  connector step{g, names, mask};
+  step.run(link_capacity);
+  return step.g;
+}
+
+}  // namespace cca::detail

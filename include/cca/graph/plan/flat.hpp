@@ -1,0 +1,160 @@
+// The flat graph: every component, input and output of all inner graphs in arrays, depth first in the order
+// of declaration. The steps of plan.hpp fill it in. They work on a view of pointers, so they are compiled
+// once and not for each graph.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <cca/component/strategies.hpp>
+#include <cca/graph/plan/finding.hpp>
+#include <cca/graph/plan/items.hpp>
+
+namespace cca::detail {
+
+// The outermost graph or an inner one; its hash is that of its path.
+struct scope {
+  int parent = -1;
+  ref<item_info> item = nullptr;
+  const graph_info* graph = nullptr;
+  std::uint64_t hash = 0;
+};
+
+// A component.
+struct component_node {
+  const item_info* item = nullptr;
+  int scope = 0;
+  int first_call = 0, call_count = 0;
+};
+
+// One function of a component: `process`, or `sense` and `act` of a resource node.
+struct call {
+  int node = 0;
+  phase_of_beat phase = phase_of_beat::process;
+  const function_info* function = nullptr;
+  int first_input = 0, first_output = 0;
+  int rank = 0;  // place in the order of a beat
+  clock fires{};
+  bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
+};
+
+struct input {
+  int call = 0, port = 0;
+  int writer = -1;  // an output, or -1
+  ref<item_info> wire = nullptr;
+  int delay = 0;             // of its wire, in beats
+  int next_of_writer = -1;   // the next input of the same output
+  bool wired = false;        // by a wire or shown outside
+  bool counts = true;        // for the time of origin
+  bool in_beat = false;      // surely published in the beat of the reader's firing
+  bool own_initial = false;  // its initial value differs from that of the stored sample
+  int queue = -1;            // number of its queue
+};
+
+// How a sample is stored; decided in graph/plan/storage.hpp. A queue is an input's own.
+enum class storage_kind : std::uint8_t { none, of_beat, newest, past, queue };
+
+struct output {
+  int call = 0, port = 0;
+  int first_reader = -1;
+  bool watched = false;  // an `observe` of the graph listens to it
+  storage_kind storage = storage_kind::none;
+  int depth = 0;  // of the past
+  ref<item_info> initial_of = nullptr;
+};
+
+// An output that an observer listens to.
+struct link {
+  int input = 0, output = 0;
+  bool counts = true;  // for the time of origin
+};
+
+struct table_entry {
+  std::uint64_t hash = 0;
+  int index = -1;
+};
+
+struct flat_view {
+  scope* scopes;
+  component_node* nodes;
+  call* calls;
+  input* inputs;
+  output* outputs;
+  link* links;
+  int* order;
+  int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
+      queue_count = 0;
+  double hz = 0;
+  std::int64_t period = 0;   // nanoseconds a beat
+  int calls_in_part = 0;     // graph/parts.hpp
+  bool may_fault = false;
+  finding found{};
+};
+
+template <int Scopes, int Nodes, int Calls, int Inputs, int Outputs, int Links>
+struct flat {
+  std::array<scope, Scopes + 1> scopes{};
+  std::array<component_node, Nodes + 1> nodes{};
+  std::array<call, Calls + 1> calls{};
+  std::array<input, Inputs + 1> inputs{};
+  std::array<output, Outputs + 1> outputs{};
+  std::array<link, Links + 1> links{};
+  std::array<int, Calls + 1> order{};
+  flat_view counts{};  // its pointers are null: a value must not point into itself
+
+  constexpr flat_view view() {
+    flat_view v = counts;
+    v.scopes = scopes.data();
+    v.nodes = nodes.data();
+    v.calls = calls.data();
+    v.inputs = inputs.data();
+    v.outputs = outputs.data();
+    v.links = links.data();
+    v.order = order.data();
+    return v;
+  }
+  constexpr void keep(flat_view v) {
+    v.scopes = nullptr;
+    v.nodes = nullptr;
+    v.calls = nullptr;
+    v.inputs = nullptr;
+    v.outputs = nullptr;
+    v.links = nullptr;
+    v.order = nullptr;
+    counts = v;
+  }
+};
+
+constexpr std::array<ref<function_info>, 3> functions_of(const component_info& component) {
+  return {component.sense, component.process, component.act};
+}
+constexpr const port_info& port_of(const flat_view& g, const input& i) {
+  return g.calls[i.call].function->inputs[i.port];
+}
+constexpr const port_info& port_of(const flat_view& g, const output& o) {
+  return g.calls[o.call].function->outputs[o.port];
+}
+constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
+constexpr int scope_of_call(const flat_view& g, const call& t) { return g.nodes[t.node].scope; }
+
+// The strategy of a component, the default filled in.
+constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& t) {
+  const auto& item = item_of_call(g, t);
+  if (item.strategy) return *item.strategy;
+  return item.component->resource() || t.function->input_count == 0 ? strategy_of<timed<1>>
+                                                                    : strategy_of<restless>;
+}
+
+constexpr bool is_queued(const input& i) { return i.queue >= 0; }
+
+// When samples of an output are published, as far as it is known.
+constexpr clock published(const port_info& port, const call& t) {
+  return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;
+}
+constexpr clock published(const flat_view& g, const output& o) {
+  const auto& t = g.calls[o.call];
+  const auto& port = t.function->outputs[o.port];
+  return port.maybe ? published(port, t) : t.fires;
+}
+
+}  // namespace cca::detail

@@ -1,0 +1,218 @@
+// The items of a graph as values: what the constexpr functions of this folder work on instead of type lists.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <cca/graph/graph.hpp>
+
+namespace cca::detail {
+
+enum class item_kind : std::uint8_t { node, graph, wire, expose, rate, require, observe, unknown };
+enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue };
+enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject, unknown };
+
+struct graph_info;
+
+struct item_info {
+  item_kind kind = item_kind::unknown;
+  std::string_view from{}, to{};               // a node: its name; expose: inner and outer name
+  ref<component_info> component = nullptr;     // node
+  ref<graph_info> inner = nullptr;             // graph
+  ref<strategy_info> strategy = nullptr;       // node, graph; none: the default
+  policy_kind policy = policy_kind::unstated;  // wire
+  full_kind full = full_kind::drop_oldest;
+  int number = 0;  // delay, capacity, or the bound in beats of a require
+  ref<double> initial = nullptr;
+  int initial_count = 0;
+  double hz = 0;                             // rate
+  std::string_view unknown_type{};           // an item, a wire's option or a node's strategy that is none
+  bool repeats_option = false;               // wire: two policies, or two initial values
+  std::uint64_t from_hash = 0, to_hash = 0;  // as paths of the outermost graph
+  std::uint64_t strategy_key = 0;            // type_key of a node's strategy
+};
+
+// How many of each a graph has, inner graphs included.
+struct graph_sizes {
+  int nodes = 0, scopes = 0, calls = 0, inputs = 0, outputs = 0, exposes = 0, observers = 0;
+};
+
+struct graph_info {
+  std::string_view name;
+  const item_info* items = nullptr;
+  int count = 0;
+  graph_sizes sizes;
+};
+
+template <class Graph>
+struct graph_facts;
+
+template <class Component>
+constexpr void describe_node(item_info& item) {
+  if constexpr (Graph<Component>) {
+    item.kind = item_kind::graph;
+    item.inner = &graph_facts<Component>::value;
+  } else {
+    item.kind = item_kind::node;
+    item.component = &component_of<Component>;
+  }
+}
+
+template <auto... Coordinates>
+inline constexpr std::array<double, sizeof...(Coordinates) + 1> initial_values{
+    static_cast<double>(Coordinates)..., 0.0};
+
+// What a queue does when it is full.
+template <class Full>
+struct full_queue {};
+
+constexpr void set_policy(item_info& item, policy_kind policy, int number = 1) {
+  item.repeats_option |= item.policy != policy_kind::unstated || number < 1;
+  item.policy = policy;
+  item.number = number;
+}
+
+template <class Option>
+struct wire_option {
+  static constexpr void set(item_info& item) { item.unknown_type = type_name<Option>(); }
+};
+template <>
+struct wire_option<latest> {
+  static constexpr void set(item_info& item) { set_policy(item, policy_kind::latest); }
+};
+template <int Beats>
+struct wire_option<delayed<Beats>> {
+  static constexpr void set(item_info& item) { set_policy(item, policy_kind::delayed, Beats); }
+};
+template <class Full>
+struct wire_option<full_queue<Full>> {
+  static constexpr void set(item_info& item) {
+    item.full = full_kind::unknown;
+    item.unknown_type = type_name<Full>();
+  }
+};
+template <>
+struct wire_option<full_queue<drop_oldest>> {
+  static constexpr void set(item_info& item) { item.full = full_kind::drop_oldest; }
+};
+template <>
+struct wire_option<full_queue<drop_newest>> {
+  static constexpr void set(item_info& item) { item.full = full_kind::drop_newest; }
+};
+template <>
+struct wire_option<full_queue<reject>> {
+  static constexpr void set(item_info& item) { item.full = full_kind::reject; }
+};
+template <int Capacity, class Full>
+struct wire_option<queue<Capacity, Full>> {
+  static constexpr void set(item_info& item) {
+    set_policy(item, policy_kind::queue, Capacity);
+    wire_option<full_queue<Full>>::set(item);
+  }
+};
+template <auto... Coordinates>
+struct wire_option<initial<Coordinates...>> {
+  static constexpr void set(item_info& item) {
+    item.repeats_option |= bool(item.initial);
+    item.initial = initial_values<Coordinates...>.data();
+    item.initial_count = sizeof...(Coordinates);
+  }
+};
+
+template <class Item>
+inline constexpr item_info item_of{.unknown_type = type_name<Item>()};
+
+// By functions of the types alone, so that nodes of equal types and wires of equal options are made by the
+// same.
+template <class Component, class Strategy>
+constexpr item_info node_item(std::string_view name) {
+  item_info item{.from = name, .from_hash = hash(name), .strategy_key = type_key<Strategy>};
+  describe_node<Component>(item);
+  if constexpr (!std::is_same_v<Strategy, by_default>) {
+    item.strategy = &strategy_of<Strategy>;
+    if constexpr (!ProcessingStrategy<Strategy>) item.unknown_type = type_name<Strategy>();
+  }
+  return item;
+}
+template <fixed_string Name, class Component, class Strategy>
+inline constexpr item_info item_of<node<Name, Component, Strategy>> =
+    node_item<Component, Strategy>(Name.view());
+
+template <class... Options>
+constexpr item_info wire_item(std::string_view from, std::string_view to) {
+  item_info item{
+      .kind = item_kind::wire, .from = from, .to = to, .from_hash = hash(from), .to_hash = hash(to)};
+  (wire_option<Options>::set(item), ...);
+  return item;
+}
+template <fixed_string From, fixed_string To, class... Options>
+inline constexpr item_info item_of<wire<From, To, Options...>> =
+    wire_item<Options...>(From.view(), To.view());
+
+template <fixed_string Inner, fixed_string Outer>
+inline constexpr item_info item_of<expose<Inner, Outer>>{
+    .kind = item_kind::expose, .from = Inner.view(), .to = Outer.view()};
+
+template <auto Hz>
+inline constexpr item_info item_of<rate<Hz>>{.kind = item_kind::rate, .hz = rate<Hz>::hz};
+
+template <fixed_string From, fixed_string To, int Count>
+inline constexpr item_info item_of<require<latency<From, To>, beats<Count>>>{
+    .kind = item_kind::require, .from = From.view(), .to = To.view(), .number = Count};
+
+template <fixed_string Scope, class Policy>
+inline constexpr item_info item_of<observe<Scope, Policy>>{.kind = item_kind::observe, .from = Scope.view()};
+
+constexpr graph_sizes sizes_of(const item_info* items, int count) {
+  graph_sizes sizes;
+  sizes.scopes = 1;
+  for (int i = 0; i < count; ++i) {
+    const auto& item = items[i];
+    if (item.kind == item_kind::graph) {
+      const auto& inner = item.inner->sizes;
+      sizes.nodes += inner.nodes;
+      sizes.scopes += inner.scopes;
+      sizes.calls += inner.calls;
+      sizes.inputs += inner.inputs;
+      sizes.outputs += inner.outputs;
+      sizes.exposes += inner.exposes;
+      sizes.observers += inner.observers;
+    } else if (item.kind == item_kind::node) {
+      ++sizes.nodes;
+      for (const auto function : {item.component->sense, item.component->process, item.component->act}) {
+        if (!function) continue;
+        ++sizes.calls;
+        sizes.inputs += function->input_count;
+        sizes.outputs += function->output_count;
+        for (int p = 0; p < function->input_count; ++p) sizes.observers += !function->inputs[p].space;
+      }
+    } else if (item.kind == item_kind::expose) {
+      ++sizes.exposes;
+    }
+  }
+  return sizes;
+}
+
+template <class Items>
+struct items_facts;
+
+template <class... Items>
+struct items_facts<list<Items...>> {
+  static constexpr int count = sizeof...(Items);
+  static constexpr std::array<item_info, sizeof...(Items) + 1> items{item_of<Items>..., item_info{}};
+};
+
+// One that is no named struct would be called by all its items.
+constexpr std::string_view graph_name(std::string_view name) {
+  return name.starts_with("graph<") ? "the graph" : name;
+}
+
+template <class Graph>
+struct graph_facts {
+  using facts = items_facts<typename Graph::cca_items>;
+  static constexpr graph_info value{graph_name(type_name<Graph>()), facts::items.data(), facts::count,
+                                    sizes_of(facts::items.data(), facts::count)};
+};
+
+}  // namespace cca::detail

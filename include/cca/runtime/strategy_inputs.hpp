@@ -1,0 +1,92 @@
+// What a strategy sees of the inputs of its component, where it is asked at run time.
+#pragma once
+
+#include <tuple>
+
+#include <cca/graph/plan/paths.hpp>
+#include <cca/runtime/fires.hpp>
+
+namespace cca::detail {
+
+// The path of a component, as a template argument that the compilers print.
+template <class Graph, int Node>
+consteval auto path_of_node() {
+  constexpr text path = [] {
+    auto plan = plan_of<Graph>;
+    text t;
+    add_node_path(t, plan.view(), Node);
+    return t;
+  }();
+  char letters[path.size + 1]{};
+  for (std::size_t i = 0; i < path.size; ++i) letters[i] = path.letters[i];
+  return fixed_string<path.size + 1>(letters);
+}
+template <fixed_string Node, class Component, fixed_string Input, bool HasInput>
+constexpr auto check_input() {
+  static_assert(HasInput,
+                "strategy.unknown_port: the strategy of this node reads an input that its component does not "
+                "have (the compiler names the node, the component and the input): read one that the "
+                "component has, or give the node another strategy");
+}
+
+// component/strategy.hpp says what each function is.
+template <class Graph, int Call>
+struct inputs_view {
+  const question<Graph, Call>& asked;
+
+  CCA_INLINE bool any_fresh() const { return asked.any_fresh(input_positions<Graph, Call>{}); }
+  CCA_INLINE bool all_fresh() const { return asked.all_fresh(input_positions<Graph, Call>{}); }
+  CCA_INLINE bool share_new_origin() const { return asked.together(input_positions<Graph, Call>{}); }
+  CCA_INLINE std::int64_t beats_since_fired() const {
+    return asked.b.k - (asked.self.last < 0 ? 0 : asked.self.last);
+  }
+
+  template <fixed_string Name>
+  CCA_INLINE bool fresh() const {
+    return asked.template fresh<position_of<Name>()>();
+  }
+
+  template <fixed_string Name>
+  auto get() const {
+    using function = typename function_of<component, call_of<Graph, Call>.phase>::type;
+    return filled<position_of<Name>()>(typename function_facts<function>::parameters{});
+  }
+
+private:
+  using component = typename node_types<Graph, call_of<Graph, Call>.node>::component;
+
+  // The position of an input among those of its function.
+  template <fixed_string Name>
+  static consteval int position_of() {
+    constexpr int position = [] {
+      const function_info& function = *call_of<Graph, Call>.function;
+      for (int p = 0; p < function.input_count; ++p)
+        if (function.inputs[p].name == Name.view()) return p;
+      return -1;
+    }();
+    if constexpr (position < 0)
+      check_input<path_of_node<Graph, call_of<Graph, Call>.node>(), component, Name, false>();
+    return position < 0 ? 0 : position;  // the message says the rest
+  }
+
+  template <int Position, class... Parameters>
+  auto filled(list<Parameters...>) const {
+    constexpr int parameter = [] {
+      const auto& positions = function_ports<list<Parameters...>, list<>>::input_of_parameter;
+      for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
+        if (positions[i] == Position) return static_cast<int>(i);
+      return 0;
+    }();
+    using port = std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>>;
+    return input_reader<Graph, input_at<Graph, Call, Position>>::template port<port>(
+        asked.b, index_of_source<Graph>(asked.at, Position), asked.self.last);
+  }
+};
+
+template <class Strategy, class Graph, int Call>
+CCA_INLINE bool strategy_fires(const question<Graph, Call>& asked) {
+  CCA_INLINE_CALL return Strategy{}.fires(beat_of<Graph, Call>(asked.b.k, asked.self),
+                                          inputs_view<Graph, Call>{asked});
+}
+
+}  // namespace cca::detail
