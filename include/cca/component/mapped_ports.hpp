@@ -47,7 +47,7 @@ using mapped_outputs = mapped_in<typename process_facts<Component>::results>;
 // Spaces match when domain type (with its frame), ordered axes and rate agree.
 template <class SpaceA, class SpaceB>
 constexpr bool matching =
-    alike<SpaceA, SpaceB> && (hz_of<typename SpaceA::rate> == hz_of<typename SpaceB::rate> ||
+    same_coordinates<SpaceA, SpaceB> && (hz_of<typename SpaceA::rate> == hz_of<typename SpaceB::rate> ||
                               hz_of<typename SpaceA::rate> == 0 || hz_of<typename SpaceB::rate> == 0);
 
 }  // namespace cca::detail

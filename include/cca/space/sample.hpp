@@ -1,8 +1,8 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
-// It is read by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
+// Read it by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
-// Cost: up to 16 coordinates are copied one by one. A packet copy of what has just been stored one by one
-// waits for the stores (8 ns); and one by one the compiler drops the copy.
+// Cost: a copy of up to 16 coordinates goes one by one, which the compiler can drop. A packet copy of
+// coordinates that have just been stored one by one would wait for the stores (8 ns).
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace cca {
 
 namespace detail {
 
-struct to_be_filled {};  // leaves the coordinates to the loop
+struct to_be_filled {};  // leaves the coordinates uninitialised: the loop fills them
 
-// The other space says the same by another name.
+// The two spaces match and differ only in their names.
 template <class From, class To> concept Renames =
     !std::is_same_v<From, To> && std::is_same_v<typename From::domain, typename To::domain> &&
     std::is_same_v<typename From::axes, typename To::axes> &&
