@@ -1,8 +1,8 @@
 // The laws of an Adaptive Component, stated once and run over every one of them.
 //
-// A case is a graph in which it is the node "skill", its feedback comes from the node "robot", and
-// `observe<"skill.*">` stands. After `Case::beats` beats it has been what `Case::expected()` says, at some
-// time.
+// A case is a graph in which the component is the node "skill", its feedback comes from the node "robot", and
+// `observe<"skill.*">` is an item. Within `Case::beats` beats the component has taken all the states in
+// `Case::expected()`.
 #pragma once
 
 #include <cstring>
@@ -63,9 +63,9 @@ void adaptive_component() {
   }
   CHECK_MESSAGE(allocated == 0, "nothing allocates in a beat");
   CHECK_MESSAGE(true_status, "component status follows from ode status, module status and criterion");
-  CHECK_MESSAGE(true_state, "what is fulfilled is near, what is lost is far");
+  CHECK_MESSAGE(true_state, "fulfilled means near, lost means far");
   CHECK_MESSAGE(same, "a copy goes on as the original, to the bit");
-  CHECK_MESSAGE(seen == Case::expected(), "it has been all that it should have been");
+  CHECK_MESSAGE(seen == Case::expected(), "it has taken all expected states");
 }
 
 }  // namespace laws

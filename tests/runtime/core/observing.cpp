@@ -1,4 +1,4 @@
-// Listening to a scope: from inside by a port, from outside by the controller.
+// Observing a scope: inside the graph by a port, outside by the controller.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -17,7 +17,7 @@ struct state_of_it {
 };
 
 // [observe]
-struct recorder {  // notes what changes under `leg`, whatever it is
+struct recorder {  // records every change under `leg`
   void process(cca::observe<"leg.*"> all, cca::beat now) {
     for (const cca::observation& one : all)
       if (one.fresh) heard[std::string(one.path)] = {one.values.begin(), one.values.end()};
@@ -39,7 +39,7 @@ struct watched : cca::graph<cca::rate<1000>,
                             cca::node<"leg", leg>,
                             cca::node<"recorder", recorder>,
                             cca::wire<"counter.y", "leg.x", cca::latest>,
-                            cca::observe<"leg.state.*">> {};  // also from outside: c.observed(...)
+                            cca::observe<"leg.state.*">> {};  // for use outside of the graph: c.observed(...)
 // [observe end]
 
 struct late_recorder {
@@ -57,7 +57,7 @@ struct late : cca::graph<cca::rate<1000>,
 }  // namespace
 
 TEST_SUITE("observing") {
-  TEST_CASE("a port that listens to a scope") {
+  TEST_CASE("a port that observes a scope") {
     auto c = started<watched>();
     c.step();
     const auto& r = c.get<"recorder">();
@@ -66,14 +66,14 @@ TEST_SUITE("observing") {
     CHECK_EQ(r.heard.at("leg.slow.y"), std::vector<double>{1});
     CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1, -1});
     c.run(cca::for_beats<2>{});
-    CHECK_EQ(r.fired, 1);  // restless: nothing fresh, no firing
+    CHECK_EQ(r.fired, 1);  // restless: without a fresh input it does not fire
     c.step();
     CHECK_EQ(r.fired, 2);
     CHECK_EQ(r.beat, 3);
     CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1 + 4, -1 - 4});
   }
 
-  TEST_CASE("from outside, between two beats") {
+  TEST_CASE("outside of the graph, between two beats") {
     auto c = started<watched>();
     std::vector<std::string> heard;
     const auto listen = [&] {

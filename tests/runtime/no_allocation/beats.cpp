@@ -1,5 +1,4 @@
-// A beat never reaches malloc, whatever its strategies and policies; core/allocations.cpp has copies and
-// faults.
+// A beat never calls malloc, with any strategy and any policy. core/allocations.cpp tests copies and faults.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -119,7 +118,7 @@ TEST_SUITE("no allocation") {
     CHECK_EQ(laws::allocations() - before, 1);
   }
 
-  TEST_CASE("in a thousand beats of all strategies and policies") {
+  TEST_CASE("a thousand beats of all strategies and policies allocate nothing") {
     cca::controller<all> c;
     c.load();
     c.start();

@@ -1,4 +1,4 @@
-// What the README says of its example, out of the program: its picture, and the message of a wire to a wrong
+// What the README shows of its example comes from here: the picture, and the message of a wire to a wrong
 // space.
 #include <algorithm>
 #include <string>
@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wreturn-type"  // only of main
+#pragma GCC diagnostic ignored "-Wreturn-type"  // its main() is renamed
 #define main quickstart
 #include "../../../examples/quickstart/quickstart.cpp"
 #undef main
@@ -26,7 +26,7 @@ flowchart LR
   n1 -- "safe → command<br/>leg_angles, 1000 Hz" --> n2
 )";  // [picture end]
 
-// The leg, as one that expects its angles in the order knee, hip.
+// A leg that expects its angles in the order knee, hip.
 struct foot_angles : cca::space<cca::joint_angles, cca::axes<knee, hip>, cca::rate<1000>> {};
 struct other_leg {
   void act(cca::in<"command", foot_angles>) {}

@@ -1,4 +1,4 @@
-// The arbiter: which of several writers is heard.
+// The arbiter: which of several writers it passes on.
 #include <doctest/doctest.h>
 
 #include <string_view>
@@ -25,11 +25,11 @@ struct two_writers : cca::graph<cca::rate<1000>,
                                 cca::wire<"gait.y", "legs.gait">,
                                 cca::wire<"legs.angles", "robot.x">> {};
 
-struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};  // the reflex, as long as it speaks
-struct by_age : two_writers<cca::by_freshness<"reflex", "gait">> {};  // whose data is younger
+struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};  // the reflex, while it publishes
+struct by_age : two_writers<cca::by_freshness<"reflex", "gait">> {};  // the writer with the latest origin
 // [arbiter end]
 
-// Three of them, asked in each beat, whether one speaks or not; and who is heard.
+// Three arbiters that fire in each beat, with and without new samples, and the writer each one chose.
 template <class Policy>
 struct three_writers : cca::graph<cca::rate<1000>,
                                   cca::node<"a", by_hand<leg_angles>>,
@@ -83,7 +83,7 @@ TEST_SUITE("arbiter") {
     CHECK_EQ(c.get<"robot">().last.origin(), 5 * c.period());
   }
 
-  TEST_CASE("a writer may fall silent for a while") {
+  TEST_CASE("a writer may pause") {
     auto c = started<by_rank>();
     c.set<"legs">({0.003});
     c.get<"reflex">().now = number<leg_angles>(1);
@@ -93,7 +93,7 @@ TEST_SUITE("arbiter") {
     for (int k = 1; k < 8; ++k) {
       c.step();
       CHECK_EQ(c.get<"robot">().last[hip{}], k <= 3 ? 1 : 2);
-      CHECK_EQ(c.get<"robot">().last.origin(), k <= 3 ? 0 : k * c.period());  // that of the one that is heard
+      CHECK_EQ(c.get<"robot">().last.origin(), k <= 3 ? 0 : k * c.period());  // that of the chosen writer
     }
   }
 
@@ -110,13 +110,13 @@ TEST_SUITE("arbiter") {
     CHECK_EQ(said(-5 * ms, -3 * ms), 2);
     CHECK_EQ(c.get<"robot">().last.origin(), -3 * ms);
     CHECK_EQ(said(0, -3 * ms), 1);
-    CHECK_EQ(said(2 * ms, 2 * ms), 1);  // as young: the first
+    CHECK_EQ(said(2 * ms, 2 * ms), 1);  // equal origins: the first
     reflex.speaks = false;
     CHECK_EQ(said(0, 3 * ms), 2);
-    CHECK_EQ(said(0, ms), 1);  // it says again what is older than what it was heard to say
+    CHECK_EQ(said(0, ms), 1);  // its new sample is older than its last one
   }
 
-  TEST_CASE("the one that was heard last stays, and it says which one that is") {
+  TEST_CASE("the choice stays, and `writer` says which it is") {
     auto c = started<three_writers<cca::by_priority<"a", "b", "c">>>();
     const auto who = [&](bool a, bool b, bool w) {
       c.get<"a">().speaks = a, c.get<"b">().speaks = b, c.get<"c">().speaks = w;
@@ -139,12 +139,12 @@ TEST_SUITE("arbiter") {
       CHECK_EQ(c.get<"robot">().last[hip{}], 1 + c.get<"who">().last.vector()[0]);
       return c.get<"who">().last.vector()[0];
     };
-    CHECK_EQ(who(3, 1, 2), 0);  // not the youngest of the last two
+    CHECK_EQ(who(3, 1, 2), 0);  // not only the last two count
     CHECK_EQ(who(4, 6, 5), 1);
     CHECK_EQ(who(7, 8, 9), 2);
   }
 
-  TEST_CASE("starts anew") {
+  TEST_CASE("a restart forgets the choice") {
     auto c = started<by_rank>();
     c.set<"legs">({1});
     c.get<"reflex">().now = number<leg_angles>(1);

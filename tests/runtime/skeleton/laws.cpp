@@ -1,4 +1,4 @@
-// Every skeleton under the laws of skeletons.
+// Runs the laws of skeletons over every skeleton.
 #include "../../laws/skeleton_laws.hpp"
 
 #include <cca/skeleton/farm_on_threads.hpp>
@@ -40,7 +40,7 @@ struct same {
 struct same_part {
   auto process(cca::in<"a", part> x) -> cca::out<"b", part> { return x; }
 };
-struct changing_choice {  // one source after the other
+struct changing_choice {  // chooses one source after the other
   auto process(cca::beat now) -> cca::out<"y", cca::choice> {
     return static_cast<double>(now.index() / 20 % 2);
   }
@@ -63,7 +63,7 @@ struct law_case {
   static std::int64_t oldest(std::int64_t beat) { return beat - Lag; }
 };
 
-// Through it from one source.
+// Skeletons with one source.
 template <class Skeleton,
           class From = signal,
           class To = signal,
@@ -76,7 +76,7 @@ struct through : cca::graph<cca::rate<1000>,
                             cca::node<"end", ending<To>>,
                             cca::wire<"source.y", "skeleton.input", Policy...>,
                             cca::wire<"skeleton.output", "end.x">> {};
-// From two sources.
+// Skeletons with two sources.
 template <class Skeleton, class A, class B, class... More>
 struct from_two : cca::graph<cca::rate<1000>,
                              cca::node<"first", A>,
@@ -133,7 +133,7 @@ struct interpolated : through<cca::interpolate<signal_at<100>, signal>,
 struct picked : through<cca::decimate<signal, signal_at<100>>, signal, signal_at<100>> {};
 struct averaged : through<cca::decimate<signal, signal_at<100>, cca::averaged>, signal, signal_at<100>> {};
 
-// With nothing left to do before the next beat, it is one beat late.
+// If all work is done before the next beat, the result is one beat late.
 template <class Graph>
 struct settled : law_case<Graph, 1> {
   static void settle(cca::controller<Graph>& c) {

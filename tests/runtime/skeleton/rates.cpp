@@ -1,4 +1,4 @@
-// Hold, decimate, interpolate: from one rate to another.
+// Hold, decimate and interpolate lead from one rate to another.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ struct up_and_down : cca::graph<cca::node<"planner", planner, cca::timed<10>>,
                                 cca::wire<"mean.output", "m.x">> {};
 // [rates end]
 
-// A strategy that does not make To's rate is refused.
+// A strategy with another rate than To's is refused.
 struct slow_hold : cca::graph<cca::rate<1000>,
                               cca::node<"planner", planner, cca::timed<10>>,
                               cca::node<"steps", cca::hold<goal_100, goal_1000>>,
@@ -70,7 +70,7 @@ struct freezing : cca::graph<cca::rate<1000>,
                              cca::wire<"stop.y", "hold.freeze">,
                              cca::wire<"hold.output", "b.x">> {};
 
-// Fed with what it says: the sample's origin stays that of the sample.
+// Reads its own output: the sample keeps its origin.
 template <class Skeleton>
 struct in_a_loop : cca::graph<cca::rate<1000>,
                               cca::node<"a", Skeleton, cca::timed<1>>,
@@ -114,7 +114,7 @@ flowchart LR
 TEST_SUITE("rates") {
   TEST_CASE("the picture") { test::check_picture<up_and_down>(picture_of_rates); }
 
-  TEST_CASE("up and down") {
+  TEST_CASE("to a faster rate and back") {
     auto c = started<up_and_down>();
     CHECK_EQ(c.period(), 1'000'000);
     c.run(cca::for_beats<100>{});
@@ -144,7 +144,7 @@ TEST_SUITE("rates") {
     }
   }
 
-  TEST_CASE("samples that come late, or early") {
+  TEST_CASE("late and early samples") {
     auto c = started<interpolating<goal_100, goal_1000>>();
     auto& a = c.get<"a">();
     const auto said = [&](double x) {
@@ -158,7 +158,7 @@ TEST_SUITE("rates") {
     for (int i = 0; i < 15; ++i) CHECK_EQ(said(-1), 5);
     CHECK(said(6) == doctest::Approx(5.1));
     for (int i = 2; i <= 5; ++i) CHECK(said(-1) == doctest::Approx(5 + 0.1 * i));
-    CHECK(said(3.5) == doctest::Approx(5.3));  // early: from where it is
+    CHECK(said(3.5) == doctest::Approx(5.3));  // early: from the current value
     for (int i = 2; i <= 10; ++i) CHECK(said(-1) == doctest::Approx(5.5 - 0.2 * i));
     for (int i = 0; i < 15; ++i) CHECK_EQ(said(-1), 3.5);
   }
@@ -193,11 +193,11 @@ TEST_SUITE("rates") {
     auto d = started<slower_in_a_loop>();
     for (int k = 0; k < 60; ++k) d.step();
     for (const auto& heard : d.get<"b">().all)
-      CHECK_EQ(heard.sample.origin(), 0);  // that of the first beat, round and round
+      CHECK_EQ(heard.sample.origin(), 0);  // the origin of the first beat, in every round
     CHECK(d.get<"b">().all.size() > 3);
   }
 
-  TEST_CASE("each starts anew") {
+  TEST_CASE("a restart begins again") {
     auto c = started<up_and_down>();
     c.run(cca::for_beats<23>{});
     c.stop();
@@ -205,8 +205,10 @@ TEST_SUITE("rates") {
     c.get<"r">().all.clear(), c.get<"p">().all.clear(), c.get<"m">().all.clear();
     for (int k = 23; k < 60; ++k) c.step();
     const auto& ramps = c.get<"r">().all;
-    CHECK_EQ(ramps[0].sample.vector()[0], c.get<"planner">().at - 3);  // the ramp that it was in is over
-    CHECK_EQ(ramps[7].sample.vector()[0], c.get<"planner">().at - 2);  // the first new one is taken at once
+    CHECK_EQ(ramps[0].sample.vector()[0],
+             c.get<"planner">().at - 3);  // the ramp from before the restart is over
+    CHECK_EQ(ramps[7].sample.vector()[0],
+             c.get<"planner">().at - 2);  // the first new sample is taken at once
     CHECK_EQ(c.get<"p">().all[0].beat, 23);
     CHECK_EQ(c.get<"p">().all[1].beat, 33);
     CHECK_EQ(c.get<"m">().all[0].beat, 32);
@@ -218,10 +220,10 @@ TEST_SUITE("rates") {
     f.get<"a">().now = number<goal_1000>(2);
     f.get<"stop">().now = number<cca::flag>(1);
     f.step();
-    CHECK_EQ(f.get<"b">().last.vector()[0], 2);  // what it kept is gone
+    CHECK_EQ(f.get<"b">().last.vector()[0], 2);  // it forgot the held sample
   }
 
-  TEST_CASE("hold may be frozen") {
+  TEST_CASE("hold can be frozen") {
     auto c = started<freezing<goal_1000>>();
     auto& a = c.get<"a">();
     auto& stop = c.get<"stop">();
@@ -231,7 +233,7 @@ TEST_SUITE("rates") {
       c.step();
       return c.get<"b">().last.vector()[0];
     };
-    CHECK_EQ(said(1, 1), 1);  // there is nothing to keep yet
+    CHECK_EQ(said(1, 1), 1);  // there is no sample to hold yet
     CHECK_EQ(said(2, 1), 1);
     CHECK_EQ(c.get<"b">().last.origin(), 0);
     CHECK_EQ(said(3, 0), 3);
