@@ -19,7 +19,7 @@
 namespace laws {
 
 template <class Graph>
-std::map<std::string, std::vector<double>> told(const cca::controller<Graph>& c) {
+std::map<std::string, std::vector<double>> observed_values(const cca::controller<Graph>& c) {
   std::map<std::string, std::vector<double>> all;
   c.observed([&](const cca::observation& one) {
     all[std::string(one.path)] = {one.values.begin(), one.values.end()};
@@ -45,7 +45,7 @@ void adaptive_component() {
     const std::size_t before = allocations();
     c.step();
     allocated += allocations() - before;
-    const auto now = told(c);
+    const auto now = observed_values(c);
     const auto state = static_cast<cca::criterion_state>(now.at("skill.criterion.state")[0]);
     const auto component = static_cast<cca::component_status>(now.at("skill.status.component")[0]);
     const auto& module = now.at("skill.status.module");
@@ -59,7 +59,7 @@ void adaptive_component() {
     seen.insert(component);
     if (k < Case::beats / 2) continue;
     copy.step();
-    same &= told(copy) == now;
+    same &= observed_values(copy) == now;
   }
   CHECK_MESSAGE(allocated == 0, "nothing allocates in a beat");
   CHECK_MESSAGE(true_status, "component status follows from ode status, module status and criterion");

@@ -8,7 +8,7 @@ using namespace core_test;
 
 namespace {
 
-std::vector<std::string> told;
+std::vector<std::string> notified;
 
 // [fault]
 struct motor {
@@ -38,7 +38,7 @@ struct inner
 template <cca::fixed_string Name>
 struct witness {
   void act(cca::in<"x", reading>) { ++acts; }
-  void on_fault() { told.push_back(std::string(Name.view())); }
+  void on_fault() { notified.push_back(std::string(Name.view())); }
   int acts = 0;
 };
 struct stage : cca::graph<cca::rate<1000>,
@@ -75,7 +75,7 @@ TEST_SUITE("faults") {
   TEST_CASE("a component faults") {
     auto c = started<stage>();
     c.get<"checks.check">().limit = 4;
-    told.clear();
+    notified.clear();
     CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::faulted);
     CHECK_EQ(c.beat_index(), 5);
     CHECK_EQ(std::string(c.fault().reason()), "more than the limit");
@@ -86,11 +86,11 @@ TEST_SUITE("faults") {
     CHECK_EQ(c.get<"motor">().angle, 10);
     CHECK_EQ(c.get<"one">().acts, 4);
     CHECK(c.get<"motor">().braked);
-    CHECK_EQ(told, std::vector<std::string>{"one", "two"});
+    CHECK_EQ(notified, std::vector<std::string>{"one", "two"});
 
     CHECK_FALSE(c.step());
     CHECK_EQ(c.beat_index(), 5);
-    CHECK_EQ(told.size(), 2);  // on_fault ran once per node
+    CHECK_EQ(notified.size(), 2);  // on_fault ran once per node
 
     c.get<"checks.check">().limit = 7;
     c.resume();
@@ -126,12 +126,12 @@ TEST_SUITE("faults") {
 
   TEST_CASE("a full queue with cca::reject is a fault") {
     auto c = started<filling>();
-    told.clear();
+    notified.clear();
     CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::faulted);
     CHECK_EQ(c.beat_index(), 3);  // the third sample arrives before the reader takes the first
     CHECK_EQ(std::string(c.fault().reason()), "a sample arrived while the queue was full");
     CHECK_EQ(c.fault_path(), "reader");
-    CHECK_EQ(told, std::vector<std::string>{"device"});
+    CHECK_EQ(notified, std::vector<std::string>{"device"});
   }
 
   TEST_CASE("a copy of a faulted controller is faulted") {

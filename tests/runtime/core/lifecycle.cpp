@@ -135,9 +135,9 @@ void check(const rule& r, controller& c) {
   const auto fired = c.get<"first">().beats;
   const std::string reason = c.fault().reason();
   hooks_called.clear();
-  const auto& asked =
+  const auto& chosen =
       *std::find_if(acts.begin(), acts.end(), [&](const act& a) { return std::string(a.name) == r.act; });
-  const std::string words = words_of([&] { asked.call(c); });
+  const std::string words = words_of([&] { chosen.call(c); });
   CHECK_EQ(c.state(), r.to);
   if (!r.remedy) {
     CHECK_EQ(words, "");
@@ -165,12 +165,12 @@ TEST_SUITE("life-cycle") {
       if (r.from != state::running) {
         check(r, c);
       } else {
-        bool asked = false;
+        bool called = false;
         c.run(cca::for_beats<3>{}, cca::as_fast_as_possible{}, [&](controller& running) {
-          if (!asked) check(r, running);
-          asked = true;
+          if (!called) check(r, running);
+          called = true;
         });
-        CHECK(asked);
+        CHECK(called);
         CHECK_EQ(c.beat_index(), 3);
       }
     }

@@ -48,9 +48,9 @@ struct spin {
   }
 };
 struct ear {
-  double heard = 0;
+  double total = 0;
   void process(cca::observe<"inner.*"> all) {
-    for (const auto& one : all) heard += one.values[0];
+    for (const auto& one : all) total += one.values[0];
   }
 };
 struct every_other {
@@ -128,7 +128,7 @@ TEST_SUITE("no allocation") {
     CHECK_EQ(after, before);
     CHECK_NE(c.get<"restless">().s[0], 0);
     CHECK_NE(c.get<"newest">().s[0], 0);
-    CHECK_NE(c.get<"ear">().heard, 0);
+    CHECK_NE(c.get<"ear">().total, 0);
   }
 
 }  // TEST_SUITE

@@ -47,8 +47,8 @@ foot_angles (joint_angles over knee, hip at 1000 Hz): the axes stand in another 
 TEST_CASE("the picture of the README's example") { test::check_picture<swinging>(picture); }
 
 TEST_CASE("the README's message") {
-  std::string told = test::on_page(message);
-  told.pop_back();
-  std::replace(told.begin(), told.end(), '\n', ' ');
-  CHECK_EQ(std::string(cca::diagnosis<wrong>.message), told);
+  std::string expected = test::on_page(message);
+  expected.pop_back();
+  std::replace(expected.begin(), expected.end(), '\n', ' ');
+  CHECK_EQ(std::string(cca::diagnosis<wrong>.message), expected);
 }

@@ -9,13 +9,13 @@
 
 namespace skeleton_test {
 
-// Publishes only if `speaks`; with the origin `of`, unless that is `never`.
+// Publishes `now` with its origin, only if `publishes`.
 template <class Space, int Number = 0>
 struct by_hand {
   cca::sample<Space> now;
-  bool speaks = true;
+  bool publishes = true;
   auto process(cca::beat) -> cca::maybe<"y", Space> {
-    if (!speaks) return {};
+    if (!publishes) return {};
     return cca::maybe<"y", Space>(now).with_origin(now.origin());
   }
 };

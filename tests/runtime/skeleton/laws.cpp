@@ -10,17 +10,17 @@ struct signal_at : cca::space<cca::number, cca::axes<cca::x, cca::y>, cca::rate<
 using signal = signal_at<1000>;
 struct part : cca::space<cca::number, cca::axes<cca::x>> {};
 
-constexpr double said = 0.75;
+constexpr double constant = 0.75;
 
 template <class Space = signal>
 struct always {
-  auto process(cca::beat) -> cca::out<"y", Space> { return Space::vector_type::Constant(said).eval(); }
+  auto process(cca::beat) -> cca::out<"y", Space> { return Space::vector_type::Constant(constant).eval(); }
 };
 template <int Every>
 struct at_times {
   auto process(cca::beat now) -> cca::maybe<"y", signal> {
     if (now.index() % Every != 0) return {};
-    return signal::vector_type::Constant(said).eval();
+    return signal::vector_type::Constant(constant).eval();
   }
 };
 template <class Space = signal>
@@ -57,7 +57,7 @@ struct one : cca::space<cca::amplitude, cca::axes<cca::x>> {};
 template <class Graph, int Lag>
 struct law_case {
   using graph = Graph;
-  static constexpr double value = said;
+  static constexpr double value = constant;
   static constexpr auto name = cca::detail::type_name<Graph>();
   static void feed(cca::controller<Graph>&) {}
   static std::int64_t oldest(std::int64_t beat) { return beat - Lag; }

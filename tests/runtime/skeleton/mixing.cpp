@@ -150,7 +150,7 @@ TEST_SUITE("blend") {
     c.get<"trot">().now = number<leg_angles>(not_a_number);
     c.step();
     const auto old = c.beat_index() - 1;
-    c.get<"trot">().speaks = false;
+    c.get<"trot">().publishes = false;
     c.run(cca::for_beats<9>{});
     CHECK_EQ(c.get<"paw">().last.vector(), Eigen::Vector2d(0, 0));
     CHECK_EQ(c.get<"paw">().last.origin(), 9 * c.period());
@@ -161,7 +161,7 @@ TEST_SUITE("blend") {
     CHECK_EQ(c.get<"paw">().last.origin(), old);
     // At full weight the first source has no influence either, to the bit.
     c.get<"reach">().now = number<leg_angles>(not_a_number);
-    c.get<"trot">().speaks = true;
+    c.get<"trot">().publishes = true;
     c.get<"cpg">().now = number<cpg_amplitude>(1);
     c.step();
     CHECK_EQ(c.get<"paw">().last.vector(), Eigen::Vector2d(1, 1));
@@ -185,7 +185,7 @@ TEST_SUITE("blend") {
     CHECK(at(3, -5, 1) == doctest::Approx(1.75));
     CHECK_EQ(at(not_a_number, 0, 1), 4);
     // The oldest origin of the sources that contribute: neither b nor the weights.
-    c.get<"b">().speaks = c.get<"w">().speaks = false;
+    c.get<"b">().publishes = c.get<"w">().publishes = false;
     for (int i = 0; i < 3; ++i) {
       c.step();
       CHECK_EQ(c.get<"end">().last.origin(), (c.beat_index() - 1) * c.period());
@@ -256,7 +256,7 @@ TEST_SUITE("switch") {
     }
     CHECK_EQ(settled(), 1);
     // The age of the choice does not matter.
-    c.get<"operator">().speaks = false;
+    c.get<"operator">().publishes = false;
     c.step();
     c.step();
     CHECK_EQ(c.get<"robot">().last.origin(), (c.beat_index() - 1) * c.period());
@@ -286,8 +286,8 @@ TEST_SUITE("switch") {
           doctest::Approx(1).epsilon(1e-5));  // from the current weights, which it reached at once
     // It stays settled, even if a long pause between firings ended the hand-over and a short one follows.
     const auto speak = [&](bool they) {
-      c.get<"stand">().speaks = c.get<"trot">().speaks = c.get<"reach">().speaks =
-          c.get<"operator">().speaks = they;
+      c.get<"stand">().publishes = c.get<"trot">().publishes = c.get<"reach">().publishes =
+          c.get<"operator">().publishes = they;
       c.step();
     };
     value(2, 600);
@@ -327,7 +327,7 @@ TEST_SUITE("switch") {
     auto c = started<modes<leg_angles>>();
     c.get<"stand">().now = number<leg_angles>(1);
     c.get<"trot">().now = number<leg_angles>(2);
-    c.get<"reach">().speaks = false;
+    c.get<"reach">().publishes = false;
     const auto end = [&](double choice) {
       c.get<"operator">().now = number<cca::choice>(choice);
       c.run(cca::for_beats<600>{});
@@ -338,7 +338,7 @@ TEST_SUITE("switch") {
     CHECK_EQ(end(1), 2);
     CHECK_EQ(end(7), 2);
     CHECK_EQ(end(2), 2);
-    c.get<"reach">().speaks = true;
+    c.get<"reach">().publishes = true;
     CHECK_EQ(end(2), 0);
   }
 

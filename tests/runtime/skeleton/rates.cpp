@@ -147,20 +147,20 @@ TEST_SUITE("rates") {
   TEST_CASE("late and early samples") {
     auto c = started<interpolating<goal_100, goal_1000>>();
     auto& a = c.get<"a">();
-    const auto said = [&](double x) {
-      a.speaks = x >= 0;
-      if (a.speaks) a.now = number<goal_100>(x);
+    const auto output_after_step = [&](double x) {
+      a.publishes = x >= 0;
+      if (a.publishes) a.now = number<goal_100>(x);
       c.step();
       return c.get<"b">().last.vector()[0];
     };
-    CHECK_EQ(said(-1), 0);
-    CHECK_EQ(said(5), 5);
-    for (int i = 0; i < 15; ++i) CHECK_EQ(said(-1), 5);
-    CHECK(said(6) == doctest::Approx(5.1));
-    for (int i = 2; i <= 5; ++i) CHECK(said(-1) == doctest::Approx(5 + 0.1 * i));
-    CHECK(said(3.5) == doctest::Approx(5.3));  // early: from the current value
-    for (int i = 2; i <= 10; ++i) CHECK(said(-1) == doctest::Approx(5.5 - 0.2 * i));
-    for (int i = 0; i < 15; ++i) CHECK_EQ(said(-1), 3.5);
+    CHECK_EQ(output_after_step(-1), 0);
+    CHECK_EQ(output_after_step(5), 5);
+    for (int i = 0; i < 15; ++i) CHECK_EQ(output_after_step(-1), 5);
+    CHECK(output_after_step(6) == doctest::Approx(5.1));
+    for (int i = 2; i <= 5; ++i) CHECK(output_after_step(-1) == doctest::Approx(5 + 0.1 * i));
+    CHECK(output_after_step(3.5) == doctest::Approx(5.3));  // early: from the current value
+    for (int i = 2; i <= 10; ++i) CHECK(output_after_step(-1) == doctest::Approx(5.5 - 0.2 * i));
+    for (int i = 0; i < 15; ++i) CHECK_EQ(output_after_step(-1), 3.5);
   }
 
   TEST_CASE("on a circle and between orientations") {
@@ -170,7 +170,7 @@ TEST_SUITE("rates") {
     c.step();
     a.now = number<at<cca::phase, 100, cca::x>>(0.2);
     c.step();
-    a.speaks = false;
+    a.publishes = false;
     for (int i = 2; i <= 5; ++i) c.step();
     CHECK(cca::wrap_signed(c.get<"b">().last.vector()[0] - 6.2 - 0.5 * (0.2 + 2 * cca::pi - 6.2)) ==
           doctest::Approx(0));
@@ -179,7 +179,7 @@ TEST_SUITE("rates") {
     o.step();
     o.get<"a">().now = cca::sample<slow>::about({0, 1, 0}, 1);
     o.step();
-    o.get<"a">().speaks = false;
+    o.get<"a">().publishes = false;
     o.step();
     CHECK(o.get<"b">().last.pitch() == doctest::Approx(0.2));
   }
@@ -192,8 +192,8 @@ TEST_SUITE("rates") {
     }
     auto d = started<slower_in_a_loop>();
     for (int k = 0; k < 60; ++k) d.step();
-    for (const auto& heard : d.get<"b">().all)
-      CHECK_EQ(heard.sample.origin(), 0);  // the origin of the first beat, in every round
+    for (const auto& arrived : d.get<"b">().all)
+      CHECK_EQ(arrived.sample.origin(), 0);  // the origin of the first beat, in every round
     CHECK(d.get<"b">().all.size() > 3);
   }
 
@@ -227,19 +227,19 @@ TEST_SUITE("rates") {
     auto c = started<freezing<goal_1000>>();
     auto& a = c.get<"a">();
     auto& stop = c.get<"stop">();
-    const auto said = [&](double x, double freeze) {
+    const auto output_after_step = [&](double x, double freeze) {
       a.now = number<goal_1000>(x);
       stop.now = number<cca::flag>(freeze);
       c.step();
       return c.get<"b">().last.vector()[0];
     };
-    CHECK_EQ(said(1, 1), 1);  // there is no sample to hold yet
-    CHECK_EQ(said(2, 1), 1);
+    CHECK_EQ(output_after_step(1, 1), 1);  // there is no sample to hold yet
+    CHECK_EQ(output_after_step(2, 1), 1);
     CHECK_EQ(c.get<"b">().last.origin(), 0);
-    CHECK_EQ(said(3, 0), 3);
-    CHECK_EQ(said(4, 0), 4);
-    CHECK_EQ(said(5, -1), 4);
+    CHECK_EQ(output_after_step(3, 0), 3);
+    CHECK_EQ(output_after_step(4, 0), 4);
+    CHECK_EQ(output_after_step(5, -1), 4);
     CHECK_EQ(c.get<"b">().last.origin(), 3 * c.period());
-    CHECK_EQ(said(6, 0), 6);
+    CHECK_EQ(output_after_step(6, 0), 6);
   }
 }

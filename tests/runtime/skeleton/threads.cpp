@@ -169,11 +169,11 @@ TEST_SUITE("farm on threads") {
     crew(c).wait();
     c.get<"eye">().every = 1'000'000;
     c.run(cca::for_beats<10>{});
-    const auto& heard = c.get<"act">().all;
-    REQUIRE_EQ(heard.size(), 5);  // the fifth of six published nothing
-    CHECK_EQ(heard[2].sample.origin(), 2 * c.period());
-    CHECK_EQ(heard[3].sample.origin(), 3 * c.period());
-    CHECK_EQ(heard[4].sample.origin(), 5 * c.period());
+    const auto& arrived = c.get<"act">().all;
+    REQUIRE_EQ(arrived.size(), 5);  // the fifth of six published nothing
+    CHECK_EQ(arrived[2].sample.origin(), 2 * c.period());
+    CHECK_EQ(arrived[3].sample.origin(), 3 * c.period());
+    CHECK_EQ(arrived[4].sample.origin(), 5 * c.period());
   }
 
   TEST_CASE("results as they come") {
