@@ -82,7 +82,7 @@ TEST_SUITE("config files") {
              "/nowhere/trot.toml: cannot be written: No such file or directory");
   }
 
-  TEST_CASE("values that loading would refuse are not saved; the old file stays") {
+  TEST_CASE("values that loading would refuse are not saved, and the old file stays") {
     const folder here;
     const std::string file = here / "trot.toml";
     controller c;

@@ -116,7 +116,7 @@ TEST_SUITE("arbiter") {
     CHECK_EQ(output_after_step(0, ms), 1);  // its new sample is older than its last one
   }
 
-  TEST_CASE("the choice stays, and `writer` says which it is") {
+  TEST_CASE("the choice stays, and writer says which it is") {
     auto c = started<three_writers<cca::by_priority<"a", "b", "c">>>();
     const auto who = [&](bool a, bool b, bool w) {
       c.get<"a">().publishes = a, c.get<"b">().publishes = b, c.get<"c">().publishes = w;

@@ -236,7 +236,7 @@ TEST_SUITE("switch") {
     }
   }
 
-  TEST_CASE("along minimum jerk; `settled` says when only the chosen source contributes") {
+  TEST_CASE("along minimum jerk, and settled says when only the chosen source contributes") {
     auto c = started<modes_and_settled<leg_angles>>();
     const auto settled = [&] { return c.get<"settled">().last.vector()[0]; };
     c.get<"operator">().now = number<cca::choice>(not_a_number);

@@ -131,7 +131,7 @@ TEST_SUITE("farm on threads") {
     for (const auto& late : b) CHECK(late.beat * c.period() > late.sample.origin());
   }
 
-  TEST_CASE("a worker sees the time of its task; the result has the origin of its task") {
+  TEST_CASE("a worker sees the time of its task, and the result has the origin of its task") {
     allow(all, all);
     auto inline_ = started<at_once>();
     auto c = started<on_threads>();

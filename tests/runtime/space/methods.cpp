@@ -17,7 +17,7 @@ bool near(const auto& a, const auto& b) { return (a - b).norm() < 1e-12; }
 }  // namespace
 
 TEST_SUITE("space methods") {
-  TEST_CASE("angles wrap into half-open turns; an angle inside keeps every bit") {
+  TEST_CASE("angles wrap into half-open turns, and an angle inside keeps every bit") {
     const double tiny = 1e-300, below = std::nextafter(cca::pi, 0), above = std::nextafter(cca::pi, 4);
     CHECK(cca::wrap_signed(cca::pi) == cca::pi);
     CHECK(cca::wrap_signed(-cca::pi) == cca::pi);
@@ -172,7 +172,7 @@ TEST_SUITE("space methods") {
     CHECK(sample(Eigen::Vector4d(0, -up, 0, up)).pitch() == -cca::pi / 2);
   }
 
-  TEST_CASE("orientations: q and -q are one rotation; small rotations") {
+  TEST_CASE("orientations: q and -q are one rotation, and small rotations") {
     using sample = cca::sample<attitude>;
     const sample a(Eigen::Vector4d(0.5, -0.5, 0.5, -0.5)), b(Eigen::Vector4d(-0.5, 0.5, -0.5, 0.5));
     CHECK(a == b);
