@@ -1,11 +1,11 @@
 // The laws of a skeleton, stated once and run over every skeleton.
 //
 // A case is a graph of one skeleton between sources and a sink:
-//   Case::graph              with a node "end" that records `values`, `beats` (when they arrived) and
-//   `origins` Case::value              the number that each source publishes along each axis, if it is
-//   constant Case::feed(controller)   changes the sources before a beat Case::settle(controller) waits,
-//   outside of a beat, until the skeleton has worked off its input, if that takes time Case::oldest(beat) the
-//   oldest origin, in beats, that a sample arriving in that beat may have
+//   Case::graph                with a node "end" that records `values`, `beats` (of arrival) and `origins`
+//   Case::value                the number that each source publishes along each axis, in every beat
+//   Case::feed(controller)     changes the sources before a beat
+//   Case::settle(controller)   optional: waits, outside of a beat, until all input is worked off
+//   Case::oldest(beat)         the oldest origin, in beats, that a sample arriving in that beat may have
 // `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 

@@ -1,6 +1,6 @@
 // The only header that includes Boost.Hana: reads the fields of a struct by name, for `parameters`. It
-// provides BOOST_HANA_DEFINE_STRUCT to users. Cost: measured in docs/parameters.md; of Hana it includes only
-// the struct macros, tuple, pair and string.
+// provides BOOST_HANA_DEFINE_STRUCT to users.
+// Cost: measured in docs/parameters.md; of Hana it includes only the struct macros, tuple, pair and string.
 #pragma once
 
 #include <array>

@@ -4,8 +4,7 @@
 #include <stdexcept>
 
 #ifndef __cpp_exceptions
-#error \
-    "cca reports refused parameters and files by exceptions, between beats only: compile without -fno-exceptions"
+#error "cca throws refused parameters and files, between beats only: compile without -fno-exceptions"
 #endif
 
 namespace cca {

@@ -1,5 +1,5 @@
-// Collects all problems of a file and reports them at once:
-// `trot.toml:12: cpg.frequency: expected a number, got a string "fast"`.
+// Collects all problems of a file and reports them at once: `trot.toml:12: cpg.frequency: expected a number,
+// got a string "fast"`.
 #pragma once
 
 #include <algorithm>

@@ -3,15 +3,14 @@
 //   cca::node<"legs", cca::arbiter<"angles", leg_angles, cca::by_priority<"reflex", "gait">>>
 //   in  "reflex", "gait"   Space: the writers
 //   out "angles"           Space: the sample of the chosen writer, with its origin
-//   out "writer"           a status over x: the number of the chosen writer, from 0 in the order of their
-//   names
+//   out "writer"           a status over x: the number of the chosen writer, counted from 0
 //
 // by_priority: the first named of the writers with a new sample now or within the last `patience` seconds. A
 // writer that does not want the output publishes nothing (`maybe`). If no writer has a new sample, the choice
 // stays. by_freshness: the writer whose sample has the latest origin; of several, the first named. The output
-// jumps from one writer to the next: put a limiter behind it, or use a switch_between instead. Parameters:
-// `patience`, of by_priority. Errors: skeleton.arity. Cost: one or two comparisons per writer. Example:
-// tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
+// jumps from one writer to the next: put a limiter behind it, or use a switch_between instead.
+// Parameters: `patience`, of by_priority. Errors: skeleton.arity. Cost: one or two comparisons per writer.
+// Example: tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
 #pragma once
 
 #include <cstdint>

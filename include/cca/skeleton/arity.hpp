@@ -1,7 +1,7 @@
 // What a skeleton becomes if its parts don't fit together: a component without ports, whose message says why.
 //
-//   template <...> struct blend : std::conditional_t<fits, detail::blend_of<...>,
-//   detail::bad_skeleton<problem>> {};
+//   template <...>
+//   struct blend : std::conditional_t<fits, detail::blend_of<...>, detail::bad_skeleton<problem>> {};
 //
 // The rule skeleton.arity reports it for the graph: the node's name, then this message.
 #pragma once

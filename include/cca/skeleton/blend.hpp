@@ -3,15 +3,15 @@
 //
 //   cca::node<"paw", cca::blend<"angles", leg_angles, cpg_amplitude, "reach", "trot">>
 //   in  "reach", "trot"   Space: its sources
-//   in  "weight"          Weight: for two sources one number, the part of the second; else one number per
-//   source out "angles"          Space, with the oldest origin of the sources that contribute
+//   in  "weight"          Weight: one number per source, or for two sources the part of the second
+//   out "angles"          Space, with the oldest origin of the sources that contribute
 //
 // One number: up to `none` the output is the first source, from `full` on the second, to the bit; between
 // them in proportion. Several numbers: in proportion; a number that is not above zero counts as zero. If none
 // is above zero, the output is the first source. It uses the domain's own interpolation: the shorter arc for
-// a phase, slerp for an orientation. Put a limiter behind it. Parameters: `none`, `full`, of one number.
-// Errors: skeleton.arity. Cost: one interpolation per source but the first. Example:
-// tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
+// a phase, slerp for an orientation. Put a limiter behind it.
+// Parameters: `none`, `full`, of one number. Errors: skeleton.arity. Cost: one interpolation per source but
+// the first. Example: tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once
 
 #include <array>

@@ -3,9 +3,11 @@
 //
 // The reader calls `empty()` first; the answer "not empty" stays true until the reader pops. The writer must
 // know, from `writes()` and `reads()`, that fewer than Capacity values are in the channel. Neither ever
-// waits. Source: Lamport, "Specifying concurrent program modules", ACM TOPLAS 5(2), 1983, the ring of one
-// producer and one consumer; here with acquire and release, so that the reader sees all that the writer did
-// before it pushed. Cost: one atomic load and one atomic store.
+// waits.
+// Source: Lamport, "Specifying concurrent program modules", ACM TOPLAS 5(2), 1983, the ring of one producer
+// and one consumer; here with acquire and release, so that the reader sees all that the writer did before it
+// pushed.
+// Cost: one atomic load and one atomic store.
 #pragma once
 
 #include <array>

@@ -7,9 +7,9 @@
 //
 // It counts samples, so it must fire with each of them (`restless`, the default). `picked`: the first sample
 // and every n-th after it, with its origin. `averaged`: the mean of n samples, by the domain's own
-// interpolation, with the oldest origin; published with the last of them. Errors: skeleton.arity, if From's
-// rate is not a multiple of To's. Cost: a counter; averaged, one interpolation per sample. Example:
-// tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
+// interpolation, with the oldest origin; published with the last of them.
+// Errors: skeleton.arity, if From's rate is not a multiple of To's. Cost: a counter; averaged, one
+// interpolation per sample. Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>

@@ -9,8 +9,9 @@
 // into To. A worker is a component with one input that must be wired and one output (status outputs do not
 // count), or a pipeline. A farm is a graph: `split` divides the sample, `worker0`, `worker1`, ... each fire
 // with their part, and `join` puts the results together once all are new (`moderate`). All of it runs in one
-// beat, inlined. farm_on_threads.hpp has the same with a thread per worker. Errors: skeleton.arity. Cost:
-// that of the workers. Example: tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
+// beat, inlined. farm_on_threads.hpp has the same with a thread per worker.
+// Errors: skeleton.arity. Cost: that of the workers. Example: tests/runtime/skeleton/pipeline_farm.cpp;
+// docs/skeletons.md.
 #pragma once
 
 #include <type_traits>

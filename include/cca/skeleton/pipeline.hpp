@@ -2,9 +2,8 @@
 // port-triggered).
 //
 //   cca::node<"ball", cca::pipeline<undistort, find_ball, smooth>>
+//   with a policy on the wires between stages:
 //   cca::node<"ball", cca::pipeline_over<cca::queue<4, cca::drop_oldest>, undistort, find_ball>>
-//                                                                        with a policy on the wires between
-//                                                                        stages
 //   in  "input"    the first stage's space
 //   out "output"   the last stage's space
 //
@@ -12,8 +11,8 @@
 // whatever their names, or a pipeline or a farm. A sample passes all stages in one beat, unless the policy
 // says otherwise: with `delayed<1>` each stage works on another sample in each beat. The stages are the nodes
 // `stage0`, `stage1`, ... of a graph. Errors: skeleton.arity, and those of wires between stages
-// (space.mismatch). Cost: that of the stages. Example: tests/runtime/skeleton/pipeline_farm.cpp;
-// docs/skeletons.md.
+// (space.mismatch). Cost: that of the stages.
+// Example: tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>

@@ -5,7 +5,8 @@
 //
 // Whole is `array_of<Part, N>`, or has the domain type of Part and the axes of N parts in order: eight joint
 // angles are four parts of two. In the second case the names of the axes change on the way, and with them
-// their limits. Cost: none after inlining.
+// their limits.
+// Cost: none after inlining.
 #pragma once
 
 #include <cstddef>

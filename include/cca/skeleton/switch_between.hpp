@@ -2,9 +2,9 @@
 //
 //   cca::node<"mode", cca::switch_between<"angles", leg_angles, "stand", "trot", "reach">>
 //   in  "stand", "trot", "reach"   Space: its sources
-//   in  "choice"                   a status over x: the number of a source, from 0 in the order of their
-//   names out "angles"                   Space, with the oldest origin of the sources that contribute out
-//   "settled"                  a status over x: 1 if only the chosen source contributes, 0 during a hand-over
+//   in  "choice"                   a status over x: the number of a source, counted from 0
+//   out "angles"                   Space, with the oldest origin of the sources that contribute
+//   out "settled"                  a status over x: 1 if only the chosen source contributes, else 0
 //
 // A hand-over takes `duration` seconds. Both sources keep contributing; the weights move from where they are
 // to the chosen source alone along s(u) = u^3 (10 - 15 u + 6 u^2), which begins and ends with velocity and

@@ -1,7 +1,6 @@
 // An array-valued space: N elements of one space, one after another, as one sample.
 //
-//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, element<x, 1>,
-//   ...
+//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, ...
 //
 // It takes the rate of the element's space; its domain type is `array_domain`. In a sample, `template
 // part<I>()` is the sample of element I; interpolation works element by element. Each element's axes keep

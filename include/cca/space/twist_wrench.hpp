@@ -2,8 +2,8 @@
 // Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 2 (spatial vectors in Pluecker coordinates,
 // angular part first).
 //
-//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the body's point at At's origin,
-//   m/s wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
+//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the point at At's origin, m/s
+//   wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
 //
 // `At` is the frame at whose origin it acts; `In` is the frame along whose axes the numbers are.
 // `orientation.express(t)` changes In; `moved_to<Point>(lever)` changes At. The zero is rest, or no load.
