@@ -2,7 +2,8 @@
 // `save("trot.toml")` work. It is apart from <cca/cca.hpp> because it includes toml++, which takes about a
 // second to compile. A file has one table per component that has parameters: `[cpg]`, `[dmp.ode]`. Values
 // that the file does not mention do not change. Errors: `cca::refused`, one line per problem; then nothing
-// has been changed. Example: docs/parameters.md.
+// has been changed.
+// Example: docs/parameters.md.
 #pragma once
 
 #include <algorithm>
