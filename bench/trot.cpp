@@ -13,7 +13,7 @@ namespace bench {
 using angles = cca::sim::leg_angles;
 using vector8 = angles::vector_type;
 
-// Plays 64 beats of joint angles and orientations over and over, and adds up what it is commanded.
+// Plays 64 beats of joint angles and orientations over and over, and adds up its commands.
 struct playback {
   static constexpr int length = 64;
   std::array<vector8, length> stored;
@@ -45,7 +45,7 @@ struct look_at_robot {
 };
 using graph = as_graph<trot_graph, look_at_robot>;
 
-// The same by hand: one function, no samples, no ports, no origins.
+// The same by hand: one function without samples, ports and origins.
 struct by_hand {
   static constexpr const char* name = "by_hand";
   static constexpr double pi = std::numbers::pi, whole = 2 * pi;
@@ -86,7 +86,7 @@ struct by_hand {
     return (in_stance ? give : lift) * sine * sine;
   }
 
-  // Of the hips, then of the knees.
+  // First the hips, then the knees.
   static constexpr double low(int i) {
     return i < 4 ? cca::sim::oncilla_defaults.hip_range.low : cca::sim::oncilla_defaults.knee_range.low;
   }

@@ -1,8 +1,8 @@
 // The laws of an Adaptive Component, stated once and run over every one of them.
 //
-// A case is a graph in which it is the node "skill", its feedback comes from the node "robot", and
-// `observe<"skill.*">` stands. After `Case::beats` beats it has been what `Case::expected()` says, at some
-// time.
+// A case is a graph in which the component is the node "skill", its feedback comes from the node "robot", and
+// `observe<"skill.*">` is an item. Within `Case::beats` beats the component has taken all the states in
+// `Case::expected()`.
 #pragma once
 
 #include <cstring>
@@ -19,7 +19,7 @@
 namespace laws {
 
 template <class Graph>
-std::map<std::string, std::vector<double>> told(const cca::controller<Graph>& c) {
+std::map<std::string, std::vector<double>> observed_values(const cca::controller<Graph>& c) {
   std::map<std::string, std::vector<double>> all;
   c.observed([&](const cca::observation& one) {
     all[std::string(one.path)] = {one.values.begin(), one.values.end()};
@@ -45,7 +45,7 @@ void adaptive_component() {
     const std::size_t before = allocations();
     c.step();
     allocated += allocations() - before;
-    const auto now = told(c);
+    const auto now = observed_values(c);
     const auto state = static_cast<cca::criterion_state>(now.at("skill.criterion.state")[0]);
     const auto component = static_cast<cca::component_status>(now.at("skill.status.component")[0]);
     const auto& module = now.at("skill.status.module");
@@ -59,13 +59,13 @@ void adaptive_component() {
     seen.insert(component);
     if (k < Case::beats / 2) continue;
     copy.step();
-    same &= told(copy) == now;
+    same &= observed_values(copy) == now;
   }
   CHECK_MESSAGE(allocated == 0, "nothing allocates in a beat");
   CHECK_MESSAGE(true_status, "component status follows from ode status, module status and criterion");
-  CHECK_MESSAGE(true_state, "what is fulfilled is near, what is lost is far");
+  CHECK_MESSAGE(true_state, "fulfilled means near, lost means far");
   CHECK_MESSAGE(same, "a copy goes on as the original, to the bit");
-  CHECK_MESSAGE(seen == Case::expected(), "it has been all that it should have been");
+  CHECK_MESSAGE(seen == Case::expected(), "it has taken all expected states");
 }
 
 }  // namespace laws

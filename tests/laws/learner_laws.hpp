@@ -1,9 +1,8 @@
 // The laws of a Learner, stated once and run over every one of them.
 //
-// A case says of a learner: `Case::learner`; `Case::input(source)`, a random one of where it is trained;
-// `Case::truth(x)`, what it shall learn; `Case::far()`, an input far from all of them; `Case::left`, what
-// part of the error at most is left of it. `laws::allocations()` counts calls of malloc; the test program
-// defines it.
+// A case has `Case::learner`; `Case::input(source)`, a random input of the trained region; `Case::truth(x)`,
+// the function to learn; `Case::far()`, an input far from the trained region; `Case::left`, the largest part
+// of the error that may be left. `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
 #include <cmath>
@@ -48,8 +47,8 @@ std::string as_text(const typename Case::learner::learned& known) {
       cca::detail::schema_of<typename Case::learner::learned>, &known);
 }
 
-// An error, on inputs that it has not seen, falls to what the case says; whatever is given, all is finite;
-// the same gives the same.
+// The error on new inputs falls to the case's bound; every answer is finite; the same examples give the same
+// result.
 template <class Case>
 void learns_in_batch() {
   using learner = typename Case::learner;
@@ -62,8 +61,8 @@ void learns_in_batch() {
                 "the same examples, the same to the bit");
 }
 
-// Example by example the error falls, from one decade to the next; to within a hundredth, where it has come
-// to its floor.
+// With each decade of examples the error falls, or rises by at most a hundredth once it has reached its
+// floor.
 template <class Case>
 void learns_online() {
   using learner = typename Case::learner;
@@ -82,7 +81,7 @@ void learns_online() {
   CHECK_MESSAGE(last < Case::left * before, "error online: " << before << " before, " << last << " left");
 }
 
-// Saved and loaded is the identity: the same text, and the same answers to the bit.
+// Saving and loading changes nothing: the same text, and the same answers to the bit.
 template <class Case>
 void keeps() {
   using learner = typename Case::learner;
@@ -91,14 +90,14 @@ void keeps() {
   const auto text = as_text<Case>(*known);
   cca::detail::read_learned(text, "text", {std::string(learner::model::title()), std::string(learner::name)},
                             cca::detail::schema_of<typename learner::learned>, again.get());
-  CHECK_MESSAGE(as_text<Case>(*again) == text, "written again as it was");
+  CHECK_MESSAGE(as_text<Case>(*again) == text, "saved again it is the same text");
   for (const auto& one : examples<Case>(50, 4))
     CHECK_MESSAGE(
         learner::model::answer(known->function, one.x) == learner::model::answer(again->function, one.x),
         "the same answers");
 }
 
-// Its status is true, and nothing in a beat allocates.
+// Its status is right, and nothing in a beat allocates.
 template <class Case>
 void tells() {
   using learner = typename Case::learner;
@@ -108,7 +107,7 @@ void tells() {
   CHECK(side->state() == cca::learning::idle);
   CHECK_MESSAGE(side->region(all[0].x, s) == cca::trained_region::outside, "nothing is known at first");
   side->teach(all[0].x, all[0].y, s);
-  CHECK_MESSAGE(side->example_count() == 0, "idle, it keeps nothing");
+  CHECK_MESSAGE(side->example_count() == 0, "idle, it keeps no examples");
   side->collect();
   CHECK(side->state() == cca::learning::collecting);
   std::size_t before = allocations();
@@ -117,9 +116,9 @@ void tells() {
   broken.y[0] = std::numeric_limits<double>::quiet_NaN();
   side->teach(broken.x, broken.y, s);
   CHECK_MESSAGE(allocations() == before, "collecting does not allocate");
-  CHECK_MESSAGE(side->example_count() == 200, "the newest ones");
-  CHECK_MESSAGE(side->examples().front().x == all[100].x, "in their order");
-  CHECK_MESSAGE(side->examples().back().x == all[299].x, "what is not finite is passed over");
+  CHECK_MESSAGE(side->example_count() == 200, "it keeps the newest examples");
+  CHECK_MESSAGE(side->examples().front().x == all[100].x, "in order");
+  CHECK_MESSAGE(side->examples().back().x == all[299].x, "numbers that are not finite are ignored");
   const auto work = side->begin_batch(s);
   CHECK(side->state() == cca::learning::batch);
   const auto known = std::make_unique<typename learner::learned>(work());
@@ -143,7 +142,7 @@ void tells() {
     for (const auto& one : all) side->teach(one.x, one.y, s);
     side->teach(broken.x, broken.y, s);
     CHECK_MESSAGE(allocations() == before, "a step does not allocate");
-    CHECK_MESSAGE(side->answer(all[0].x).allFinite(), "what is not finite is passed over");
+    CHECK_MESSAGE(side->answer(all[0].x).allFinite(), "numbers that are not finite are ignored");
     side->rest();
     CHECK(side->state() == cca::learning::trained);
   }

@@ -14,7 +14,8 @@ import sys
 MOST_LINES = 300
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"]}
-TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"]}  # directly in cca/: what each may include
+TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"],  # directly in cca/: what each may include
+       **{f"{folder}.hpp": [folder] for folder in ("adaptive", "mapping", "motor", "robot")}}
 SHARED = ["sim/oncilla_model.hpp", "sim/oncilla_spaces.hpp"]  # of the simulator, but without the engine: the real robot's, too
 FREE = ["version.hpp"]  # needs nothing, so anything may include it
 

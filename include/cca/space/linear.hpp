@@ -1,7 +1,7 @@
-// What domain types with one real number an axis share: limits, interpolation on a straight line, sums.
+// What domain types with one real number per axis share: limits, interpolation on a straight line, sums.
 //
-// Each is a mixin that `sample` inherits, by way of its domain type's `methods`. Nothing here changes a
-// sample: the result is another one, of the same space, and originates where the older of the two does.
+// Each part is a mixin: `sample` inherits it through the `methods` of its domain type. No method changes a
+// sample; each returns a new one of the same space, with the older origin of the two.
 #pragma once
 
 #include <concepts>
@@ -27,25 +27,24 @@ template <class Type> concept Sample = requires(const Type& s) {
 namespace detail {
 
 template <class SpaceA, class SpaceB>
-constexpr bool alike = std::is_same_v<typename SpaceA::domain, typename SpaceB::domain> &&
-                       std::is_same_v<typename SpaceA::axes, typename SpaceB::axes>;
+constexpr bool same_coordinates = std::is_same_v<typename SpaceA::domain, typename SpaceB::domain> &&
+                                  std::is_same_v<typename SpaceA::axes, typename SpaceB::axes>;
 
-// Two samples meet in an operation: they must be of one domain type, one frame and the same axes.
+// True if an operation may combine the two samples: they need the same domain type, frame and axes.
 template <class A, class B>
-constexpr bool meet() {
+constexpr bool combinable() {
   using domain_a = typename A::space::domain;
   using domain_b = typename B::space::domain;
   constexpr bool one_frame = SameFrames<domain_a, domain_b>;
   static_assert(SameFrames<domain_a, domain_b>,
                 "frame.mismatch: these two samples are of different frames (expressed in, or acting at), so "
-                "their numbers "
-                "cannot be combined; bring one into the other's frame first, with `express(...)` or "
-                "`moved_to<...>(...)`");
+                "their numbers cannot be combined; bring one into the other's frame first, with "
+                "`express(...)` or `moved_to<...>(...)`");
   static_assert(
-      !one_frame || alike<typename A::space, typename B::space>,
+      !one_frame || same_coordinates<typename A::space, typename B::space>,
       "space.mismatch: these two samples differ in domain type or axes, so their numbers cannot be combined; "
       "take the part that they share with `on<...>()`, or use `vector()` if you mean the bare numbers");
-  return alike<typename A::space, typename B::space>;
+  return same_coordinates<typename A::space, typename B::space>;
 }
 
 template <class Self>
@@ -54,8 +53,8 @@ protected:
   constexpr const Self& self() const { return static_cast<const Self&>(*this); }
 };
 
-// One number an axis. Limits are those that the axes state for the domain type's quantity; an axis without
-// any has none. Domain types without one number an axis (twists) have neither.
+// For domain types with one number per axis. The limits are those that the axes state for the domain type's
+// quantity. A twist has no number per axis, so it can't use these.
 template <class Self>
 struct per_axis : mixin<Self> {
   // False if a number is NaN.
@@ -73,7 +72,7 @@ struct per_axis : mixin<Self> {
     return within;
   }
 
-  // Each number moved to the nearest one within its limits. NaN stays NaN.
+  // Moves each number to the nearest one within its limits. NaN stays NaN.
   constexpr Self clamped() const {
     using space = typename Self::space;
     using quantity = typename space::domain::quantity;
@@ -90,14 +89,14 @@ struct per_axis : mixin<Self> {
   }
 };
 
-// Interpolation on the straight line: t = 0 is this one, t = 1 is `to`, exactly; outside of that it
+// Interpolation on the straight line: exactly this sample at t = 0, exactly `to` at t = 1. Beyond, it
 // extrapolates.
 template <class Self>
 struct on_a_line : per_axis<Self> {
   template <Sample To>
   constexpr Self interpolated(const To& to, double t) const {
     const Self& from = this->self();
-    if constexpr (meet<Self, To>())
+    if constexpr (combinable<Self, To>())
       return Self(((1 - t) * from.vector() + t * to.vector()).eval(), older(from.origin(), to.origin()));
     else return from;
   }
@@ -109,14 +108,14 @@ struct additive : on_a_line<Self> {
   template <Sample Other>
   constexpr Self operator+(const Other& b) const {
     const Self& a = this->self();
-    if constexpr (meet<Self, Other>())
+    if constexpr (combinable<Self, Other>())
       return Self((a.vector() + b.vector()).eval(), older(a.origin(), b.origin()));
     else return a;
   }
   template <Sample Other>
   constexpr Self operator-(const Other& b) const {
     const Self& a = this->self();
-    if constexpr (meet<Self, Other>())
+    if constexpr (combinable<Self, Other>())
       return Self((a.vector() - b.vector()).eval(), older(a.origin(), b.origin()));
     else return a;
   }

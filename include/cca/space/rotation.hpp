@@ -1,13 +1,11 @@
-// Rotations as unit quaternions (x, y, z, w), as ordinary functions on Eigen vectors; made without
-// Eigen/Geometry.
+// Rotations as unit quaternions (x, y, z, w): ordinary functions on Eigen vectors, without Eigen/Geometry.
 //
-// Preconditions: the quaternions are of unit length, to rounding; products keep that to rounding. q and -q
-// are the same rotation. Sources: Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985 (slerp);
-// the exponential map is that of Sola, Deray, Atchuthan, A micro Lie theory for state estimation in robotics,
-// 2018, on S^3.
+// Preconditions: quaternions of unit length, to rounding; products keep it, to rounding. q and -q are the
+// same rotation. Sources: Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985 (slerp); Sola,
+// Deray, Atchuthan, A micro Lie theory for state estimation in robotics, 2018 (the exponential map, on S^3).
 //
-// Cost: all are templates, so that a file which turns nothing compiles nothing (as plain functions they took
-// 0.3 s a file).
+// Cost: all are templates, so a file without rotations compiles none of them (as plain functions they took
+// 0.3 s per file).
 #pragma once
 
 #include <cmath>
@@ -51,14 +49,14 @@ inline vector3<Scalar> rotate(const vector4<Scalar>& q, const vector3<Scalar>& v
   return v + q[3] * t + cross(u, t);
 }
 
-// Of unit length; the identity if the length is 0.
+// Scaled to unit length; the identity if the length is 0.
 template <class Scalar = double>
 inline vector4<Scalar> normalised(const vector4<Scalar>& q) {
   const Scalar length = std::sqrt(q.dot(q));
   return length > 0 ? vector4<Scalar>(q / length) : identity<Scalar>();
 }
 
-// The one of q and -q whose w is positive (at w = 0: whose first coordinate that isn't 0 is).
+// q or -q, whichever has a positive w (at w = 0: a positive first coordinate that isn't 0).
 template <class Scalar = double>
 inline vector4<Scalar> canonical(const vector4<Scalar>& q) {
   for (const int i : {3, 0, 1, 2}) {
@@ -74,7 +72,7 @@ inline Scalar angle(const vector4<Scalar>& q) {
   return 2 * std::atan2(std::sqrt(q.template head<3>().dot(q.template head<3>())), std::abs(q[3]));
 }
 
-// By so many rad about an axis, of any length but 0.
+// By `angle` rad about an axis of any length but 0.
 template <class Scalar = double>
 inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
   const Scalar length = std::sqrt(axis.dot(axis));
@@ -82,7 +80,7 @@ inline vector4<Scalar> about(const vector3<Scalar>& axis, Scalar angle) {
   return {s * axis[0], s * axis[1], s * axis[2], std::cos(angle / 2)};
 }
 
-// Of a rotation vector: its direction is the axis, its length the angle.
+// From a rotation vector: its direction is the axis, its length the angle.
 template <class Scalar = double>
 inline vector4<Scalar> exp(const vector3<Scalar>& v) {
   const Scalar square = v.dot(v), angle = std::sqrt(square);
@@ -107,8 +105,8 @@ inline vector4<Scalar> from_roll_pitch_yaw(Scalar roll, Scalar pitch, Scalar yaw
   return product(y, product(p, r));
 }
 
-// From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw turn about one axis, and only
-// their difference (sum) means something.
+// From the entries of the rotation matrix. At a pitch of +-pi/2 roll and yaw rotate about the same axis, and
+// only their difference (at +pi/2) or sum (at -pi/2) is defined.
 template <class Scalar = double>
 inline Scalar roll(const vector4<Scalar>& q) {
   return std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
@@ -130,7 +128,8 @@ inline vector4<Scalar> slerp(const vector4<Scalar>& a, const vector4<Scalar>& b,
   const vector4<Scalar> difference = a - sign * b, sum = a + sign * b;
   const Scalar angle = 2 * std::atan2(std::sqrt(difference.dot(difference)), std::sqrt(sum.dot(sum)));
   if (angle < 1e-6)
-    return normalised(vector4<Scalar>((1 - t) * a + t * sign * b));  // sin would cancel; the chord is the arc
+    return normalised(vector4<Scalar>(
+        (1 - t) * a + t * sign * b));  // here sin(angle) is too small to divide by; the chord equals the arc
   const Scalar s = std::sin(angle);
   return (std::sin((1 - t) * angle) / s) * a + (sign * std::sin(t * angle) / s) * b;
 }

@@ -1,5 +1,5 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
-// It is read by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
+// Read it by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
 // A sample owns its coordinates, but for an input of a component (`cca::in`): that shows the coordinates where
 // their writer left them. A copy always owns its coordinates.
@@ -15,9 +15,9 @@ namespace cca {
 
 namespace detail {
 
-struct to_be_filled {};  // leaves the coordinates to the beat
+struct to_be_filled {};  // leaves the coordinates uninitialised: the beat shows others
 
-// The other space says the same by another name.
+// The two spaces match and differ only in their names.
 template <class From, class To> concept Renames =
     !std::is_same_v<From, To> && std::is_same_v<typename From::domain, typename To::domain> &&
     std::is_same_v<typename From::axes, typename To::axes> &&

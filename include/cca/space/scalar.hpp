@@ -1,10 +1,10 @@
 // Domain types of plain numbers: amplitude, frequency, number, status.
 //
 //   domain type   coordinates                  unit   methods
-//   amplitude     one number an axis           none   sums, interpolation, limits
-//   frequency     one number an axis           Hz     the same, angular_frequency()
-//   number        one number an axis           none   the same as amplitude
-//   status        one whole number an axis     none   as<Enum>(), is(...)
+//   amplitude     one number per axis          none   sums, interpolation, limits
+//   frequency     one number per axis          Hz     the same, and angular_frequency()
+//   number        one number per axis          none   the same as amplitude
+//   status        one whole number per axis    none   as<Enum>(), is(...)
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct amplitude : detail::linear_domain {
   struct methods : detail::additive<Self> {};
 };
 
-// A quantity and a domain type: what is measured along the axes of a space of frequencies is a frequency.
+// Both a quantity and a domain type: the axes of a space of frequencies measure frequency.
 struct frequency {
   double lower, upper;
   static constexpr std::string_view unit = "Hz";
@@ -35,7 +35,7 @@ struct frequency {
 
   template <class Self>
   struct methods : detail::additive<Self> {
-    // rad/s
+    // In rad/s.
     constexpr auto angular_frequency() const {
       using vector = typename Self::space::vector_type;
       return vector(2 * std::numbers::pi * this->self().vector());
@@ -48,13 +48,12 @@ struct number : detail::linear_domain {
   struct methods : detail::additive<Self> {};
 };
 
-// A state out of a few: the number of an enumerator. States have no order and no distance, so nothing is
-// interpolated.
+// The number of an enumerator. States have no order and no distance, so they are not interpolated.
 struct status : detail::linear_domain {
   template <class Self>
   struct methods : detail::mixin<Self> {
-    // The state along an axis, or the only one. What isn't a number that `Enum` could hold (NaN, too large)
-    // is `Enum{}`.
+    // The state along an axis, or the only one. A number that `Enum` can't hold (NaN, too large) gives
+    // `Enum{}`.
     template <class Enum, class Axis>
     constexpr Enum as(Axis axis) const {
       return read<Enum>(this->self()[axis]);
@@ -75,9 +74,9 @@ struct status : detail::linear_domain {
   private:
     template <class Enum>
     static constexpr Enum read(double number) {
-      static_assert(std::is_enum_v<Enum>, "cca::status: as<...>() reads an enumeration");
+      static_assert(std::is_enum_v<Enum>, "cca::status: the type in as<...>() must be an enumeration");
       using whole = std::underlying_type_t<Enum>;
-      // 53 bits are whole numbers in a double.
+      // A double holds whole numbers exactly up to 2^53.
       constexpr double most = std::min(0x1p53, static_cast<double>(std::numeric_limits<whole>::max()));
       constexpr double least = std::max(-0x1p53, static_cast<double>(std::numeric_limits<whole>::lowest()));
       return number >= least && number <= most ? static_cast<Enum>(static_cast<whole>(number)) : Enum{};
@@ -85,7 +84,7 @@ struct status : detail::linear_domain {
   };
 };
 
-// The number to publish for a state: `return cca::status_of(mode::swing);`
+// The number to publish for a state: `return cca::status_of(mode::swing);`.
 template <class Enum>
   requires std::is_enum_v<Enum>
 constexpr double status_of(Enum state) {

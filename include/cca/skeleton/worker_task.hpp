@@ -1,4 +1,4 @@
-// One task of a worker outside of the loop: what it takes, what it gives, and the call between.
+// One task of a worker on a thread: its input, its result, and the call that turns one into the other.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include <cca/component/beat.hpp>
-#include <cca/skeleton/through.hpp>
+#include <cca/skeleton/stage_ports.hpp>
 
 namespace cca::detail {
 
@@ -14,10 +14,10 @@ template <class Component>
 constexpr bool function_may_fault = ports_of_component<Component, phase_of_beat::process>::value.may_fault;
 
 template <class Port>
-constexpr bool goes_through = !std::is_void_v<typename passage_of<Port>::type>;
+constexpr bool is_stage_port = !std::is_void_v<typename stage_port_of<Port>::type>;
 
 template <class Worker>
-struct piece_work {
+struct worker_task {
   using worker = Worker;
   using taken = typename input_of_stage<Worker>::space;
   using given = typename output_of_stage<Worker>::space;
@@ -34,34 +34,34 @@ struct piece_work {
     bool published = false;
   };
 
-  static result done(Worker& by, const task& t) { return called(by, t, typename facts::parameters()); }
+  static result done(Worker& by, const task& t) { return call(by, t, typename facts::parameters()); }
 
 private:
   template <class... Parameters>
-  static result called(Worker& by, const task& t, list<Parameters...>) {
-    return made(t, by.process([&]() -> Parameters {
-      if constexpr (goes_through<Parameters>) return Parameters(t.value, t.origin, true);
+  static result call(Worker& by, const task& t, list<Parameters...>) {
+    return result_from(t, by.process([&]() -> Parameters {
+      if constexpr (is_stage_port<Parameters>) return Parameters(t.value, t.origin, true);
       else if constexpr (std::is_same_v<Parameters, beat>) return t.when;
-      else return Parameters{};  // not wired
+      else return Parameters{};  // an optional input, not wired
     }()...));
   }
 
   template <class Port>
-  static result made(const task& t, const Port& port) {
+  static result result_from(const task& t, const Port& port) {
     bool published = true;
     if constexpr (requires { static_cast<bool>(port); }) published = static_cast<bool>(port);
     return {port.vector(), port.origin() == never ? t.origin : port.origin(), published};
   }
   template <class... Ports>
-  static result made(const task& t, const std::tuple<Ports...>& ports) {
+  static result result_from(const task& t, const std::tuple<Ports...>& ports) {
     result one;
-    ((goes_through<Ports> ? void(one = made_if<goes_through<Ports>>(t, std::get<Ports>(ports))) : void()),
+    ((is_stage_port<Ports> ? void(one = result_if<is_stage_port<Ports>>(t, std::get<Ports>(ports))) : void()),
      ...);
     return one;
   }
   template <bool Is, class Port>
-  static result made_if(const task& t, const Port& port) {
-    if constexpr (Is) return made(t, port);
+  static result result_if(const task& t, const Port& port) {
+    if constexpr (Is) return result_from(t, port);
     else return {};
   }
 };
