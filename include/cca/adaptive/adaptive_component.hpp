@@ -27,7 +27,7 @@
 // First: where this refuses something, the compilers tell of each file around it.
 #include <cca/component/port.hpp>
 
-#include <cca/adaptive/adaptive_items.hpp>
+#include <cca/adaptive/assembly/adaptive_items.hpp>
 
 namespace cca {
 

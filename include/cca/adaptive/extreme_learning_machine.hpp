@@ -22,7 +22,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <cca/adaptive/covered_region.hpp>
+#include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/space/info.hpp>

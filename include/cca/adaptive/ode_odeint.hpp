@@ -13,7 +13,7 @@
 // tests/runtime/ode/odeint.cpp.
 #pragma once
 
-#include <cca/adaptive/ode_integrators.hpp>
+#include <cca/adaptive/numerics/ode_integrators.hpp>
 
 namespace cca {
 

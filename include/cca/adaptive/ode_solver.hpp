@@ -7,7 +7,7 @@
 // (explicit methods: a rate of change of 2/dt is the limit). Example: tests/runtime/ode/example.cpp.
 #pragma once
 
-#include <cca/adaptive/ode_integrators.hpp>
+#include <cca/adaptive/numerics/ode_integrators.hpp>
 #include <cca/base/inlining.hpp>
 
 namespace cca {

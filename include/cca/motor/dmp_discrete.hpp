@@ -26,7 +26,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/dmp_discrete_ode.hpp>
+#include <cca/motor/equations/dmp_discrete_ode.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 

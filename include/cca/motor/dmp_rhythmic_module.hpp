@@ -42,7 +42,7 @@
 #include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/dmp_rhythmic_ode.hpp>
+#include <cca/motor/equations/dmp_rhythmic_ode.hpp>
 #include <cca/motor/dmp_shapes.hpp>
 #include <cca/motor/finite.hpp>
 

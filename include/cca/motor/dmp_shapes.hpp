@@ -13,7 +13,7 @@
 
 #include <cca/base/inlining.hpp>
 #include <cca/base/reflect.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
 #include <cca/space/info.hpp>
 

@@ -27,7 +27,7 @@
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/gait.hpp>
-#include <cca/motor/oscillator_network_ode.hpp>
+#include <cca/motor/equations/oscillator_network_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {

@@ -18,10 +18,10 @@
 #include <limits>
 #include <vector>
 
-#include <cca/adaptive/covered_region.hpp>
+#include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/motor/gaussian_mixture.hpp>
+#include <cca/motor/equations/gaussian_mixture.hpp>
 #include <cca/motor/spaces.hpp>
 #include <cca/space/info.hpp>
 

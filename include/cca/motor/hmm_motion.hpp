@@ -24,7 +24,7 @@
 
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/gaussian_mixture.hpp>
+#include <cca/motor/equations/gaussian_mixture.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {

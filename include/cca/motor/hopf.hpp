@@ -24,7 +24,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
-#include <cca/motor/hopf_ode.hpp>
+#include <cca/motor/equations/hopf_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {

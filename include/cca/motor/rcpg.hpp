@@ -17,7 +17,7 @@
 
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/reservoir.hpp>
+#include <cca/motor/equations/reservoir.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {

@@ -28,7 +28,7 @@
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
-#include <cca/motor/vite_ode.hpp>
+#include <cca/motor/equations/vite_ode.hpp>
 
 namespace cca {
 

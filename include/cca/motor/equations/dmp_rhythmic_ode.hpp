@@ -13,7 +13,7 @@
 
 #include <cca/adaptive/ode.hpp>
 #include <cca/base/inlining.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 
 namespace cca {
 

@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 
 namespace cca {
 
