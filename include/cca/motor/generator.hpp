@@ -56,7 +56,7 @@ struct oscillation : graph<node<"oscillator", Oscillator, Strategy>,
 template <class Axis, class Pattern, Criterion Measure, class Oscillator = hopf<Axis>, class... Options>
 struct generator
     : adaptive_component<
-          oscillation<Axis, Pattern, Oscillator, typename detail::strategy_among<Options...>::type>,
+          oscillation<Axis, Pattern, Oscillator, typename detail::strategy_option<Options...>::type>,
           Measure,
           Options...> {};
 

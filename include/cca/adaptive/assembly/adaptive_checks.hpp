@@ -1,5 +1,5 @@
-// What the compiler checks about an adaptive component: its criterion measures in the spaces of its module,
-// and each control_through<...> names an input. Errors: criterion.spaces, wire.unknown_port.
+// Compile-time checks of an adaptive component: its criterion measures in the spaces of its module, and each
+// control_through<...> names an existing input. Errors: criterion.spaces, wire.unknown_port.
 #pragma once
 
 #include <cca/adaptive/assembly/outer_ports.hpp>
@@ -7,66 +7,65 @@
 
 namespace cca::detail {
 
-// One that isn't known is left to the wires.
+// An unknown space (void) is not checked here: the wires check it.
 template <class Takes, class Given>
-constexpr bool comparable = matching<Takes, Given>;
+constexpr bool may_match = matching<Takes, Given>;
 template <class Takes>
-constexpr bool comparable<Takes, void> = true;
+constexpr bool may_match<Takes, void> = true;
 
+// The space that a mapping gives; void without a mapping.
 template <class Mapping>
-struct space_given {
+struct mapped_space {
   using type = typename mapped_outputs<Mapping>::first::space;
 };
 template <>
-struct space_given<void> {
+struct mapped_space<void> {
   using type = void;
 };
 
-// Functions whose arguments the compilers name.
-template <class Criterions, class Modules, bool Meet = comparable<Criterions, Modules>>
+// Functions, because compilers print their template arguments: the two spaces.
+template <class CriterionSpace, class ModuleSpace, bool Match = may_match<CriterionSpace, ModuleSpace>>
 constexpr bool check_target() {
   static_assert(
-      Meet,
+      Match,
       "criterion.spaces: the criterion of this adaptive component measures in another space (domain type, "
-      "frame, axes or rate) "
-      "than that in which its module has the target (the compiler names the two, the criterion's first); use "
-      "the criterion over "
-      "the module's space, or let it measure against the other target: against<criterion_target::...>");
-  return Meet;
+      "frame, axes or rate) than the target of its module (the compiler prints both spaces, the criterion's "
+      "first); use the criterion over the module's space, or compare with the other target: "
+      "against<criterion_target::...>");
+  return Match;
 }
-template <class Criterions, class Mapped, bool Meet = comparable<Criterions, Mapped>>
+template <class CriterionSpace, class Mapped, bool Match = may_match<CriterionSpace, Mapped>>
 constexpr bool check_feedback() {
-  static_assert(Meet,
+  static_assert(Match,
                 "criterion.spaces: the criterion of this adaptive component measures in another space "
-                "(domain type, frame, axes or rate) "
-                "than that to which its feedback_through<...> maps (the compiler names the two, the "
-                "criterion's first); map the feedback to "
-                "the criterion's space");
-  return Meet;
+                "(domain type, frame, axes or rate) than that to which its feedback_through<...> maps (the "
+                "compiler prints both spaces, the criterion's first); map the feedback to the criterion's "
+                "space");
+  return Match;
 }
-template <class CriterionsTarget, class ModulesTarget, class CriterionsFeedback, class MappedFeedback>
+template <class CriterionTarget, class ModuleTarget, class CriterionFeedback, class MappedFeedback>
 constexpr bool check_criterion() {
-  if constexpr (check_target<CriterionsTarget, ModulesTarget>())
-    return check_feedback<CriterionsFeedback, MappedFeedback>();
+  if constexpr (check_target<CriterionTarget, ModuleTarget>())
+    return check_feedback<CriterionFeedback, MappedFeedback>();
   else return false;
 }
 
-// Stands for a criterion that has been reported.
+// Replaces a criterion that was refused, so that its mistake causes no further errors.
 template <class Target, class Feedback>
-struct unmeasured {
+struct placeholder_criterion {
   auto process(in<"target", Target>, in<"feedback", Feedback>)
       -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> {
     return {};
   }
 };
 
-// A control_through<...> names an input that its module or its criterion has besides those of the roles.
+// Whether a control_through<...> names an input of the module or the criterion that has no role.
 template <class Option, class ModulePorts, class ModuleRoles, class CriterionPorts, class CriterionRoles>
-constexpr bool names_an_input = true;
+constexpr bool control_exists = true;
 template <fixed_string Name, class Ports, class Roles>
-constexpr bool has_input = false;
+constexpr bool has_control_input = false;
 template <fixed_string Name, class Ports, fixed_string... Roles>
-constexpr bool has_input<Name, Ports, roles<Roles...>> =
+constexpr bool has_control_input<Name, Ports, roles<Roles...>> =
     port_at<Name, Ports>::exists && ((Name.view() != Roles.view()) && ...);
 template <fixed_string Name,
           class M,
@@ -75,17 +74,16 @@ template <fixed_string Name,
           class CriterionPorts,
           class CriterionRoles>
 constexpr bool
-    names_an_input<control_through<Name, M>, ModulePorts, ModuleRoles, CriterionPorts, CriterionRoles> =
-        has_input<Name, ModulePorts, ModuleRoles> || has_input<Name, CriterionPorts, CriterionRoles>;
+    control_exists<control_through<Name, M>, ModulePorts, ModuleRoles, CriterionPorts, CriterionRoles> =
+        has_control_input<Name, ModulePorts, ModuleRoles> ||
+        has_control_input<Name, CriterionPorts, CriterionRoles>;
 
 template <bool All>
 constexpr bool check_controls() {
   static_assert(All,
                 "wire.unknown_port: a control_through<`name`, M> of this adaptive component names no control "
-                "input that its module or its "
-                "criterion has; reference, feedback and command have options of their own: "
-                "reference_through<M>, feedback_through<M>, "
-                "command_through<M>");
+                "input of its module or its criterion; reference, feedback and command have options of their "
+                "own: reference_through<M>, feedback_through<M>, command_through<M>");
   return true;
 }
 

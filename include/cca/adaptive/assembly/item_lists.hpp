@@ -1,5 +1,5 @@
-// Tools for lists of graph items (nodes, wires, exposed ports): join lists, choose a list, make a graph from
-// a list, make a path from two names.
+// Tools for lists of graph items (nodes, wires, exposed ports): join lists, make a graph from a list, make a
+// path from two names.
 #pragma once
 
 #include <cca/graph/graph.hpp>
@@ -20,7 +20,7 @@ struct joined<list<A...>> {
 template <class... A, class... B, class... Rest>
 struct joined<list<A...>, list<B...>, Rest...> : joined<list<A..., B...>, Rest...> {};
 
-// "module" and "goal" make "module.goal".
+// path_to<"module", "goal"> is "module.goal".
 template <std::size_t A, std::size_t B>
 consteval auto with_dot(const fixed_string<A>& node, const fixed_string<B>& port) {
   char text[A + B]{};
@@ -33,6 +33,6 @@ template <fixed_string Node, fixed_string Port>
 inline constexpr auto path_to = with_dot(Node, Port);
 
 template <bool Chosen, class List>
-using if_chosen = std::conditional_t<Chosen, List, list<>>;
+using items_if = std::conditional_t<Chosen, List, list<>>;
 
 }  // namespace cca::detail

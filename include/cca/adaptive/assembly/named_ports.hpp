@@ -6,7 +6,7 @@
 
 namespace cca::detail {
 
-// A port's name as a template argument, and its space.
+// The name of a port, usable as a template argument, and its space.
 template <class Port>
 struct port_facts;
 template <template <fixed_string, class> class Kind, fixed_string Name, class Of>
@@ -16,17 +16,17 @@ struct port_facts<Kind<Name, Of>> {
 };
 template <class Type> concept NamedPort = requires { port_facts<Type>::name; };
 
-// All ports of a component, or what a graph shows.
+// All ports of a component; the exposed ports of a graph, whose spaces are not known here.
 template <fixed_string Name, class Space>
 struct exposed_port {
   static constexpr std::string_view name = Name.view();
 };
 template <class Item>
-struct exposed_by {
+struct names_exposed_by {
   using type = list<>;
 };
 template <fixed_string Inner, fixed_string Outer>
-struct exposed_by<expose<Inner, Outer>> {
+struct names_exposed_by<expose<Inner, Outer>> {
   using type = list<exposed_port<Outer, void>>;
 };
 
@@ -35,24 +35,26 @@ struct ports_in {
   using type = typename joined<typename process_facts<Component>::parameters,
                                typename process_facts<Component>::results>::type;
 };
-// Each name once: an input may feed several ports, an input and an output may have one name.
+// Keeps the first port of each name: one exposed input may feed several ports, and an input and an output may
+// share a name.
 template <class Done, class Rest>
-struct once_each {
+struct without_repeats {
   using type = Done;
 };
 template <class... Done, class First, class... Rest>
-struct once_each<list<Done...>, list<First, Rest...>>
-    : once_each<std::conditional_t<((Done::name == First::name) || ...), list<Done...>, list<Done..., First>>,
-                list<Rest...>> {};
+struct without_repeats<list<Done...>, list<First, Rest...>>
+    : without_repeats<
+          std::conditional_t<((Done::name == First::name) || ...), list<Done...>, list<Done..., First>>,
+          list<Rest...>> {};
 template <class Items>
-struct ports_shown;
+struct graph_ports;
 template <class... Items>
-struct ports_shown<list<Items...>>
-    : once_each<list<>, typename joined<list<>, typename exposed_by<Items>::type...>::type> {};
+struct graph_ports<list<Items...>>
+    : without_repeats<list<>, typename joined<list<>, typename names_exposed_by<Items>::type...>::type> {};
 template <Graph Component>
-struct ports_in<Component> : ports_shown<typename Component::cca_items> {};
+struct ports_in<Component> : graph_ports<typename Component::cca_items> {};
 
-// Whether there is a port of that name, and its space; void where a graph only shows it.
+// Whether there is a port of that name, and its space; void for the exposed port of a graph.
 template <fixed_string Name, class Ports>
 struct port_at {
   static constexpr bool exists = false;
