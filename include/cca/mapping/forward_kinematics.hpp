@@ -1,10 +1,13 @@
-// Forward kinematics as a component: where the tip of a chain is.
+// Forward kinematics as a component: the position of the tip of a chain.
 //
-//   cca::node<"paw", cca::forward_kinematics<leg, leg_angles, paw_in_trunk>>      in "angles", out "position"
+//   cca::node<"paw", cca::forward_kinematics<leg, leg_angles, paw_in_trunk>>
 //
-// The output's space is one of positions (over any of the axes x, y, z), of orientations (out "orientation")
-// or of poses (out "pose"), in the frame of the chain's base. The input's axes hold those of the chain, in
-// any order, and may hold others. Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example:
+//   in  "angles"       Joints  rad (prismatic joints: m); the axes of the chain in any order, maybe others
+//   out "position"     Tip     in the frame of the chain's base, m, over any of the axes x, y, z
+//    or "orientation"          if Tip is a space of orientations
+//    or "pose"                 if Tip is a space of poses
+//
+// Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example:
 // tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
@@ -59,22 +62,22 @@ struct tip_frame_of<Space> {
   using type = typename frame_along<typename Space::domain>::type;
 };
 
-// In a function, for the reason that stands in mapping.hpp.
+// In functions; mapping.hpp says why.
 template <class Chain, class Tip>
 constexpr auto check_tip() {
   static_assert(says_where_tip_is<Tip> && has_cartesian_axes<Tip>(),
-                "space.mismatch: kinematics lead to a space of positions over axes x, y and z, of "
-                "orientations or of poses");
+                "space.mismatch: the tip of a chain is given in a space of positions over axes x, y and z, "
+                "of orientations or of poses");
   static_assert(!says_where_tip_is<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
-                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, and "
-                "this space is in another "
-                "one; put a `cca::frame_change` in between");
+                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, but "
+                "this space has another frame; put a `cca::frame_change` in between");
 }
 template <class Chain, class Joints>
 constexpr auto check_joints_within() {
-  static_assert(MovedWithin<Chain, Joints>,
-                "space.mismatch: this space of joint angles lacks an axis that the chain moves about; its "
-                "axes must hold all of the chain's");
+  static_assert(
+      MovedWithin<Chain, Joints>,
+      "space.mismatch: this space of joint angles lacks an axis of the chain; it must have all axes "
+      "of the chain");
 }
 
 }  // namespace detail

@@ -1,18 +1,25 @@
-// A body's dynamics as components.
+// The dynamics and kinematics of a body as components.
 //
 //   cca::gravity_compensation<Body, Angles, Torques, Attitude>
-//     in "angles" (rad), optional "attitude"; out "torques" (N m) that hold the body against gravity
-//   cca::inverse_dynamics_of<Body, Angles, Velocities, Accelerations, Torques, Attitude>
-//     in "angles", "velocities" (rad/s), "accelerations" (rad/s^2), optional "attitude"; out "torques" that
-//     this motion takes
-//   cca::part_kinematics<Body, "left_front_leg", Angles, Tip>
-//     in "angles"; out "position" ("orientation", "pose": as the space is) of the part's end, in the frame of
-//     the base
+//     in  "angles"          Angles         rad (prismatic joints: m)
+//     in  "attitude"        Attitude       optional: orientation of the base in a world with z up
+//     out "torques"         Torques        N m (prismatic: N) that hold the body against gravity
 //
-// The spaces' axes hold those of the body, in any order; Angles and the like may hold others, too. "attitude"
-// is the base's orientation in a world whose z is up; not wired, the base stands upright. Parameter:
-// `gravity`, m/s^2. Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example:
-// tests/runtime/body/example.cpp.
+//   cca::inverse_dynamics_of<Body, Angles, Velocities, Accelerations, Torques, Attitude>
+//     in  "angles"          Angles         rad
+//     in  "velocities"      Velocities     rad/s
+//     in  "accelerations"   Accelerations  rad/s^2
+//     in  "attitude"        Attitude       optional
+//     out "torques"         Torques        N m that this motion needs
+//
+//   cca::part_kinematics<Body, "left_front_leg", Angles, Tip>
+//     in  "angles"          Angles         rad
+//     out "position"        Tip            end of the part, in the frame of the base, m; its name is
+//                                          "orientation" or "pose" if Tip is such a space
+//
+// The spaces have the axes of the body in any order; all but Torques may have others too. Without "attitude"
+// the base is upright. Parameter: `gravity`, m/s^2.
+// Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example: tests/runtime/body/example.cpp.
 #pragma once
 
 #include <cca/component/port.hpp>
@@ -32,7 +39,7 @@ struct base_attitude : space<orientation<upright>, axes<x, y, z>> {};
 
 namespace detail {
 
-// A body looks like a chain here: what it moves about.
+// A body as a chain: its axes and its base.
 template <Body Type>
 struct body_as_chain {
   using axes = axes_of<Type>;
@@ -45,14 +52,13 @@ constexpr auto check_moves() {
                 "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, "
                 "accelerations and torques, in this order");
   static_assert(HasAxes,
-                "space.mismatch: this space lacks an axis that the body moves about; its axes must hold all "
-                "of the body's");
+                "space.mismatch: this space lacks an axis of the body; it must have all axes of the body");
 }
 template <class Body, class Space, bool HasAxes = MovedBy<body_as_chain<Body>, Space>>
 constexpr auto check_torques() {
   static_assert(HasAxes,
-                "space.mismatch: the torques of a body are over the axes that it moves about, all of them "
-                "and no others");
+                "space.mismatch: the torques of a body have exactly the axes of the body, all of them and no "
+                "others");
 }
 
 template <class Attitude>

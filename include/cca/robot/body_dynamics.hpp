@@ -1,18 +1,17 @@
-// Inverse dynamics of a body: the torques that a motion takes, and those that hold it against gravity.
+// Inverse dynamics of a body: the torques that a motion needs, and those that hold it against gravity.
 //
 //   const cca::body_pose<oncilla_body> now(q);
-//   cca::inverse_dynamics(now, dq, ddq)                    over axes_of<oncilla_body>: N m (prismatic: N)
-//   cca::inverse_dynamics(now, dq, ddq, base).wrench       what the base must be held with: torque about its
-//   origin, then force cca::gravity_torques(now, gravity)                     the same at rest, in half the
-//   time
+//   cca::inverse_dynamics(now, dq, ddq)                 over axes_of<oncilla_body>: N m (prismatic: N)
+//   cca::inverse_dynamics(now, dq, ddq, base).wrench    on the base: torque about its origin, then force
+//   cca::gravity_torques(now, gravity)                  the same at rest, in half the time
 //
-// `base` says how the base moves and where gravity pulls, along the axes of the base: for a robot that stands
-// on the ground its gravity is (0, 0, -9.81) turned back by the trunk's orientation. A wrench f on the end of
-// a part takes -J^T f more. Parts that say nothing of what their links weigh weigh nothing.
+// `base` is the motion of the base and the direction of gravity, along the axes of the base. For a robot on
+// the ground, gravity is (0, 0, -9.81) turned back by the orientation of the trunk. A wrench f on the end of
+// a part adds -J^T f. Parts without `links` weigh nothing.
 //
 // Source: the recursive Newton-Euler algorithm (Luh, Walker, Paul 1980; Featherstone, Rigid Body Dynamics
-// Algorithms, 2008, section 5.3), all vectors along the base's axes. Checked against Orocos KDL on random
-// trees, and by power and energy. Cost: linear in the joints, nothing allocates.
+// Algorithms, 2008, section 5.3), all vectors along the axes of the base. Checked against Orocos KDL on
+// random trees, and by power and energy. Cost: linear in the number of joints; nothing allocates.
 #pragma once
 
 #include <array>
@@ -44,22 +43,22 @@ inline matrix3 matrix_of(const std::array<double, 6>& i) {
   return m;
 }
 
-// Force on a body, and its moment about a point.
+// A force on a body and its moment about a point.
 struct load {
   vector3 force = vector3::Zero(), moment = vector3::Zero();
 };
 
-// How a frame moves: rotation, its change, and the acceleration of the frame's origin.
+// The motion of a frame: angular velocity, angular acceleration, acceleration of the origin.
 struct frame_motion {
   vector3 w, dw, a;
 };
 
-// What a body needs to move so, about its frame's origin (Newton and Euler).
+// The load that moves a body like this, about the origin of its frame (Newton and Euler).
 inline load needed(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
   const vector3 c = turn * as_vector(of.centre);
   const vector3 acceleration =
       m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
-  // The inertia in its own axes, where it's constant.
+  // In the axes of the body, where the inertia is constant.
   const matrix3 inertia = matrix_of(of.about_centre);
   const vector3 dw = turn.transpose() * m.dw, w = turn.transpose() * m.w;
   const vector3 own = inertia * dw + rotation::cross<double>(w, vector3(inertia * w));
@@ -118,7 +117,7 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
   return result;
 }
 
-// At rest only weights count: of all that a joint carries, by mass and centre.
+// At rest only weights count: a joint carries the mass of all links behind it, at their common centre.
 template <int Size, std::size_t Count>
 Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links,
                                        const std::array<placed_link, Count>& placed,
