@@ -47,7 +47,7 @@ Eigen::Matrix<double, static_cast<int>(Count), 1> in_order(const random_tree<Cou
 }  // namespace
 
 TEST_SUITE("against KDL") {
-  TEST_CASE_TEMPLATE("where the links are, and their Jacobians", Count, count<1>, count<2>, count<3>,
+  TEST_CASE_TEMPLATE("positions of the links, and their Jacobians", Count, count<1>, count<2>, count<3>,
                      count<6>, count<9>) {
     constexpr std::size_t n = Count::value;
     laws::source random{std::mt19937_64{31}};
@@ -76,7 +76,7 @@ TEST_SUITE("against KDL") {
     }
   }
 
-  // KDL's trees have no base that moves; a base that accelerates is one in another gravity.
+  // The base of KDL's trees cannot move; an accelerating base equals a base in another gravity.
   TEST_CASE_TEMPLATE("inverse dynamics and gravity", Count, count<1>, count<2>, count<3>, count<6>,
                      count<9>) {
     constexpr std::size_t n = Count::value;
@@ -106,8 +106,8 @@ TEST_SUITE("against KDL") {
     }
   }
 
-  // The mass matrix and the gravity of KDL's other algorithms (composite rigid bodies; chains only).
-  TEST_CASE("the parts of a chain's dynamics") {
+  // Mass matrix and gravity by KDL's other algorithm (composite rigid bodies; chains only).
+  TEST_CASE("mass matrix, Coriolis and gravity terms of a chain") {
     constexpr std::size_t n = 6;
     using vector = Eigen::Matrix<double, static_cast<int>(n), 1>;
     laws::source random{std::mt19937_64{33}};
