@@ -91,7 +91,7 @@ public:
   using settings = typename Rule::settings;
   using learned = typename Rule::learned;
 
-  // In a beat.
+  // For use in a beat.
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
@@ -124,7 +124,7 @@ public:
     else if (call == learning_call::forget && changed(learning_change::forget)) clear();
   }
 
-  // Between two beats.
+  // For use between two beats.
   void collect() { change(detail::learning_change::collect, "collect()"); }
   void learn()
     requires OnlineLearner<Rule>

@@ -63,8 +63,8 @@ Eigen::Matrix<double, Size, 1> solve_positive(Eigen::Matrix<double, Size, Size> 
 // The task of the tip: the rows of the Jacobian that count, and the error along them.
 template <class Space, class Settings>
 struct tip_task {
-  static constexpr bool of_position = one_kind<typename Space::domain, cartesian_position<void>>;
-  static constexpr bool of_pose = one_kind<typename Space::domain, pose<void>>;
+  static constexpr bool of_position = same_kind<typename Space::domain, cartesian_position<void>>;
+  static constexpr bool of_pose = same_kind<typename Space::domain, pose<void>>;
   static constexpr int rows = of_position ? Space::size : of_pose ? 6 : 3;
   using vector = Eigen::Matrix<double, rows, 1>;
 
@@ -104,8 +104,8 @@ CCA_GLUE bool readable(typename Space::vector_type& wanted, double span) {
     if (!std::isfinite(wanted[i])) return false;
     if (i < 3) largest = std::max(largest, std::abs(wanted[i]));
   }
-  constexpr bool turned = !one_kind<typename Space::domain, cartesian_position<void>>;
-  constexpr bool placed = !one_kind<typename Space::domain, orientation<void>>;
+  constexpr bool turned = !same_kind<typename Space::domain, cartesian_position<void>>;
+  constexpr bool placed = !same_kind<typename Space::domain, orientation<void>>;
   if constexpr (placed) {
     const double farthest = 1e6 * span;
     constexpr int part = turned ? 3 : Space::size;

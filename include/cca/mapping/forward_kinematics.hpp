@@ -20,30 +20,30 @@ namespace detail {
 
 template <class Space>
 constexpr auto tip_port() {
-  if constexpr (one_kind<typename Space::domain, pose<void>>) return fixed_string("pose");
-  else if constexpr (one_kind<typename Space::domain, orientation<void>>) return fixed_string("orientation");
+  if constexpr (same_kind<typename Space::domain, pose<void>>) return fixed_string("pose");
+  else if constexpr (same_kind<typename Space::domain, orientation<void>>) return fixed_string("orientation");
   else return fixed_string("position");
 }
 
 template <class Space>
-constexpr bool says_where_tip_is =
-    one_kind<typename Space::domain, cartesian_position<void>> ||
-    one_kind<typename Space::domain, orientation<void>> || one_kind<typename Space::domain, pose<void>>;
+constexpr bool is_tip_space =
+    same_kind<typename Space::domain, cartesian_position<void>> ||
+    same_kind<typename Space::domain, orientation<void>> || same_kind<typename Space::domain, pose<void>>;
 
 template <class Space>
 constexpr bool has_cartesian_axes() {
-  return !one_kind<typename Space::domain, cartesian_position<void>> ||
+  return !same_kind<typename Space::domain, cartesian_position<void>> ||
          cartesian_part<typename Space::axes>::named;
 }
 
 template <class Space>
 typename Space::vector_type tip_in(const rigid& tip) {
-  if constexpr (one_kind<typename Space::domain, pose<void>>) {
+  if constexpr (same_kind<typename Space::domain, pose<void>>) {
     typename Space::vector_type v;
     v.template head<3>() = tip.at;
     v.template tail<4>() = quaternion_of(tip.turn);
     return v;
-  } else if constexpr (one_kind<typename Space::domain, orientation<void>>) {
+  } else if constexpr (same_kind<typename Space::domain, orientation<void>>) {
     return quaternion_of(tip.turn);
   } else {
     typename Space::vector_type v;
@@ -65,10 +65,10 @@ struct tip_frame_of<Space> {
 // In functions; mapping.hpp says why.
 template <class Chain, class Tip>
 constexpr auto check_tip() {
-  static_assert(says_where_tip_is<Tip> && has_cartesian_axes<Tip>(),
+  static_assert(is_tip_space<Tip> && has_cartesian_axes<Tip>(),
                 "space.mismatch: the tip of a chain is given in a space of positions over axes x, y and z, "
                 "of orientations or of poses");
-  static_assert(!says_where_tip_is<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
+  static_assert(!is_tip_space<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
                 "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, but "
                 "this space has another frame; put a `cca::frame_change` in between");
 }
@@ -89,7 +89,7 @@ struct forward_kinematics {
 
   auto process(in<"angles", Joints> angles) -> out<detail::tip_port<Tip>(), Tip> {
     return detail::tip_in<Tip>(
-        chain_pose<Chain>(detail::picked<typename Chain::axes, Joints>::from(angles.vector())).tip());
+        chain_pose<Chain>(detail::reordered<typename Chain::axes, Joints>::from(angles.vector())).tip());
   }
 };
 

@@ -31,7 +31,7 @@ struct solver_of {
 // The closed form fits positions only: with two joints over x and z, if the plane of the leg is that of the
 // base's x and z; with three joints over x, y and z.
 template <PantographLeg Leg, class Joints, class Tip, class Settings>
-  requires(one_kind<typename Tip::domain, cartesian_position<void>> &&
+  requires(same_kind<typename Tip::domain, cartesian_position<void>> &&
            ((Leg::axes::count == 2 && std::is_same_v<typename Tip::axes, axes<x, z>> &&
              Leg::geometry.hip.rotation[0] == 0 && Leg::geometry.hip.rotation[2] == 0) ||
             (Leg::axes::count == 3 && std::is_same_v<typename Tip::axes, axes<x, y, z>>)))
@@ -52,7 +52,7 @@ template <SerialChain Chain, class Joints, class Tip, class Settings = damped_le
 class inverse_kinematics {
   using solver = typename detail::solver_of<Chain, Joints, Tip, Settings>::type;
   using limits = detail::chain_limits<Chain, Joints>;
-  using order = detail::picked<typename Chain::axes, Joints>;
+  using order = detail::reordered<typename Chain::axes, Joints>;
   using vector = typename solver::vector;
 
 public:

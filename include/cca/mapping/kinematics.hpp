@@ -124,9 +124,9 @@ inline vector4 quaternion_of(const matrix3& m) {
 
 // Angles in the order of the chain's axes, from and to a space with these axes in any order.
 template <class Wanted, class Space>
-struct picked;
+struct reordered;
 template <class... Wanted, class Space>
-struct picked<axes<Wanted...>, Space> {
+struct reordered<axes<Wanted...>, Space> {
   static constexpr bool all = (Space::axes::template contains<Wanted> && ...);
   static constexpr std::array<int, sizeof...(Wanted)> index{Space::axes::template index_of<Wanted>...};
 
@@ -148,8 +148,8 @@ struct picked<axes<Wanted...>, Space> {
 
 // The space has the axes of the chain and no others; the space has at least the axes of the chain.
 template <class Chain, class Space> concept MovedBy =
-    picked<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
-template <class Chain, class Space> concept MovedWithin = picked<typename Chain::axes, Space>::all;
+    reordered<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
+template <class Chain, class Space> concept MovedWithin = reordered<typename Chain::axes, Space>::all;
 
 }  // namespace detail
 

@@ -54,40 +54,40 @@ template <class Function, class From> concept TakesVector =
     !TakesSample<Function, From> && std::is_invocable_v<Function&, const typename From::vector_type&>;
 
 template <class Function, class From>
-struct image;
+struct result_of;
 template <class Function, class From>
   requires TakesSample<Function, From>
-struct image<Function, From> {
+struct result_of<Function, From> {
   using type = std::remove_cvref_t<std::invoke_result_t<Function&, const sample<From>&>>;
 };
 template <class Function, class From>
   requires TakesVector<Function, From>
-struct image<Function, From> {
+struct result_of<Function, From> {
   using type = std::remove_cvref_t<std::invoke_result_t<Function&, const typename From::vector_type&>>;
 };
 
 // Whether the result of a function lies in a space: a sample of the space, a vector of its size, or a number
 // if it has one axis.
-template <class Image, class To>
-constexpr bool lands() {
-  if constexpr (Sample<Image>) return matching<typename Image::space, To>;
-  else if constexpr (EigenVector<Image>)
-    return Image::RowsAtCompileTime == To::size && Image::ColsAtCompileTime == 1;
-  else return To::size == 1 && std::is_convertible_v<Image, double>;
+template <class Result, class To>
+constexpr bool lies_in() {
+  if constexpr (Sample<Result>) return matching<typename Result::space, To>;
+  else if constexpr (EigenVector<Result>)
+    return Result::RowsAtCompileTime == To::size && Result::ColsAtCompileTime == 1;
+  else return To::size == 1 && std::is_convertible_v<Result, double>;
 }
 
-template <class Image, class Space> concept LandsIn = lands<Image, Space>();
+template <class Result, class Space> concept LiesIn = lies_in<Result, Space>();
 
 template <class Function, class From> concept Takes =
     TakesSample<Function, From> || TakesVector<Function, From>;
 
-template <class Function, class From, class To> concept Lands =
-    Takes<Function, From> && LandsIn<typename image<Function, From>::type, To>;
+template <class Function, class From, class To> concept MapsInto =
+    Takes<Function, From> && LiesIn<typename result_of<Function, From>::type, To>;
 
-template <class To, class Image>
-constexpr typename To::vector_type coordinates_of(const Image& y) {
-  if constexpr (Sample<Image>) return y.vector();
-  else if constexpr (EigenVector<Image>) return y;
+template <class To, class Result>
+constexpr typename To::vector_type coordinates_of(const Result& y) {
+  if constexpr (Sample<Result>) return y.vector();
+  else if constexpr (EigenVector<Result>) return y;
   else return To::vector_type::Constant(static_cast<double>(y));
 }
 
@@ -96,7 +96,7 @@ template <class From, class To, class Function>
 struct mapping_by : Function {
   auto process(in<"input", From> input) -> out<"output", To> {
     Function& f = *this;
-    if constexpr (!Lands<Function, From, To>) return {};
+    if constexpr (!MapsInto<Function, From, To>) return {};
     else if constexpr (TakesSample<Function, From>)
       return coordinates_of<To>(f(static_cast<const sample<From>&>(input)));
     else return coordinates_of<To>(f(input.vector()));
@@ -110,7 +110,7 @@ constexpr auto check_mapping() {
   static_assert(Takes<Function, From>,
                 "cca::mapping: its function can be called neither with a sample of the input space nor with "
                 "its vector");
-  static_assert(!Takes<Function, From> || Lands<Function, From, To>,
+  static_assert(!Takes<Function, From> || MapsInto<Function, From, To>,
                 "space.mismatch: the function of this mapping returns neither a sample nor a vector nor a "
                 "number of the output space; return one of these, or name the space that it returns as the "
                 "second argument of the mapping");
@@ -120,7 +120,7 @@ constexpr auto check_transformation() {
   static_assert(Takes<Function, Space>,
                 "cca::transformation: its function can be called neither with a sample of its space nor with "
                 "its vector");
-  static_assert(!Takes<Function, Space> || Lands<Function, Space, Space>,
+  static_assert(!Takes<Function, Space> || MapsInto<Function, Space, Space>,
                 "transform.leaves_space: the function of this transformation returns something that lies in "
                 "another space (domain type, frame, axes or rate) than its input; a transformation stays in "
                 "its space, so return a sample or a vector of that space, or use `cca::mapping<from, to, "

@@ -90,7 +90,7 @@ constexpr auto statuses_among(const Result& all) {
 
 // Calls `process` of a mapping and returns its result as a tuple. All other inputs count as not wired.
 template <class Component, class... Parameters, class Input>
-constexpr auto called(
+constexpr auto call_mapping(
     Component& component, list<Parameters...>, const Input& input, const beat& now, bool fresh) {
   return as_tuple(component.process([&]() -> Parameters {
     if constexpr (is_mapped<Parameters>) return Parameters(input.vector(), input.origin(), fresh);
@@ -99,8 +99,8 @@ constexpr auto called(
   }()...));
 }
 template <class Component, class Input>
-constexpr auto called(Component& component, const Input& input, const beat& now, bool fresh = true) {
-  return called(component, typename process_facts<Component>::parameters(), input, now, fresh);
+constexpr auto call_mapping(Component& component, const Input& input, const beat& now, bool fresh = true) {
+  return call_mapping(component, typename process_facts<Component>::parameters(), input, now, fresh);
 }
 
 template <class Tuple>
@@ -146,7 +146,7 @@ private:
   template <std::size_t Index, class First_, class Input, class Statuses>
   result run(const First_& first, const Input& input, const beat& now, const Statuses& before) {
     auto& mapping = std::get<Index>(mappings);
-    const auto made = detail::called(mapping, input, now, first.fresh());
+    const auto made = detail::call_mapping(mapping, input, now, first.fresh());
     const auto output = detail::output_in(made);
     const auto statuses = std::tuple_cat(before, detail::statuses_among(made));
     if constexpr (Index == sizeof...(Rest)) return std::tuple_cat(std::tuple(output), statuses);

@@ -51,17 +51,17 @@ struct frame_along<wrench<At, In>> {
 };
 
 template <class Domain, class Other>
-constexpr bool one_kind = false;
+constexpr bool same_kind = false;
 template <class A, class B>
-constexpr bool one_kind<cartesian_position<A>, cartesian_position<B>> = true;
+constexpr bool same_kind<cartesian_position<A>, cartesian_position<B>> = true;
 template <class A, class B>
-constexpr bool one_kind<orientation<A>, orientation<B>> = true;
+constexpr bool same_kind<orientation<A>, orientation<B>> = true;
 template <class A, class B>
-constexpr bool one_kind<pose<A>, pose<B>> = true;
+constexpr bool same_kind<pose<A>, pose<B>> = true;
 template <class A, class I, class B, class J>
-constexpr bool one_kind<twist<A, I>, twist<B, J>> = true;
+constexpr bool same_kind<twist<A, I>, twist<B, J>> = true;
 template <class A, class I, class B, class J>
-constexpr bool one_kind<wrench<A, I>, wrench<B, J>> = true;
+constexpr bool same_kind<wrench<A, I>, wrench<B, J>> = true;
 
 template <class Domain>
 struct acting {
@@ -76,7 +76,7 @@ struct acting<wrench<At, In>> {
   using at = At;
 };
 
-constexpr bool turns(const placement& p) {
+constexpr bool rotates(const placement& p) {
   return p.rotation[0] != 0 || p.rotation[1] != 0 || p.rotation[2] != 0;
 }
 
@@ -99,16 +99,16 @@ typename Space::vector_type moved_by(const placement& where, const typename Spac
   const vector3 t = as_vector(where.translation);
   const vector4 q = as_vector(where.rotation);
   typename Space::vector_type result = v;
-  if constexpr (one_kind<domain, cartesian_position<void>>) {
+  if constexpr (same_kind<domain, cartesian_position<void>>) {
     if constexpr (Space::size == 3 && std::is_same_v<typename Space::axes, axes<x, y, z>>) {
       result = rotation::rotate(q, vector3(v)) + t;
     } else {
       using part = cartesian_part<typename Space::axes>;
       for (int i = 0; i < Space::size; ++i) result[i] += t[part::of[static_cast<std::size_t>(i)]];
     }
-  } else if constexpr (one_kind<domain, orientation<void>>) {
+  } else if constexpr (same_kind<domain, orientation<void>>) {
     result = rotation::product(q, vector4(v));
-  } else if constexpr (one_kind<domain, pose<void>>) {
+  } else if constexpr (same_kind<domain, pose<void>>) {
     result.template head<3>() = rotation::rotate(q, vector3(v.template head<3>())) + t;
     result.template tail<4>() = rotation::product(q, vector4(v.template tail<4>()));
   } else {
@@ -124,10 +124,10 @@ typename Space::vector_type moved_by(const placement& where, const typename Spac
 
 template <class Space>
 constexpr bool movable(const placement& by) {
-  if constexpr (!one_kind<typename Space::domain, cartesian_position<void>>) return true;
+  if constexpr (!same_kind<typename Space::domain, cartesian_position<void>>) return true;
   else
     return std::is_same_v<typename Space::axes, axes<x, y, z>> ||
-           (cartesian_part<typename Space::axes>::named && !turns(by));
+           (cartesian_part<typename Space::axes>::named && !rotates(by));
 }
 
 }  // namespace detail
@@ -156,7 +156,7 @@ struct frame_change_facts {
   using to = typename To::domain;
   using from_at = typename acting<from>::at;
   using to_at = typename acting<to>::at;
-  static constexpr bool kind = one_kind<from, to> && std::is_same_v<typename From::axes, typename To::axes>;
+  static constexpr bool kind = same_kind<from, to> && std::is_same_v<typename From::axes, typename To::axes>;
   static constexpr bool starts = SameFrame<typename frame_along<from>::type, typename Where::thing>;
   static constexpr bool ends = SameFrame<typename frame_along<to>::type, typename Where::frame>;
   static constexpr bool stays = std::is_same_v<from_at, to_at>;
@@ -189,7 +189,7 @@ constexpr auto check_frame_change() {
 
 template <class By>
 constexpr auto check_translation() {
-  static_assert(!turns(By::where),
+  static_assert(!rotates(By::where),
                 "cca::translation_by: this placement also rotates; use `cca::rigid_motion`");
 }
 template <class By>

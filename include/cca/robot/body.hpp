@@ -91,22 +91,22 @@ struct attachments {
 
 // In functions; mapping.hpp says why. Compilers print their arguments. Each rule is reported for the first
 // part that breaks it, loops before unattached parts.
-template <class Part, bool HangsInTree>
+template <class Part, bool IsTree>
 constexpr auto check_tree() {
   static_assert(
-      HangsInTree,
+      IsTree,
       "body.cycle: the parts of this body close a loop: a part is attached, over others, to itself, "
       "or two chains end in one frame (or one in the base); a body is a tree or a star, so let each "
       "chain end in a frame of its own, and leave out the joint that closes the loop");
-  return std::bool_constant<HangsInTree>{};
+  return std::bool_constant<IsTree>{};
 }
-template <class Part, bool HangsOnSomething>
+template <class Part, bool IsAttached>
 constexpr auto check_parent() {
-  static_assert(HangsOnSomething,
+  static_assert(IsAttached,
                 "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is "
                 "neither the body's base nor the end of another part; begin it in one of those, or add the "
                 "part that leads there");
-  return std::bool_constant<HangsOnSomething>{};
+  return std::bool_constant<IsAttached>{};
 }
 template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_cycles() {
@@ -184,18 +184,18 @@ namespace detail {
 
 // Whether a graph has a resource node of that name; a dotted path names one of an inner graph.
 template <class Items>
-struct nodes_among;
+struct nodes_in_items;
 template <class Item>
-struct resource_under {
+struct resource_at {
   static constexpr bool has(std::string_view) { return false; }
 };
 template <class Type>
 constexpr bool has_resource(std::string_view path) {
-  if constexpr (Graph<Type>) return nodes_among<typename Type::cca_items>::has(path);
+  if constexpr (Graph<Type>) return nodes_in_items<typename Type::cca_items>::has(path);
   else return false;
 }
 template <fixed_string Name, class Component, class Strategy>
-struct resource_under<node<Name, Component, Strategy>> {
+struct resource_at<node<Name, Component, Strategy>> {
   static constexpr bool has(std::string_view path) {
     if (!path.starts_with(Name.view())) return false;
     const auto rest = path.substr(Name.view().size());
@@ -204,8 +204,8 @@ struct resource_under<node<Name, Component, Strategy>> {
   }
 };
 template <class... Items>
-struct nodes_among<list<Items...>> {
-  static constexpr bool has(std::string_view path) { return (resource_under<Items>::has(path) || ...); }
+struct nodes_in_items<list<Items...>> {
+  static constexpr bool has(std::string_view path) { return (resource_at<Items>::has(path) || ...); }
 };
 
 template <class Part, class Graph> concept DrivenIn = [] {

@@ -47,7 +47,7 @@ struct body_as_chain {
 };
 
 template <class Body, class Domain, class Space, bool HasAxes = MovedWithin<body_as_chain<Body>, Space>>
-constexpr auto check_moves() {
+constexpr auto check_axes() {
   static_assert(std::is_same_v<typename Space::domain, Domain>,
                 "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, "
                 "accelerations and torques, in this order");
@@ -62,7 +62,7 @@ constexpr auto check_torques() {
 }
 
 template <class Attitude>
-vector3 gravity_seen(const Attitude& attitude, double gravity) {
+vector3 gravity_in_base(const Attitude& attitude, double gravity) {
   const vector3 down{0, 0, -gravity};
   return attitude ? rotation::rotate(rotation::inverse(vector4(attitude.vector())), down) : down;
 }
@@ -71,17 +71,17 @@ vector3 gravity_seen(const Attitude& attitude, double gravity) {
 
 template <Body Type, class Angles, class Torques, class Attitude = base_attitude>
 struct gravity_compensation {
-  using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()),
-                              decltype(detail::check_moves<Type, joint_torques, Torques>()),
+  using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
+                              decltype(detail::check_axes<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
   parameters p{9.81};
 
   auto process(in<"angles", Angles> angles, optional_in<"attitude", Attitude> attitude)
       -> out<"torques", Torques> {
-    const body_pose<Type> now(detail::picked<axes_of<Type>, Angles>::from(angles.vector()));
-    return detail::picked<axes_of<Type>, Torques>::to(
-        gravity_torques(now, detail::gravity_seen(attitude, p.gravity)));
+    const body_pose<Type> now(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()));
+    return detail::reordered<axes_of<Type>, Torques>::to(
+        gravity_torques(now, detail::gravity_in_base(attitude, p.gravity)));
   }
 };
 
@@ -92,10 +92,10 @@ template <Body Type,
           class Torques,
           class Attitude = base_attitude>
 struct inverse_dynamics_of {
-  using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()),
-                              decltype(detail::check_moves<Type, joint_velocities, Velocities>()),
-                              decltype(detail::check_moves<Type, joint_accelerations, Accelerations>()),
-                              decltype(detail::check_moves<Type, joint_torques, Torques>()),
+  using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
+                              decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
+                              decltype(detail::check_axes<Type, joint_accelerations, Accelerations>()),
+                              decltype(detail::check_axes<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
   parameters p{9.81};
@@ -104,12 +104,12 @@ struct inverse_dynamics_of {
                in<"velocities", Velocities> velocities,
                in<"accelerations", Accelerations> accelerations,
                optional_in<"attitude", Attitude> attitude) -> out<"torques", Torques> {
-    const body_pose<Type> now(detail::picked<axes_of<Type>, Angles>::from(angles.vector()));
+    const body_pose<Type> now(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()));
     base_motion base;
-    base.gravity = detail::gravity_seen(attitude, p.gravity);
-    return detail::picked<axes_of<Type>, Torques>::to(
-        inverse_dynamics(now, detail::picked<axes_of<Type>, Velocities>::from(velocities.vector()),
-                         detail::picked<axes_of<Type>, Accelerations>::from(accelerations.vector()), base)
+    base.gravity = detail::gravity_in_base(attitude, p.gravity);
+    return detail::reordered<axes_of<Type>, Torques>::to(
+        inverse_dynamics(now, detail::reordered<axes_of<Type>, Velocities>::from(velocities.vector()),
+                         detail::reordered<axes_of<Type>, Accelerations>::from(accelerations.vector()), base)
             .torques);
   }
 };
@@ -117,11 +117,12 @@ struct inverse_dynamics_of {
 template <Body Type, fixed_string Part, class Angles, class Tip>
 struct part_kinematics {
   using checked = std::void_t<decltype(detail::check_tip<detail::body_as_chain<Type>, Tip>()),
-                              decltype(detail::check_moves<Type, joint_angles, Angles>())>;
+                              decltype(detail::check_axes<Type, joint_angles, Angles>())>;
 
   auto process(in<"angles", Angles> angles) -> out<detail::tip_port<Tip>(), Tip> {
     return detail::tip_in<Tip>(
-        body_pose<Type>(detail::picked<axes_of<Type>, Angles>::from(angles.vector())).template tip<Part>());
+        body_pose<Type>(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()))
+            .template tip<Part>());
   }
 };
 

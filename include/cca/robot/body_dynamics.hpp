@@ -54,7 +54,7 @@ struct frame_motion {
 };
 
 // The load that moves a body like this, about the origin of its frame (Newton and Euler).
-inline load needed(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
+inline load load_for(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
   const vector3 c = turn * as_vector(of.centre);
   const vector3 acceleration =
       m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
@@ -98,12 +98,12 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
     } else {
       m.a += along_change + 2 * rotation::cross<double>(p.w, along);
     }
-    loads[i] = needed(l.inertia, placed[i].frame.turn, m);
+    loads[i] = load_for(l.inertia, placed[i].frame.turn, m);
   }
 
   dynamics_result<Size> result;
   result.torques.setZero();
-  load at_base = needed(base_weight, matrix3::Identity(), root);
+  load at_base = load_for(base_weight, matrix3::Identity(), root);
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
     result.torques[l.coordinate] +=
@@ -119,9 +119,9 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
 
 // At rest only weights count: a joint carries the mass of all links behind it, at their common centre.
 template <int Size, std::size_t Count>
-Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links,
-                                       const std::array<placed_link, Count>& placed,
-                                       const vector3& gravity) {
+Eigen::Matrix<double, Size, 1> torques_at_rest(const std::array<body_link, Count>& links,
+                                               const std::array<placed_link, Count>& placed,
+                                               const vector3& gravity) {
   std::array<double, Count> mass;
   std::array<vector3, Count> moment;  // mass times centre, from the base's origin
   for (std::size_t i = 0; i < Count; ++i) {
@@ -160,7 +160,8 @@ auto inverse_dynamics(const body_pose<Type>& now,
 template <Body Type>
 auto gravity_torques(const body_pose<Type>& now,
                      const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
-  return detail::weights<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(), gravity);
+  return detail::torques_at_rest<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(),
+                                                        gravity);
 }
 
 }  // namespace cca

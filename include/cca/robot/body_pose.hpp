@@ -137,7 +137,7 @@ public:
     return detail::centre_of_mass(tree.links, placed, detail::base_inertia_of<Type>());
   }
 
-  // For body_dynamics.hpp.
+  // Used by body_dynamics.hpp.
   const auto& links() const { return placed; }
 
 private:
