@@ -45,14 +45,14 @@ struct control_option<Input, control_through<Input, Mapping>, Rest...> {
 template <fixed_string Input, class Other, class... Rest>
 struct control_option<Input, Other, Rest...> : control_option<Input, Rest...> {};
 
-template <class Type> concept StrategyOption =
+template <class Type> concept StatesStrategy =
     strategy_of<Type>.kind != strategy_kind::user || requires { &Type::template fires<any_inputs>; };
 
 template <class... Options>
 struct strategy_option {
   using type = timed<1>;
 };
-template <StrategyOption First, class... Rest>
+template <StatesStrategy First, class... Rest>
 struct strategy_option<First, Rest...> {
   using type = First;
 };
@@ -78,7 +78,7 @@ template <criterion_target Default, class First, class... Rest>
 inline constexpr criterion_target target_option<Default, First, Rest...> = target_option<Default, Rest...>;
 
 template <class Type>
-constexpr bool is_component_option = StrategyOption<Type>;
+constexpr bool is_component_option = StatesStrategy<Type>;
 template <fixed_string A, fixed_string B, fixed_string C>
 constexpr bool is_component_option<named<A, B, C>> = true;
 template <criterion_target Target>
