@@ -16,7 +16,7 @@ std::size_t allocations();  // the number so far, by new and delete (allocations
 // Calls a mapping directly; returns the outputs as a tuple.
 template <class Mapping, class Vector>
 auto map_all(Mapping& m, const Vector& v) {
-  return cca::detail::called(m, cca::sample<cca::input_space<Mapping>>(v), cca::beat{0, 1'000'000, 1});
+  return cca::detail::call_mapping(m, cca::sample<cca::input_space<Mapping>>(v), cca::beat{0, 1'000'000, 1});
 }
 template <class Mapping, class Vector>
 auto map(Mapping& m, const Vector& v) {

@@ -101,7 +101,7 @@ TEST_SUITE("against KDL") {
       const vector zero = vector::Zero();
       KDL::TreeIdSolver_RNE resting(t.tree, kdl(base.gravity));
       REQUIRE(resting.CartToJnt(t.joints(q), t.joints(zero), t.joints(zero), {}, torques) >= 0);
-      const auto held = cca::detail::weights<static_cast<int>(n)>(t.links, links, base.gravity);
+      const auto held = cca::detail::torques_at_rest<static_cast<int>(n)>(t.links, links, base.gravity);
       CHECK((held - in_order(t, torques)).norm() < exact * (1 + held.norm()));
     }
   }
@@ -130,8 +130,8 @@ TEST_SUITE("against KDL") {
       const vector ours =
           cca::detail::newton_euler<n, static_cast<int>(n)>(t.links, links, {}, dq, ddq, base).torques;
       CHECK((ours - theirs).norm() < exact * (1 + theirs.norm()));
-      CHECK((cca::detail::weights<static_cast<int>(n)>(t.links, links, base.gravity) - gravity.data).norm() <
-            exact * (1 + gravity.data.norm()));
+      CHECK((cca::detail::torques_at_rest<static_cast<int>(n)>(t.links, links, base.gravity) - gravity.data)
+                .norm() < exact * (1 + gravity.data.norm()));
     }
   }
 }
