@@ -1,8 +1,7 @@
-// The laws of an Adaptive Component, stated once and run over every one of them.
+// The laws of an Adaptive Component, stated once and run for each kind.
 //
-// A case is a graph in which the component is the node "skill", its feedback comes from the node "robot", and
-// `observe<"skill.*">` is an item. Within `Case::beats` beats the component has taken all the states in
-// `Case::expected()`.
+// A case is a graph with the component as node "skill", its feedback from the node "robot", and an item
+// `observe<"skill.*">`. Within `Case::beats` beats it takes each status of `Case::expected()`, and no other.
 #pragma once
 
 #include <cstring>
@@ -19,7 +18,7 @@
 namespace laws {
 
 template <class Graph>
-std::map<std::string, std::vector<double>> observed_values(const cca::controller<Graph>& c) {
+std::map<std::string, std::vector<double>> told(const cca::controller<Graph>& c) {
   std::map<std::string, std::vector<double>> all;
   c.observed([&](const cca::observation& one) {
     all[std::string(one.path)] = {one.values.begin(), one.values.end()};
@@ -45,7 +44,7 @@ void adaptive_component() {
     const std::size_t before = allocations();
     c.step();
     allocated += allocations() - before;
-    const auto now = observed_values(c);
+    const auto now = told(c);
     const auto state = static_cast<cca::criterion_state>(now.at("skill.criterion.state")[0]);
     const auto component = static_cast<cca::component_status>(now.at("skill.status.component")[0]);
     const auto& module = now.at("skill.status.module");
@@ -59,13 +58,13 @@ void adaptive_component() {
     seen.insert(component);
     if (k < Case::beats / 2) continue;
     copy.step();
-    same &= observed_values(copy) == now;
+    same &= told(copy) == now;
   }
   CHECK_MESSAGE(allocated == 0, "nothing allocates in a beat");
   CHECK_MESSAGE(true_status, "component status follows from ode status, module status and criterion");
   CHECK_MESSAGE(true_state, "fulfilled means near, lost means far");
-  CHECK_MESSAGE(same, "a copy goes on as the original, to the bit");
-  CHECK_MESSAGE(seen == Case::expected(), "it has taken all expected states");
+  CHECK_MESSAGE(same, "a copy continues like the original, bit for bit");
+  CHECK_MESSAGE(seen == Case::expected(), "it took all expected statuses");
 }
 
 }  // namespace laws

@@ -1,8 +1,8 @@
-// The laws of a Learner, stated once and run over every one of them.
+// The laws of a Learner, stated once and run for every learner.
 //
-// A case has `Case::learner`; `Case::input(source)`, a random input of the trained region; `Case::truth(x)`,
-// the function to learn; `Case::far()`, an input far from the trained region; `Case::left`, the largest part
-// of the error that may be left. `laws::allocations()` counts calls of malloc; the test program defines it.
+// A case has `Case::learner`; `Case::input(source)`, a random input of its trained region; `Case::truth(x)`,
+// the function to learn; `Case::far()`, an input far from the region; `Case::left`, the largest fraction of
+// the error that may remain. `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
 #include <cmath>
@@ -47,8 +47,8 @@ std::string as_text(const typename Case::learner::learned& known) {
       cca::detail::schema_of<typename Case::learner::learned>, &known);
 }
 
-// The error on new inputs falls to the case's bound; every answer is finite; the same examples give the same
-// result.
+// The error on unseen inputs falls to the fraction of the case; everything stays finite; the same examples
+// give the same result.
 template <class Case>
 void learns_in_batch() {
   using learner = typename Case::learner;
@@ -58,11 +58,10 @@ void learns_in_batch() {
   const double before = rms_error<Case>(*nothing), left = rms_error<Case>(*known);
   CHECK_MESSAGE(left < Case::left * before, "error in batch: " << before << " before, " << left << " left");
   CHECK_MESSAGE(as_text<Case>(learner::batch(all, {})) == as_text<Case>(*known),
-                "the same examples, the same to the bit");
+                "the same examples give the same result, bit for bit");
 }
 
-// With each decade of examples the error falls, or rises by at most a hundredth once it has reached its
-// floor.
+// Online the error falls from each decade of examples to the next, or stays within 1 % at its floor.
 template <class Case>
 void learns_online() {
   using learner = typename Case::learner;
@@ -81,7 +80,7 @@ void learns_online() {
   CHECK_MESSAGE(last < Case::left * before, "error online: " << before << " before, " << last << " left");
 }
 
-// Saving and loading changes nothing: the same text, and the same answers to the bit.
+// Saving and loading gives the same text, and the same answers bit for bit.
 template <class Case>
 void keeps() {
   using learner = typename Case::learner;
@@ -90,7 +89,7 @@ void keeps() {
   const auto text = as_text<Case>(*known);
   cca::detail::read_learned(text, "text", {std::string(learner::model::title()), std::string(learner::name)},
                             cca::detail::schema_of<typename learner::learned>, again.get());
-  CHECK_MESSAGE(as_text<Case>(*again) == text, "saved again it is the same text");
+  CHECK_MESSAGE(as_text<Case>(*again) == text, "written again with the same text");
   for (const auto& one : examples<Case>(50, 4))
     CHECK_MESSAGE(
         learner::model::answer(known->function, one.x) == learner::model::answer(again->function, one.x),
@@ -105,7 +104,7 @@ void tells() {
   const auto side = std::make_unique<cca::training<learner, 200>>();
   const auto all = examples<Case>(300, 5);
   CHECK(side->state() == cca::learning::idle);
-  CHECK_MESSAGE(side->region(all[0].x, s) == cca::trained_region::outside, "nothing is known at first");
+  CHECK_MESSAGE(side->region(all[0].x, s) == cca::trained_region::outside, "outside at first");
   side->teach(all[0].x, all[0].y, s);
   CHECK_MESSAGE(side->example_count() == 0, "idle, it keeps no examples");
   side->collect();
@@ -117,8 +116,8 @@ void tells() {
   side->teach(broken.x, broken.y, s);
   CHECK_MESSAGE(allocations() == before, "collecting does not allocate");
   CHECK_MESSAGE(side->example_count() == 200, "it keeps the newest examples");
-  CHECK_MESSAGE(side->examples().front().x == all[100].x, "in order");
-  CHECK_MESSAGE(side->examples().back().x == all[299].x, "numbers that are not finite are ignored");
+  CHECK_MESSAGE(side->examples().front().x == all[100].x, "it keeps their order");
+  CHECK_MESSAGE(side->examples().back().x == all[299].x, "examples that are not finite are ignored");
   const auto work = side->begin_batch(s);
   CHECK(side->state() == cca::learning::batch);
   const auto known = std::make_unique<typename learner::learned>(work());
@@ -132,9 +131,9 @@ void tells() {
     sum += side->answer(all[i].x);
   }
   CHECK_MESSAGE(allocations() == before, "an answer does not allocate");
-  CHECK_MESSAGE(outside == 0, "inside where it was trained: " << outside << " of 200 are not");
+  CHECK_MESSAGE(outside == 0, "inside the trained region: " << outside << " of 200 are not");
   CHECK_MESSAGE(sum.allFinite(), "finite");
-  CHECK_MESSAGE(side->region(Case::far(), s) == cca::trained_region::outside, "outside far from there");
+  CHECK_MESSAGE(side->region(Case::far(), s) == cca::trained_region::outside, "outside far from the region");
   if constexpr (cca::OnlineLearner<learner>) {
     side->learn();
     CHECK(side->state() == cca::learning::online);
@@ -142,20 +141,21 @@ void tells() {
     for (const auto& one : all) side->teach(one.x, one.y, s);
     side->teach(broken.x, broken.y, s);
     CHECK_MESSAGE(allocations() == before, "a step does not allocate");
-    CHECK_MESSAGE(side->answer(all[0].x).allFinite(), "numbers that are not finite are ignored");
+    CHECK_MESSAGE(side->answer(all[0].x).allFinite(), "examples that are not finite are ignored");
     side->rest();
     CHECK(side->state() == cca::learning::trained);
   }
   side->forget();
   CHECK(side->state() == cca::learning::idle);
   CHECK_MESSAGE(side->region(all[200].x, s) == cca::trained_region::outside,
-                "what is forgotten is not known");
+                "after forgetting all is outside");
   const auto fresh = std::make_unique<cca::training<learner, 200>>();
-  CHECK_MESSAGE(side->answer(all[200].x) == fresh->answer(all[200].x), "nor answered");
-  CHECK_MESSAGE(side->example_count() == 0, "nor are its examples there");
+  CHECK_MESSAGE(side->answer(all[200].x) == fresh->answer(all[200].x),
+                "after forgetting it answers like a new one");
+  CHECK_MESSAGE(side->example_count() == 0, "after forgetting it has no examples");
   side->collect();
   side->rest();
-  CHECK_MESSAGE(side->state() == cca::learning::idle, "nothing has been learned");
+  CHECK_MESSAGE(side->state() == cca::learning::idle, "nothing was learned");
 }
 
 template <class Case>

@@ -1,14 +1,14 @@
-// Where the links of a chain or a tree of joints are, and how they move: the functions behind the components.
+// Position and motion of the links of a chain or a tree of joints: the functions behind the components.
 //
 //   const cca::chain_pose<arm> now(angles);      angles: Eigen vector over arm::axes, rad (prismatic: m)
-//   now.tip()        position and orientation of the tip in the chain's base
-//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the tip's origin,
-//   along the base's axes
+//   now.tip()        position and orientation of the tip in the base of the chain
+//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the origin of the tip,
+//                    along the axes of the base
 //
-// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most a product of two 3 x 3 matrices
-// a joint. Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and Control, 2009,
-// chapters 2 and 3 (geometric Jacobian). Checked against Orocos KDL on random trees, and against differences
-// of positions.
+// Everything has fixed size; nothing allocates. Cost: per joint a sine, a cosine and at most one product of
+// two 3 x 3 matrices. Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and
+// Control, 2009, chapters 2 and 3 (geometric Jacobian). Checked against Orocos KDL on random trees, and
+// against differences of positions.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ namespace cca {
 
 using matrix3 = Eigen::Matrix<double, 3, 3>;
 
-// Where a frame stands in the base: its axes as columns, its origin in m.
+// A frame in the base: its axes as columns, its origin in m.
 struct rigid {
   matrix3 turn = matrix3::Identity();
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
@@ -36,8 +36,8 @@ struct rigid {
 
 namespace detail {
 
-// A rotation by columns, turned further about an axis of its own. About x, y or z two columns change; else
-// it's Rodrigues' formula.
+// Turns a rotation (axes as columns) about one of its own axes. For x, y or z only two columns change; else
+// Rodrigues' formula.
 CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
   const double s = std::sin(angle), c = std::cos(angle);
   if (l.principal >= 0) {
@@ -55,7 +55,7 @@ CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
   m = (m * r).eval();
 }
 
-// A link in the base: its frame, and the axis of its joint.
+// A link in the base: its frame and the axis of its joint.
 struct placed_link {
   rigid frame;
   vector3 axis;
@@ -80,8 +80,7 @@ CCA_GLUE void place_links(const std::array<body_link, Count>& links,
   }
 }
 
-// The velocity of a point that the last link carries, for each coordinate: its column of the geometric
-// Jacobian.
+// The geometric Jacobian of a point on the link `last`: a column per coordinate.
 template <std::size_t Count, class Jacobian>
 CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links,
                             const std::array<placed_link, Count>& placed,
@@ -102,7 +101,7 @@ CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links,
   }
 }
 
-// From the columns of a rotation; the largest of the four squares is the one that is divided by (Shepperd
+// The quaternion of a rotation matrix. Divides by the largest of the four squares, for precision (Shepperd
 // 1978).
 inline vector4 quaternion_of(const matrix3& m) {
   const double trace = m(0, 0) + m(1, 1) + m(2, 2);
@@ -123,11 +122,11 @@ inline vector4 quaternion_of(const matrix3& m) {
   return rotation::normalised(q);
 }
 
-// Angles in the order of the chain's axes, from a space that has those axes in some order.
+// Angles in the order of the chain's axes, from and to a space with these axes in any order.
 template <class Wanted, class Space>
-struct picked;
+struct reordered;
 template <class... Wanted, class Space>
-struct picked<axes<Wanted...>, Space> {
+struct reordered<axes<Wanted...>, Space> {
   static constexpr bool all = (Space::axes::template contains<Wanted> && ...);
   static constexpr std::array<int, sizeof...(Wanted)> index{Space::axes::template index_of<Wanted>...};
 
@@ -147,10 +146,10 @@ struct picked<axes<Wanted...>, Space> {
   }
 };
 
-// Whether the space has the chain's axes and no others.
+// The space has the axes of the chain and no others; the space has at least the axes of the chain.
 template <class Chain, class Space> concept MovedBy =
-    picked<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
-template <class Chain, class Space> concept MovedWithin = picked<typename Chain::axes, Space>::all;
+    reordered<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
+template <class Chain, class Space> concept MovedWithin = reordered<typename Chain::axes, Space>::all;
 
 }  // namespace detail
 
@@ -160,7 +159,7 @@ public:
   static constexpr int size = Chain::axes::count;
   static constexpr std::size_t count = Chain::joints.size();
   static_assert(detail::coordinates_exist<Chain>,
-                "cca::serial_chain: a joint is driven by a coordinate that the chain has no axis for");
+                "cca::serial_chain: a joint is driven by a coordinate for which the chain has no axis");
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 

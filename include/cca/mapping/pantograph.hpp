@@ -1,22 +1,23 @@
-// A leg of three segments whose lower one stays parallel to the upper: a pantograph, as Oncilla's. Kinematics
-// in closed form.
+// A pantograph leg, as Oncilla's: three segments, of which the lower stays parallel to the upper. Its
+// kinematics are solved in closed form.
 //
-//   struct left_front_leg : cca::pantograph_leg<trunk, paw, cca::axes<abduction, hip, knee>,
-//                                               cca::pantograph{.upper = 0.078, .middle = 0.095, .lower =
-//                                               0.06, .side = 1}> {};
+//   struct left_front_leg
+//       : cca::pantograph_leg<
+//             trunk, paw, cca::axes<abduction, hip, knee>,
+//             cca::pantograph{.upper = 0.078, .middle = 0.095, .lower = 0.06, .side = 1}> {};
 //
-// Frame: x forward, y left, z up, its origin in the hip, or where `hip` places it in the base. The leg's
-// plane is that of x and z, turned about x by the abduction (positive outward: to +y on side +1, the left
-// one). In it a segment at angle t points to (sin t, -cos t): the upper one stands at `hip`, the middle one
-// at `hip - knee`, the lower one at `hip` again. So it is a leg of two links, upper + lower and middle. With
-// axes<hip, knee> it stays in its plane: then positions are over axes<x, z>, and a hip that is turned out of
-// the base's plane of x and z makes it any serial chain, solved as that.
+// Frame: x forward, y left, z up; its origin is the hip, placed in the base by `hip`. The plane of the leg is
+// that of x and z, turned about x by the abduction (positive outward: to +y on side +1, the left one). In
+// this plane a segment at angle t points to (sin t, -cos t): the upper one at `hip`, the middle one at `hip -
+// knee`, the lower one at `hip` again. So it is a leg of two links with the lengths upper + lower and middle.
+// With axes<hip, knee> it stays in its plane: positions are over axes<x, z>. If `hip` turns that plane out of
+// the base's plane of x and z, the leg is solved like any serial chain.
 //
-// It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of
-// all there are: the reachable points of the plane are bounded by arcs on which one joint is at its limit or
-// the leg is straight or folded, and the nearest point of an arc is known (law of cosines; compare Siciliano
-// et al., Robotics, 2009, chapter 2). Preconditions: lengths are positive, a range of abduction is less than
-// a turn. Cost: about 10 sines and arc tangents.
+// Its inverse gives the nearest point within the joint limits, of all that exist. The reachable points of the
+// plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and the
+// nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, chapter 2).
+// Preconditions: lengths are positive; the range of the abduction is less than a turn.
+// Cost: about 10 sines and arc tangents.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@
 namespace cca {
 
 struct pantograph {
-  double upper = 0, middle = 0, lower = 0;  // m; the lower one to where the foot touches
+  double upper = 0, middle = 0, lower = 0;  // m; the lower one ends where the foot touches the ground
   double side = 1;                          // +1: abduction leads to +y, -1: to -y
   placement hip{};                          // in the base
 };
@@ -60,7 +61,7 @@ template <class Type> concept PantographLeg = SerialChain<Type> && requires {
 
 namespace detail {
 
-// The angle, up to whole turns, that lies nearest to the range.
+// The angle in the range that is nearest to the given one, up to whole turns.
 inline double nearest_in(double angle, double low, double high) {
   if (std::isfinite(low) && std::isfinite(high))
     angle -= 2 * std::numbers::pi * std::round((angle - (low + high) / 2) / (2 * std::numbers::pi));
@@ -83,19 +84,19 @@ struct plane_leg {
                    dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
       const double square = dx * dx + dz * dz,
                    change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
-      constexpr double same = 1e-24;  // m^2: then the one that moves less
+      constexpr double same = 1e-24;  // m^2: of equal distances the solution that moves less wins
       if (square < best.square - same || (square <= best.square + same && change < best.change))
         best = {hip, knee, square, change};
     };
     const double towards = std::atan2(x, -z);
-    // With a knee, the hip that turns the foot to the target.
+    // For a given knee: the hip that points the foot at the target.
     const auto with_knee = [&](double knee) {
       if (knee < knee_low || knee > knee_high) return;
       CCA_INLINE_CALL offer(
           nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high),
           knee);
     };
-    // With a hip, the knee that turns the middle segment to the target.
+    // For a given hip: the knee that points the middle segment at the target.
     const auto with_hip = [&](double hip) {
       if (!std::isfinite(hip)) return;
       CCA_INLINE_CALL offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))),
@@ -113,7 +114,7 @@ struct plane_leg {
   }
 };
 
-// Of a pantograph leg: the same form as least_squares_solver.
+// The solver of a pantograph leg, with the interface of least_squares_solver.
 template <class Leg, class Joints, class Tip, class Settings>
 class pantograph_solver {
   using limits = chain_limits<Leg, Joints>;
@@ -140,7 +141,7 @@ public:
     if constexpr (abducted) {
       const vector3 p = in_hip(wanted);
       const double radius = std::hypot(p[1], p[2]);
-      // The tilt that turns the plane to the target, for a foot below the hip and for one above it.
+      // The tilt that turns the plane to the target, for a foot below the hip and above it.
       const double first = radius > 0 ? std::atan2(p[1], -p[2]) : 0,
                    second = radius > 0 ? std::atan2(-p[1], p[2]) : 0;
       const double side = geometry.side < 0 ? -1 : 1;

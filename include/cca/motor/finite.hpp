@@ -1,9 +1,8 @@
-// What a movement may be made of. A state that NaN has come into is lost for good, so no component of this
-// folder takes one in: a sample that is not finite is as good as none, in whatever state it would go.
+// Checks of input samples. NaN in a state never leaves it again, so the components of this folder ignore
+// samples that are not finite.
 //
-//   detail::all_finite(v)     neither NaN nor infinity among the coordinates: a sum and a comparison
-//   detail::has_come(port)    a movement can begin there: a sample has arrived, no initial value, and it is
-//   finite
+//   detail::all_finite(v)     no coordinate is NaN or infinite; costs a sum and a comparison
+//   detail::has_come(port)    a sample has arrived (no initial value) and it is finite
 #pragma once
 
 #include <cca/base/inlining.hpp>

@@ -1,10 +1,11 @@
-// Where a learner was trained, as a few of its inputs and a radius: each example lies within it of one of
-// them.
+// The region in which a learner was trained: a few of its inputs (centres) and a radius, such that each
+// example lies within the radius of a centre.
 //
-// The inputs are chosen one by one, each the one that is furthest from those before: no choice of so many has
-// a radius of less than half of theirs. Distances are in units of `width`, the scatter of the examples along
-// each axis. Cost: M distances a question; M N when it is made, of N examples. Source: Gonzalez, Clustering
-// to minimize the maximum intercluster distance, Theoretical Computer Science 38, 1985.
+// The centres are chosen one by one: each is the example farthest from those chosen before. No choice of as
+// many centres has less than half of this radius. Distances are in units of `width`, the standard deviation
+// of the examples along each axis. Cost: M distances per query; M N to make it from N examples.
+// Source: Gonzalez, Clustering to minimize the maximum intercluster distance, Theoretical Computer Science
+// 38, 1985.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct covered_region {
   using centre_matrix = Eigen::Matrix<double, I, M>;
   BOOST_HANA_DEFINE_STRUCT(covered_region, (centre_matrix, centres), (input, width), (double, radius));
 
-  // Nothing: a radius below zero.
+  // Empty: the radius is negative.
   covered_region() : centres(centre_matrix::Zero()), width(input::Ones()), radius(-1) {}
 
   bool contains(const input& x, double margin) const {
@@ -33,7 +34,7 @@ struct covered_region {
     return radius >= 0 && nearest <= reach * reach * (1 + 1e-12) + 1e-18;
   }
 
-  // Of inputs, at least one.
+  // Precondition: at least one input.
   template <class Inputs>
   static covered_region over(const Inputs& inputs) {
     covered_region region;

@@ -1,13 +1,15 @@
-// Basis functions of dynamical movement primitives: how much each weight counts at a point of the movement.
+// Basis functions of dynamical movement primitives: the weight of each function at a point of the movement.
 //
-//   discrete   Psi_i(x)   = exp(-h_i (x - c_i)^2), c_i = e^(-a i / (N - 1)): evenly spaced in time; h_i = 1 /
-//   (c_i - c_(i+1))^2 rhythmic   Psi_i(phi) = exp(h (cos(phi - c_i) - 1)), c_i = 2 pi i / N; h = 2.5 N
+//   discrete   Psi_i(x)   = exp(-h_i (x - c_i)^2)           c_i = e^(-a i / (N - 1)): evenly spaced in time
+//                                                           h_i = 1 / (c_i - c_(i+1))^2
+//   rhythmic   Psi_i(phi) = exp(h (cos(phi - c_i) - 1))     c_i = 2 pi i / N,  h = 2.5 N
 //
-// `activations` are Psi_i / sum Psi; the forcing term is their product with the weights. A learner's
-// regressors are these times what scales the forcing term. Far from all centres, where the Psi are too small
-// for a double, they are 0. Cost: an exponential a function. Source: Ijspeert, Nakanishi, Hoffmann, Pastor,
-// Schaal, Dynamical movement primitives: learning attractor models for motor behaviors, Neural Computation
-// 25, 2013, equations 2.3, 2.4 (discrete), 2.6, 2.7 (rhythmic).
+// The functions below return the normalised activations Psi_i / sum Psi. The forcing term is their product
+// with the weights. The regressors of a learner are the activations times the scale of the forcing term. Far
+// from all centres, where each Psi underflows, the activations are 0. Cost: one exponential per function.
+// Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Dynamical movement primitives: learning attractor
+// models for motor behaviors, Neural Computation 25, 2013, equations 2.3, 2.4 (discrete), 2.6, 2.7
+// (rhythmic).
 #pragma once
 
 #include <bit>
@@ -25,11 +27,11 @@ using activations = Eigen::Matrix<double, N, 1>;
 
 namespace detail {
 
-// e^x for -700 <= x <= 0, to 4e-16 of it. As arithmetic alone it is done for two functions at a time, without
-// a call. x = n ln 2 + r: n stands in the low bits of a number whose unit is one, and goes to the exponent;
-// e^r by its series.
+// e^x for -700 <= x <= 0, with a relative error of 4e-16. Plain arithmetic instead of std::exp, so compilers
+// vectorise it. x = n ln 2 + r; the low bits of `shifted` hold n and are added to the exponent of e^r, which
+// comes from its series.
 [[gnu::always_inline]] inline double decayed(double x) {
-  static_assert(__FINITE_MATH_ONLY__ == 0, "cca: -ffast-math would round this sum away");
+  static_assert(__FINITE_MATH_ONLY__ == 0, "cca: -ffast-math breaks this exponential; compile without it");
   constexpr double unit_is_one = 6755399441055744.0, high = 0x1.62e42fee00000p-1,
                    low = 0x1.a39ef35793c76p-33;  // ln 2 in two parts
   const double shifted = x * std::numbers::log2e + unit_is_one, n = shifted - unit_is_one;
@@ -52,7 +54,7 @@ namespace detail {
 
 }  // namespace detail
 
-// `decay` is a, of the canonical system: x = e^-a at the end of the movement.
+// `decay` is a of the canonical system: x = e^-a at the end of the movement.
 template <int N>
 activations<N> discrete_activations(double x, double decay) {
   static_assert(N >= 2, "a discrete movement primitive has at least two basis functions");
@@ -70,11 +72,11 @@ activations<N> discrete_activations(double x, double decay) {
   return psi;
 }
 
-// One sine and cosine for all: the addition theorem turns cos(phi - c_i) on to the next centre.
+// One sine and one cosine in all: the addition theorem gives cos(phi - c_i) of the next centre.
 template <int N>
 CCA_GLUE activations<N> rhythmic_activations(double phase) {
   const double turn_cos = std::cos(2 * std::numbers::pi / N), turn_sin = std::sin(2 * std::numbers::pi / N);
-  constexpr double least = -700;  // of more than 140 functions: too small to count
+  constexpr double least = -700;  // with more than 140 functions: negligible
   activations<N> psi;
   double cosine = std::cos(phase), sine = std::sin(phase);
   for (int i = 0; i < N; ++i) {

@@ -1,4 +1,4 @@
-// A start begins anew: after `on_start` a component does what a fresh one does, to the bit, whatever it did
+// A start resets a component: after `on_start` it behaves like a new one, bit for bit, whatever it did
 // before.
 #include <vector>
 
@@ -37,15 +37,14 @@ std::vector<double> numbers(const Result& result) {
   return all;
 }
 
-// What has come to rest once says so until the next start, and only then has to come to rest anew: its status
-// is seen to begin, too.
+// A component that has come to rest reports that until the next start, which also resets its status.
 template <class Component>
 Component lasting(Component c) {
   c.p.settling.above = 1e9;
   return c;
 }
 
-// `step(component, k)`; before the start it is stepped with other k than after it.
+// `step(component, k)` steps it; the values of k before and after the start differ.
 template <class Component, class Step>
 void starts_anew(const Component& made, Step step) {
   for (const int before : {1, 37, 400, 6000}) {
@@ -68,13 +67,13 @@ Eigen::Vector2d place(int k) { return k < 10'000 ? Eigen::Vector2d(0.4, -0.3) : 
 
 }  // namespace
 
-TEST_CASE("VITE starts anew") {
+TEST_CASE("a start resets VITE") {
   starts_anew(lasting(cca::vite<leg>{}), [](auto& c, int k) {
     return c.process(given<cca::in<"target", leg>>(place(k)), {}, {}, at(k));
   });
 }
 
-TEST_CASE("the discrete movement primitive starts anew") {
+TEST_CASE("a start resets the discrete movement primitive") {
   cca::dmp_discrete<leg, 5> c;
   c.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
   starts_anew(lasting(c), [](auto& one, int k) {
@@ -83,7 +82,7 @@ TEST_CASE("the discrete movement primitive starts anew") {
   });
 }
 
-TEST_CASE("the movement primitive of a pose starts anew") {
+TEST_CASE("a start resets the movement primitive of a pose") {
   cca::dmp_pose<hand_in_trunk, hand, 3> c;
   c.p.weights.setConstant(30);
   starts_anew(lasting(c), [](auto& one, int k) {
@@ -93,7 +92,7 @@ TEST_CASE("the movement primitive of a pose starts anew") {
   });
 }
 
-TEST_CASE("rhythmic movement primitives start anew, and keep what they have learned") {
+TEST_CASE("a start resets rhythmic movement primitives, which keep what they have learned") {
   const auto step = [](auto& one, int k) {
     return one.process(
         given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)),
@@ -117,7 +116,7 @@ TEST_CASE("rhythmic movement primitives start anew, and keep what they have lear
   });
 }
 
-TEST_CASE("the network of legs starts anew: from rest, in the gait") {
+TEST_CASE("a start resets the gait network: at rest, in the gait") {
   using network = cca::gait_network<lf, rf, lh, rh>;
   starts_anew(lasting(network{}), [](auto& one, int k) {
     return one.process(
@@ -126,14 +125,14 @@ TEST_CASE("the network of legs starts anew: from rest, in the gait") {
   });
 }
 
-TEST_CASE("the Hopf oscillator starts anew: from the ember") {
+TEST_CASE("a start resets the Hopf oscillator: to the radius `ember`") {
   starts_anew(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
     return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)),
                        {}, at(k));
   });
 }
 
-TEST_CASE("a reservoir pattern generator starts anew: the same network, from rest") {
+TEST_CASE("a start resets a reservoir pattern generator: the same network, at rest") {
   cca::rcpg<plane, 20> c;
   c.p.readout.setConstant(0.1);
   starts_anew(c, [](auto& one, int k) {
@@ -141,25 +140,26 @@ TEST_CASE("a reservoir pattern generator starts anew: the same network, from res
   });
 }
 
-TEST_CASE("PID starts anew") {
+TEST_CASE("a start resets PID") {
   cca::pid<plane, plane> c;
   c.p.integral.setConstant(3), c.p.derivative.setConstant(0.2);
   starts_anew(c, [](auto& one, int k) {
-    const Eigen::Vector2d wanted = k == 0 ? Eigen::Vector2d::Constant(std::nan(""))
-                                          : place(k);  // the first one is not taken: what was before counts
+    const Eigen::Vector2d wanted =
+        k == 0 ? Eigen::Vector2d::Constant(std::nan(""))
+               : place(k);  // the first sample is ignored: the earlier state would show
     return one.process(given<cca::in<"reference", plane>>(wanted),
                        given<cca::in<"measured", plane>>(Eigen::Vector2d(0.01 * k, 1)), {}, {}, at(k));
   });
 }
 
-TEST_CASE("the hidden Markov model starts anew") {
+TEST_CASE("a start resets the hidden Markov model") {
   cca::hmm_motion<plane, 3> c;
   c.p.mixture.means.row(0) << -1, 0, 1;
-  c.p.mixture.means.row(2) << 1, -2, 3;  // so the velocity tells which states are likely
+  c.p.mixture.means.row(2) << 1, -2, 3;  // so the velocity shows which states are likely
   c.p.mixture.priors << 0.5, 0.3, 0.2;
   c.p.transitions << 0.9, 0.1, 0, 0, 0.9, 0.1, 0.1, 0, 0.9;
   starts_anew(c, [](auto& one, int k) {
-    const double x = k < 3 ? std::nan("") : k < 10'000 ? -1 + 0.007 * k : 1;  // at first it is lost
+    const double x = k < 3 ? std::nan("") : k < 10'000 ? -1 + 0.007 * k : 1;  // NaN at first
     return one.process(given<cca::in<"position", plane>>(Eigen::Vector2d(x, 0)));
   });
 }

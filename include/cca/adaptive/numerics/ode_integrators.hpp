@@ -1,18 +1,17 @@
-// How an ode is taken one step further. An integrator is a policy: `step<Model>(x, u, p, dt)` changes x to
-// the state dt seconds later, the input held.
+// Integrators: how an ode advances by one step. An integrator is a policy: `step<Model>(x, u, p, dt)` changes
+// x to the state dt seconds later, with the input held.
 //
-//   explicit_euler        order 1; one derivative a step
-//   semi_implicit_euler   order 1; second-order systems: first the velocities, then the positions with the
-//   new ones. What
-//                         swings without damping neither gains nor loses (symplectic). Two derivatives, but
-//                         of each only the half that is read
+//   explicit_euler        order 1; one derivative per step
+//   semi_implicit_euler   order 1; for second-order systems: first the velocities, then the positions from
+//                         the new velocities. Undamped oscillations neither gain nor lose energy
+//                         (symplectic). Two derivatives per step, of which half is used each
 //   rk4                   order 4; four derivatives
 //   odeint<...>           any one-step stepper of Boost.Numeric.Odeint (ode_odeint.hpp)
 //
 // Sources: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, section II.1 (rk4);
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, section I.1 (symplectic Euler). Checked:
-// their orders against closed forms, the energy that the symplectic one keeps, and Odeint's classical method
-// to rounding (tests/runtime/ode).
+// orders against closed forms, energy of the symplectic method, Odeint's classical method to rounding
+// (tests/runtime/ode).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>

@@ -1,13 +1,13 @@
-// The equation of a Hopf oscillator, in coordinates x, y.
+// The equation of a Hopf oscillator in coordinates x, y.
 //
 //   x' = c (m - r^2) x - w y,  y' = c (m - r^2) y + w x      with m = A |A|, w = 2 pi f
 //
-// input: A (the wanted amplitude), f in Hz. Positive A: a circle of radius A attracts all but the origin;
-// negative A: the origin does (a supercritical Hopf bifurcation at A = 0). Closed form, by r' = c (m - r^2) r
-// (Bernoulli): r(t)^2 = m / (1 + (m / r0^2 - 1) e^(-2 c m t)), and the angle runs at w. Source: Righetti and
-// Ijspeert, Pattern generators with sensory feedback for the control of quadruped locomotion, ICRA 2008,
-// whose oscillator this is with alpha = beta = c; the negative amplitude: seed, section 6.3. Checked against
-// the closed form, inwards, outwards and at negative amplitude (tests/runtime/motor/hopf.cpp).
+// input: A (the wanted amplitude), f in Hz. Positive A: a circle of radius A attracts every state but the
+// origin. Negative A: the origin attracts (a supercritical Hopf bifurcation at A = 0). Closed form, from r' =
+// c (m - r^2) r (Bernoulli): r(t)^2 = m / (1 + (m / r0^2 - 1) e^(-2 c m t)); the angle advances at w.
+// Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped
+// locomotion, ICRA 2008: their oscillator with alpha = beta = c; the negative amplitude: seed, section 6.3.
+// Checked against the closed form: inwards, outwards, negative amplitude (tests/runtime/motor/hopf.cpp).
 #pragma once
 
 #include <cmath>

@@ -6,17 +6,17 @@
 //   goals         tau g' = ag (goal - g),  tau gq' = ag log(goal gq^-1) gq / 2
 //
 // log is the rotation vector of a quaternion (twice the quaternion logarithm of the source), along the axes
-// of the frame; e / tau is the angular velocity in it; vectors are multiplied by component. The way is the
-// shorter one. state: p, z, q, e, g, gq, x; quaternions as x, y, z, w. input: goal pose (7), pose where it
-// began (7), tau in s. Closed form without forcing term, from rest: the angle left, about a fixed axis, falls
-// as (1 + l t) e^(-l t), l = az / (2 tau), as the distance does. Source: Ude, Nemec, Petric, Morimoto,
-// Orientation in Cartesian space dynamic movement primitives, ICRA 2014 (its quaternion form); position and
-// phase: Ijspeert et al., Neural Computation 25, 2013. Checked against the closed form
-// (tests/runtime/motor/dmp_pose.cpp).
+// of the frame; e / tau is the angular velocity in it; vectors are multiplied by component. Rotations go the
+// shorter way. state: p, z, q, e, g, gq, x; quaternions as x, y, z, w. input: goal pose (7), pose where the
+// movement began (7), tau in s. Closed form without forcing term, from rest: the remaining angle about a
+// fixed axis falls as (1 + l t) e^(-l t), l = az / (2 tau), like the distance.
+// Source: Ude, Nemec, Petric, Morimoto, Orientation in Cartesian space dynamic movement primitives, ICRA 2014
+// (its quaternion form); position and phase: Ijspeert et al., Neural Computation 25, 2013. Checked against
+// the closed form (tests/runtime/motor/dmp_pose.cpp).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/space/rotation.hpp>
 
 namespace cca {
@@ -29,11 +29,11 @@ struct dmp_pose_ode {
   using state = Eigen::Matrix<double, 21, 1>;
   using input = Eigen::Matrix<double, 15, 1>;
   struct parameters {
-    Eigen::Matrix<double, 6, N> weights;  // of positions, then of rotations
+    Eigen::Matrix<double, 6, N> weights;  // three rows for the position, three for the rotation
     double stiffness;                     // az
     double decay;                         // ax
     double goal_rate;                     // ag
-    bool scaled;                          // the forcing term by the way from start to goal
+    bool scaled;                          // the forcing term is scaled by the way from start to goal
   };
 
   static state initial() {
@@ -52,7 +52,7 @@ struct dmp_pose_ode {
     return s;
   }
 
-  // The rotation vector from one orientation to another, the shorter way.
+  // The rotation vector from one orientation to another, by the shorter way.
   static vector3 turn(const vector4& from, const vector4& to) {
     return rotation::log(rotation::product(to, rotation::inverse(from)));
   }

@@ -1,22 +1,22 @@
-// The equations of a discrete movement primitive of D coordinates that share a canonical system.
+// The equations of a discrete movement primitive: D coordinates that share one canonical system.
 //
-//   tau z' = az (az / 4 (g - y) - z) + f(x),   tau y' = z        transformation system (2.1), critically
-//   damped tau x' = -ax x                                               canonical system (2.2), from 1 f(x)
-//   = sum Psi_i w_i / sum Psi_i x (g - y0)                forcing term (2.3, 2.4: dmp_basis.hpp) tau g' = ag
-//   (goal - g)                                       a goal that jumps doesn't make the acceleration jump
+//   tau z' = az (az / 4 (g - y) - z) + f(x),  tau y' = z    transformation system (2.1), critically damped
+//   tau x' = -ax x                                          canonical system (2.2), from 1
+//   f(x) = sum Psi_i w_i / sum Psi_i x (g - y0)             forcing term (2.3, 2.4: dmp_basis.hpp)
+//   tau g' = ag (goal - g)                                  smooths a goal that jumps
 //
-// state: y, z, g (D each), x; input: goal, y0 (where the movement began; D each), tau (the duration in s).
-// With f not scaled, weights are in units of y, and a movement may end where it began. A changed tau changes
-// the speed from there on, not the shape; a changed goal bends the rest of the way. Closed form without
-// forcing term, from rest, g = goal: g - y = (g - y0)(1 + l t) e^(-l t), l = az / (2 tau). Source: Ijspeert
-// et al., Neural Computation 25, 2013; numbers of its equations above; the moving goal: its section 2.1.
-// Checked against the closed form, and a fitted minimum jerk (tests/runtime/motor/dmp.cpp).
+// state: y, z, g (D each), x. input: goal, y0 (where the movement began; D each), tau (the duration in s).
+// Without scaling the weights are in units of y, and a movement may end where it began. A change of tau
+// changes the speed from there on, not the shape; a change of the goal bends the rest of the movement. Closed
+// form without forcing term, from rest, with g = goal: g - y = (g - y0)(1 + l t) e^(-l t), l = az / (2 tau).
+// Source: Ijspeert et al., Neural Computation 25, 2013, with the equation numbers above; the moving goal:
+// section 2.1. Checked against the closed form and a fitted minimum jerk (tests/runtime/motor/dmp.cpp).
 #pragma once
 
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 
 namespace cca {
 
@@ -30,7 +30,7 @@ struct dmp_discrete_ode {
     double stiffness;  // az
     double decay;      // ax
     double goal_rate;  // ag
-    bool scaled;       // the forcing term by g - y0
+    bool scaled;       // the forcing term is scaled by g - y0
   };
   static constexpr int positions = D;
 
@@ -41,7 +41,7 @@ struct dmp_discrete_ode {
     return x;
   }
 
-  // What scales the forcing term.
+  // The scale of the forcing term.
   static vector scale(const vector& g, const vector& y0, const parameters& p) {
     return p.scaled ? vector(g - y0) : vector(vector::Ones());
   }
@@ -59,8 +59,8 @@ struct dmp_discrete_ode {
     return rate / tau;
   }
 
-  // The forcing term that a demonstration asks for (2.12): position, velocity and acceleration at one time,
-  // the goal its end.
+  // The forcing term that reproduces a demonstration (2.12), from its position, velocity and acceleration at
+  // one time; the goal is its last position.
   static vector wanted_forcing(const vector& y,
                                const vector& velocity,
                                const vector& acceleration,

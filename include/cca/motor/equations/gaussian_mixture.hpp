@@ -1,18 +1,19 @@
-// Gaussian mixture regression: K Gaussians over an input of I and an output of O numbers; the output that
-// goes with an input.
+// Gaussian mixture regression: K Gaussians over an input of I and an output of O numbers give the expected
+// output for an input.
 //
 //   h_k(x)  = prior_k N(x; m_k^x, S_k^xx) / sum            responsibilities
 //   y(x)    = sum h_k y_k,   y_k = m_k^y + S_k^yx S_k^xx^-1 (x - m_k^x)
 //   cov(x)  = sum h_k (S_k^yy - S_k^yx S_k^xx^-1 S_k^xy + y_k y_k^T) - y y^T
 //
-// The model is a struct that a file can hold: `priors`, `means` (a column a Gaussian: input, then output),
-// `covariances`. Preconditions: covariances positive definite in their input block (the structs' check() says
-// so). Far from all Gaussians the nearest one counts, and no number under- or overflows. Cost: K
-// factorisations of I x I. Source: Calinon, Guenter, Billard, On learning, representing, and generalizing a
-// task in a humanoid robot, IEEE Transactions on Systems, Man, and Cybernetics B 37, 2007 (regression);
-// Calinon, A tutorial on task-parameterized movement learning and retrieval, Intelligent Service Robotics 9,
-// 2016 (the covariance of the mixture). Checked against the formulas above with inverses and determinants,
-// and linear regression (tests/runtime/motor/gmr.cpp).
+// The model is a struct that a file can hold: `priors`, `means` (one column per Gaussian: input, then
+// output), `covariances`. Preconditions: the input blocks of the covariances are positive definite; `check()`
+// tests it. Far from all Gaussians the nearest one counts; nothing under- or overflows. Cost: K
+// factorisations of I x I.
+// Source: Calinon, Guenter, Billard, On learning, representing, and generalizing a task in a humanoid robot,
+// IEEE Transactions on Systems, Man, and Cybernetics B 37, 2007 (regression); Calinon, A tutorial on
+// task-parameterized movement learning and retrieval, Intelligent Service Robotics 9, 2016 (covariance of the
+// mixture). Checked against the formulas above with inverses and determinants, and against linear regression
+// (tests/runtime/motor/gmr.cpp).
 #pragma once
 
 #include <array>
@@ -40,14 +41,14 @@ struct gaussian_mixture {
                            (mean_matrix, means),
                            (covariance_array, covariances));
 
-  // K equal Gaussians at zero.
+  // K equal Gaussians at the origin.
   gaussian_mixture() : priors(weights::Constant(1.0 / K)), means(mean_matrix::Zero()) {
     for (auto& one : covariances) one.setIdentity();
   }
 
   std::string_view check() const {
     if (priors.minCoeff() < 0 || !(priors.sum() > 0))
-      return "the priors are not weights: none negative, not all zero";
+      return "the priors are not weights: no prior may be negative, and not all may be zero";
     for (const auto& one : covariances) {
       if ((one - one.transpose()).norm() > 1e-9 * one.norm()) return "a covariance is not symmetric";
       if (block(one).llt().info() != Eigen::Success)
@@ -61,7 +62,7 @@ struct gaussian_mixture {
   }
 };
 
-// One answer: the mean, its covariance, and whose it is.
+// The answer for one input: mean, covariance, and the share of each Gaussian.
 template <int O, int K>
 struct regression {
   Eigen::Matrix<double, O, 1> mean;
@@ -69,8 +70,8 @@ struct regression {
   Eigen::Matrix<double, K, 1> responsibilities;
 };
 
-// With weights in place of the priors: those that a hidden Markov model predicts.
-// `difference(x, mean)` is x - mean, in whatever way the input is subtracted.
+// `priors` replaces those of the model: a hidden Markov model predicts its own. `difference(x, mean)` is
+// x - mean; on a circle it takes the shorter way.
 template <int I, int O, int K, class Difference>
 regression<O, K> regress(const gaussian_mixture<I, O, K>& model,
                          const Eigen::Matrix<double, K, 1>& priors,

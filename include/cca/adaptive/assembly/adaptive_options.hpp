@@ -1,5 +1,5 @@
-// What may be said of an adaptive component: names, target, mappings on its ports (adaptive_component.hpp
-// says what each does).
+// The options of an adaptive component: names of ports, target, mappings on its ports (adaptive_component.hpp
+// describes each).
 #pragma once
 
 #include <cca/adaptive/criterion.hpp>
@@ -22,60 +22,60 @@ struct control_through {};
 
 namespace detail {
 
-// The options, one of each kind.
+// Each of these finds one option in the list, or its default.
 template <template <class> class Kind, class... Options>
-struct mapping_among {
+struct mapping_option {
   using type = void;
 };
 template <template <class> class Kind, class Mapping, class... Rest>
-struct mapping_among<Kind, Kind<Mapping>, Rest...> {
+struct mapping_option<Kind, Kind<Mapping>, Rest...> {
   using type = Mapping;
 };
 template <template <class> class Kind, class Other, class... Rest>
-struct mapping_among<Kind, Other, Rest...> : mapping_among<Kind, Rest...> {};
+struct mapping_option<Kind, Other, Rest...> : mapping_option<Kind, Rest...> {};
 
 template <fixed_string Input, class... Options>
-struct control_among {
+struct control_option {
   using type = void;
 };
 template <fixed_string Input, class Mapping, class... Rest>
-struct control_among<Input, control_through<Input, Mapping>, Rest...> {
+struct control_option<Input, control_through<Input, Mapping>, Rest...> {
   using type = Mapping;
 };
 template <fixed_string Input, class Other, class... Rest>
-struct control_among<Input, Other, Rest...> : control_among<Input, Rest...> {};
+struct control_option<Input, Other, Rest...> : control_option<Input, Rest...> {};
 
 template <class Type> concept StatesStrategy =
     requires { &Type::template fires<any_inputs>; };
 
 template <class... Options>
-struct strategy_among {
+struct strategy_option {
   using type = timed<1>;
 };
 template <StatesStrategy First, class... Rest>
-struct strategy_among<First, Rest...> {
+struct strategy_option<First, Rest...> {
   using type = First;
 };
 template <class First, class... Rest>
-struct strategy_among<First, Rest...> : strategy_among<Rest...> {};
+struct strategy_option<First, Rest...> : strategy_option<Rest...> {};
 
 template <class... Options>
-struct names_among {
+struct names_option {
   using type = named<"reference", "command", "ode">;
 };
 template <fixed_string Reference, fixed_string Command, fixed_string OdeStatus, class... Rest>
-struct names_among<named<Reference, Command, OdeStatus>, Rest...> {
+struct names_option<named<Reference, Command, OdeStatus>, Rest...> {
   using type = named<Reference, Command, OdeStatus>;
 };
 template <class First, class... Rest>
-struct names_among<First, Rest...> : names_among<Rest...> {};
+struct names_option<First, Rest...> : names_option<Rest...> {};
 
 template <criterion_target Default, class... Options>
-inline constexpr criterion_target target_among = Default;
+inline constexpr criterion_target target_option = Default;
 template <criterion_target Default, criterion_target Target, class... Rest>
-inline constexpr criterion_target target_among<Default, against<Target>, Rest...> = Target;
+inline constexpr criterion_target target_option<Default, against<Target>, Rest...> = Target;
 template <criterion_target Default, class First, class... Rest>
-inline constexpr criterion_target target_among<Default, First, Rest...> = target_among<Default, Rest...>;
+inline constexpr criterion_target target_option<Default, First, Rest...> = target_option<Default, Rest...>;
 
 template <class Type>
 constexpr bool is_component_option = StatesStrategy<Type>;

@@ -4,16 +4,16 @@
 //   tau phi' = 1                                                    canonical system (2.5)
 //   f(phi, r) = sum Psi_i w_i / sum Psi_i r                         forcing term (2.6, 2.7: dmp_basis.hpp)
 //
-// state: y, z (D each), phi in rad; input: g (what it swings around), r (amplitude), tau = 1 / (2 pi f) in s.
-// The forcing term doesn't depend on y: two runs approach each other as (1 + l t) e^(-l t), l = az / (2 tau),
-// so the limit cycle is the response of a linear filter to f, and at r = 0 it's the point g. Source: Ijspeert
-// et al., Neural Computation 25, 2013; numbers of its equations above. Checked against the closed form
-// (tests/runtime/motor/dmp.cpp).
+// state: y, z (D each), phi in rad. input: g (the centre), r (amplitude), tau = 1 / (2 pi f) in s. The
+// forcing term does not depend on y: two runs approach each other as (1 + l t) e^(-l t), l = az / (2 tau). So
+// the limit cycle is the response of a linear filter to f, and at r = 0 it is the point g.
+// Source: Ijspeert et al., Neural Computation 25, 2013, with the equation numbers above. Checked against the
+// closed form (tests/runtime/motor/dmp.cpp).
 #pragma once
 
 #include <cca/adaptive/ode.hpp>
 #include <cca/base/inlining.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 
 namespace cca {
 
@@ -23,9 +23,8 @@ struct dmp_rhythmic_ode {
   using state = Eigen::Matrix<double, 2 * D + 1, 1>;
   using input = Eigen::Matrix<double, D + 2, 1>;
   struct parameters {
-    const Eigen::Matrix<double, D, N>&
-        weights;       // those of whom it belongs to: they are not copied in each beat
-    double stiffness;  // az
+    const Eigen::Matrix<double, D, N>& weights;  // a reference: no copy in each beat
+    double stiffness;                            // az
   };
   static constexpr int positions = D;
 
@@ -42,7 +41,7 @@ struct dmp_rhythmic_ode {
     return rate / u[D + 1];
   }
 
-  // The forcing term that a demonstration asks for, at one time.
+  // The forcing term that reproduces a demonstration at one time (2.12).
   static vector wanted_forcing(const vector& y,
                                const vector& velocity,
                                const vector& acceleration,

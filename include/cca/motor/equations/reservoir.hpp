@@ -1,16 +1,16 @@
-// An echo state network of N leaky units with fixed random connections, made from a seed.
+// An echo state network: N leaky units with fixed random connections, made from a seed.
 //
 //   x <- (1 - a) x + a tanh(W x + w_y y + b)
 //
-// y is what is fed back (D numbers). W has `Connections` entries a unit, uniform in (-1, 1), scaled to a
+// y is the feedback (D numbers). W has `Connections` entries per unit, uniform in (-1, 1), scaled to a
 // spectral radius; w_y is uniform in +-feedback, b in +-bias. The same seed gives the same network on every
-// machine: the numbers come from SplitMix64. Preconditions: `make` before `step`. Cost: make: 500 N
-// Connections products, not for a beat; step: N (Connections + D) products and N hyperbolic tangents. A power
-// iteration measures the spectral radius to about 1 %. Source: Jaeger, The "echo state" approach to analysing
-// and training recurrent neural networks, GMD report 148, 2001; leaky units: Jaeger, Lukosevicius, Popovici,
-// Siewert, Optimization and applications of echo state networks with leaky-integrator neurons, Neural
-// Networks 20, 2007. Checked: the spectral radius against eigenvalues, echo states
-// (tests/runtime/motor/rcpg.cpp).
+// machine: the numbers come from SplitMix64. A power iteration measures the spectral radius to about 1 %.
+// Precondition: `make` before `step`. Cost: make takes 500 N Connections products, too much for a beat; step
+// takes N (Connections + D) products and N hyperbolic tangents.
+// Source: Jaeger, The "echo state" approach to analysing and training recurrent neural networks, GMD report
+// 148, 2001; leaky units: Jaeger, Lukosevicius, Popovici, Siewert, Optimization and applications of echo
+// state networks with leaky-integrator neurons, Neural Networks 20, 2007. Checked: spectral radius against
+// eigenvalues, echo states (tests/runtime/motor/rcpg.cpp).
 #pragma once
 
 #include <array>
@@ -64,7 +64,7 @@ public:
   const activity& get() const { return x; }
   void rest() { x.setZero(); }
 
-  // W applied to a vector: what its spectral radius is of.
+  // W times a vector.
   activity recur(const activity& v) const {
     activity result;
     for (int i = 0; i < N; ++i) {
@@ -87,8 +87,8 @@ private:
   }
   static double uniform(std::uint64_t& bits) { return static_cast<double>(drawn(bits) >> 11) * 0x1p-52 - 1; }
 
-  // The largest eigenvalues may be a complex pair, under which a vector turns as it grows: so the mean
-  // growth, in the long run.
+  // The mean growth over many steps: with a complex pair of largest eigenvalues a vector turns, so the growth
+  // of a single step varies.
   double radius() const {
     activity v = activity::Constant(1 / std::sqrt(static_cast<double>(N)));
     double growth = 0;
