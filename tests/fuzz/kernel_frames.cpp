@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <cca/hardware/kernel_frame.hpp>
+#include <cca/hardware/bus/kernel_frame.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace cca::hardware;

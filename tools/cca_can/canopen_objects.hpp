@@ -8,7 +8,7 @@
 #include <optional>
 
 #include <cca/hardware/drive.hpp>
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 namespace cca_can {
 

@@ -19,7 +19,7 @@
 #include <net/if_arp.h>
 #include <sys/socket.h>
 
-#include <cca/hardware/can_interface.hpp>
+#include <cca/hardware/bus/can_interface.hpp>
 
 namespace cca_can {
 

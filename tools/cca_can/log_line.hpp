@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/hardware/can_frame.hpp>
+#include <cca/hardware/bus/can_frame.hpp>
 
 namespace cca_can {
 

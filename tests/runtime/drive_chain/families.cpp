@@ -10,7 +10,7 @@
 #include <cca/cca.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/oncilla.hpp>
-#include <cca/hardware/virtual_of.hpp>
+#include <cca/hardware/virtual_drives/virtual_of.hpp>
 #include <cca/hardware/virtual_robot.hpp>
 
 namespace {

@@ -8,9 +8,9 @@
 #include <doctest/doctest.h>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/bounds.hpp>
-#include <cca/hardware/emergency_stop.hpp>
-#include <cca/hardware/guards.hpp>
+#include <cca/hardware/safety/bounds.hpp>
+#include <cca/hardware/safety/emergency_stop.hpp>
+#include <cca/hardware/safety/guards.hpp>
 #include <cca/hardware/mit.hpp>
 
 namespace {

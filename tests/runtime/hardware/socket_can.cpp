@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 #include "../../laws/can_bus_laws.hpp"
 #include "can_rigs.hpp"

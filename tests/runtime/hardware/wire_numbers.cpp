@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <cca/hardware/position_unwrap.hpp>
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 using namespace cca::hardware;
 using namespace cca::hardware::detail;

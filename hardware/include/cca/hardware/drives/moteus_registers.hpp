@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <span>
 
-#include <cca/hardware/can_frame.hpp>
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/bus/can_frame.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 namespace cca::hardware {
 

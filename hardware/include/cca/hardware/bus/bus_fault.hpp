@@ -15,7 +15,7 @@
 #include <limits>
 #include <optional>
 
-#include <cca/hardware/can_filter.hpp>
+#include <cca/hardware/bus/can_filter.hpp>
 
 namespace cca::hardware {
 

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <span>
 
-#include <cca/hardware/drive.hpp>
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/drive.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca::hardware {

@@ -23,7 +23,7 @@
 #include <unistd.h>
 
 #include <cca/base/refused.hpp>
-#include <cca/hardware/kernel_frame.hpp>
+#include <cca/hardware/bus/kernel_frame.hpp>
 
 namespace cca::hardware::detail {
 

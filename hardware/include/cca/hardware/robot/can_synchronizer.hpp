@@ -29,10 +29,10 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/base/reflect.hpp>
-#include <cca/hardware/joint_frames.hpp>
-#include <cca/hardware/link_supervisor.hpp>
-#include <cca/hardware/sensor_board.hpp>
-#include <cca/hardware/set_points.hpp>
+#include <cca/hardware/robot/joint_frames.hpp>
+#include <cca/hardware/safety/link_supervisor.hpp>
+#include <cca/hardware/robot/sensor_board.hpp>
+#include <cca/hardware/drives/set_points.hpp>
 #include <cca/sim/oncilla_spaces.hpp>
 
 namespace cca::hardware {

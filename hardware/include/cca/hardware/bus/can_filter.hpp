@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <cca/hardware/can_frame.hpp>
+#include <cca/hardware/bus/can_frame.hpp>
 
 namespace cca::hardware {
 

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cca/hardware/drive.hpp>
+#include <cca/hardware/drives/drive.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/record.hpp>
 

@@ -11,8 +11,8 @@
 #include <linux/can.h>
 #include <linux/can/error.h>
 
-#include <cca/hardware/can_bus.hpp>
-#include <cca/hardware/can_filter.hpp>
+#include <cca/hardware/bus/can_bus.hpp>
+#include <cca/hardware/bus/can_filter.hpp>
 
 namespace cca::hardware::detail {
 

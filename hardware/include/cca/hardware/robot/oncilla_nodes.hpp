@@ -24,8 +24,8 @@
 #include <cca/component/beat.hpp>
 #include <cca/base/inlining.hpp>
 #include <cca/component/port.hpp>
-#include <cca/hardware/joint.hpp>
-#include <cca/hardware/set_points.hpp>
+#include <cca/hardware/drives/joint.hpp>
+#include <cca/hardware/drives/set_points.hpp>
 #include <cca/sim/oncilla_spaces.hpp>
 
 namespace cca::hardware {

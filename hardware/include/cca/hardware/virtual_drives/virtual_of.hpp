@@ -2,10 +2,10 @@
 // `virtual_of<Drive>`, for virtual_robot.
 #pragma once
 
-#include <cca/hardware/virtual_cia402.hpp>
-#include <cca/hardware/virtual_mit.hpp>
-#include <cca/hardware/virtual_moteus.hpp>
-#include <cca/hardware/virtual_odrive.hpp>
+#include <cca/hardware/virtual_drives/virtual_cia402.hpp>
+#include <cca/hardware/virtual_drives/virtual_mit.hpp>
+#include <cca/hardware/virtual_drives/virtual_moteus.hpp>
+#include <cca/hardware/virtual_drives/virtual_odrive.hpp>
 
 namespace cca::hardware {
 

@@ -16,7 +16,7 @@
 
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
-#include <cca/hardware/set_points.hpp>
+#include <cca/hardware/drives/set_points.hpp>
 
 namespace cca::hardware {
 

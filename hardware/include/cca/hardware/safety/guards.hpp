@@ -17,7 +17,7 @@
 #include <cca/component/port.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/reflect.hpp>
-#include <cca/hardware/set_points.hpp>
+#include <cca/hardware/drives/set_points.hpp>
 
 namespace cca::hardware {
 

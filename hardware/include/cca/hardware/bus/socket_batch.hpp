@@ -13,7 +13,7 @@
 #include <sys/socket.h>
 #include <sys/uio.h>
 
-#include <cca/hardware/kernel_frame.hpp>
+#include <cca/hardware/bus/kernel_frame.hpp>
 
 namespace cca::hardware::detail {
 

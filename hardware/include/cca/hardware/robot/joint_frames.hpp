@@ -17,8 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/hardware/joint.hpp>
-#include <cca/hardware/set_points.hpp>
+#include <cca/hardware/drives/joint.hpp>
+#include <cca/hardware/drives/set_points.hpp>
 
 namespace cca::hardware {
 

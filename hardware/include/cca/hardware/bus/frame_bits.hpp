@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/hardware/can_frame.hpp>
+#include <cca/hardware/bus/can_frame.hpp>
 
 namespace cca::hardware {
 

@@ -15,8 +15,8 @@
 #include <cstddef>
 #include <utility>
 
-#include <cca/hardware/bus_plan.hpp>
-#include <cca/hardware/joint.hpp>
+#include <cca/hardware/drives/bus_plan.hpp>
+#include <cca/hardware/drives/joint.hpp>
 
 namespace cca::hardware {
 
