@@ -1,5 +1,5 @@
-// Which ids are meant: those that agree with `id` in the bits of `mask`. Without a mask exactly one id; an
-// 11-bit id never matches a 29-bit one.
+// A set of ids: those that equal `id` in the bits of `mask`. Without a mask it is exactly one id. An 11-bit
+// id never matches a 29-bit one.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct can_filter {
   friend constexpr bool operator==(const can_filter&, const can_filter&) = default;
 };
 
-// Whether there is an id that both mean.
+// Whether some id matches both.
 constexpr bool overlap(const can_filter& a, const can_filter& b) {
   return a.id.extended == b.id.extended && ((a.id.number ^ b.id.number) & a.mask & b.mask) == 0;
 }

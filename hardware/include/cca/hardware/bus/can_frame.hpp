@@ -1,10 +1,11 @@
-// A frame of a CAN bus, classic or FD, as it is on the wire but for what the controllers add.
+// A frame of a CAN bus, classic or FD: what a program says about it. The controllers add the rest.
 //
-// A frame is any value of its members; `valid()` says whether it can be on a bus: an id of 11 or 29 bits, at
-// most 8 bytes in a classic frame, in an FD frame one of the lengths that a length code can say (0 to 8, 12,
-// 16, 20, 24, 32, 48, 64). A remote frame asks for one: it has no payload, its length is what is asked for,
-// and FD has none. Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp;
-// docs/can_bus.md.
+// A frame may hold any values; `valid()` says whether it can be on a bus. It can if its id has 11 or 29 bits,
+// and its length is one that the length code can say: 0 to 8 bytes, in an FD frame also 12, 16, 20, 24, 32,
+// 48 or 64. A remote frame asks for a frame: it has no payload, and its length is the length that it asks
+// for. FD has no remote frames.
+//
+// Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp; docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +23,8 @@ struct can_id {
   constexpr bool valid() const { return number <= (extended ? 0x1FFFFFFFu : 0x7FFu); }
   friend constexpr bool operator==(const can_id&, const can_id&) = default;
 
-  // What wins the bus when several begin at once: the lower id, bit by bit as sent; of an 11-bit id and a
-  // 29-bit one that begins alike, the former.
+  // Arbitration: which of two frames wins the bus when both begin at once. The lower id wins, bit by bit as
+  // sent; of an 11-bit id and a 29-bit one with the same first bits, the 11-bit id wins.
   friend constexpr bool goes_before(can_id a, can_id b) {
     const auto sent = [](can_id i) {
       return i.extended ? (std::uint64_t{i.number >> 18} << 20 | 1u << 19 | (i.number & 0x3FFFFu))
@@ -37,7 +38,7 @@ constexpr can_id extended(std::uint32_t number) { return {number, true}; }
 
 inline constexpr std::size_t longest_payload = 64;
 
-// The shortest FD payload that has room for so many bytes; more than 64 have none, and get 64.
+// The shortest FD payload with room for this many bytes; 64 for everything longer.
 constexpr std::uint8_t fd_length(std::size_t bytes) {
   if (bytes <= 8) return static_cast<std::uint8_t>(bytes);
   for (const unsigned length : {12u, 16u, 20u, 24u, 32u, 48u})
@@ -49,8 +50,8 @@ struct can_frame {
   can_id id{};
   std::uint8_t length = 0;  // bytes of payload
   bool fd = false;
-  bool fast =
-      false;  // FD: its payload goes at the data bit rate (BRS). Some drives ignore frames that do not.
+  // FD: the payload goes at the data bit rate (BRS). Some drives ignore frames without it.
+  bool fast = false;
   bool remote = false;  // classic: asks for a frame
   std::array<std::uint8_t, longest_payload> data{};
 
@@ -63,7 +64,7 @@ struct can_frame {
     return {data.data(), remote ? 0 : std::min<std::size_t>(length, longest_payload)};
   }
 
-  // Equal on the wire: bytes past the payload don't count.
+  // Equal on the wire: bytes behind the payload don't count.
   friend constexpr bool operator==(const can_frame& a, const can_frame& b) {
     const auto p = a.payload(), q = b.payload();
     return a.id == b.id && a.length == b.length && a.fd == b.fd && a.fast == b.fast && a.remote == b.remote &&
@@ -80,13 +81,13 @@ constexpr can_frame filled(can_frame frame, std::span<const std::uint8_t> payloa
 
 }  // namespace detail
 
-// With more than 8 bytes it isn't valid.
+// Not valid with more than 8 bytes.
 constexpr can_frame classic(can_id id, std::span<const std::uint8_t> payload) {
   return detail::filled(
       {.id = id, .length = static_cast<std::uint8_t>(std::min<std::size_t>(payload.size(), 255))}, payload);
 }
 
-// With as many bytes of `pad` as the length codes want.
+// Filled up with `pad` to the next length that FD has.
 constexpr can_frame fd(can_id id,
                        std::span<const std::uint8_t> payload,
                        std::uint8_t pad = 0,

@@ -1,8 +1,8 @@
-// Opens a raw CAN socket on an interface, and asks the interface how it is. Outside of the loop it throws
-// cca::refused, with what to do; the questions don't throw.
+// Opens a raw CAN socket on an interface, and asks for the interface's state. Opening happens outside of the
+// loop: it throws cca::refused and says what to do. Asking does not throw.
 //
-// Filters are the kernel's, exact ones are found by a table. `bind` to a name that doesn't exist would mean
-// all interfaces: so the name is looked up first, and whether it is CAN.
+// Filters are the kernel's; it finds exact ones in a table. Binding to a name that does not exist would mean
+// all interfaces, so the name is checked first, and whether it is a CAN interface.
 #pragma once
 
 #include <array>
@@ -57,23 +57,23 @@ public:
     std::memcpy(name.data(), which.data(), which.size());
   }
 
-  // By a socket of any kind.
+  // Through a socket of any kind.
   link state(int fd) const noexcept {
-    ifreq request = asking();
+    ifreq request = named_request();
     if (::ioctl(fd, SIOCGIFFLAGS, &request) != 0) return link::gone;
     const unsigned flags = static_cast<unsigned short>(request.ifr_flags);
     return (flags & IFF_UP) == 0 ? link::down : (flags & IFF_RUNNING) == 0 ? link::no_carrier : link::up;
   }
   int index(int fd) const noexcept {
-    ifreq request = asking();
+    ifreq request = named_request();
     return ::ioctl(fd, SIOCGIFINDEX, &request) == 0 ? request.ifr_ifindex : 0;
   }
   int mtu(int fd) const noexcept {
-    ifreq request = asking();
+    ifreq request = named_request();
     return ::ioctl(fd, SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
   }
   bool is_can(int fd) const noexcept {
-    ifreq request = asking();
+    ifreq request = named_request();
     return ::ioctl(fd, SIOCGIFHWADDR, &request) == 0 && request.ifr_hwaddr.sa_family == ARPHRD_CAN;
   }
   bool bind(int fd) const noexcept {
@@ -86,7 +86,7 @@ public:
   std::string text() const { return name.data(); }
 
 private:
-  ifreq asking() const noexcept {
+  ifreq named_request() const noexcept {
     ifreq request{};
     std::memcpy(request.ifr_name, name.data(), name.size());
     return request;
@@ -112,14 +112,14 @@ void set_option(int fd, int level, int option, const Value& value, const char* w
     throw refused(std::string("socket_can: the kernel refuses ") + what + ": " + std::strerror(errno));
 }
 
-struct wanted_of_socket {
+struct socket_wishes {
   bool fd = false, own_frames = true, times = true;
 };
 
-// None in `let_through` means all frames.
+// An empty `let_through` means all frames.
 inline file_descriptor open_can(const can_interface& which,
                                 std::span<const can_filter> let_through,
-                                wanted_of_socket wanted) {
+                                socket_wishes wanted) {
   file_descriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
   const int fd = socket.get();
   if (fd < 0) {
@@ -146,8 +146,9 @@ inline file_descriptor open_can(const can_interface& which,
       throw refused(std::string("socket_can: the kernel refuses the filters: ") + std::strerror(errno));
   }
   const int yes = 1;
+  // Without BUSERROR: a bus in trouble would flood the socket with it.
   set_option(fd, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, can_err_mask_t{CAN_ERR_MASK & ~CAN_ERR_BUSERROR},
-             "error frames");  // BUSERROR floods
+             "error frames");
   if (wanted.own_frames) set_option(fd, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, yes, "confirmations");
   if (wanted.fd) set_option(fd, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, yes, "FD frames");
   if (wanted.times) set_option(fd, SOL_SOCKET, SO_TIMESTAMPNS, yes, "timestamps");

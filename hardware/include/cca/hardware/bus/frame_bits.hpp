@@ -1,18 +1,20 @@
-// How long a frame holds the bus at most: with as many stuff bits as its contents can force.
+// The longest time that a frame takes on the bus: with as many stuff bits as its contents can force.
 //
-//   worst_case(frame_shape{.length = 8}) is 135 bits, 24 of them stuffing and 3 the pause before the next
-//   frame.
+//   worst_case(frame_shape{.length = 8}) is 135 bits: 24 of them are stuff bits, 3 the pause before the next
+//   frame
 //
-// Classic: a start bit, id and flags (34 bits in all with an 11-bit id, 54 with a 29-bit one, the checksum
-// included), 8 bits a byte; over these after each run of 5 equal bits one of stuffing, of which each can
-// begin the next run: one in 4 after the first. Then 10 bits of delimiters, acknowledgement and end, and a
-// pause of 3. FD: the bits from the start to BRS and from the delimiter of the checksum on go at the nominal
-// rate, those between at the data rate: ESI, length code, payload, and stuff count (4) and checksum (17 bits,
-// from 20 bytes on 21) with a fixed stuff bit before the first of them and after each 4. Stuffing by contents
-// ends with the payload. As much of it as can be is counted at the slower rate. Source: R. Davis et al.,
-// Controller Area Network schedulability analysis, Real-Time Systems 35 (2007), eq. 1; ISO
-// 11898-1:2015, 10.4.2. Compared with frames that are stuffed bit by bit in
-// tests/runtime/hardware/bus_load.cpp.
+// Classic: start bit, id, flags and checksum are 34 bits with an 11-bit id, 54 with a 29-bit one; then 8 bits
+// a byte. After 5 equal bits comes a stuff bit, which can be the first of the next 5: so at most one in 4
+// bits after the first. Then 10 bits of delimiters, acknowledgement and end of frame, and a pause of 3.
+// FD: the bits up to BRS, and those from the delimiter of the checksum on, go at the nominal rate. The bits
+// between go at the data rate: ESI, length code, payload, stuff count (4 bits), checksum (17 bits, from 20
+// bytes on 21). A fixed stuff bit stands before the stuff count and after each 4 bits from there. Stuffing
+// that depends on the contents ends with the payload; as much of it as possible is counted at the slower
+// rate.
+//
+// Source: R. Davis et al., Controller Area Network schedulability analysis, Real-Time Systems 35 (2007), eq.
+// 1; ISO 11898-1:2015, 10.4.2. tests/runtime/hardware/bus_load.cpp compares it with frames stuffed bit by
+// bit.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +34,7 @@ constexpr frame_shape shape_of(const can_frame& f) {
 }
 
 struct frame_bits {
-  std::int64_t nominal = 0, data = 0;  // bits at the one and at the other rate
+  std::int64_t nominal = 0, data = 0;  // bits at the nominal and at the data rate
 };
 
 struct bit_rates {

@@ -1,7 +1,8 @@
-// Frames as Linux has them, there and back. Needs its headers, and no CAN in the kernel.
+// Frames in Linux's format, both ways. Needs Linux's headers, but no CAN in the kernel.
 //
-// Read is what n bytes say: 16 a classic frame, 72 an FD one, nothing else. An error frame is none of either:
-// is_error asks first. Source: Linux, Documentation/networking/can.rst; include/uapi/linux/can.h.
+// The number of bytes read says what they are: 16 a classic frame, 72 an FD frame; no other size is a frame.
+// Call is_error first: an error frame is neither. Source: Linux, Documentation/networking/can.rst;
+// include/uapi/linux/can.h.
 #pragma once
 
 #include <algorithm>
@@ -16,18 +17,17 @@
 
 namespace cca::hardware::detail {
 
-// Not CAN_MTU: that macro says `struct can_frame`, which is ours in this namespace.
+// Not CAN_MTU: that macro says `struct can_frame`, which in this namespace is ours.
 inline constexpr std::size_t classic_size = sizeof(::can_frame), fd_size = sizeof(::canfd_frame);
 
-// All that a frame of its kind can have, whatever its length: of a fixed size that is a move or four, and no
-// call.
+// Copies the largest payload of this kind of frame, whatever its length: a fixed size compiles to one or four
+// moves instead of a call.
 constexpr void copy_payload(const std::uint8_t* from, std::uint8_t* to, bool fd) {
   if (fd) std::copy_n(from, longest_payload, to);
   else std::copy_n(from, std::size_t{8}, to);
 }
 
-// Frames that can be on a bus only. Both ways into what is there already, of which they leave bytes past the
-// payload as they are.
+// For valid frames only. Both directions leave the bytes behind the payload as they were.
 constexpr void to_kernel(const can_frame& f, canfd_frame& k) {
   k.can_id = f.id.number | (f.id.extended ? CAN_EFF_FLAG : 0u) | (f.remote ? CAN_RTR_FLAG : 0u);
   k.len = f.length;
@@ -49,15 +49,15 @@ constexpr void from_kernel(const canfd_frame& k, std::size_t size, can_frame& f)
   copy_payload(k.data, f.data.data(), f.fd);
 }
 
-// Exact in the id's kind too, and no remote frames: a mask of the id alone would let 29-bit ids through that
-// end alike.
+// Also exact in the kind of the id, and without remote frames: a mask of the id alone would let 29-bit ids
+// with the same last bits through.
 constexpr ::can_filter to_kernel(const can_filter& f) {
   const std::uint32_t bits = f.id.extended ? CAN_EFF_MASK : CAN_SFF_MASK;
   return {.can_id = (f.id.number & bits) | (f.id.extended ? CAN_EFF_FLAG : 0u),
           .can_mask = (f.mask & bits) | CAN_EFF_FLAG | CAN_RTR_FLAG};
 }
 
-// What an error frame tells, into state and counters. A classic frame of 8 bytes; others tell nothing.
+// Reads an error frame into state and counters. Only those of 8 bytes say anything.
 constexpr bus_state after_error(bus_state s, const canfd_frame& k, bus_counters& c) {
   ++c.errors;
   if (k.len != CAN_ERR_DLC) return s;

@@ -1,22 +1,21 @@
-// A CAN bus in memory, for tests and for machines without CAN: several ends on one wire, in virtual time,
-// with troubles by script.
+// A CAN bus in memory, for tests and for machines without CAN: several ends on one wire, in virtual time. A
+// script makes it fail.
 //
 //   cca::hardware::memory_bus<2> wire({.rates = {1'000'000}, .seed = 7, .script = faults});
 //   auto robot = wire.end(0), drives = wire.end(1);    // each is a CanBus
-//   robot.send(frames); wire.advance(now);             // everything up to `now`, in nanoseconds, happens
+//   robot.send(frames); wire.advance(now);             // simulates everything up to `now`, in nanoseconds
 //
-// One frame at a time is on the wire, that of the lowest id first, for the longest time that such a frame can
-// take (frame_bits.hpp); it goes to all other ends. Nobody else there: it is not acknowledged and tried
-// again, until the transmit queue is full. An end that goes off or down loses its queue. The same calls, seed
-// and script give the same, bit for bit; a copy is a snapshot (ends are handles: take them anew from the
-// copy).
+// One frame at a time is on the wire: the one with the lowest id first. It takes the longest time that such a
+// frame can take (frame_bits.hpp), and goes to all other ends. If there is no other end, it is not
+// acknowledged and sent again until the transmit queue is full. An end that goes off or down loses its queue.
+// The same calls, seed and script give the same result, bit for bit. A copy is a snapshot; ends are handles,
+// so take new ones from it.
 //
-// Depth: frames in an end's transmit queue; Arrivals: in its receive queue; what comes on top is lost and
-// counted. Cost: nothing is allocated. The script stays where it is: it must live as long as the bus. Laws:
-// tests/laws/can_bus_laws.hpp.
+// `Depth` is the length of an end's transmit queue, `Arrivals` of its receive queue; frames beyond are lost
+// and counted. Cost: nothing is allocated. The script is not copied: it must live as long as the bus.
+// Laws: tests/laws/can_bus_laws.hpp.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +24,7 @@
 
 #include <cca/hardware/bus/bus_fault.hpp>
 #include <cca/hardware/bus/can_bus.hpp>
+#include <cca/hardware/bus/fault_dice.hpp>
 #include <cca/hardware/bus/frame_bits.hpp>
 #include <cca/hardware/bus/ring.hpp>
 
@@ -32,21 +32,21 @@ namespace cca::hardware {
 
 struct memory_bus_options {
   bit_rates rates{};
-  bool one_shot = false;  // tried once: what nobody acknowledges, or loses the arbitration, is given up; `ip
-                          // link ... one-shot on`
+  bool one_shot = false;  // each frame is tried once, as after `ip link ... one-shot on`
   std::uint64_t seed = 0;
   std::span<const bus_fault> script{};
 };
 
 template <std::size_t Ends = 2, std::size_t Depth = 16, std::size_t Arrivals = 256>
 class memory_bus {
-  static_assert(Ends >= 2 && Depth >= 1 && Arrivals >= 1, "cca::hardware::memory_bus: two ends at least");
+  static_assert(Ends >= 2 && Depth >= 1 && Arrivals >= 1,
+                "cca::hardware::memory_bus: a bus has at least two ends, and a queue at least one place");
 
 public:
   class end_type {
   public:
     end_type(memory_bus& b, std::size_t i) : bus(&b), index(i) {}
-    send_result send(std::span<const can_frame> frames) noexcept { return bus->take(index, frames); }
+    send_result send(std::span<const can_frame> frames) noexcept { return bus->accept(index, frames); }
     std::size_t receive(std::span<received_frame> into) noexcept { return bus->hand_over(index, into); }
     bus_state state() const noexcept { return bus->stations[index].state; }
     const bus_counters& counters() const noexcept { return bus->stations[index].counters; }
@@ -57,19 +57,19 @@ public:
     std::size_t index;
   };
 
-  explicit memory_bus(memory_bus_options o = {}) : options(o) { look_at_script(); }
+  explicit memory_bus(memory_bus_options o = {}) : options(o), dice(o.seed) { apply_script(); }
 
   end_type end(std::size_t index) { return {*this, index}; }
   std::int64_t time() const { return clock; }
 
-  // What happens until `now`. Time does not go backwards: an earlier `now` changes nothing.
+  // Simulates everything up to `now`. An earlier `now` changes nothing.
   void advance(std::int64_t now) {
     while (clock <= now) {
       begin_sending();
       const std::int64_t next = next_event();
       if (next > now) break;
       clock = next;
-      look_at_script();
+      apply_script();
       if (sender != nobody && clock >= sent_at) finish_sending();
       deliver_delayed();
     }
@@ -88,12 +88,12 @@ private:
   };
   struct delayed {
     can_frame frame{};
-    std::size_t to = nobody;  // nobody: a free place
+    std::size_t to = nobody;  // nobody: this place is free
     std::int64_t due = 0;
-    bool until_next = false;  // reordered: as soon as another frame has come
+    bool until_next = false;  // reordered: released by the next frame
   };
 
-  send_result take(std::size_t index, std::span<const can_frame> frames) {
+  send_result accept(std::size_t index, std::span<const can_frame> frames) {
     station& s = stations[index];
     send_result result{};
     const auto refuse = [&](send_outcome why, std::uint64_t& count, std::size_t n) {
@@ -125,12 +125,12 @@ private:
     return n;
   }
 
-  bool hears(std::size_t index) const { return !is_away(stations[index].state); }
+  bool is_on(std::size_t index) const { return !is_away(stations[index].state); }
 
   void begin_sending() {
     if (sender != nobody) return;
     for (std::size_t i = 0; i < Ends; ++i) {
-      if (!hears(i) || stations[i].out.empty()) continue;
+      if (!is_on(i) || stations[i].out.empty()) continue;
       if (sender == nobody || goes_before(stations[i].out.front().id, stations[sender].out.front().id))
         sender = i;
     }
@@ -138,7 +138,7 @@ private:
     sent_at = clock + options.rates.nanoseconds(worst_case(shape_of(stations[sender].out.front())));
     for (std::size_t i = 0; options.one_shot && i < Ends; ++i) {
       station& s = stations[i];
-      if (i == sender || !hears(i) || s.out.empty()) continue;
+      if (i == sender || !is_on(i) || s.out.empty()) continue;
       ++s.counters.arbitration_lost;
       give_up(s);
     }
@@ -153,8 +153,8 @@ private:
     const std::size_t from = sender;
     sender = nobody;
     bool acknowledged = false;
-    for (std::size_t i = 0; i < Ends; ++i) acknowledged |= i != from && hears(i);
-    if (!acknowledged) {  // error counter by ISO 11898-1: 8 a try, and no further than passive
+    for (std::size_t i = 0; i < Ends; ++i) acknowledged |= i != from && is_on(i);
+    if (!acknowledged) {  // ISO 11898-1: the error counter grows by 8 a try, and no further than passive
       ++s.counters.not_acknowledged;
       s.counters.transmit_errors = static_cast<std::uint8_t>(std::min(s.counters.transmit_errors + 8, 128));
       if (options.one_shot) give_up(s);
@@ -167,16 +167,16 @@ private:
     const can_frame frame = s.out.front();
     s.out.pop();
     for (std::size_t i = 0; i < Ends; ++i)
-      if (i != from && hears(i)) convey(frame, i);
+      if (i != from && is_on(i)) deliver(frame, i);
   }
 
-  // On its way to an end, through the script.
-  void convey(can_frame frame, std::size_t to) {
+  // To one end, with the faults of the script.
+  void deliver(can_frame frame, std::size_t to) {
     std::int64_t wait = 0;
     bool twice = false, overtaken = false;
     for (const bus_fault& f : options.script) {
       if (!f.concerns_end(to) || !f.now(clock) || !f.concerns(frame.id)) continue;
-      if (f.what > bus_trouble::corrupt || !happens(f.chance)) continue;
+      if (f.what > bus_trouble::corrupt || !dice.hits(f.chance)) continue;
       switch (f.what) {
         case bus_trouble::lose:
           return;
@@ -190,14 +190,14 @@ private:
           overtaken = true, wait = std::max(wait, f.delay);
           break;
         case bus_trouble::corrupt:
-          damage(frame);
+          dice.damage(frame);
           break;
         default:
           break;
       }
     }
     for (int copies = twice ? 2 : 1; copies > 0; --copies) {
-      if (wait > 0 && put_off({frame, to, clock + wait, overtaken})) continue;
+      if (wait > 0 && postpone({frame, to, clock + wait, overtaken})) continue;
       arrive(frame, to);
     }
     if (!overtaken)
@@ -205,7 +205,7 @@ private:
         if (d.to == to && d.until_next) release(d);
   }
 
-  bool put_off(const delayed& d) {
+  bool postpone(const delayed& d) {
     for (delayed& place : waiting)
       if (place.to == nobody) return place = d, true;
     return false;
@@ -213,7 +213,7 @@ private:
   void release(delayed& d) {
     const std::size_t to = d.to;
     d.to = nobody;
-    if (hears(to)) arrive(d.frame, to);
+    if (is_on(to)) arrive(d.frame, to);
   }
   void deliver_delayed() {
     for (;;) {
@@ -230,7 +230,7 @@ private:
     else ++s.counters.lost;
   }
 
-  void look_at_script() {
+  void apply_script() {
     for (std::size_t i = 0; i < Ends; ++i) {
       bus_state wanted = bus_state::active;
       for (const bus_fault& f : options.script)
@@ -245,7 +245,7 @@ private:
     }
   }
 
-  // The state that follows from script and error counter.
+  // The worse of the script's state and the error counter's.
   void update(station& s) {
     const bus_state counted = s.counters.transmit_errors >= 128  ? bus_state::passive
                               : s.counters.transmit_errors >= 96 ? bus_state::warning
@@ -274,31 +274,12 @@ private:
     return std::max(next, clock);
   }
 
-  std::uint64_t random() {  // splitmix64
-    std::uint64_t z = options.seed + 0x9e3779b97f4a7c15u * ++drawn;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  bool happens(double chance) {
-    return chance >= 1 || static_cast<double>(random() >> 11) * 0x1p-53 < chance;
-  }
-  void damage(can_frame& frame) {
-    const std::size_t bytes = frame.payload().size();
-    if (bytes == 0) return;
-    for (std::uint64_t turns = 1 + random() % 4; turns > 0; --turns) {
-      const std::uint64_t bit = random() % (8 * bytes);
-      frame.data[bit / 8] = static_cast<std::uint8_t>(frame.data[bit / 8] ^ (1u << (bit % 8)));
-    }
-    if (random() % 4 == 0 && !frame.fd) frame.length = static_cast<std::uint8_t>(random() % bytes);
-  }
-
   memory_bus_options options;
   std::array<station, Ends> stations{};
   std::array<delayed, 64> waiting{};
   std::size_t sender = nobody;
   std::int64_t clock = 0, sent_at = 0;
-  std::uint64_t drawn = 0;
+  detail::fault_dice dice;
 };
 
 }  // namespace cca::hardware

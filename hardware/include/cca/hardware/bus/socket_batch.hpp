@@ -1,7 +1,7 @@
-// The messages of one system call on a raw CAN socket: what sendmmsg and recvmmsg take, set up once.
+// The messages of one system call on a raw CAN socket: the structures of sendmmsg and recvmmsg, set up once.
 //
-// Only what a call has used is made ready again before the next. Its parts point into itself: it is neither
-// copied nor moved. Cost: 12 kB.
+// Before the next call only the entries that the last one used are reset. The structures point into the
+// batch, so it can't be copied or moved. Cost: 12 kB.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class socket_batch {
 public:
   static constexpr std::size_t most = 32;
 
-  // With room for the times of arrival, or without.
+  // With room for times of arrival, or without.
   explicit socket_batch(bool with_times) noexcept : with_control(with_times) {
     const auto one_part = [](mmsghdr& head, iovec& part, canfd_frame& frame) {
       part = {&frame, sizeof frame};
@@ -43,12 +43,12 @@ public:
     to_kernel(f, out_frames[i]);
     out_parts[i].iov_len = kernel_size(f);
   }
-  // As sendmmsg: how many were taken, or -1.
+  // Like sendmmsg: how many were taken, or -1.
   int send(int fd, std::size_t first, std::size_t end) noexcept {
     return ::sendmmsg(fd, &out[first], static_cast<unsigned>(end - first), MSG_DONTWAIT);
   }
 
-  // As recvmmsg: how many came, or -1.
+  // Like recvmmsg: how many came, or -1.
   int receive(int fd, std::size_t asked) noexcept {
     for (std::size_t i = 0; i < used; ++i) in[i].msg_hdr.msg_controllen = sizeof in_control[i].bytes;
     const int got = ::recvmmsg(fd, in.data(), static_cast<unsigned>(asked), MSG_DONTWAIT, nullptr);
@@ -59,7 +59,7 @@ public:
   std::size_t size(std::size_t i) const noexcept { return in[i].msg_len; }
   bool is_own(std::size_t i) const noexcept { return (in[i].msg_hdr.msg_flags & MSG_CONFIRM) != 0; }
 
-  // Of arrival, on the real-time clock, in ns; 0: the kernel was not asked for it.
+  // Time of arrival on the real-time clock, in ns; 0: the kernel was not asked for it.
   std::int64_t time(std::size_t i) noexcept {
     msghdr& head = in[i].msg_hdr;
     for (cmsghdr* c = CMSG_FIRSTHDR(&head); c; c = CMSG_NXTHDR(&head, c)) {
@@ -81,7 +81,7 @@ private:
   std::array<canfd_frame, most> in_frames{}, out_frames{};
   std::array<control, most> in_control{};
   bool with_control;
-  std::size_t used = 0;  // of `in`, by the last call
+  std::size_t used = 0;  // entries of `in` that the last call used
 };
 
 }  // namespace cca::hardware::detail

@@ -2,28 +2,31 @@
 //
 //   cca::hardware::socket_can bus("can0", {.replies = replies, .ours = requests, .fd = true});
 //
-// `replies`: the ids to let through, a filter of the kernel each; none: all. `ours`: the ids that only we
-// send; a frame of another sender under one of them counts as an intruder. They are let through as well,
-// since own frames come back as confirmations (from drivers that echo, when they went over the bus; from the
-// others, when they were taken).
+// Options
+//   replies         the ids to let through, by the kernel's filters; empty: all
+//   ours            the ids that only we send. A frame of another sender under one of them counts as an
+//                   intruder. They are let through too, since own frames come back as confirmations: from
+//                   drivers that echo, when the frame went over the bus; from others, when the driver took it
+//   most_in_flight  more unconfirmed frames than this are `full`. Make it one batch: then no set point waits
+//                   behind an older one
+//   gives_up_after  for controllers in one-shot mode, which do not say which frames they gave up: most of a
+//                   beat. A frame that is not confirmed by then counts as dropped and is no longer in flight
+//   confirmations   false: own frames don't come back. Then `in_flight` is what the kernel still holds, and
+//                   nobody knows what waits in the controller: only for buses on which nothing moves
+//   times           false: a frame's time is that of `receive`
+// docs/can_bus.md says what confirmations and times cost.
 //
-// What the kernel calls errors are states here. ENETDOWN, ENODEV: down; it comes back by itself, also when
-// the adapter was pulled and put in again. Error frames: warning, passive, bus-off, restarted. ENOBUFS,
-// EAGAIN, or as many frames in flight as `most_in_flight`: full. Make that one batch: then no set-point waits
-// behind an older one. A controller in one-shot does not tell which frames it gave up. Say `gives_up_after`,
-// most of a beat: what is not confirmed by then counts as dropped and no longer as in flight. Bus-off: the
-// kernel may hold frames of the last batch, and send them when the controller is restarted. Leave
-// `restart-ms` 0, and restart by `ip link set can0 down` and `up`: then it forgets them. `stale()` counts
-// those that went out all the same.
+// Errors of the kernel become states. ENETDOWN, ENODEV: down; the bus comes back by itself, also after the
+// adapter was unplugged and plugged in again. Error frames: warning, passive, bus-off, restarted. ENOBUFS,
+// EAGAIN: full. After bus-off the kernel may hold frames of the last batch and send them when the controller
+// is restarted. Leave `restart-ms` at 0 and restart by `ip link set can0 down` and `up`: then the kernel
+// drops them. `stale()` counts those that went out all the same.
 //
-// What is dear can be left out (docs/can_bus.md has the figures). `.confirmations = false`: own frames don't
-// come back; then `in_flight` is what the kernel still holds, and nothing is known of what waits in the
-// controller: for buses on which nothing moves. `.times = false`: a frame's time is that of `receive`.
-//
-// Times are the kernel's of arrival, moved to the monotonic clock. Constructing throws cca::refused; nothing
-// else throws, waits or allocates. Remote frames pass only without filters. Cost: one system call a batch of
-// up to 32 frames received or sent. Not to be copied; a controller that is to be copied holds a pointer to
-// it. Laws: tests/laws/can_bus_laws.hpp, in tests/runtime/hardware/socket_can.cpp. Source: Linux,
+// Times of arrival are the kernel's, moved to the monotonic clock. The constructor throws cca::refused;
+// nothing else throws, waits or allocates. Remote frames pass only without filters. Cost: one system call per
+// batch of up to 32 frames, sent or received. A socket can't be copied; a controller that shall be copied
+// holds a pointer to it.
+// Laws: tests/laws/can_bus_laws.hpp, run in tests/runtime/hardware/socket_can.cpp. Source: Linux,
 // Documentation/networking/can.rst; lely-core, io2/linux/can_chan.c, for ENOBUFS. docs/can_bus.md.
 #pragma once
 
@@ -53,8 +56,8 @@ struct socket_can_options {
   bool fd = false;
   std::uint64_t most_in_flight = 16;
   std::int64_t gives_up_after = 0;  // ns; 0: the controller tries until it succeeds
-  bool confirmations = true;        // own frames come back when they went over the bus
-  bool times = true;                // the kernel's, of arrival
+  bool confirmations = true;
+  bool times = true;
 };
 
 class socket_can {
@@ -124,7 +127,7 @@ public:
   }
 
   std::size_t receive(std::span<received_frame> into) noexcept {
-    if (is_away(seen)) look_whether_back();
+    if (is_away(seen)) look_for_return();
     std::size_t n = 0;
     bool told = false, many = false;
     while (n < into.size()) {
@@ -133,20 +136,20 @@ public:
       if (got < 0) {
         if (errno == EINTR) continue;
         if (told || (errno != ENETDOWN && errno != ENODEV && errno != ENXIO)) break;
-        told = true;  // the kernel says so once; what had come before is still to be had
+        told = true;  // the kernel says so once; earlier frames can still be read
         went_down();
-        look_whether_back();
+        look_for_return();
         continue;
       }
       const std::int64_t to_monotonic =
           nanoseconds_of(CLOCK_MONOTONIC) - (with_times ? nanoseconds_of(CLOCK_REALTIME) : 0);
       for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i)
         if (take(i, into[n].frame)) stamp(into[n++], (with_times ? work->time(i) : 0) + to_monotonic);
-      if (static_cast<std::size_t>(got) < asked) break;  // there was no more
+      if (static_cast<std::size_t>(got) < asked) break;  // the queue is empty
       many = true;
     }
-    if (many) ask_what_was_lost();
-    if (!with_own) ask_what_waits();
+    if (many) count_lost();
+    if (!with_own) confirm_what_has_left();
     if (gives_up_after > 0 && unconfirmed > 0 && nanoseconds_of(CLOCK_MONOTONIC) - sent_at > gives_up_after)
       forget_in_flight();
     return n;
@@ -156,7 +159,7 @@ public:
   const bus_counters& counters() const noexcept { return count; }
   std::uint64_t in_flight() const noexcept { return unconfirmed; }
   std::uint64_t stale() const noexcept { return confirmed_stale; }
-  int file() const noexcept { return socket.get(); }  // to wait for with poll, outside of a beat
+  int file() const noexcept { return socket.get(); }  // for poll, outside of a beat
 
 private:
   static constexpr std::size_t batch = detail::socket_batch::most;
@@ -172,12 +175,12 @@ private:
     return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
   }
 
-  // One of the messages of a batch: whether it is for the caller.
+  // Reads message i of the batch; true: it is for the caller.
   bool take(std::size_t i, can_frame& into) noexcept {
     const canfd_frame& k = work->frame(i);
     const std::size_t size = work->size(i);
     if (size != detail::classic_size && size != detail::fd_size) return false;
-    if (detail::is_error(k)) return heed(k), false;
+    if (detail::is_error(k)) return note_error(k), false;
     if (work->is_own(i)) {
       ++count.confirmed;
       if (unconfirmed > 0) --unconfirmed;
@@ -190,7 +193,7 @@ private:
     ++count.received;
     return true;
   }
-  void heed(const canfd_frame& error) noexcept {
+  void note_error(const canfd_frame& error) noexcept {
     if (seen != bus_state::down) seen = detail::after_error(seen, error, count);
     if (seen == bus_state::bus_off) stale_to_come = unconfirmed, carrier_was_lost = false;
   }
@@ -203,12 +206,12 @@ private:
     if (seen == bus_state::down) return;
     seen = bus_state::down;
     ++count.downs;
-    forget_in_flight();  // the kernel does as well
+    forget_in_flight();  // so does the kernel
   }
 
-  void look_whether_back() noexcept {
+  void look_for_return() noexcept {
     const detail::link now = interface.state(socket.get());
-    if (seen == bus_state::bus_off) {  // the error frame that tells of the restart may have been lost
+    if (seen == bus_state::bus_off) {  // the error frame about the restart may have been lost
       if (now == detail::link::no_carrier) carrier_was_lost = true;
       if (now != detail::link::up || !carrier_was_lost) return;
       ++count.restarts;
@@ -227,18 +230,18 @@ private:
     unconfirmed = stale_to_come = 0;
   }
 
-  // A confirmation may be lost with the receive queue: then the kernel knows better what it still holds.
+  // A confirmation may be lost with the receive queue: then the kernel knows what it still holds.
   std::uint64_t room_in_flight() noexcept {
     if (unconfirmed >= most_in_flight && kernel_holds_none()) unconfirmed = 0;
     return most_in_flight - std::min(unconfirmed, most_in_flight);
   }
-  void ask_what_waits() noexcept {
+  void confirm_what_has_left() noexcept {
     if (unconfirmed == 0 || !kernel_holds_none()) return;
     count.confirmed += unconfirmed;
     unconfirmed = stale_to_come = 0;
   }
-  // Only a queue that was longer than a batch can have been too long.
-  void ask_what_was_lost() noexcept {
+  // Asked only after a full batch: frames are lost only when the queue is longer than that.
+  void count_lost() noexcept {
     const std::uint32_t lost = memory(SK_MEMINFO_DROPS, lost_before);
     count.lost += lost - lost_before;  // wraps
     lost_before = lost;

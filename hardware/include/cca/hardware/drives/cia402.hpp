@@ -1,29 +1,33 @@
-// A CANopen drive by CiA 402, cyclic synchronous position or torque: its state machine and process data, not
-// a CANopen master.
+// A CANopen drive by CiA 402, cyclic synchronous position or torque: its state machine and process data. It
+// is no CANopen master.
 //
-//   struct knee_motor { static constexpr std::string_view name = "EPOS4"; static constexpr double counts =
-//   4096, torque = 0.8; }; using knee = cca::hardware::cia402<knee_motor, 5,
-//   cca::hardware::cia402_mode::torque>;    // node 5
+//   struct knee_motor {
+//     static constexpr std::string_view name = "EPOS4";
+//     static constexpr double counts = 4096, torque = 0.8;
+//   };
+//   using knee = cca::hardware::cia402<knee_motor, 5, cca::hardware::cia402_mode::torque>;  // node 5
 //
-// The motor's type says how many counts of position a turn of its shaft has, and its rated torque (object
-// 6076h) in N m; torques on the wire are thousandths of it. Configured elsewhere, kept in the drive: mode of
-// operation (6060h: 8 or 10), interpolation period (60C2h), what it does on a lost heartbeat (6007h), and the
-// mapping, each sent on SYNC:
-//   RPDO1 (200h + node): 6040h:16 control word, 607Ah:32 target position, 6071h:16 target torque
-//   TPDO1 (180h + node): 6041h:16 status word, 6064h:32 position, 6077h:16 torque       TPDO2 (280h + node):
-//   606Ch:32 velocity, counts/s
-// The bus sends canopen_sync() once a cycle, after the set-points (`cycle_frames`). A drive begins
-// pre-operational: enabling starts it. set_point: NaN and infinity in what the mode uses refuse the command;
-// beyond 32 or 16 bits, the end, and `cut`. Positions count on from 2^31 - 1 to -2^31, and are told so: a
-// joint that turns as far takes position_unwrap.hpp, 2^32 counts wide. decode: process data, emergencies
-// (080h + node), heartbeats (700h + node): one that says that it boots, means that it is off. enabling: by
-// what the status word says, to operation enabled, from the measured position, without torque; a fault is
-// reset by a
-//   rising edge, eight times at most.
-// Watchdog: the drive's own, of heartbeat (1016h) or SYNC; set it: without it goes on with its last target.
+// The motor's type states the counts of one turn of its shaft, and its rated torque (object 6076h) in N m; a
+// frame has torques in thousandths of that. Configure the drive with another tool, and store it there: mode
+// of operation (6060h: 8 or 10), interpolation period (60C2h), reaction to a lost heartbeat (6007h), and this
+// mapping, each PDO on SYNC:
+//   RPDO1 (200h + node)   6040h:16 control word, 607Ah:32 target position, 6071h:16 target torque
+//   TPDO1 (180h + node)   6041h:16 status word, 6064h:32 position, 6077h:16 torque
+//   TPDO2 (280h + node)   606Ch:32 velocity, counts/s
+// The bus sends canopen_sync() once a cycle, after the set points (`cycle_frames`). A drive boots
+// pre-operational; enabling starts it.
+//   set_point   NaN and infinity in a number that the mode uses refuse the command. Beyond 32 or 16 bits the
+//               number is the end, and `cut` says so
+//   decode      process data, emergencies (080h + node), heartbeats (700h + node); a boot-up heartbeat means
+//               that the drive is off. A position goes on from 2^31 - 1 to -2^31 and is reported so: where a
+//               joint turns that far, use position_unwrap.hpp, 2^32 counts wide
+//   enabling    goes by the status word to operation enabled, from the measured position, without torque. A
+//               rising edge resets a fault, eight times at most
+//   watchdog    the drive's own, of heartbeat (1016h) or SYNC. Set it: without one the drive keeps its last
+//               target
 // Source: CiA 402-2 as in IEC 61800-7-201; state masks as in drive manuals (see docs/drives.md); classes of
-// emergencies: CiA 301, and 82xxh, 86xxh, 8Axxh (switches and ends of the range) as in maxon's EPOS4. The
-// standards themselves are not public: what no drive's manual says of them is not verified.
+// emergencies: CiA 301, and 82xxh, 86xxh, 8Axxh (switches and ends of the range) as in maxon's EPOS4.
+// Not verified: what no manual of a drive says about the standards, since these are not public.
 #pragma once
 
 #include <array>
@@ -31,77 +35,12 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/hardware/drives/cia402_states.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/hardware/drives/wire_number.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca::hardware {
-
-enum class cia402_mode : std::uint8_t { position = 8, torque = 10 };
-enum class cia402_state : std::uint8_t {
-  not_ready,
-  switch_on_disabled,
-  ready,
-  switched_on,
-  enabled,
-  quick_stop,
-  fault_reaction,
-  fault,
-  unknown
-};
-
-constexpr cia402_state cia402_state_of(std::uint16_t status) {
-  switch (status & 0x4F) {
-    case 0x00:
-      return cia402_state::not_ready;
-    case 0x40:
-      return cia402_state::switch_on_disabled;
-    case 0x08:
-      return cia402_state::fault;
-    case 0x0F:
-      return cia402_state::fault_reaction;
-    default:
-      break;
-  }
-  switch (status & 0x6F) {
-    case 0x21:
-      return cia402_state::ready;
-    case 0x23:
-      return cia402_state::switched_on;
-    case 0x27:
-      return cia402_state::enabled;
-    case 0x07:
-      return cia402_state::quick_stop;
-    default:
-      return cia402_state::unknown;
-  }
-}
-
-// The control word that leads one step on towards `enabled`; of a fault the rising edge of bit 7 does, so
-// every other time.
-constexpr std::uint16_t cia402_towards_enabled(cia402_state s, bool edge) {
-  switch (s) {
-    case cia402_state::fault:
-      return edge ? 0x0080 : 0x0000;
-    case cia402_state::ready:
-      return 0x0007;
-    case cia402_state::switched_on:
-    case cia402_state::enabled:
-      return 0x000F;
-    case cia402_state::quick_stop:
-      return 0x0000;
-    default:
-      return 0x0006;
-  }
-}
-
-constexpr can_frame canopen_sync() { return {.id = standard(0x080)}; }
-constexpr can_frame canopen_start(std::uint8_t node) {
-  return {.id = standard(0), .length = 2, .data = {1, node}};
-}  // node 0: all
-constexpr can_frame canopen_stop(std::uint8_t node) {
-  return {.id = standard(0), .length = 2, .data = {2, node}};
-}
 
 template <class Type> concept Cia402Motor = requires {
   { Type::name } -> std::convertible_to<std::string_view>;
@@ -128,7 +67,7 @@ struct cia402 {
   static constexpr std::array<can_filter, 2> broadcasts{{{standard(0)}, {standard(0x080)}}};  // NMT, SYNC
   static constexpr std::array<can_frame, 1> cycle_frames{canopen_sync()};
   static constexpr std::array<can_filter, 4> replies{{{sends}, {sends_velocity}, {emergency}, {heartbeat}}};
-  // Its other process data and its SDO, in and out, of the ids that CiA 301 gives a node.
+  // Its other process data and its SDO, in and out: ids that CiA 301 gives to this node.
   static constexpr std::array<can_filter, 7> occupies{{{standard(0x300 + Node)},
                                                        {standard(0x400 + Node)},
                                                        {standard(0x500 + Node)},
@@ -141,7 +80,7 @@ struct cia402 {
                                                          {.shape = {.length = 4}},
                                                          {.shape = {.length = 1}, .period = 100'000'000}}};
   static constexpr drive_watchdog watchdog{
-      0, "by object 6007h, when the heartbeat it listens to (1016h) is lost; off unless set"};
+      0, "by object 6007h, when it loses the heartbeat that it listens to (1016h); off unless set"};
 
   static constexpr set_point_frames set_point(const drive_command& c) noexcept {
     set_point_frames s;
@@ -175,11 +114,11 @@ struct cia402 {
       r.told = of_velocity;
     } else if (f.id == emergency && f.length == 8) {
       r.code = detail::got<std::uint16_t>(p, 0);
-      r.fault = fault_of(r.code);
+      r.fault = detail::cia402_fault_of(r.code);
       if (r.fault != drive_fault::none) r.activity = drive_activity::faulted;
       r.told = of_activity;
     } else if (f.id == heartbeat && f.length == 1) {
-      if (p[0] != 5) {  // operational; anything else drives nothing, whatever it drove before
+      if (p[0] != 5) {  // 5: operational. In any other state the drive holds nothing
         r.activity = drive_activity::disabled;
         r.state = 0;
       }
@@ -196,12 +135,10 @@ struct cia402 {
     std::uint8_t cut = 0;
     return process_data(word, 0, 0, cut);
   }
-  static constexpr drive_frames disable() noexcept {
-    return {control(0x0000)};
-  }  // disable voltage: it is free
-  static constexpr drive_frames quick_stop() noexcept {
-    return {control(0x0002)};
-  }  // by its ramp, then by object 605Ah
+  // Disable voltage: the drive is free.
+  static constexpr drive_frames disable() noexcept { return {control(0x0000)}; }
+  // Stops by its ramp, then goes on by object 605Ah.
+  static constexpr drive_frames quick_stop() noexcept { return {control(0x0002)}; }
 
   class enabling {
   public:
@@ -227,7 +164,7 @@ struct cia402 {
     int resets = 0;
   };
 
-  // The other side, for drives that are simulated.
+  // The drive's side, for virtual drives.
   static constexpr bool hear(const can_frame& f, std::uint16_t& word, drive_command& c) noexcept {
     if (f.id != receives || f.fd || f.remote || f.length != 8) return false;
     const auto p = f.payload();
@@ -260,7 +197,7 @@ struct cia402 {
   }
 
 private:
-  // Both process data are laid out alike: a word, a position, a torque.
+  // Both directions have the same layout: a word, a position, a torque.
   static constexpr can_frame process_data(std::uint16_t word,
                                           double position,
                                           double torque,
@@ -274,40 +211,6 @@ private:
                 static_cast<std::uint16_t>(detail::nearest_integer(torque / least_torque, 16, strong)));
     cut = static_cast<std::uint8_t>(cut | (far ? of_position : 0) | (strong ? of_torque : 0));
     return f;
-  }
-
-  // Emergency codes by their class, CiA 301 and 402.
-  static constexpr drive_fault fault_of(std::uint32_t code) {
-    if ((code & 0xFF00) == 0) return drive_fault::none;  // reset, or none
-    if (code == 0x8611) return drive_fault::limit;       // following error
-    if (code == 0x8250) return drive_fault::watchdog;    // no process data in time
-    switch (code & 0xFF00) {
-      case 0x7300:
-        return drive_fault::position_sensor;
-      case 0x8400:
-      case 0x8500:
-      case 0x8600:
-      case 0x8A00:
-        return drive_fault::limit;
-      default:
-        break;
-    }
-    switch (code & 0xF000) {
-      case 0x2000:
-        return drive_fault::over_current;
-      case 0x3000:
-        return (code & 0xF0) == 0x20 ? drive_fault::under_voltage : drive_fault::over_voltage;
-      case 0x4000:
-        return drive_fault::over_temperature;
-      case 0x5000:
-        return drive_fault::power_stage;
-      case 0x6000:
-        return drive_fault::configuration;
-      case 0x8000:
-        return drive_fault::communication;
-      default:
-        return drive_fault::other;
-    }
   }
 };
 

@@ -1,29 +1,33 @@
 // A drive that speaks the MIT mini-cheetah protocol: T-Motor/CubeMars AK in MIT mode, the original firmware,
 // Damiao.
 //
-//   using hip = cca::hardware::mit_drive<cca::hardware::ak80_9, 3>;          // id 3, replies under id 0 to
-//   all of us alike
+//   using hip = cca::hardware::mit_drive<cca::hardware::ak80_9, 3>;  // id 3; all drives reply under id 0
 //
-// It answers each frame that it gets, and only those: whether it is there is known from the answer in the
-// same cycle. All drives of a bus may answer under one id; who it is stands in the first byte, so numbers up
-// to 255 (Damiao: up to 15). set_point: NaN or infinity anywhere refuses the whole command: clamped it would
-// be the end of a range, the full position. Ranges are
-//   cut at. A zero velocity or torque is half a step beside zero, 0.0022 N m of 18.
-// decode: a position at the end of its range may lie beyond (`at_end`); firmware that wraps there instead
-// needs position_unwrap.hpp. enabling: zero command, enter, zero command, so that it enters without a kick;
-// done as soon as an answer has come after that. Faults: the AK's error byte, Damiao's upper half of the
-// first byte; other firmware tells none. Watchdog: a setting of the
-//   firmware, CAN_TIMEOUT, in cycles of its loop, and off by default: then it goes on with the last command
-//   for ever. Set it.
-// Ranges: AK10-9, 60-6, 70-10, 80-6, 80-9, 80-64 by the manual. AK80 with firmware 1.1 has +-22.5 rad/s:
-// state your own. Cost: some dozen instructions a frame. Source: mit_frame.hpp; CubeMars AK series actuator
-// driver manual 1.0.8, pp. 48 to 50, for frames and ranges (AK60-6: 45 rad/s there, 50 in
-// neurobionics/TMotorCANControl); the error byte by drivers that cite the later manual, 5.2.1 (6 is the power
-// stage's temperature there, unbalanced phases in TMotorCANControl; 7 a stall: `other`); Damiao: DM-J4310
-// manual 1.0 and DM-S3519 manual 1.1 as drivers cite them. Not verified: under which id an AK answers (the
-// manual has `0x00 + drive ID`; 0 and the drive's own are both read from it: look first, and state `Master`),
-// and the ranges of the AK's third generation (a driver cites manual 3.0.0 with 12.56 rad, and 28 rad/s and
-// 54 N m of the AK10-9). docs/drives.md.
+// It answers each frame that it gets, and sends nothing else: the answer in the same cycle shows that it is
+// there. All drives of a bus may answer under one id. The first byte names the drive, so its number is at
+// most 255 (Damiao: 15).
+//   set_point   NaN or infinity anywhere refuses the whole command: cut to the range, it would mean the full
+//               position. Numbers are cut to the ranges. A zero velocity or torque is half a step off zero,
+//               0.0022 N m of 18
+//   decode      a position at the end of its range may be beyond it (`at_end`). For firmware that wraps
+//               there, use position_unwrap.hpp
+//   enabling    zero command, enter, zero command: so it enters without a jerk. Done with the first answer
+//               after that
+//   faults      the AK's error byte, Damiao's upper half of the first byte; other firmware reports none
+//   watchdog    a setting of the firmware, CAN_TIMEOUT, in cycles of its loop. It is off by default: then the
+//               drive follows the last command for ever. Set it
+// Ranges of AK10-9, 60-6, 70-10, 80-6, 80-9 and 80-64 are from the manual. AK80 with firmware 1.1 has +-22.5
+// rad/s: state your own.
+//
+// Cost: some dozen instructions a frame.
+// Source: mit_frame.hpp. CubeMars AK series actuator driver manual 1.0.8, pp. 48 to 50, for frames and ranges
+// (AK60-6: 45 rad/s there, 50 in neurobionics/TMotorCANControl). The error byte is from drivers that cite the
+// later manual, 5.2.1: 6 is the power stage's temperature there, unbalanced phases in TMotorCANControl; 7 is
+// a stall, `other` here. Damiao: DM-J4310 manual 1.0 and DM-S3519 manual 1.1, as drivers cite them.
+// Not verified: the id under which an AK answers. The manual has `0x00 + drive ID`, which is read as 0 and as
+// the drive's own: look first, and state `Master`. Nor the ranges of the AK's third generation: a driver
+// cites manual 3.0.0 with 12.56 rad, and 28 rad/s and 54 N m for the AK10-9.
+// docs/drives.md.
 #pragma once
 
 #include <array>
@@ -69,7 +73,7 @@ struct ak80_64 {
   static constexpr auto limits = detail::mit_ranges(8, 144);
 };
 
-// What the firmware puts beside the three numbers of a reply.
+// What a reply has beside the three numbers depends on the firmware.
 enum class mit_firmware : std::uint8_t { original, ak, damiao };
 
 template <MitRanges Ranges,
@@ -77,9 +81,10 @@ template <MitRanges Ranges,
           std::uint32_t Master = 0,
           mit_firmware Firmware = mit_firmware::ak>
 struct mit_drive {
-  static_assert(Number <= (Firmware == mit_firmware::damiao ? 15 : 255) && Master <= 0x7FF,
-                "cca::hardware::mit_drive: the drive's number stands in a byte of its replies (Damiao: in "
-                "half of one)");
+  static_assert(
+      Number <= (Firmware == mit_firmware::damiao ? 15 : 255) && Master <= 0x7FF,
+      "cca::hardware::mit_drive: the drive's number is at most 255 (Damiao: 15), since it stands in "
+      "the first byte of its replies; Master is an 11-bit id");
   using wire = mit_wire<Ranges>;
 
   static constexpr std::string_view name = Ranges::name;
@@ -88,8 +93,8 @@ struct mit_drive {
   static constexpr std::uint8_t reply_length = Firmware == mit_firmware::original ? 6 : 8;
   static constexpr can_id request_id = standard(Number), reply_id = standard(Master);
   static constexpr std::array<can_filter, 1> requests{{{request_id}}}, replies{{{reply_id}}};
-  static constexpr drive_mark reply_mark{
-      Number, Firmware == mit_firmware::damiao ? 0x0F : 0xFF};  // one id for all drives
+  // All drives may answer under one id.
+  static constexpr drive_mark reply_mark{Number, Firmware == mit_firmware::damiao ? 0x0F : 0xFF};
   static constexpr std::array<frame_traffic, 2> traffic{
       {{.shape = {.length = 8}}, {.shape = {.length = reply_length}}}};
   static constexpr drive_watchdog watchdog{0, "torque to zero; off unless CAN_TIMEOUT is set"};
@@ -127,7 +132,7 @@ struct mit_drive {
     return true;
   }
 
-  // The other side, for drives that are simulated. Beyond the range: its end.
+  // The drive's side, for virtual drives. Numbers beyond the range become its end.
   static constexpr can_frame reply(double position,
                                    double velocity,
                                    double torque,
@@ -147,18 +152,19 @@ struct mit_drive {
     return f;
   }
 
-  static constexpr can_frame still() noexcept {
-    return set_point({}).frames[0];
-  }  // all zero: no stiffness, no damping, no torque
+  // All zero: no stiffness, no damping, no torque.
+  static constexpr can_frame still() noexcept { return set_point({}).frames[0]; }
   static constexpr drive_frames disable() noexcept {
     return {still(), mit_special_frame(request_id, mit_special::leave)};
   }
+  // For Damiao drives.
   static constexpr can_frame clear_fault() noexcept {
     return mit_special_frame(request_id, mit_special::clear_fault);
-  }  // Damiao
+  }
+  // The present position becomes 0.
   static constexpr can_frame set_zero() noexcept {
     return mit_special_frame(request_id, mit_special::set_zero);
-  }  // where it stands is 0
+  }
 
   class enabling {
   public:
@@ -167,8 +173,7 @@ struct mit_drive {
         sent = true;
         before = r.frames;
         const can_frame enter = mit_special_frame(request_id, mit_special::enter);
-        if constexpr (Firmware == mit_firmware::damiao)  // it keeps a fault, that of its watchdog too, until
-                                                         // it is cleared
+        if constexpr (Firmware == mit_firmware::damiao)  // it keeps each fault until it is cleared
           return {{still(), clear_fault(), enter, still()}, enable_progress::going};
         return {{still(), enter, still()}, enable_progress::going};
       }
@@ -219,7 +224,7 @@ private:
       return code < std::size(faults) ? faults[code] : drive_fault::other;
     }
   }
-  // Damiao says whether it's enabled, the AK only that it answers.
+  // Damiao reports whether it is enabled; an AK doesn't.
   static constexpr drive_activity activity_of(std::uint32_t code, drive_fault fault) {
     if (fault != drive_fault::none) return drive_activity::faulted;
     if constexpr (Firmware == mit_firmware::damiao)

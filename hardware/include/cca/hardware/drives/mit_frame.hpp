@@ -1,13 +1,14 @@
-// The frames of the MIT mini-cheetah protocol: five numbers to a drive, three back, each as steps of a range.
+// The frames of the MIT mini-cheetah protocol: five numbers to a drive, three back, each in steps of a range.
 //
-// Ranges are a type, since each firmware has its own and no frame says which: a wrong one scales motion and
+// The ranges are a type: each firmware has its own, and no frame names them. Wrong ranges scale motion and
 // torque.
-//   command: position 16 bits, velocity, stiffness, damping, torque 12 bits, big-endian, in this order, 8
-//   bytes reply:   id, position 16, velocity 12, torque 12 bits, 6 bytes; AK firmware adds temperature and
-//   error, 8 bytes
-// A special frame is seven bytes FF and one of FB to FE. A command whose numbers are all at their upper ends
-// would be one: its torque is lowered to the step FFA, at most 5 steps (0.02 N m of 18). Source:
-// bgkatz/motorcontrol, Core/Src/can.c; CubeMars AK series driver manual 1.0.8, 5.3.
+//   command   position 16 bits, velocity, stiffness, damping, torque 12 bits, in this order, big-endian: 8
+//             bytes
+//   reply     id, position 16, velocity 12, torque 12 bits: 6 bytes; AK firmware adds temperature and error:
+//             8 bytes
+// A special frame is seven bytes FF and one of FB to FE. A command with all numbers at their upper ends would
+// look like one, so its torque is lowered to the step FFA: at most 5 steps (0.02 N m of 18).
+// Source: bgkatz/motorcontrol, Core/Src/can.c; CubeMars AK series driver manual 1.0.8, 5.3.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace cca::hardware {
 
-// What the ranges of a firmware are stated in: `limits` with angle, velocity, torque, stiffness, damping.
+// A type with the ranges of a firmware: `limits` of angle, velocity, torque, stiffness and damping.
 template <class Type> concept MitRanges = requires {
   Type::limits.template of<angle>();
   Type::limits.template of<velocity>();
@@ -49,13 +50,13 @@ struct mit_wire {
   static constexpr auto stiffness = range<cca::stiffness>(12);
   static constexpr auto damping = range<cca::damping>(12);
 
-  // The numbers of a command as on the wire.
+  // The numbers of a command, as they are on the wire.
   struct command {
     std::uint32_t position = 0, velocity = 0, stiffness = 0, damping = 0, torque = 0;
     friend constexpr bool operator==(const command&, const command&) = default;
   };
 
-  // Finite numbers only. `cut`: drive_quantity of what lay beyond its range.
+  // For finite numbers only. `cut`: the quantities that were beyond their range.
   static constexpr command to_wire(const drive_command& c, std::uint8_t& cut) {
     const auto step = [&cut](const detail::steps& r, double number, drive_quantity of) {
       bool beyond = false;
@@ -81,7 +82,7 @@ struct mit_wire {
                      byte(w.damping >> 4), byte((w.damping & 0xF) << 4 | w.torque >> 8), byte(w.torque)}};
   }
 
-  // The drive's side of it. Whether 8 bytes are a special frame is for the caller to ask first.
+  // The drive's side. Check first whether the 8 bytes are a special frame.
   static constexpr command read(std::span<const std::uint8_t, 8> d) {
     return {.position = std::uint32_t{d[0]} << 8 | d[1],
             .velocity = std::uint32_t{d[2]} << 4 | d[3] >> 4,

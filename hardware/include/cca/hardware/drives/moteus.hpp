@@ -1,24 +1,26 @@
-// A moteus, over CAN FD at 1 and 5 Mbit/s: one frame asks and says what to do, one answers.
+// A moteus, over CAN FD at 1 and 5 Mbit/s: one frame commands and asks, one answers.
 //
-//   struct hip_motor { static constexpr std::string_view name = "n1";  static constexpr double stiffness =
-//   80, damping = 2, torque = 12, timeout = 0.05; }; using hip = cca::hardware::moteus<hip_motor, 3>;      //
-//   servo 3
+//   struct hip_motor {
+//     static constexpr std::string_view name = "n1";
+//     static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.05;
+//   };
+//   using hip = cca::hardware::moteus<hip_motor, 3>;  // servo 3
 //
-// The motor's type says what its servo.pid_position.kp and kd are, in N m/rad and N m s/rad, the most torque
-// that it may use, in N m, and how long a command holds, in s. Numbers are those of its output shaft: turns
-// there, rad here; the command goes as floats, the answer comes as 32-bit integers. set_point: stiffness and
-// damping are parts of kp and kd, up to all of them; damping up to the part that stiffness has, as the
-// firmware has
-//   it. Without stiffness it does not damp: brake() does. NaN would mean `stay where you are` here: it is
-//   refused, stay() says it.
-// decode: a number that the drive has not got is NaN; a position beyond 21474.83647 turns, of 32 bits, stays
-// there. Mode 11, no command in time, is a fault, and holds until disable().
-//   Fault numbers from 96 on are limits that it keeps, not faults: they are in `code`.
-// enabling: stop, which clears faults; then stay() until it says that it holds.
-// Watchdog: in each command, `timeout`; then it does servo.timeout_mode (stop, hold, zero velocity or brake)
-// until disable(). Source: moteus_registers.hpp. docs/drives.md.
+// The motor's type states the drive's settings: servo.pid_position.kp and kd in N m/rad and N m s/rad, the
+// torque that it may use at most in N m, and how long a command holds in s. Numbers are those of its output
+// shaft: turns there, rad here. The command has floats, the answer 32-bit integers.
+//   set_point   stiffness and damping are parts of kp and kd, from 0 to 1. Damping can't be a larger part
+//               than stiffness, since the firmware limits it so. Without stiffness it does not damp: use
+//               brake(). NaN is refused: in this protocol it would mean `stay where you are`, for which there
+//               is stay()
+//   decode      a number that the drive does not have is NaN. A position stays at 21474.83647 turns, the last
+//               that 32 bits can say. Mode 11, no command in time, is a fault until disable(). Fault numbers
+//               from 96 on are limits that the drive keeps, no faults: they are in `code` only
+//   enabling    stop, which clears faults; then stay() until the drive reports that it holds
+//   watchdog    `timeout` in each command. After that it does servo.timeout_mode (stop, hold, zero velocity
+//               or brake) until disable()
+// Source: moteus_registers.hpp. docs/drives.md.
 #pragma once
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -26,7 +28,7 @@
 #include <string_view>
 
 #include <cca/hardware/drives/drive.hpp>
-#include <cca/hardware/drives/moteus_registers.hpp>
+#include <cca/hardware/drives/moteus_frames.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca::hardware {
@@ -39,7 +41,7 @@ template <class Type> concept MoteusMotor = requires {
 template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0>
 struct moteus {
   static_assert(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source,
-                "cca::hardware::moteus: a servo's number is 1 to 127, and not ours");
+                "cca::hardware::moteus: a servo's number is 1 to 127, and not the one that we send from");
   using motor = Motor;
 
   static constexpr std::string_view name = Motor::name;
@@ -52,7 +54,7 @@ struct moteus {
   static constexpr std::array<can_filter, 1> requests{{{request_id}}};
   static constexpr std::array<can_filter, 2> replies{
       {{extended(reply_number)}, {reply_number <= 0x7FF ? standard(reply_number) : extended(reply_number)}}};
-  // Whatever is sent to its number, from whatever source; 11 or 29 bits make no difference to it.
+  // All frames to its number, from any source; it takes 11-bit and 29-bit ids.
   static constexpr std::array<can_filter, 2> occupies{
       {{extended(Servo), 0x1FFF00FF}, {standard(Servo), 0x1FFF00FF}}};
   static constexpr std::array<frame_traffic, 2> traffic{
@@ -62,7 +64,7 @@ struct moteus {
       static_cast<std::int64_t>(Motor::timeout * 1e9),
       "timeout mode: stops, holds, damps or brakes by servo.timeout_mode, until stopped"};
 
-  // `most_torque`: what the drive may use while it follows this command, in N m.
+  // `most_torque`: what the drive may use for this command, in N m.
   static constexpr set_point_frames set_point(const drive_command& c,
                                               double most_torque = Motor::torque) noexcept {
     set_point_frames s;
@@ -134,14 +136,14 @@ struct moteus {
     return true;
   }
 
+  // Holds its position, with all of kp and kd.
   static constexpr can_frame stay() noexcept {
     return position_mode(std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 1, Motor::torque);
-  }  // where it is, with all of kp and kd
-  static constexpr can_frame brake() noexcept {
-    return mode_alone(15);
-  }  // windings shorted: damps without control
+  }
+  // Shorts the windings: damps without control.
+  static constexpr can_frame brake() noexcept { return detail::moteus_mode_frame(request_id, 15); }
   static constexpr drive_frames damp() noexcept { return {brake()}; }
-  static constexpr drive_frames disable() noexcept { return {mode_alone(0)}; }
+  static constexpr drive_frames disable() noexcept { return {detail::moteus_mode_frame(request_id, 0)}; }
 
   class enabling {
   public:
@@ -163,51 +165,10 @@ struct moteus {
     std::uint64_t states = 0;
   };
 
-  // The other side, for drives that are simulated: what a request asks for, `mode` -1 where it says none, NaN
-  // where it says NaN.
-  struct request {
-    int mode = -1;
-    drive_command command{};  // stiffness and damping as parts of the drive's own
-    double most_torque = std::numeric_limits<double>::quiet_NaN(), timeout = 0;
-  };
+  // The drive's side, for virtual drives.
+  using request = moteus_request;
   static constexpr bool hear(const can_frame& f, request& q) noexcept {
-    if (f.id != request_id || f.remote || !f.valid()) return false;
-    request now;
-    now.command.stiffness = now.command.damping = 1;
-    const bool sound =
-        read_registers(f.payload(), [&now](moteus_kind kind, std::uint32_t which, double value) {
-          if (kind != moteus_kind::write) return;
-          switch (static_cast<moteus_register>(which)) {
-            case moteus_register::mode:
-              now.mode = value >= 0 && value <= 15 ? static_cast<int>(value) : -1;
-              break;
-            case moteus_register::command_position:
-              now.command.position = value * detail::radians_in_turn;
-              break;
-            case moteus_register::command_velocity:
-              now.command.velocity = value * detail::radians_in_turn;
-              break;
-            case moteus_register::command_torque:
-              now.command.torque = value;
-              break;
-            case moteus_register::stiffness_scale:
-              now.command.stiffness = value;
-              break;
-            case moteus_register::damping_scale:
-              now.command.damping = value;
-              break;
-            case moteus_register::most_torque:
-              now.most_torque = value;
-              break;
-            case moteus_register::command_timeout:
-              now.timeout = value;
-              break;
-            default:
-              break;
-          }
-        });
-    if (sound) q = now;
-    return sound;
+    return f.id == request_id && !f.remote && f.valid() && detail::read_moteus_request(f, q);
   }
   static constexpr can_frame reply(std::uint8_t mode,
                                    double position,
@@ -230,44 +191,18 @@ struct moteus {
     w.head(moteus_kind::reply, moteus_value::int8, moteus_register::temperature, 2);
     w.byte(static_cast<std::uint8_t>(temperature));
     w.byte(fault);
-    return padded(f, w.size());
+    return detail::padded(f, w.size());
   }
 
 private:
-  static constexpr can_frame padded(can_frame f, std::size_t used) {
-    f.length = fd_length(used);
-    for (; used < f.length; ++used) f.data[used] = 0x50;  // nothing
-    return f;
-  }
-  static constexpr void ask(register_writer& w) {
-    w.head(moteus_kind::read, moteus_value::int32, moteus_register::mode, 4);
-    w.head(moteus_kind::read, moteus_value::int8, moteus_register::temperature, 2);
-  }
-  static constexpr can_frame mode_alone(std::uint8_t mode) {
-    can_frame f = fd(request_id, {});
-    register_writer w(f.data);
-    w.head(moteus_kind::write, moteus_value::int8, moteus_register::mode, 1);
-    w.byte(mode);
-    ask(w);
-    return padded(f, w.size());
-  }
   static constexpr can_frame position_mode(double turns,
                                            double turns_a_second,
                                            double torque,
                                            double stiffness_part,
                                            double damping_part,
                                            double most_torque) {
-    can_frame f = fd(request_id, {});
-    register_writer w(f.data);
-    w.head(moteus_kind::write, moteus_value::int8, moteus_register::mode, 1);  // the mode stands first
-    w.byte(10);
-    w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_position, 6);
-    for (const double number : {turns, turns_a_second, torque, stiffness_part, damping_part, most_torque})
-      w.number(static_cast<float>(number));
-    w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_timeout, 1);
-    w.number(static_cast<float>(Motor::timeout));
-    ask(w);
-    return padded(f, w.size());
+    return detail::moteus_position_frame(request_id, {turns, turns_a_second, torque, stiffness_part,
+                                                      damping_part, most_torque, Motor::timeout});
   }
   static constexpr drive_fault fault_of(std::uint32_t code) {
     switch (code) {

@@ -1,11 +1,11 @@
-// The registers of a moteus, as subframes in the payload of a frame: read one after the other, written one
-// after the other.
+// The registers of a moteus, as subframes in the payload of a frame: reading and writing them in order.
 //
-// A subframe is its kind, how many registers, the first of them, and the values, each of 1, 2, 4 bytes or a
-// float. Integers stand for steps of a size that depends on the register; the most negative one, as NaN,
-// means `none`, which on this bus is a value. read_registers calls f(kind, register, value) for each; it
-// stops where the bytes end or make no sense, and says whether they did not. It reads nothing past the
-// payload, and no more than 64 values. Source: mjbots/moteus, docs/protocol/can.md and registers.md.
+// A subframe is its kind, the number of registers, the first register, and the values: each of 1, 2 or 4
+// bytes, or a float. Integers count steps; the size of a step depends on the register. The most negative
+// integer, like NaN, means `none`, which is a value of this protocol.
+// read_registers calls f(kind, register, value) for each register. It returns false where the bytes end too
+// early or make no sense. It reads nothing past the payload, and at most 64 values.
+// Source: mjbots/moteus, docs/protocol/can.md and registers.md.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,8 @@ enum class moteus_kind : std::uint8_t { write = 0x00, read = 0x10, reply = 0x20 
 
 namespace detail {
 
-// What one step of an integer is, in turns, turns/s, N m, degrees Celsius, V, s; 0: no such register here.
+// One step of an integer, in turns, turns/s, N m, degrees Celsius, V, s; 0: a register that is not known
+// here.
 constexpr double moteus_step(std::uint32_t which, moteus_value as) {
   const auto of = [as](double a, double b, double c) {
     return as == moteus_value::int8 ? a : as == moteus_value::int16 ? b : as == moteus_value::int32 ? c : 1.0;
@@ -87,7 +88,7 @@ constexpr double moteus_number(std::span<const std::uint8_t> bytes,
   return n == lowest ? none : static_cast<double>(n) * moteus_step(which, as);
 }
 
-// Seven bits a byte, the low ones first; false where the bytes end, or go on after 32 bits.
+// Seven bits a byte, the low ones first. False: the bytes end too early, or the number has more than 32 bits.
 constexpr bool got_varuint(std::span<const std::uint8_t> bytes, std::size_t& at, std::uint32_t& number) {
   std::uint64_t n = 0;
   for (int shift = 0; shift < 35; shift += 7) {
@@ -126,13 +127,13 @@ constexpr bool read_registers(std::span<const std::uint8_t> bytes, F&& f) {
   return true;
 }
 
-// Puts subframes into a payload, as many as fit: who writes knows how many those are.
+// Puts subframes into a payload, as many as fit; the caller knows how many that are.
 class register_writer {
 public:
   constexpr explicit register_writer(std::span<std::uint8_t> into) : bytes(into) {}
   constexpr std::size_t size() const { return at; }
 
-  // Up to three at a time have their number in the head.
+  // A count up to 3 is part of the head; a larger one has a byte of its own.
   constexpr void head(moteus_kind kind, moteus_value as, moteus_register first, std::uint8_t count) {
     byte(static_cast<std::uint8_t>(static_cast<unsigned>(kind) | static_cast<unsigned>(as) << 2 |
                                    (count <= 3 ? count : 0u)));

@@ -1,28 +1,31 @@
-// An ODrive axis that speaks CAN Simple, with firmware 0.5 (ODrive 3) or 0.6 (Pro, S1): same ids, other
-// meanings in between.
+// An ODrive axis that speaks CAN Simple, with firmware 0.5 (ODrive 3) or 0.6 (Pro, S1): the same ids, but
+// some frames mean something else.
 //
-//   using hip = cca::hardware::odrive<3, cca::hardware::odrive_mode::torque>;            // node 3; 0.6
-//   unless stated
+//   using hip = cca::hardware::odrive<3, cca::hardware::odrive_mode::torque>;   // node 3, firmware 0.6
 //
-// Ids are node << 5 | command; a node above 63 means 29 bits. Numbers are those of its encoder's shaft: turns
-// there, rad here. set_point by mode: position (float, turns; velocity and torque ahead as thousandths in 16
-// bits, so up to 205.9 rad/s and 32.767 N m),
-//   velocity (float, and torque ahead), torque (float). It has its gains by itself: stiffness and damping are
-//   not used. NaN and infinity refuse the command.
-// decode: heartbeat, encoder estimates, errors; of 0.6 temperatures and torques too. What the drive gives as
-// NaN, it has not got: NaN. A position has no end and does not wrap; it grows coarser, to steps of 1/16 turn
-// at a million turns.
-//   That a heartbeat has no error does not mean that it drives: `activity` is `enabled` in closed loop only.
-// enabling: clears errors, sets the mode, waits for a measured position, asks for just that, and for closed
-// loop. Watchdog: a setting (axis.config.enable_watchdog, watchdog_timeout), off by default; set-points and a
-// request for a state feed
-//   it (0.5: each frame to its node); when it has run out the axis goes idle, with an error.
-// Requests by remote frames are not used, since many adapters don't pass them: let it send cyclically
-// (config.can.*_rate_ms). Source: 0.6: odriverobotics/ros_odrive, odrive_base/include/can_simple_messages.hpp
-// (made from the maker's own database), the error and state numbers of odriverobotics/ODriveArduino,
-// src/ODriveEnums.h, and of odrive-cansimple 0.6.10; what feeds the watchdog: odriverobotics/ODriveResources,
-// examples/can_simple.py. 0.5: odriverobotics/ODrive, docs/can-protocol.rst, and the errors of
-// odrive-cansimple 0.5.6. Not verified: whether 0.6 takes frames longer than its own (none is sent).
+// Ids are node << 5 | command; a node above 63 has 29-bit ids. Numbers are those of its encoder's shaft:
+// turns there, rad here.
+//   set_point   by mode. position: a float in turns; velocity and torque are added as thousandths in 16 bits,
+//               so up to 205.9 rad/s and 32.767 N m. velocity: a float, and a torque that is added. torque: a
+//               float. The gains are settings of the drive: stiffness and damping are not used. NaN and
+//               infinity refuse the command
+//   decode      heartbeat, encoder estimates, errors; of 0.6 also temperatures and torques. NaN means that
+//               the drive does not have the number. A position has no end and does not wrap; it gets coarser,
+//               to steps of 1/16 turn at a million turns. A heartbeat without an error does not mean that it
+//               drives: `activity` is `enabled` in closed loop only
+//   enabling    clears errors, sets the mode, waits for a measured position, commands that one, and asks for
+//               closed loop
+//   watchdog    a setting (axis.config.enable_watchdog, watchdog_timeout), off by default. Set points and
+//               state requests feed it (0.5: each frame to its node). When it runs out, the axis goes idle,
+//               with an error
+// It does not ask by remote frames, since many adapters don't pass them: let the drive send cyclically
+// (config.can.*_rate_ms).
+//
+// Source: 0.6: odriverobotics/ros_odrive, odrive_base/include/can_simple_messages.hpp (made from the maker's
+// own database); the error and state numbers of odriverobotics/ODriveArduino, src/ODriveEnums.h, and of
+// odrive-cansimple 0.6.10; what feeds the watchdog: odriverobotics/ODriveResources, examples/can_simple.py.
+// 0.5: odriverobotics/ODrive, docs/can-protocol.rst, and the errors of odrive-cansimple 0.5.6.
+// Not verified: whether 0.6 takes frames longer than its own (we send none).
 // docs/drives.md.
 #pragma once
 
@@ -58,7 +61,7 @@ namespace detail {
 
 using fault_bit = std::pair<std::uint32_t, drive_fault>;
 
-// The first of these that is set.
+// The fault of the first bit in `known` that is set.
 constexpr drive_fault fault_in(std::uint32_t bits, std::span<const fault_bit> known) {
   for (const auto& [bit, fault] : known)
     if (bits & bit) return fault;
@@ -87,12 +90,11 @@ struct odrive {
   static_assert(Node <= 0xFFFFFF, "cca::hardware::odrive: a node is at most 0xFFFFFF");
   static constexpr std::uint32_t node = Node;
   static constexpr odrive_firmware firmware = Firmware;
-  static constexpr std::int64_t report_period =
-      EstimatesPeriod;  // ns; it tells where it is by itself, asked or not
+  static constexpr std::int64_t report_period = EstimatesPeriod;  // ns, between two encoder estimates
   static constexpr bool is_0_6 = Firmware == odrive_firmware::v0_6,
                         by_position = Mode == odrive_mode::position,
                         by_velocity = Mode == odrive_mode::velocity;
-  static constexpr double thousandths = 32.767;  // what 16 bits of them reach
+  static constexpr double thousandths = 32.767;  // the most that 16 bits of thousandths say
 
   static constexpr can_id id(odrive_command c) {
     return {Node << 5 | static_cast<std::uint32_t>(c), Node > 63};
@@ -120,8 +122,8 @@ struct odrive {
                                                       {id(odrive_command::estimates)},
                                                       {id(odrive_command::temperature)},
                                                       {id(odrive_command::torques)}}};
-  static constexpr std::array<can_filter, 1> occupies{
-      {{{Node << 5, Node > 63}, 0x1FFFFFE0}}};  // Reboot, settings, and so on
+  // All its other commands: reboot, settings and so on.
+  static constexpr std::array<can_filter, 1> occupies{{{{Node << 5, Node > 63}, 0x1FFFFFE0}}};
   static constexpr std::array<frame_traffic, 3> traffic{
       {{.shape = {.length = 8, .extended = Node > 63}},
        {.shape = {.length = 8, .extended = Node > 63}, .period = EstimatesPeriod},
@@ -188,15 +190,15 @@ struct odrive {
       r.velocity = number(4) * detail::radians_in_turn;
       r.told = of_position | of_velocity;
     } else if (f.id == id(odrive_command::error)) {
-      const std::uint32_t active =
-          is_0_6 ? word(0) : word(0) | word(4);  // 0.5: 64 bits of the motor's errors
-      r.code = active != 0 ? active : word(4);   // 0.6: why it was disarmed
+      // 0.5: 64 bits of the motor's errors. 0.6: the active errors, then why it was disarmed.
+      const std::uint32_t active = is_0_6 ? word(0) : word(0) | word(4);
+      r.code = active != 0 ? active : word(4);
       if (active != 0) {
         r.fault = is_0_6 ? detail::fault_in(active, detail::odrive_0_6_faults) : drive_fault::other;
         r.activity = drive_activity::faulted;
       }
       r.told = of_activity;
-      r.states += active != 0;  // without an error it says nothing of what the drive does
+      r.states += active != 0;  // without an error it says nothing about the drive's state
     } else if (is_0_6 && f.id == id(odrive_command::temperature)) {
       r.temperature = number(0);
       r.told = of_temperature;
@@ -223,7 +225,7 @@ struct odrive {
   static constexpr can_frame controller_mode() noexcept {
     can_frame f = empty(odrive_command::set_controller_mode, 8);
     detail::put(f.data, 0, static_cast<std::uint32_t>(Mode));
-    detail::put(f.data, 4, std::uint32_t{1});  // passed through, without ramp or filter
+    detail::put(f.data, 4, std::uint32_t{1});  // input mode: passed through, without ramp or filter
     return f;
   }
   static constexpr drive_frames disable() noexcept { return {axis_state(1)}; }
@@ -250,7 +252,7 @@ struct odrive {
     std::uint64_t states = 0;
   };
 
-  // The other side, for drives that are simulated.
+  // The drive's side, for virtual drives.
   static constexpr bool hear(const can_frame& f, drive_command& c) noexcept {
     if (f.id != id(input) || f.fd || f.remote || f.length != (Mode == odrive_mode::torque ? 4 : 8))
       return false;

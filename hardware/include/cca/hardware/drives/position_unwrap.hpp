@@ -1,11 +1,12 @@
-// A position that goes on where the drive's own wraps: some MIT firmware reports +12.5 rad and then -12.5.
+// A position without jumps, for drives whose position wraps: some MIT firmware reports +12.5 rad and then
+// -12.5.
 //
 //   position_unwrap unwrap{25.0};         // the width of the range
 //   q = unwrap(report.position);
 //
-// Right as long as it moves less than half the width between two reports: with 25 rad and 50 rad/s, reports
-// may be 250 ms apart. The first report is taken as it is. Only for drives that wrap: one that stays at its
-// end must not be unwrapped.
+// It works as long as the drive moves less than half the width between two reports: with 25 rad and 50 rad/s
+// they may be 250 ms apart. The first report is the start. Use it only for drives that wrap, not for those
+// that stay at the end of their range.
 #pragma once
 
 namespace cca::hardware {
@@ -14,7 +15,7 @@ class position_unwrap {
 public:
   constexpr explicit position_unwrap(double width_of_range) : width(width_of_range) {}
 
-  // Not finite: what it was before.
+  // A number that is not finite changes nothing.
   constexpr double operator()(double reported) {
     if (!(reported - reported == 0)) return now;
     if (begun) {

@@ -1,12 +1,11 @@
-// What flows in front of the drives: what each joint measures, what each drive is to do, and why it may not.
+// What flows between the synchronizer and the guards: what each joint measures, what each drive shall do, and
+// why it may not.
 //
-// Records of a few numbers an axis; no command of the metamodel, so nothing but the guards and the
-// synchronizer reads them.
-//   joint_state   of an axis: angle, velocity, torque, trip (a safety_rule, 0: none), phase (a motion_phase)
+// Both spaces hold a few numbers an axis. They are for the guards and the synchronizer only.
+//   joint_state   of an axis: angle, velocity, torque, trip (a safety_rule; 0: none), phase (a motion_phase)
 //   set_point     of an axis: position, velocity, torque, stiffness, damping (a drive_command of the joint),
-//   and `mark`: before
-//                 the emergency stop the rule that it broke, behind it the motion_mode
-// Cost: as many doubles. docs/hardware.md.
+//                 and `mark`: before the emergency stop the rule that it broke, behind it the motion_mode
+// Cost: 5 and 6 doubles an axis. docs/hardware.md.
 #pragma once
 
 #include <array>
@@ -19,21 +18,21 @@
 
 namespace cca::hardware {
 
-// Why motion stopped, or a set-point was changed.
+// Why motion stopped, or why a set point was changed.
 enum class safety_rule : std::uint8_t {
   none,
-  not_finite,    // a set-point that is no number
-  stale,         // a command older than it may be
+  not_finite,    // a set point has a number that is NaN or infinite
+  stale,         // a command is too old
   stalled,       // the whole loop stood still
   silent,        // a drive does not answer
-  sensor_board,  // the sensor board says nothing, or that something is wrong with it
-  drive_fault,   // a drive says that something is wrong with it
-  implausible,   // a drive says that it jumped, or not how fast it goes
-  link,          // the bus went off or down, its queue stays full, or someone else sends our frames
-  enabling,  // a drive would not be enabled, or the sensor board does not tell: why a start came to nothing
-  pressed,   // the emergency stop
-  asked,     // a soft stop
-  range,     // the rest change a set-point and stop nothing
+  sensor_board,  // the sensor board is silent or reports a fault
+  drive_fault,   // a drive reports a fault
+  implausible,   // a drive reports a jump, or no longer its velocity
+  link,          // the bus went off or down, its queue stays full, or somebody else sends our frames
+  enabling,      // a start failed: a drive could not be enabled, or the sensor board is silent
+  pressed,       // the emergency stop
+  asked,         // a soft stop
+  range,         // this one and the following change a set point and stop nothing
   rate,
   torque,
   stop,
@@ -46,17 +45,17 @@ constexpr std::string_view name_of(safety_rule r) {
   return names[static_cast<std::size_t>(r)];
 }
 
-// The first cause: which rule, which joint (-1: not of one joint), in which beat (-1: none).
+// The first cause: the rule, the joint (-1: of no joint), the beat (-1: none).
 struct safety_event {
   safety_rule rule = safety_rule::none;
   int joint = -1;
   std::int64_t beat = -1;
 };
 
-// How far the drives are. `begins`: in this beat they are enabled, and motion starts from where the joints
+// How far the drives are. `begins`: they are enabled from this beat on, and motion starts where the joints
 // are.
 enum class motion_phase : std::uint8_t { stopped, enabling, begins, running };
-// What the drives may do. `soft`: hold where they are, ever softer; then damped: brake, and give way.
+// What the drives may do. `soft`: hold the measured position, softer in each beat. `damped`: only damp.
 enum class motion_mode : std::uint8_t { run, soft, damped };
 
 template <int Numbers>
@@ -109,7 +108,7 @@ struct set_point : drive_command {
   bool finite() const { return (position + velocity + torque + stiffness + damping) * 0 == 0; }
 };
 
-// What a guard has changed: how often, and the first time since it was started.
+// How often a guard has changed something, and its first change since the start.
 struct safety_record {
   safety_event first{};
   std::int64_t count = 0;

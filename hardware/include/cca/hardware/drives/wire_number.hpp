@@ -1,11 +1,12 @@
-// Numbers as drives put them into bytes, without reading past the payload.
+// Numbers as bytes of a frame, without reading past the payload.
 //
 // `steps`: a range in so many bits, as unsigned steps from its lower to its upper end.
-//   to_step: the nearest step; half-way between two the lower one, so that zero in the middle of a range is
-//   the same frame (7FFF, 7FF) that drivers which round down send. Beyond the range: its end, and `cut`. NaN
-//   is no number to ask for: the caller's to refuse. from_step: the number of a step.
-// Little- and big-endian integers and floats of fixed size, and float from double without leaving its range.
-// All of it constexpr. Tested over every step of 12 and 16 bits in tests/runtime/hardware/wire_numbers.cpp.
+//   to_step    the nearest step. Half-way between two it is the lower one, so zero in the middle of a range
+//              gives the same frame (7FFF, 7FF) as drivers that round down. Beyond the range it is the end,
+//              and `cut` says so. The caller must refuse NaN
+//   from_step  the number of a step
+// Also: little-endian integers and floats of fixed size, and floats from doubles without overflow. All
+// constexpr. tests/runtime/hardware/wire_numbers.cpp tests every step of 12 and 16 bits.
 #pragma once
 
 #include <bit>
@@ -44,7 +45,7 @@ struct steps {
   }
 };
 
-// The nearest of 2^bits - 1 integers around zero: the most negative one means something else on most buses.
+// The nearest integer within +-(2^(bits-1) - 1): on most buses the most negative one means something else.
 constexpr std::int64_t nearest_integer(double number, int bits, bool& cut) {
   const std::int64_t most = (std::int64_t{1} << (bits - 1)) - 1;
   if (!(number < static_cast<double>(most) + 0.5)) return cut = true, most;
@@ -52,7 +53,7 @@ constexpr std::int64_t nearest_integer(double number, int bits, bool& cut) {
   return static_cast<std::int64_t>(number < 0 ? number - 0.5 : number + 0.5);
 }
 
-// A float of a finite double, at the end of its range if it lies beyond.
+// A finite double as a float; beyond the range it is the range's end.
 constexpr float to_float(double number, bool& cut) {
   constexpr double most = std::numeric_limits<float>::max();
   if (number > most) return cut = true, std::numeric_limits<float>::max();
@@ -69,7 +70,7 @@ constexpr void put_float(std::span<std::uint8_t> bytes, std::size_t at, float nu
   put(bytes, at, std::bit_cast<std::uint32_t>(number));
 }
 
-// Bytes that are not there are zero.
+// Missing bytes count as zero.
 template <class Unsigned>
 constexpr Unsigned got(std::span<const std::uint8_t> bytes, std::size_t at) {
   Unsigned number = 0;
@@ -82,7 +83,7 @@ constexpr float got_float(std::span<const std::uint8_t> bytes, std::size_t at) {
   return std::bit_cast<float>(got<std::uint32_t>(bytes, at));
 }
 
-// As a drive says it; what is no number, infinity as well, is NaN.
+// What a drive reports; infinity becomes NaN.
 constexpr double number_or_nan(double x) {
   return is_finite(x) ? x : std::numeric_limits<double>::quiet_NaN();
 }

@@ -1,22 +1,24 @@
-// The synchronizer of a robot on CAN: the one node that knows the buses. It reads all that came in `sense`,
-// and writes in `act`.
+// The synchronizer of a robot on CAN: the only node that knows the buses. It reads in `sense` and sends in
+// `act`.
 //
-//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has told: the
-//   nodes behind it publish
-//           what is a number (oncilla_nodes.hpp)
+//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has reported;
+//               the nodes behind it publish only numbers (oncilla_nodes.hpp)
 //           out "trunk"  the sensor board, as sim::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
 //   act     in "set_points" of the guards; optional "abduction" targets for the board
 //
-// `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them. `on_start` and
-// `start()` are the deliberate way to motion: drives are enabled; once all of them are, the phase `begins`
-// and the guards start where the joints are. A bus that went away, a drive that says nothing for
-// `silent_beats` or three times its own period, tells of a fault, jumps or loses its speed, a sensor board
-// that is silent or faulty, a loop that stood still, all trip the emergency stop, in the same beat. Then
-// set-points go out only if they damp, until `start()`. No set-point is sent behind frames that still wait:
-// it would be an old one. `on_fault` damps at once and stops; `on_stop` disables. Parameters: `offset`, the
-// calibration of each joint, in addition to its type's. Cost: two calls of each bus a beat, some dozen
-// instructions a frame; no allocation. docs/hardware.md.
+// `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them.
+// `on_start` and `start()` are the deliberate way to motion: they enable the drives. Once all drives are
+// enabled, the phase `begins`, and the guards start where the joints are.
+// These trip the emergency stop in the same beat: a bus that went away; a drive that is silent for
+// `silent_beats` or three times its own period, reports a fault, jumps or no longer reports its velocity; a
+// sensor board that is silent or faulty; a loop that stood still. Then set points go out only if they damp,
+// until `start()`.
+// No set point is sent behind frames that still wait: it would be stale. `on_fault` damps at once and stops;
+// `on_stop` disables the drives.
+//
+// Parameters: `offset`, the calibration of each joint in rad, added to its type's offset.
+// Cost: two calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +28,14 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/base/reflect.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/base/reflect.hpp>
-#include <cca/hardware/robot/joint_frames.hpp>
-#include <cca/hardware/safety/link_supervisor.hpp>
-#include <cca/hardware/robot/sensor_board.hpp>
 #include <cca/hardware/drives/set_points.hpp>
+#include <cca/hardware/robot/joint_frames.hpp>
+#include <cca/hardware/robot/joint_monitor.hpp>
+#include <cca/hardware/robot/sensor_board.hpp>
+#include <cca/hardware/safety/link_supervisor.hpp>
 #include <cca/sim/oncilla_spaces.hpp>
 
 namespace cca::hardware {
@@ -51,9 +54,10 @@ public:
   };
   parameters p{};
 
-  static constexpr int silent_beats = 3, silent_board_beats = 10, enabling_beats = 1000;
+  static constexpr int silent_beats = joint_monitor<J...>::silent_beats, silent_board_beats = 10,
+                       enabling_beats = 1000;
   static constexpr std::int64_t longest_pause =
-      3'500'000;  // ns on the bus's clock between two batches of answers
+      3'500'000;  // ns on the bus's clock, between two beats' frames
 
   template <class... Buses>
   void connect(Buses&... all) {
@@ -70,11 +74,11 @@ public:
     bring_up();
     typename joint_states<joints>::vector_type states;
     for (std::size_t i = 0; i < count; ++i)
-      joint_state{angle[i], speed[i], torque[i], trip_of(i), at}.put(states, i);
+      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), at}.put(states, i);
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense())(
-          Eigen::Vector3d(angle[I], J::speed_of(reports[I].velocity), J::torque_of(reports[I].torque))...,
-          trunk(), states);
+      return decltype(sense())(Eigen::Vector3d(drives.angle[I], J::speed_of(drives.reports[I].velocity),
+                                               J::torque_of(drives.reports[I].torque))...,
+                               trunk(), states);
     });
   }
 
@@ -96,15 +100,16 @@ public:
     if (at == motion_phase::begins) at = motion_phase::running;
   }
 
-  // Refused by waiting: as long as a bus is away or still holds frames, the drives stay as they are.
+  // While a bus is away or still holds frames, this waits and the drives stay as they are.
   void start() {
     at = motion_phase::enabling;
     way = {};
     ready = refused = {};
     budget = enabling_beats;
-    trips.fill(safety_rule::none);
     failed = safety_rule::none;
-    jumps.fill(0), quiet.fill(0), quiet_board = 0;
+    drives.forget_trips();
+    drives.forget_jumps();
+    quiet_board = 0;
     newest = 0;
   }
   void stop() {
@@ -118,16 +123,16 @@ public:
   void on_fault() {
     clear(outbox), moves = {};
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      (add<J>(damped<J>(std::isfinite(angle[I]) ? angle[I] : 0.0)), ...);
+      (add<J>(damped<J>(std::isfinite(drives.angle[I]) ? drives.angle[I] : 0.0)), ...);
     });
     post_and_stop();
   }
 
   motion_phase phase() const { return at; }
-  const drive_report& report(std::size_t joint) const { return reports[joint]; }
+  const drive_report& report(std::size_t joint) const { return drives.reports[joint]; }
   const board_reading& board() const { return reading; }
   const link_supervisor<3>& link(std::size_t bus) const { return links[bus]; }
-  safety_rule refusal() const { return failed; }  // why the last start came to nothing
+  safety_rule refusal() const { return failed; }  // why the last start failed
 
 private:
   static constexpr std::size_t most_frames = 8 * count + 1 + 4;
@@ -139,8 +144,10 @@ private:
     return f(std::make_index_sequence<count>());
   }
 
+  bool moving() const { return at >= motion_phase::begins; }
+
   void listen() {
-    const auto before = frames_of_drives();
+    drives.begin_beat();
     const std::uint64_t of_board = reading.frames;
     std::int64_t latest = newest;
     for (std::size_t b = 0; b < buses; ++b) {
@@ -150,61 +157,28 @@ private:
         for (std::size_t k = 0; k < n; ++k) {
           latest = std::max(latest, inbox[k].time);
           if (b == Board::bus && Board::decode(inbox[k].frame, reading)) continue;
-          each([&]<std::size_t... I>(std::index_sequence<I...>) { (hear<J, I>(b, inbox[k]) || ...); });
+          each([&]<std::size_t... I>(std::index_sequence<I...>) {
+            (drives.template hear<J, I>(b, inbox[k], p.offset[I], moving()) || ...);
+          });
         }
       }
       links[b].observe(wires[b]->state(), wires[b]->counters());
     }
     const std::int64_t pause = newest == 0 ? 0 : latest - newest;
     newest = latest;
-    if (at < motion_phase::begins) return;
+    if (!moving()) return;
+    auto& trips = drives.trips;
     if (pause > longest_pause) trips.fill(safety_rule::stalled);
-    const auto now = frames_of_drives();
-    for (std::size_t i = 0; i < count; ++i) {
-      quiet[i] = now[i] == before[i] ? quiet[i] + 1 : 0;
-      if (jumps[i] >= silent_beats) note(i, safety_rule::implausible);
-      if (quiet[i] >= patient[i]) note(i, safety_rule::silent);
-      if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
-        note(i, safety_rule::drive_fault);
+    drives.check();
+    for (std::size_t i = 0; i < count; ++i)
       if (links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
-    }
     quiet_board = reading.frames == of_board ? quiet_board + 1 : 0;
     if (quiet_board >= silent_board_beats || reading.status != 0)
       std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
     if (links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
   }
-  void note(std::size_t i, safety_rule rule) {
-    if (trips[i] == safety_rule::none) trips[i] = rule;
-  }
 
-  template <class One, std::size_t I>
-  bool hear(std::size_t b, const received_frame& f) {
-    if (One::bus != b) return false;
-    drive_report heard = reports[I];
-    if (!One::drive::decode(f.frame, heard)) return false;
-    if ((heard.told & of_velocity) && !std::isfinite(heard.velocity))
-      return ++jumps[I], true;  // no number to judge by
-    if (heard.told & of_position) {
-      const double now = One::angle_of(heard.position) + p.offset[I];
-      const double pause = static_cast<double>(f.time - told_at[I]) * 1e-9;
-      const double fastest = 1.5 * std::max(One::speed.upper, -One::speed.lower);
-      if (at >= motion_phase::begins && std::isfinite(angle[I]) &&
-          !(std::abs(now - angle[I]) <= 0.05 + fastest * (pause + 1e-3))) {
-        ++jumps[I];
-        return true;
-      }
-      jumps[I] = 0;
-      told_at[I] = f.time;
-      angle[I] = now;
-    }
-    if (heard.told & of_velocity) speed[I] = One::speed_of(heard.velocity);
-    if (heard.told & of_torque) torque[I] = One::torque_of(heard.torque);
-    reports[I] = heard;
-    return true;
-  }
-
-  // Steps of enabling; once all drives are ready and their positions known, and the buses are free, motion
-  // begins.
+  // A step of enabling. Motion begins once all drives are ready, all positions known and all buses free.
   void bring_up() {
     if (at != motion_phase::enabling) return;
     clear(enabling_frames);
@@ -212,17 +186,19 @@ private:
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       const auto next = [&]<class One, std::size_t K>() {
         if (!is_free(One::bus))
-          return void(all = false);  // a step at a time, and none behind those of `stop`
-        const bool off = refused[K] || reports[K].activity == drive_activity::disabled;
-        if (off && budget % 50 == 0)
-          std::get<K>(way) = {}, refused[K] = false;  // once more, now and then: a frame may be lost
+          return void(all = false);  // one step at a time, and none behind those of `stop`
+        const drive_report& report = drives.reports[K];
+        const bool off = refused[K] || report.activity == drive_activity::disabled;
+        // Again every 50 beats, since a frame may be lost.
+        if (off && budget % 50 == 0) std::get<K>(way) = {}, refused[K] = false;
         if (!refused[K]) {
-          const enable_step s = std::get<K>(way).next(reports[K]);
+          const enable_step s = std::get<K>(way).next(report);
           for (std::size_t k = 0; k < s.frames.size(); ++k) enabling_frames[One::bus].add(s.frames[k]);
           ready[K] = ready[K] || s.progress == enable_progress::done;
           refused[K] = !ready[K] && s.progress == enable_progress::failed;
         }
-        all = all && ready[K] && reports[K].activity != drive_activity::disabled && std::isfinite(angle[K]);
+        all =
+            all && ready[K] && report.activity != drive_activity::disabled && std::isfinite(drives.angle[K]);
       };
       (next.template operator()<J, I>(), ...);
     });
@@ -234,8 +210,8 @@ private:
     for (std::size_t b = 0; b < buses; ++b)
       if (!is_free(b)) return;
     for (auto& l : links) l.start(0);
-    trips.fill(safety_rule::none);
-    quiet.fill(0), quiet_board = 0;
+    drives.forget_trips();
+    quiet_board = 0;
     at = motion_phase::begins;
   }
 
@@ -245,7 +221,7 @@ private:
     if (runs && !links[One::bus].may_move()) return;
     moves[One::bus] = runs;
     s.position -= p.offset[I];
-    add<One>(frames_for<One>(s, angle[I] - p.offset[I], speed[I]));
+    add<One>(frames_for<One>(s, drives.angle[I] - p.offset[I], drives.speed[I]));
   }
   template <class One>
   static drive_frames damped(double where) {
@@ -256,8 +232,8 @@ private:
   void add(const drive_frames& frames) {
     for (std::size_t k = 0; k < frames.size(); ++k) outbox[One::bus].add(frames[k]);
   }
-  // Behind frames that still wait a set-point would only become a stale one: it is dropped, and counted. Only
-  // what damps goes behind what moves, once: so it comes last.
+  // Behind frames that still wait, a set point would be stale: it is dropped and counted. Only frames that
+  // damp may go behind frames that move, once: so they come last.
   void post() {
     for (std::size_t b = 0; b < buses; ++b) {
       if (!wires[b] || outbox[b].empty() || !links[b].may_speak()) continue;
@@ -269,7 +245,7 @@ private:
     }
   }
   void post_and_stop() {
-    moved.fill(true);  // whatever waits, this goes behind it
+    moved.fill(true);  // so this goes out behind whatever still waits
     post();
     at = motion_phase::stopped;
     for (auto& l : links) l.stop();
@@ -278,13 +254,7 @@ private:
     return wires[b] && !is_away(wires[b]->state()) && wires[b]->in_flight() == 0;
   }
 
-  std::array<std::uint64_t, count> frames_of_drives() const {
-    return each(
-        [&]<std::size_t... I>(std::index_sequence<I...>) { return std::array{reports[I].frames...}; });
-  }
-  safety_rule trip_of(std::size_t i) const {
-    return at >= motion_phase::begins ? trips[i] : safety_rule::none;
-  }
+  safety_rule trip_of(std::size_t i) const { return moving() ? drives.trips[i] : safety_rule::none; }
 
   sim::measured_trunk::vector_type trunk() const {
     sim::measured_trunk::vector_type v;
@@ -297,24 +267,19 @@ private:
     return v;
   }
 
-  static constexpr std::array<double, count> unknown{(sizeof(J) ? drive_report::untold : 0)...};
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
-  static constexpr std::array<int, count> patient{patience<J>(silent_beats, 1'000'000)...};
   static constexpr auto ends = cycle_ends<buses, J...>();
 
   std::array<Bus*, buses> wires{};
   std::array<link_supervisor<3>, buses> links{};
-  std::array<drive_report, count> reports{};
+  joint_monitor<J...> drives{};
   board_reading reading = board_reading::untold();
-  std::array<double, count> angle = unknown, speed{}, torque{};
-  std::array<std::int64_t, count> told_at{};
-  std::array<int, count> quiet{}, jumps{};
   int quiet_board = 0, budget = 0;
-  std::array<safety_rule, count> trips{};
   safety_rule failed = safety_rule::none;
   std::tuple<typename J::drive::enabling...> way{};
   std::array<bool, count> ready{}, refused{};
-  std::array<bool, buses> moves{}, moved{};  // what is to be sent, and what was, follows the controller
+  // Whether the next batch follows the controller, and whether the last one that was sent did.
+  std::array<bool, buses> moves{}, moved{};
   std::int64_t newest = 0;
   motion_phase at = motion_phase::stopped;
   std::array<batch, buses> enabling_frames{}, outbox{};

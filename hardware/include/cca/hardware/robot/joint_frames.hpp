@@ -1,13 +1,15 @@
-// The frames by which a joint's drive is told its set-point, in the way that its family can.
+// From a joint's set point to the frames for its drive, as far as its family can follow it.
 //
-//   frames_for<J>(set_point, angle, speed)   of the joint, in its own dimension; none where a number is none
-//     A drive that takes stiffness is told all of it. One that takes torque alone is told the torque that the
-//     set-point makes where the joint is. One that goes by position or velocity with gains of its own is told
-//     these.
-//   Where the set-point may not run (motion_mode), it only damps: by `damp()` of drives that have it, and a
-//   drive without stiffness is disabled. cycle_ends<Buses, J...>()   frames that end a cycle on each bus
-//   (SYNC), each once patience<J>(beats, ns)  after how many beats of so many ns a drive is silent: those
-//   that tell by themselves may take their time
+//   frames_for<J>(set_point, angle, speed)   angle and speed in the joint's dimension; no frames for a set
+//                                            point with a number that is not finite. A drive that takes
+//                                            stiffness gets the whole set point. One that takes torque alone
+//                                            gets the torque that the set point makes at this angle and
+//                                            speed. One with gains of its own gets position and velocity. In
+//                                            a mode other than `run` the drive only damps: by damp() where it
+//                                            has that; one without stiffness is disabled
+//   cycle_ends<Buses, J...>()                the frames that end a cycle on each bus (SYNC), each once
+//   patience<J>(beats, ns)                   after how many beats of so many ns a drive counts as silent:
+//                                            more for drives that report by themselves, with a longer period
 //
 // Cost: some multiplications and the codec's. docs/hardware.md.
 #pragma once

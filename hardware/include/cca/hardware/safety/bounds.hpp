@@ -1,23 +1,20 @@
-// The last links before the drives: nothing passes them that is beyond what a joint may do, whatever the
-// mode.
+// The last guards before the drives: in every mode they keep each set point within what its joint may do.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
-//   rate_guard    positions change at most as fast as the axis' `velocity`, from one set-point sent to the
-//   next. It begins where
-//                 the joint is measured, and until the command is caught up no faster than the parameter
-//                 `approach`: so a start is without a jump. The torque of a set-point, which is fed forward,
+//   rate_guard    positions change at most as fast as the axis' `velocity`. The first one begins where the
+//                 joint is measured; until it has reached the command it moves at most with the parameter
+//                 `approach`, so a start makes no jump. The torque of a set point, which is fed forward,
 //                 changes by the axis' `torque_rate`. What stiffness and damping make has no rate: it must
-//                 follow the joint as fast as that is pushed. joint_servos feed nothing forward, so with
-//                 them, as in `oncilla`, `torque_rate` bounds nothing.
-//   limit_guard   position, velocity, stiffness and damping within their limits. The torque that the drive
-//   will make of the
-//                 set-point, where the joint is and as fast as it goes, stays within the torque limits: else
-//                 stiffness, damping and torque are scaled down alike. Beyond an end of its range, only
-//                 torque that leads back; faster than its limit, only torque that brakes.
+//                 follow a joint that is pushed. joint_servos feed no torque forward, so with them, as in
+//                 `oncilla`, `torque_rate` bounds nothing
+//   limit_guard   position, velocity, stiffness and damping stay within their limits. The torque that the
+//                 drive will make, at the present angle and speed, stays within the torque limits: else
+//                 stiffness, damping and torque are scaled down by one factor. Beyond an end of the range
+//                 only torque that leads back passes; above the speed limit only torque that brakes
 //
-// Each change is counted, the first one kept: rule, joint, beat. Cost: about ten operations a joint. Source:
-// limits by the previous command and one-sided efforts as in ros2_control's joint_limits. Example:
-// tests/runtime/drive_chain; docs/hardware.md.
+// Each change is counted, and the first one is kept: rule, joint, beat. Cost: about ten operations a joint.
+// Source: limits by the previous command and one-sided efforts as in ros2_control's joint_limits.
+// Example: tests/runtime/drive_chain; docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +45,7 @@ public:
     for (std::size_t i = 0; i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
       const joint_state q = joint_state::of(joints.vector(), i);
-      one& j = at[i];
+      approach_state& j = at[i];
       if (s.mode() != motion_mode::run || q.phase < motion_phase::begins) {
         j = {Joints::angle[i].nearest(q.known() ? q.angle : s.position), 0, true};
         continue;
@@ -77,17 +74,17 @@ public:
     return v;
   }
   bool approaching() const {
-    return std::any_of(at.begin(), at.end(), [](const one& j) { return j.approaching; });
+    return std::any_of(at.begin(), at.end(), [](const approach_state& j) { return j.approaching; });
   }
   const safety_record& record() const { return noted; }
   void on_start() { at = {}, noted = {}; }
 
 private:
-  struct one {
+  struct approach_state {
     double position = 0, torque = 0;
     bool approaching = true;
   };
-  std::array<one, Joints::count> at{};
+  std::array<approach_state, Joints::count> at{};
   safety_record noted{};
 };
 
@@ -117,11 +114,11 @@ public:
         const double law =
             s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
         const double allowed = window(i, q).nearest(law);
-        // A joint that can only be pulled gives nothing where it is asked to push: no cause to tell of.
+        // A joint that can only be pulled gives no torque where a push is wanted: that is no violation.
         if (allowed != law && !(Joints::torque[i].lower >= 0 && law < 0))
           noted.note(is_at_stop(i, q) ? safety_rule::stop : safety_rule::torque, static_cast<int>(i),
                      now.index());
-        if (allowed != law) {  // 0 is always allowed, so this is a part of it
+        if (allowed != law) {  // 0 is always allowed, so `allowed` has the sign of `law` and is smaller
           const double part = allowed / law;
           s.stiffness *= part, s.damping *= part, s.torque *= part;
         }
@@ -133,7 +130,7 @@ public:
   const safety_record& record() const { return noted; }
   void on_start() { noted = {}; }
 
-  // The torques that a joint may get where it is.
+  // The torques that a joint may get at its present angle and speed.
   static constexpr joint_bounds window(std::size_t i, const joint_state& q) {
     joint_bounds w = Joints::torque[i];
     const joint_bounds range = Joints::angle[i], speed = Joints::speed[i];

@@ -1,15 +1,18 @@
-// The emergency stop: where every trip of the chain comes together, and is kept until someone starts the
-// robot deliberately.
+// The emergency stop: collects every trip of the chain and keeps it until somebody starts the robot
+// deliberately.
 //
-//   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points, `mark` now the motion_mode
+//   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points, whose `mark` is now the
+//         motion_mode
 //
-// It trips on what the guards before it have marked, on what the synchronizer tells of a joint, and by hand:
+// It trips on what the guards before it have marked, on what the synchronizer reports about a joint, and by
+// hand:
 //   press()         from now on all drives are damped; `release()` alone moves nothing
-//   stop_softly()   they hold where they are, and soften
-// A healthy robot whose command is stale, not finite or late stops softly; whatever a drive, a sensor or the
-// bus has to do with is damped at once. The first cause is kept: rule, joint, beat. Motion comes back only
-// where the synchronizer's `start` has enabled the drives anew, and the button is released. Cost: two
-// comparisons a joint. Example: tests/runtime/drive_chain; docs/hardware.md.
+//   stop_softly()   the drives hold their position and get softer
+// If the robot is healthy and only its command is stale, not finite or late, it stops softly. A trip by a
+// drive, a sensor or the bus damps at once. The first cause is kept: rule, joint, beat. Motion comes back
+// only when the synchronizer's `start` has enabled the drives again and the button is released.
+//
+// Cost: two comparisons a joint. Example: tests/runtime/drive_chain; docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +65,7 @@ private:
     if (cause.rule != safety_rule::none) return;
     cause = {rule, is_of_joint(rule) ? joint : -1, now.index()};
   }
-  // What the synchronizer and the guards tell of every joint is of none.
+  // The other rules come for all joints at once, so they name none.
   static constexpr bool is_of_joint(safety_rule rule) {
     return rule != safety_rule::stale && rule != safety_rule::stalled && rule != safety_rule::sensor_board &&
            rule != safety_rule::link;
@@ -79,7 +82,7 @@ private:
     }
   }
 
-  motion_mode is = motion_mode::damped;  // before a first start
+  motion_mode is = motion_mode::damped;  // until the first start
   safety_event cause{};
   bool pressed = false, softly = false;
 };

@@ -1,11 +1,9 @@
-// The first links of the chain in front of every drive: what a set-point must be before anyone looks at where
-// it leads.
+// The first guards of the chain: they check set points before the others look at where these lead.
 //
-//   act   in "wanted" set_points, out "safe" set_points; each marks the joint whose set-point breaks its rule
-//   (`mark`), and the
-//         emergency stop behind them acts on it
-//   finite_guard        NaN or infinity: the last finite set-point goes on instead, marked not_finite
-//   stale_guard         made from data older than the parameter `greatest_age`: marked stale
+//   act   in "wanted" set_points, out "safe" set_points. Each guard marks the joints whose set point breaks
+//         its rule (`mark`); the emergency stop behind them acts on that
+//   finite_guard   NaN or infinity: repeats the last finite set point, marked not_finite
+//   stale_guard    data older than the parameter `greatest_age`: marked stale
 //
 // Cost: some comparisons a joint. Example: tests/runtime/drive_chain/safety.cpp; docs/hardware.md.
 #pragma once

@@ -1,21 +1,22 @@
-// Watches the way to the drives: whether set-points may go out, and when they have to stop for good.
+// Watches a bus and decides whether set points may go out on it.
 //
 //   link_supervisor<3> link;
 //   link.observe(bus.state(), bus.counters());   // each beat, after bus.receive
 //   if (link.may_move()) link.sent(bus.send(set_points));
 //
-// It begins `stopped`. `start` is the one way to `running`, a deliberate call, refused as long as the bus is
-// away or still holds frames: those would be stale. Whoever calls it begins at what the joints measure at
-// that beat, not at what was last commanded. From `running` it goes to `safe`, and stays there until the next
-// `start`, when
-//   - the bus went off or down, be it for less than a beat (told from the counters, not from the state);
-//   - the bus dropped something of `FullCycles` batches in a row, its queue being full: nobody acknowledges,
-//   or it's overloaded;
-//   - someone else sends what is ours alone to send.
-// The first cause is kept with its beat. `may_speak`: frames that brake, damp or ask can still go out; where
-// not, it's the drive's own watchdog that stops it. A bus that is passive still works: `degraded()` says so,
-// and stops nothing. Cost: some comparisons a beat. Laws and example: tests/runtime/hardware/link.cpp;
-// docs/can_bus.md.
+// It begins `stopped`. Only `start`, a deliberate call, leads to `running`. It is refused while the bus is
+// away or still holds frames, since those would be stale. The caller begins at what the joints measure then,
+// not at the last command. From `running` it goes to `safe`, and stays there until the next `start`, when
+//   - the bus went off or down, even for less than a beat (the counters show it);
+//   - the bus dropped something of `FullCycles` batches in a row because its queue was full: nobody
+//   acknowledges, or
+//     the bus is overloaded;
+//   - somebody else sends frames that only we may send.
+// The first cause is kept, with its beat. `may_speak`: frames that brake, damp or ask can still go out; where
+// they can't, only the drive's own watchdog stops it. A passive bus still works: `degraded()` says so, and
+// stops nothing.
+//
+// Cost: some comparisons a beat. Laws and example: tests/runtime/hardware/link.cpp; docs/can_bus.md.
 #pragma once
 
 #include <cstdint>
@@ -37,12 +38,12 @@ constexpr std::string_view name_of(link_cause c) {
 
 template <int FullCycles = 3>
 class link_supervisor {
-  static_assert(
-      FullCycles >= 1,
-      "cca::hardware::link_supervisor<N>: after N batches in a row that met a full queue it is safe");
+  static_assert(FullCycles >= 1,
+                "cca::hardware::link_supervisor<N>: N is at least 1, the number of batches in a row that may "
+                "meet a full queue");
 
 public:
-  // Counts beats. The bus has received in this beat.
+  // Call it once a beat, after the bus has received: it counts beats.
   constexpr void observe(bus_state seen_state, const bus_counters& counters) {
     ++beats;
     bus = seen_state;
@@ -52,7 +53,7 @@ public:
     seen = counters;
   }
 
-  // What became of the batch of set-points of this beat.
+  // The outcome of this beat's set points.
   constexpr void sent(const send_result& result) {
     if (result.outcome == send_outcome::away)
       stop_for(bus == bus_state::bus_off ? link_cause::bus_off : link_cause::link_down);
@@ -61,7 +62,7 @@ public:
     if (full >= FullCycles) stop_for(link_cause::queue_full);
   }
 
-  // `in_flight`: what the bus still holds.
+  // `in_flight`: the frames that the bus still holds.
   constexpr start_refusal start(std::uint64_t in_flight) {
     if (is_away(bus)) return start_refusal::bus_away;
     if (in_flight != 0) return start_refusal::frames_in_flight;
@@ -80,10 +81,10 @@ public:
   constexpr bool may_speak() const { return !is_away(bus); }
   constexpr bool degraded() const { return bus != bus_state::active; }
   constexpr link_cause first_cause() const { return cause; }
-  constexpr std::int64_t first_beat() const {
-    return caused_at;
-  }  // counted by `observe`, from 0; -1: no cause
-  constexpr std::uint64_t dropped_batches() const { return dropped; }  // that met a full queue
+  // Counted by `observe`, from 0; -1: no cause.
+  constexpr std::int64_t first_beat() const { return caused_at; }
+  // Batches that met a full queue.
+  constexpr std::uint64_t dropped_batches() const { return dropped; }
 
 private:
   constexpr void stop_for(link_cause why) {

@@ -1,15 +1,14 @@
-// What the drives do once they may no longer run: the links behind the emergency stop.
+// How the drives stop: the guards behind the emergency stop.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
-//   soft_stop<Joints, Beats>   in the mode `soft` holds each joint where it was measured, its stiffness going
-//   to nothing and its
-//                              damping to `safe_damping` of its servo over so many beats; then the mode is
-//                              `damped`
+//   soft_stop<Joints, Beats>   in the mode `soft` holds each joint at its measured position. Over `Beats`
+//                              beats its stiffness goes to 0, its damping to `safe_damping` of its servo;
+//                              then the mode is `damped`
 //   damping_stop               in the mode `damped`: no stiffness, no torque, `safe_damping` against any
-//   motion. Not zero torque,
-//                              under which a leg falls, and not position, which is stiff against people.
+//                              motion. Not zero torque, because a leg would fall, and not a position, because
+//                              that is stiff against people
 //
-// Cost: a comparison a joint while it runs. Source: Unitree's behaviour on a lost command
+// Cost: a comparison a joint while the robot runs. Source: Unitree's reaction to a lost command
 // (unitree_legged_sdk, cmd_lost_timelimit).
 #pragma once
 
@@ -23,7 +22,7 @@ namespace cca::hardware {
 template <class Joints, int Beats = 100>
 class soft_stop {
   static_assert(Beats >= 1,
-                "cca::hardware::soft_stop<Joints, Beats>: so many beats until the joints are soft");
+                "cca::hardware::soft_stop<Joints, Beats>: the joints get soft within at least 1 beat");
 
 public:
   auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints)

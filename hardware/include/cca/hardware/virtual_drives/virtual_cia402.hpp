@@ -1,16 +1,17 @@
-// A virtual CANopen drive: what the firmware of cia402.hpp's drives does with its frames.
+// A virtual CANopen drive: it reacts to frames as the firmware of a real one (cia402.hpp).
 //
 //   virtual_cia402<cia402<knee_motor, 5, cia402_mode::position>, 20'000'000, cia402_lost::quick_stop> v;
 //
-// It boots pre-operational, and takes process data once NMT has started it: on SYNC, what has come since the
-// last one; on SYNC it answers, too. It goes through the states of CiA 402 by control words, and follows
-// targets in operation enabled alone, with Gains as those of its own servo where it goes by position. No
-// process data for Timeout, or no SYNC to take them: emergency 8250h, and what object 6007h says (Then): a
-// fault; voltage off; or a quick stop, by which it comes to a stand and is then off (605Ah = 2). The same
-// when NMT takes it out of operation. Faults are told by an emergency and kept until the rising edge of
-// bit 7. Every 100 ms a heartbeat; after a reboot the one that says so. Not modelled: ramps, following
-// errors, SDO. Source: CiA 402-2 as in drive manuals (see docs/drives.md); CiA 301 for NMT, SYNC, emergencies
-// and the event timer of an RPDO.
+// It boots pre-operational, and takes process data once NMT has started it. On SYNC it takes what has come
+// since the last SYNC, and answers. It goes through the states of CiA 402 by control words, and follows
+// targets only in operation enabled; in position mode its servo has the gains `Gains`.
+// Without process data for `Timeout`, or without a SYNC to take them, it sends emergency 8250h and does what
+// object 6007h says (`Then`): a fault; voltage off; or a quick stop, after which it is off (605Ah = 2). It
+// does the same when NMT takes it out of operation. A fault is reported by an emergency and kept until the
+// rising edge of bit 7. Every 100 ms it sends a heartbeat; after a reboot, the boot-up heartbeat. Not
+// modelled: ramps, following errors, SDO.
+// Source: CiA 402-2 as in drive manuals (see docs/drives.md); CiA 301 for NMT, SYNC, emergencies and the
+// event timer of an RPDO.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,7 @@
 
 namespace cca::hardware {
 
-// As object 6007h counts them.
+// The values of object 6007h.
 enum class cia402_lost : std::uint8_t { fault = 1, disable_voltage = 2, quick_stop = 3 };
 
 template <class Drive,
@@ -39,21 +40,21 @@ public:
     const bool nmt = f.id == standard(0) && f.length == 2 && !f.fd && !f.remote &&
                      (f.data[1] == Drive::node || f.data[1] == 0);
     if (!sync && !nmt && f.id != Drive::receives) return false;
-    look_at(now);
+    advance_to(now);
     if (booting()) return true;
     if (nmt) manage(f.data[0]);
     else if (!operational) return true;
     else if (!sync) fresh = Drive::hear(f, word, wanted) || fresh;
     else {
       asked = true;
-      if (fresh) fed = now, control();
+      if (fresh) fed = now, follow_control_word();
       fresh = false;
     }
     return true;
   }
 
   drive_command law(std::int64_t now) {
-    look_at(now);
+    advance_to(now);
     if (state == cia402_state::quick_stop) return {.damping = Gains.damping};
     if (state != cia402_state::enabled) return {};
     if constexpr (Drive::by_position)
@@ -95,7 +96,7 @@ public:
 private:
   static constexpr std::uint32_t nothing = 0x10000, unfed_too_long = 0x8250;  // the emergency `RPDO timeout`
 
-  void look_at(std::int64_t now) {
+  void advance_to(std::int64_t now) {
     clock = now;
     if (state == cia402_state::enabled && now - fed > Timeout) lose();
   }
@@ -109,7 +110,7 @@ private:
     operational = what == 1 || (operational && what != 2 && what != 0x80);
     if (!operational && state == cia402_state::enabled) lose();
   }
-  void control() {
+  void follow_control_word() {
     const bool rises = (word & 0x80) != 0 && (former & 0x80) == 0;
     former = word;
     const auto is = [this](cia402_state s) { return state == s; };

@@ -1,21 +1,23 @@
-// The other side of the bus: drives that are simulated, for tests and for a robot that isn't there.
+// Virtual drives: they stand for real ones on the other end of the bus, in tests and where there is no robot.
 //
-// A virtual drive is what a drive's firmware is between bus and motor:
-//   v.hear(frame, now)         takes a frame; true: it was for this drive
-//   v.law(now)                 what its motor loop follows now, at its output (drive_command): no stiffness
-//   and no torque if it is
-//                              not enabled, faulted, or unfed for longer than `timeout`
-//   v.answer(motion)           the frames that it sends in return for what it heard since the last call, or
-//   by itself v.enabled()                whether it would follow a set-point V::timeout, V::latches     its
-//   watchdog; whether it follows again, once that has run out, only after it was enabled anew V::waits
-//   whether it waits to be enabled; else a set-point is enough where it is off, as after a reboot
-//   v.go_silent(true), v.fail(code), v.reboot(now, duration), v.clear()   troubles on demand, and their end
-// Models: virtual_mit.hpp, virtual_odrive.hpp, virtual_moteus.hpp, virtual_cia402.hpp; their laws are in
-// tests/laws/virtual_drive_laws.hpp. Times in ns. Nothing is allocated; a copy is a snapshot. docs/drives.md.
+// A virtual drive does what a drive's firmware does between bus and motor:
+//   v.hear(frame, now)       takes a frame; true: it was for this drive
+//   v.law(now)               what its motor loop follows now, at its output (drive_command): no stiffness and
+//                            no torque if it is not enabled, faulted, or unfed for longer than `timeout`
+//   v.answer(motion)         the frames that it sends now: answers to what it heard since the last call, and
+//                            those that it sends by itself
+//   v.enabled()              whether it would follow a set point
+//   V::timeout, V::latches   its watchdog; true: when that has run out, the drive must be enabled again
+//   V::waits                 true: it must be enabled first; false: a set point is enough where it is off, as
+//                            after a reboot
+//   v.go_silent(true), v.fail(code), v.reboot(now, duration), v.clear()   faults on demand, and their end
+// Models: virtual_mit.hpp, virtual_odrive.hpp, virtual_moteus.hpp, virtual_cia402.hpp. Laws:
+// tests/laws/virtual_drive_laws.hpp. Times are in ns. Nothing is allocated; a copy is a snapshot.
+// docs/drives.md.
 //
-// virtual_motor: the plain mechanics of one motor and its load, where no simulator gives them.
-// virtual_gains: the servo of a drive whose set-points hold no gains.
-// virtual_troubles: what troubles all of them alike.
+// virtual_motor: one motor and its load, where no simulator moves the joint.
+// virtual_gains: the servo of a drive whose set points have no gains.
+// virtual_troubles: the faults that all of them can have.
 #pragma once
 
 #include <cmath>
@@ -50,7 +52,7 @@ struct virtual_gains {
   double stiffness = 20, damping = 0.8;  // N m/rad, N m s/rad
 };
 
-// Silent: it goes on, and says nothing. Booting: it neither hears nor says anything.
+// Silent: it works on, and sends nothing. Booting: it neither hears nor sends anything.
 class virtual_troubles {
 public:
   void go_silent(bool yes) { silent = yes; }
@@ -60,11 +62,11 @@ protected:
   bool mute() const { return silent || booting(); }
   void boot(std::int64_t now, std::int64_t duration) { clock = now, back = now + duration; }
 
-  std::int64_t clock = 0, back = 0;  // the time last told, and when the last reboot is over
+  std::int64_t clock = 0, back = 0;  // the last known time, and the end of the last reboot
   bool silent = false;
 };
 
-// inertia a + friction v = torque within its limit, by semi-implicit Euler steps of at most 0.1 ms.
+// inertia a + friction v = torque, which is limited; semi-implicit Euler steps of at most 0.1 ms.
 class virtual_motor {
 public:
   double inertia = 0.01, friction = 0.02, most_torque = 18;  // kg m^2, N m s/rad, N m

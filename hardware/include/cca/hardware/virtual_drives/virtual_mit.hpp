@@ -1,15 +1,16 @@
-// A virtual drive of the MIT protocol: what the firmware of mit.hpp's drives does with its frames.
+// A virtual drive of the MIT protocol: it reacts to frames as the firmware of a real one (mit.hpp).
 //
 //   virtual_mit<mit_drive<ak60_6, 3>, 20'000'000> v;      // its CAN_TIMEOUT: 20 ms
 //
-// It answers each frame that it gets, enabled or not, and moves only after `enter`: by what it was last told,
-// before that too, hence the kick of who enters without a zero command. Commands feed it, special frames do
-// not. Not fed for Timeout it goes to zero torque (motorcontrol zeroes its commands), and follows again as
-// soon as it is fed. A fault, told in its error byte, takes the torque away until it is cleared. A reboot:
-// silent for so long, then not enabled. 8 bytes that are no special frame are a command; other lengths are
-// none. Damiao differs: what it answers tells whether it is enabled, its watchdog is a fault (0xD), and a
-// fault disables it: a set-point that comes late moves nothing any more, until the fault is cleared and it
-// was enabled anew. Source: bgkatz/motorcontrol, Core/Src/{fsm,foc,stm32f4xx_it}.c.
+// It answers each frame that it gets, enabled or not. It moves only after `enter`, and then follows the last
+// command, also one from before: so entering without a zero command makes it jerk. Commands feed it, special
+// frames don't. Unfed for `Timeout` it goes to zero torque (motorcontrol zeroes its commands), and follows
+// again as soon as it is fed. A fault is in its error byte and takes the torque away until it is cleared.
+// After a reboot it is silent for a while, then not enabled. 8 bytes that are no special frame are a command;
+// no other length is. Damiao differs: its answers say whether it is enabled, its watchdog is a fault (0xD),
+// and a fault disables it. So a late set point moves nothing until the fault is cleared and the drive is
+// enabled again.
+// Source: bgkatz/motorcontrol, Core/Src/{fsm,foc,stm32f4xx_it}.c.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +22,8 @@ namespace cca::hardware {
 
 template <class Drive, std::int64_t Timeout = 20'000'000>
 class virtual_mit : public virtual_troubles {
-  // Whether its answers tell that it is enabled: of the original and the AK's firmware they don't.
-  static constexpr bool tells = [] {
+  // Whether its answers say that it is enabled: not with the original firmware and the AK's.
+  static constexpr bool says_enabled = [] {
     drive_report r;
     return Drive::decode(Drive::reply(0, 0, 0, 25, 1), r) && r.activity == drive_activity::enabled;
   }();
@@ -30,11 +31,11 @@ class virtual_mit : public virtual_troubles {
 public:
   using drive = Drive;
   static constexpr std::int64_t timeout = Timeout;
-  static constexpr bool latches = tells, waits = true;
+  static constexpr bool latches = says_enabled, waits = true;
 
   bool hear(const can_frame& f, std::int64_t now) {
     if (f.id != Drive::request_id || f.fd || f.remote || f.length != 8) return false;
-    look_at(now);
+    advance_to(now);
     if (booting()) return true;
     ++asked;
     for (const mit_special what :
@@ -46,7 +47,7 @@ public:
   }
 
   drive_command law(std::int64_t now) {
-    look_at(now);
+    advance_to(now);
     if (booting() || !entered || code != 0 || now - fed > Timeout) return {};
     drive_command c = command;
     c.position += zero;
@@ -66,7 +67,7 @@ public:
 
   void fail(std::uint32_t error) {
     code = error;
-    if (tells) entered = false;
+    if (says_enabled) entered = false;
   }
   void reboot(std::int64_t now, std::int64_t duration) {
     boot(now, duration);
@@ -80,13 +81,13 @@ public:
 private:
   static constexpr std::uint32_t unfed_too_long = 0xD;
 
-  void look_at(std::int64_t now) {
+  void advance_to(std::int64_t now) {
     clock = now;
-    if (tells && entered && code == 0 && unfed(now)) fail(unfed_too_long);
+    if (says_enabled && entered && code == 0 && unfed(now)) fail(unfed_too_long);
   }
-  std::uint32_t status() const { return tells && code == 0 && entered ? 1 : code; }
+  std::uint32_t status() const { return says_enabled && code == 0 && entered ? 1 : code; }
   void special(mit_special what) {
-    if (what == mit_special::enter) entered = code == 0 || !tells;
+    if (what == mit_special::enter) entered = code == 0 || !says_enabled;
     if (what == mit_special::leave) entered = false, command = {};
     if (what == mit_special::set_zero) zero = last;
     if (what == mit_special::clear_fault) code = 0;

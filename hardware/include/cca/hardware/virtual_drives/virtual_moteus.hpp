@@ -1,25 +1,24 @@
-// A virtual moteus: what the firmware of moteus.hpp's drives does with its frames.
+// A virtual moteus: it reacts to frames as the firmware of a real one (moteus.hpp).
 //
 //   virtual_moteus<moteus<hip_motor, 3>, moteus_timeout::brake> v;      // its servo.timeout_mode
 //
-// It answers each frame that it understands. Stopped, as after a reboot, it does not wait to be enabled: a
-// set-point is enough. Position mode follows the command, whose position goes on with its velocity; NaN as
-// position: it stays where it stands. The command holds for its own timeout (0: that of the drive's type;
-// NaN: for ever); then comes mode 11, which does what Then says:
-//   stop           nothing
-//   hold           its target slows down from the command's speed to a stand by Slowing, in rad/s^2
-//   (servo.default_accel_limit;
-//                  infinity, as delivered, where none is set: at once), and stays there, with all of kp and
-//                  kd. It does not give way: a joint that is held so goes on holding, up to the drive's limit
-//                  of current
-//   zero_velocity  damps
-//   brake          shorts its windings, which is here damped as strongly
-// From there, and from a fault, it does nothing but stop, which clears both. NaN or infinity elsewhere: not
-// documented, here the command is not taken. Not modelled: the modes on the way to position mode, limits of
-// torque (servo.timeout_max_torque_Nm among them) and velocity. Source: mjbots/moteus,
-// docs/protocol/registers.md, docs/reference/configuration.md (servo.timeout_mode),
-// docs/troubleshooting/timeout-mode-11.md; for what a target is when the timeout comes:
-// fw/bldc_servo_control.h and bldc_servo_position.h.
+// It answers each frame that it understands. When it is stopped, as after a reboot, a set point alone makes
+// it move. Position mode follows the command, whose position moves on with its velocity; NaN as position
+// means that it stays where it is. The command holds for its own timeout (0: that of the drive's type; NaN:
+// for ever). Then comes mode 11, which does what `Then` says:
+//   stop            nothing
+//   hold            its target slows down from the command's speed to 0 by `Slowing`, in rad/s^2
+//                   (servo.default_accel_limit; infinity, as delivered, where none is set: at once), and
+//                   stays there, with all of kp and kd. It does not give way: a joint that is held goes on
+//                   holding, up to the drive's limit of current
+//   zero_velocity   damps
+//   brake           shorts its windings, modelled as the same damping
+// From there, and from a fault, it does nothing but stop, which clears both. For other numbers that are NaN
+// or infinite nothing is documented; here the command is not taken. Not modelled: the modes on the way to
+// position mode, limits of torque (servo.timeout_max_torque_Nm among them) and velocity.
+// Source: mjbots/moteus, docs/protocol/registers.md, docs/reference/configuration.md (servo.timeout_mode),
+// docs/troubleshooting/timeout-mode-11.md; for the target at the timeout: fw/bldc_servo_control.h and
+// bldc_servo_position.h.
 #pragma once
 
 #include <algorithm>
@@ -45,19 +44,19 @@ public:
 
   bool hear(const can_frame& f, std::int64_t now) {
     if (f.id != Drive::request_id) return false;
-    look_at(now);
+    advance_to(now);
     typename Drive::request q;
     if (booting() || !Drive::hear(f, q)) return true;
     ++asked;
     if (q.mode == stopped) mode = stopped, code = 0;
     else if (mode == faulted || mode == timed_out) return true;
     else if (q.mode == braking) mode = braking;
-    else if (q.mode == positioning) take(q);
+    else if (q.mode == positioning) follow(q);
     return true;
   }
 
   drive_command law(std::int64_t now) {
-    look_at(now);
+    advance_to(now);
     switch (mode) {
       case positioning: {
         drive_command c = command;
@@ -88,7 +87,7 @@ public:
   bool enabled() const { return mode == positioning; }
 
   void fail(std::uint32_t fault) { mode = faulted, code = fault; }
-  void clear() { silent = false; }  // a fault stays until it is stopped
+  void clear() { silent = false; }  // a fault stays until the drive is stopped
   void reboot(std::int64_t now, std::int64_t duration) {
     boot(now, duration);
     mode = stopped, code = 0, asked = 0, command = {};
@@ -98,11 +97,11 @@ private:
   static constexpr int stopped = 0, faulted = 1, positioning = 10, timed_out = 11, braking = 15;
   static constexpr std::int64_t for_ever = std::numeric_limits<std::int64_t>::max();
 
-  void look_at(std::int64_t now) {
+  void advance_to(std::int64_t now) {
     clock = now;
     if (mode == positioning && now - fed > holds) mode = timed_out;
   }
-  // So long after the timeout.
+  // The law of `hold`, this many seconds after the timeout.
   drive_command held(double seconds) const {
     const double v = command.velocity, until_still = std::fabs(v) / Slowing,
                  t = std::min(seconds, until_still);
@@ -112,7 +111,7 @@ private:
     c.velocity = t < until_still ? v - std::copysign(Slowing * t, v) : 0;
     return c;
   }
-  void take(const typename Drive::request& q) {
+  void follow(const typename Drive::request& q) {
     drive_command c = q.command;
     if (c.position != c.position) c.position = last.position;
     if (c.velocity != c.velocity) c.velocity = 0;

@@ -1,17 +1,17 @@
-// A virtual ODrive: what the firmware of odrive.hpp's drives does with its frames.
+// A virtual ODrive: it reacts to frames as the firmware of a real one (odrive.hpp).
 //
-//   virtual_odrive<odrive<3, odrive_mode::position>, 50'000'000> v;      // enable_watchdog,
-//   watchdog_timeout: 50 ms
+//   virtual_odrive<odrive<3, odrive_mode::position>, 50'000'000> v;   // enable_watchdog, watchdog_timeout:
+//                                                                     50 ms
 //
-// It speaks by itself: a heartbeat each Heartbeat, its estimates each period that the drive's type states. It
-// moves in closed loop alone, by the mode that it was set to: position (from where it stands, with Gains as
-// its own), velocity, torque. Not fed for Timeout it goes idle with the error of its watchdog; an error keeps
-// it from closed loop until it is cleared, and then it waits to be asked again. 0.6 is fed by set-points and
-// requests for a state; 0.5 by each frame to its node, and its watchdog runs out in idle as well. A number
-// that is none: it goes idle with an error (0.6 missing input, 0.5 controller failed); what the real one does
-// is not published. Not modelled: integrator, its own limits. A reboot forgets mode and inputs. Source:
-// odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp,
-// Firmware/MotorControl/{axis,controller}.cpp (0.5); of 0.6 its documentation alone.
+// It sends by itself: a heartbeat each `Heartbeat`, its estimates with the period that the drive's type
+// states. It moves only in closed loop, by the mode that was set: position (from where it is, with the gains
+// `Gains`), velocity, torque. Unfed for `Timeout` it goes idle with the error of its watchdog. An error keeps
+// it from closed loop until it is cleared; then closed loop must be requested again. 0.6 is fed by set points
+// and state requests; 0.5 by each frame to its node, and its watchdog also runs out while it is idle. NaN and
+// infinity: it goes idle with an error (0.6 missing input, 0.5 controller failed); what the real one does is
+// not published. A reboot forgets mode and inputs. Not modelled: the integrator, limits of its own.
+// Source: odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp,
+// Firmware/MotorControl/{axis,controller}.cpp (0.5); for 0.6 its documentation alone.
 #pragma once
 
 #include <cstdint>
@@ -35,26 +35,26 @@ public:
     const can_id first = Drive::id(odrive_command{});
     if (f.fd || f.remote || f.id.extended != first.extended || f.id.number >> 5 != first.number >> 5)
       return false;
-    look_at(now);
+    advance_to(now);
     if (booting()) return true;
     if (!Drive::is_0_6) fed = now;
     if (f == Drive::estop()) error(Drive::is_0_6 ? 0x02000000 : 0x4000);
     if (f == Drive::clear_errors()) code = 0;
     if (f.id == Drive::id(odrive_command::set_axis_state) && f.length >= 4)
-      fed = now, ask_for(detail::got<std::uint32_t>(f.payload(), 0));
+      fed = now, request_state(detail::got<std::uint32_t>(f.payload(), 0));
     if (f.id == Drive::id(odrive_command::set_controller_mode) && f.length == 8)
       mode = static_cast<odrive_mode>(detail::got<std::uint32_t>(f.payload(), 0));
     drive_command c;
-    if (by<odrive_mode::position>::hear(f, c)) take(c);
+    if (by<odrive_mode::position>::hear(f, c)) set_input(c);
     if (by<odrive_mode::velocity>::hear(f, c))
-      take({.position = input.position, .velocity = c.velocity, .torque = c.torque});
+      set_input({.position = input.position, .velocity = c.velocity, .torque = c.torque});
     if (by<odrive_mode::torque>::hear(f, c))
-      take({.position = input.position, .velocity = input.velocity, .torque = c.torque});
+      set_input({.position = input.position, .velocity = input.velocity, .torque = c.torque});
     return true;
   }
 
   drive_command law(std::int64_t now) {
-    look_at(now);
+    advance_to(now);
     if (!closed) return {};
     switch (mode) {
       case odrive_mode::torque:
@@ -93,20 +93,20 @@ private:
   static constexpr std::uint32_t unfed_too_long = Drive::is_0_6 ? 0x01000000 : 0x800,
                                  no_number = Drive::is_0_6 ? 0x40 : 0x200;
 
-  void look_at(std::int64_t now) {
+  void advance_to(std::int64_t now) {
     clock = now;
     if ((closed || !Drive::is_0_6) && now - fed > Timeout) error(unfed_too_long);
   }
   void error(std::uint32_t errors) { code |= errors, closed = false; }
-  void ask_for(std::uint32_t state) {
+  void request_state(std::uint32_t state) {
     const bool known = mode >= odrive_mode::torque && mode <= odrive_mode::position;
     const bool was = closed;
     closed = state == 8 && code == 0 && known;
     if (!closed || was) return;
     fed = clock;
-    input.position = last.position;  // position control begins where it stands
+    input.position = last.position;  // position control begins where the drive is
   }
-  void take(const drive_command& c) {
+  void set_input(const drive_command& c) {
     fed = clock;
     if (!detail::is_finite(c.position) || !detail::is_finite(c.velocity) || !detail::is_finite(c.torque))
       return error(no_number);

@@ -1,5 +1,4 @@
-// The virtual drive of each family, with the settings that virtual_*.hpp has unless stated:
-// `virtual_of<Drive>`, for virtual_robot.
+// The virtual drive of each family with its default settings: `virtual_of<Drive>`, for virtual_robot.
 #pragma once
 
 #include <cca/hardware/virtual_drives/virtual_cia402.hpp>
