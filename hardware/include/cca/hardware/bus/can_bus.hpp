@@ -46,11 +46,10 @@ struct bus_counters {
   std::uint64_t confirmed = 0;     // of those, went over the bus
   std::uint64_t received = 0;      // from others
   std::uint64_t dropped_full = 0;  // not taken: the transmit queue was full
-  std::uint64_t dropped_away =
-      0;                        // not taken or lost in the queue: bus off or down, or the controller gave up
-  std::uint64_t invalid = 0;    // not taken: no frame of this bus
-  std::uint64_t lost = 0;       // arrived while the receive queue was full
-  std::uint64_t intruders = 0;  // sent by others under ids that only we may send
+  std::uint64_t dropped_away = 0;  // not taken, or lost in the queue: bus off or down, or given up
+  std::uint64_t invalid = 0;       // not taken: no frame of this bus
+  std::uint64_t lost = 0;          // arrived while the receive queue was full
+  std::uint64_t intruders = 0;     // sent by others under ids that only we may send
 
   std::uint64_t errors = 0;            // error frames
   std::uint64_t arbitration_lost = 0;  // by a controller that doesn't try again

@@ -16,6 +16,7 @@
 // Laws: tests/laws/can_bus_laws.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
