@@ -1,5 +1,6 @@
-// The guards in front of the drives, each alone: what passes, what is changed to what, and what is kept of
-// it. The numbers are those of two joints made for this, and computed here, not asked of the guards.
+// The guards in front of the drives, one at a time: what passes, what they change and how, and what they
+// record. The numbers belong to two joints made for this test; the expected results are computed here, not
+// taken from the guards.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -78,7 +79,7 @@ double torque_made(const hw::set_point& s, const hw::joint_state& q) {
   return s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
 }
 
-// What the limits make of one set-point of a joint, and what they tell of it.
+// What the limits make of one set point of a joint, and what they record.
 struct limited {
   hw::set_point safe;
   hw::safety_record told;
@@ -90,7 +91,7 @@ limited limit(const hw::set_point& s, const hw::joint_state& q, std::int64_t bea
   measured where = in_the_middle;
   all[Joint] = s, where[Joint] = q;
   const both safe = pass(g, all, where, beat);
-  CHECK_MESSAGE(same(safe[1 - Joint], none[1 - Joint]), "the other joint is left as it is");
+  CHECK_MESSAGE(same(safe[1 - Joint], none[1 - Joint]), "the other joint stays as it is|");
   return {safe[Joint], g.record()};
 }
 
@@ -102,7 +103,7 @@ void tells(const hw::safety_record& r, safety_rule rule, int joint, std::int64_t
 }
 void tells_nothing(const hw::safety_record& r) { tells(r, safety_rule::none, -1, -1, 0); }
 
-// A number of a set-point without any other: what becomes of it at, inside and beyond its limits.
+// One number of a set point, all others 0, at, inside and beyond its limits.
 void holds(double hw::set_point::* number, double lower, double upper, safety_rule rule) {
   const double inside = (lower + upper) / 2;
   const auto becomes = [&](double wanted, double expected) {
@@ -124,20 +125,18 @@ void holds(double hw::set_point::* number, double lower, double upper, safety_ru
 }  // namespace
 
 TEST_SUITE("guards") {
-  TEST_CASE("limits: each number at, inside and beyond its own") {
+  TEST_CASE("limits: each number at, inside and beyond its limits|") {
     holds(&hw::set_point::position, -1, 2, safety_rule::range);
     holds(&hw::set_point::velocity, -3, 4, safety_rule::range);
     holds(&hw::set_point::stiffness, 0, 50, safety_rule::range);
     holds(&hw::set_point::damping, 0, 5, safety_rule::range);
     holds(&hw::set_point::torque, -5, 6, safety_rule::torque);
-    // A joint that never reaches 0: what is no number is its nearest end.
+    // For a joint that never reaches 0, a number that is not finite becomes the nearest end.
     for (const double x : {no_number, inf, -inf})
       CHECK(limit<1>({{.position = x}}, at(1)).safe.position == 0.5);
   }
 
-  TEST_CASE(
-      "limits: the torque that the drive will make stays within its limits, the law as a whole being "
-      "scaled") {
+  TEST_CASE("limits: the torque that the drive will make stays within its limits: the whole law is scaled") {
     const auto makes = [](const hw::set_point& s, const hw::joint_state& q, double expected) {
       const limited l = limit(s, q, 3);
       const double wanted = torque_made(s, q);
@@ -166,8 +165,8 @@ TEST_SUITE("guards") {
     makes({{.position = 0.25, .velocity = 1, .torque = 2, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 0.25, .velocity = 1, .torque = 3, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 2, .torque = -3, .stiffness = 4}}, at(0),
-          5);  // together they may, though apart they might not
-    // Where the joint is and how fast it goes is counted, not what is wanted alone.
+          5);  // together they are within the limits, one alone would not be|
+    // The law counts where the joint is and how fast it moves, not only the command.
     makes({{.position = 1.5, .stiffness = 8}}, at(1), 4);
     makes({{.position = 0, .velocity = 2, .damping = 4}}, at(0, 1), 4);
   }
@@ -176,7 +175,7 @@ TEST_SUITE("guards") {
     const auto stop = [](double angle, double torque, bool may) {
       CAPTURE(angle);
       CAPTURE(torque);
-      // The ways in which a set-point makes a torque.
+      // The ways in which a set point makes a torque.
       const std::array<std::pair<hw::set_point, hw::joint_state>, 3> ways{{
           {{{.torque = torque}}, at(angle)},
           {{{.position = torque > 0 ? 2.0 : -1.0, .torque = torque, .stiffness = 0.001}}, at(angle)},
@@ -207,7 +206,7 @@ TEST_SUITE("guards") {
       stop(angle, 1, true);
       stop(angle, -1, true);
     }
-    // Beyond it, back with all the torque that there is and no more.
+    // Beyond it, at most the largest torque that leads back.
     CHECK(limit({{.position = 2, .stiffness = 50}}, at(2.5)).safe.stiffness ==
           doctest::Approx(10));  // -25 becomes -5
     CHECK(limit({{.position = -1, .stiffness = 50}}, at(-1.5)).safe.stiffness ==
@@ -229,7 +228,9 @@ TEST_SUITE("guards") {
     CHECK(limit({{.damping = 0.5}}, at(0, 9)).safe.damping == 0.5);
   }
 
-  TEST_CASE("limits: a joint that can only be pulled is asked to push: it gets nothing, and nobody is told") {
+  TEST_CASE(
+      "limits: a joint that can only be pulled gets nothing where a push is wanted, and nothing is "
+      "recorded|") {
     const auto gets = [](double torque, const hw::joint_state& q, double expected) {
       const limited l =
           limit<1>({{.position = q.angle, .velocity = 1, .torque = torque, .damping = 0}}, q, 6);
@@ -243,18 +244,18 @@ TEST_SUITE("guards") {
     CHECK(l.safe.stiffness == 0);
     tells_nothing(l.told);
     tells(gets(1, at(1.5), 0), safety_rule::stop, 1, 6, 1);
-    tells_nothing(gets(1, at(0.5), 1));                     // out of its lower end
-    CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // what leads it back is its spring
+    tells_nothing(gets(1, at(0.5), 1));                     // away from its lower end|
+    CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // its spring leads it back|
   }
 
-  TEST_CASE("limits: where a joint is unknown, its law cannot be judged, its numbers can") {
+  TEST_CASE("limits: without a measured angle the law can't be judged, but the numbers can|") {
     const hw::set_point strong{{.position = 2, .velocity = 4, .torque = 6, .stiffness = 50, .damping = 5}};
     const limited l = limit(strong, at(no_number));
     CHECK(same(l.safe, strong));
     tells_nothing(l.told);
   }
 
-  TEST_CASE("limits: of all that was changed the first is kept, until the next start") {
+  TEST_CASE("limits: the first change is kept until the next start|") {
     hw::limit_guard<joints> g;
     pass(g, none, in_the_middle, 16);
     tells_nothing(g.record());
@@ -269,8 +270,9 @@ TEST_SUITE("guards") {
   }
 
   TEST_CASE(
-      "rate: a start is from where the joint is, slowly, until the command is caught up; then as fast as the "
-      "axis") {
+      "rate: a start goes slowly from where the joint is until it has reached the command; then as fast as "
+      "the "
+      "axis may") {
     hw::rate_guard<joints> g;
     const auto to = [&](double position, std::int64_t beat, hw::motion_phase phase = running) {
       return pass(g, {hw::set_point{{.position = position}}, none[1]}, {at(0.25, 0, phase), at(1, 0, phase)},
@@ -285,10 +287,10 @@ TEST_SUITE("guards") {
     s = to(0.2505, 2);
     CHECK(s.position == 0.2505);
     CHECK_FALSE(g.approaching());
-    tells_nothing(g.record());     // a start is slow: no cause to tell of
-    s = to(0.2505 + 4 * 1e-3, 3);  // as fast as it may
+    tells_nothing(g.record());     // a slow start is no violation|
+    s = to(0.2505 + 4 * 1e-3, 3);  // as fast as the axis may|
     CHECK(s.position == 0.2505 + 4 * 1e-3);
-    CHECK(s.velocity == 0);  // left as it was
+    CHECK(s.velocity == 0);  // unchanged|
     tells_nothing(g.record());
     s = to(1, 4);
     CHECK(s.position == doctest::Approx(0.2585));
@@ -313,7 +315,7 @@ TEST_SUITE("guards") {
     CHECK(pass(g, {hw::set_point{{.position = -1}}, none[1]}, where)[0].position == -3 * 1e-3);
   }
 
-  TEST_CASE("rate: a pause of the loop gives no more than a beat's way") {
+  TEST_CASE("rate: after a pause of the loop a position moves by one beat's way at most|") {
     hw::rate_guard<joints> g;
     const auto safe =
         g.act(as_wanted({hw::set_point{{.position = 1}}, none[1]}),
@@ -322,8 +324,9 @@ TEST_SUITE("guards") {
   }
 
   TEST_CASE(
-      "rate: the torque of a set-point by `torque_rate`, from nothing at a start; unstated, the whole range "
-      "in 10 ms") {
+      "rate: the torque of a set point follows `torque_rate`, from 0 at a start; without it, the whole range "
+      "in "
+      "10 ms") {
     hw::rate_guard<joints> g;
     const auto to = [&](double first, double second, std::int64_t beat, hw::motion_phase phase = running) {
       const both all{hw::set_point{{.torque = first}}, hw::set_point{{.position = 1, .torque = second}}};
@@ -346,7 +349,9 @@ TEST_SUITE("guards") {
     CHECK(safe[0].torque == doctest::Approx(0.1));
   }
 
-  TEST_CASE("rate: what may not run passes as it is, and the next run begins where the joint then is") {
+  TEST_CASE(
+      "rate: in other modes than `run` a set point passes unchanged, and the next run begins where the joint "
+      "then is|") {
     hw::rate_guard<joints> g;
     const auto to = [&](const hw::set_point& s, const hw::joint_state& q) {
       return pass(g, {s, none[1]}, {q, at(1)})[0];
@@ -359,12 +364,12 @@ TEST_SUITE("guards") {
     CHECK(to(early, at(0.75)).position == -0.5 + 2 * 1e-3);
     CHECK(same(to(held, at(7)), held));
     CHECK(to({{.position = 0}}, at(0)).position == 2 - 2 * 1e-3);  // begins within the range
-    tells(g.record(), safety_rule::rate, 0, 0, 1);                 // the torque's
+    tells(g.record(), safety_rule::rate, 0, 0, 1);                 // by the torque|
   }
 
   TEST_CASE(
-      "finite: NaN or infinity in any number: the last one that was goes on, without speed and torque, and "
-      "is marked") {
+      "finite: for NaN or infinity in any number the last finite set point goes on, without velocity and "
+      "torque, and is marked") {
     const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     for (const std::size_t joint : {0u, 1u})
       for (double hw::set_point::* number : {static_cast<double hw::set_point::*>(&hw::set_point::position),
@@ -394,13 +399,13 @@ TEST_SUITE("guards") {
           CHECK(g.record().first.beat == 41);
           g.on_start();
           tells_nothing(g.record());
-          const both first = pass(g, bad, 0);  // nothing was before: no stiffness, no torque
+          const both first = pass(g, bad, 0);  // there was none before: no stiffness, no torque|
           CHECK(first[0].stiffness == 0);
           CHECK(first[0].damping == 0);
         }
   }
 
-  TEST_CASE("stale: by the age of what it was made from, of all joints, and nothing of the numbers changes") {
+  TEST_CASE("stale: by the age of the data, for all joints, and no number changes|") {
     hw::stale_guard<joints> g;  // 50 ms
     const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     const auto is_stale = [&](std::int64_t beat, std::int64_t origin) {
@@ -417,7 +422,7 @@ TEST_SUITE("guards") {
     };
     CHECK_FALSE(is_stale(100, 100 * millisecond));
     CHECK_FALSE(is_stale(150, 100 * millisecond));
-    CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet: no age
+    CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet, so there is no age|
     tells_nothing(g.record());
     CHECK(is_stale(150, 100 * millisecond - 1));
     tells(g.record(), safety_rule::stale, -1, 150, 1);
@@ -433,10 +438,10 @@ TEST_SUITE("guards") {
     marked[1].trip(safety_rule::not_finite);
     const both safe = pass(g, marked, 111, 100 * millisecond);
     CHECK(safe[0].broken() == safety_rule::stale);
-    CHECK(safe[1].broken() == safety_rule::not_finite);  // the first that it broke
+    CHECK(safe[1].broken() == safety_rule::not_finite);  // the first rule that it broke|
   }
 
-  TEST_CASE("emergency stop: what each rule leads to, and whether it is of one joint") {
+  TEST_CASE("emergency stop: the mode that each rule leads to, and whether it names a joint|") {
     const auto trip = [](safety_rule rule, bool of_the_joint) {
       hw::emergency_stop<joints> stop;
       measured begin{at(0, 0, hw::motion_phase::begins), at(1, 0, hw::motion_phase::begins)};
@@ -448,7 +453,7 @@ TEST_SUITE("guards") {
       const both safe = pass(stop, all, where, 12);
       CHECK(safe[0].mode() == stop.mode());
       CHECK(safe[1].mode() == stop.mode());
-      where[0].trip = safety_rule::drive_fault;  // later: not the first
+      where[0].trip = safety_rule::drive_fault;  // later, so not the first cause|
       pass(stop, none, where, 13);
       CHECK(stop.mode() == hw::motion_mode::damped);
       CHECK(stop.first_cause().rule == rule);
