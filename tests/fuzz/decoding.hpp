@@ -28,7 +28,7 @@ struct bytes_of_frame {
     const auto at = [this](std::size_t i) { return i < size ? data[i] : std::uint8_t{0}; };
     can_frame f;
     const std::uint32_t number = at(0) | at(1) << 8 | at(2) << 16 | static_cast<std::uint32_t>(at(3)) << 24;
-    if (at(5) & 1) f.id = mine[number % mine.size()].id;  // an id of the drive's own|
+    if (at(5) & 1) f.id = mine[number % mine.size()].id;  // an id of the drive's own
     else f.id = {number, (at(5) & 2) != 0};
     f.fd = (at(5) & 4) != 0;
     f.fast = (at(5) & 8) != 0;

@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool was_off = s == bus_state::bus_off;
     s = detail::after_error(s, k, c);
     if (was_off && s != bus_state::bus_off && c.restarts == restarts)
-      std::abort();  // only a restart ends bus-off|
+      std::abort();  // only a restart ends bus-off
   }
   if (c.bus_offs < c.restarts) std::abort();
   return 0;

@@ -13,6 +13,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::must(line.frame.valid() && line.time >= 0 && !line.bus.empty());
   fuzz::must(cca_can::read_line(cca_can::text_of(line), again).empty() && !again.error);
   fuzz::must(again.frame == line.frame && again.bus == line.bus);
-  fuzz::must(again.time == line.time / 1000 * 1000);  // the text has microseconds|
+  fuzz::must(again.time == line.time / 1000 * 1000);  // the text has microseconds
   return 0;
 }

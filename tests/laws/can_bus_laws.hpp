@@ -25,7 +25,7 @@ namespace laws {
 namespace can {
 
 using namespace cca::hardware;
-using cca::hardware::can_frame;  // not the one of linux/can.h|
+using cca::hardware::can_frame;  // not the one of linux/can.h
 
 struct frame_source {
   std::mt19937_64 bits;
@@ -78,21 +78,21 @@ for (int round = 0; round < rounds; ++round) {
     sent.back().id = id;
   }
   const auto result = rig.end(0).send(sent);
-  CHECK_MESSAGE(result.sent == sent.size(), "all frames are taken|");
-  CHECK_MESSAGE(result.outcome == send_outcome::sent, "the outcome says so|");
+  CHECK_MESSAGE(result.sent == sent.size(), "all frames are taken");
+  CHECK_MESSAGE(result.outcome == send_outcome::sent, "the outcome says so");
   rig.settle();
   const auto got = all_from(rig.end(1));
-  REQUIRE_MESSAGE(got.size() == sent.size(), "each frame arrives once|");
+  REQUIRE_MESSAGE(got.size() == sent.size(), "each frame arrives once");
   for (std::size_t i = 0; i < got.size(); ++i) {
-    CHECK_MESSAGE(got[i].frame == sent[i], "a frame arrives as it was sent|");
+    CHECK_MESSAGE(got[i].frame == sent[i], "a frame arrives as it was sent");
     CHECK_MESSAGE(got[i].time >= last, "times don't go backwards");
     last = got[i].time;
   }
-  CHECK_MESSAGE(all_from(rig.end(0)).empty(), "the sender does not get its own frames|");
+  CHECK_MESSAGE(all_from(rig.end(0)).empty(), "the sender does not get its own frames");
 }
-CHECK_MESSAGE(rig.end(0).counters().confirmed == rig.end(0).counters().sent, "all frames are confirmed|");
+CHECK_MESSAGE(rig.end(0).counters().confirmed == rig.end(0).counters().sent, "all frames are confirmed");
 CHECK_MESSAGE(rig.end(0).in_flight() == 0, "nothing is in flight");
-CHECK_MESSAGE(rig.end(1).counters().received == rig.end(0).counters().sent, "all frames are counted|");
+CHECK_MESSAGE(rig.end(1).counters().received == rig.end(0).counters().sent, "all frames are counted");
 }  // namespace laws
 
 // An idle bus, an empty batch, an empty buffer.
@@ -101,18 +101,18 @@ void does_not_wait() {
   Rig rig;
   std::array<received_frame, 4> in;
   CHECK_MESSAGE(rig.end(0).receive(in) == 0, "an idle bus gives nothing");
-  CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>{}) == 0, "nor into an empty buffer|");
+  CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>{}) == 0, "nor into an empty buffer");
   const auto nothing = rig.end(0).send({});
-  CHECK_MESSAGE((nothing.sent == 0 && nothing.outcome == send_outcome::sent), "an empty batch is no error|");
+  CHECK_MESSAGE((nothing.sent == 0 && nothing.outcome == send_outcome::sent), "an empty batch is no error");
 
   const std::array<can_frame, 3> three{
       {{.id = standard(1), .length = 1}, {.id = standard(1), .length = 2}, {.id = standard(1), .length = 3}}};
   rig.end(1).send(three);
   rig.settle();
   CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>(in.data(), 2)) == 2,
-                "no more frames than there is room for|");
-  CHECK_MESSAGE(rig.end(0).receive(in) == 1, "the rest comes with the next call|");
-  CHECK_MESSAGE(in[0].frame.length == 3, "and is the last frame|");
+                "no more frames than there is room for");
+  CHECK_MESSAGE(rig.end(0).receive(in) == 1, "the rest comes with the next call");
+  CHECK_MESSAGE(in[0].frame.length == 3, "and is the last frame");
 }
 
 // Frames that can't be on the bus are left out and counted; the rest of the batch is sent.
@@ -132,18 +132,18 @@ void refuses_what_is_no_frame() {
         {{.id = standard(5), .length = 1}, bad, {.id = standard(5), .length = 2}}};
     const auto result = rig.end(0).send(batch);
     CHECK_MESSAGE((result.sent == 2 && result.outcome == send_outcome::invalid),
-                  "the other frames are taken|");
-    CHECK_MESSAGE(rig.end(0).counters().invalid == 1, "the invalid frame is counted|");
+                  "the other frames are taken");
+    CHECK_MESSAGE(rig.end(0).counters().invalid == 1, "the invalid frame is counted");
     rig.settle();
     const auto got = all_from(rig.end(1));
     REQUIRE(got.size() == 2);
-    CHECK_MESSAGE((got[0].frame == batch[0] && got[1].frame == batch[2]), "the other frames arrive|");
+    CHECK_MESSAGE((got[0].frame == batch[0] && got[1].frame == batch[2]), "the other frames arrive");
   }
   if (!Rig::has_fd) {
     Rig rig;
     CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(1), .fd = true}}).outcome ==
                       send_outcome::invalid,
-                  "no FD frames on a classic bus|");
+                  "no FD frames on a classic bus");
   }
 }
 
@@ -160,22 +160,22 @@ void sends_nothing_stale() {
     rig.away(0);
     all_from(rig.end(0));
     REQUIRE_MESSAGE(is_away(rig.end(0).state()), "the state says that it is away");
-    CHECK_MESSAGE(rig.end(0).counters().interruptions() == 1, "one interruption is counted|");
+    CHECK_MESSAGE(rig.end(0).counters().interruptions() == 1, "one interruption is counted");
     const auto result = rig.end(0).send(std::array{meanwhile, meanwhile});
     CHECK_MESSAGE((result.sent == 0 && result.outcome == send_outcome::away), "nothing is taken");
-    CHECK_MESSAGE(rig.end(0).counters().dropped_away >= 2, "the frames are counted|");
+    CHECK_MESSAGE(rig.end(0).counters().dropped_away >= 2, "the frames are counted");
     rig.settle();
     rig.back(0);
     all_from(rig.end(0));
-    CHECK_MESSAGE(!is_away(rig.end(0).state()), "the bus is back|");
-    CHECK_MESSAGE(rig.end(0).counters().ups + rig.end(0).counters().restarts == 1, "the return is counted|");
-    CHECK_MESSAGE(rig.end(0).counters().interruptions() >= 1, "the interruption stays counted|");
+    CHECK_MESSAGE(!is_away(rig.end(0).state()), "the bus is back");
+    CHECK_MESSAGE(rig.end(0).counters().ups + rig.end(0).counters().restarts == 1, "the return is counted");
+    CHECK_MESSAGE(rig.end(0).counters().interruptions() >= 1, "the interruption stays counted");
     rig.settle();
-    CHECK_MESSAGE(all_from(rig.end(1)).empty(), "no stale frame is sent|");
+    CHECK_MESSAGE(all_from(rig.end(1)).empty(), "no stale frame is sent");
     rig.end(0).send(std::array{after});
     rig.settle();
     const auto got = all_from(rig.end(1));
-    REQUIRE_MESSAGE(got.size() == 1, "a frame that is sent now arrives|");
+    REQUIRE_MESSAGE(got.size() == 1, "a frame that is sent now arrives");
     CHECK(got[0].frame == after);
   }
 }
@@ -194,16 +194,16 @@ void drops_when_full() {
       taken += result.sent;
       all_from(rig.end(0));
     }
-    REQUIRE_MESSAGE(result.outcome == send_outcome::full, "the queue gets full|");
-    CHECK_MESSAGE(rig.end(0).counters().dropped_full == 1, "the dropped frame is counted|");
-    CHECK_MESSAGE(rig.end(0).in_flight() == taken, "the frames that were taken are in flight|");
-    CHECK_MESSAGE(taken <= rig.most_waiting, "the bus holds no more frames than it may|");
+    REQUIRE_MESSAGE(result.outcome == send_outcome::full, "the queue gets full");
+    CHECK_MESSAGE(rig.end(0).counters().dropped_full == 1, "the dropped frame is counted");
+    CHECK_MESSAGE(rig.end(0).in_flight() == taken, "the frames that were taken are in flight");
+    CHECK_MESSAGE(taken <= rig.most_waiting, "the bus holds no more frames than it may");
     rig.unblocked(0);
     rig.settle();
     all_from(rig.end(0));
     const auto got = all_from(rig.end(1));
-    CHECK_MESSAGE(got.size() == taken, "frames that were taken arrive, dropped ones do not|");
-    CHECK_MESSAGE(rig.end(0).in_flight() == 0, "then none is in flight|");
+    CHECK_MESSAGE(got.size() == taken, "frames that were taken arrive, dropped ones do not");
+    CHECK_MESSAGE(rig.end(0).in_flight() == 0, "then none is in flight");
     CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(0x21)}}).sent == 1,
                   "there is room again");
   }

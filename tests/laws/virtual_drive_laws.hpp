@@ -106,9 +106,9 @@ void follows_once_enabled() {
   using D = typename Rig::drive::drive;
   b.motor.now.position = stands;
   b.beats(200, Rig::drive::waits ? b.go() : drive_frames());
-  CHECK_MESSAGE(b.motor.now.position == stands, "nothing moves before it is enabled|");
+  CHECK_MESSAGE(b.motor.now.position == stands, "nothing moves before it is enabled");
   REQUIRE_MESSAGE(b.enable(), "its codec enables it");
-  CHECK_MESSAGE(std::fabs(b.motor.now.position - stands) < 0.002, "enabling it makes no jerk|");
+  CHECK_MESSAGE(std::fabs(b.motor.now.position - stands) < 0.002, "enabling it makes no jerk");
   b.beats(1500, b.go());
   if constexpr ((D::uses & of_position) != 0)
     CHECK(b.motor.now.position == doctest::Approx(0.5).epsilon(0.02));
@@ -116,10 +116,10 @@ void follows_once_enabled() {
     CHECK(b.motor.now.velocity == doctest::Approx(0.5).epsilon(0.05));
   else CHECK(b.motor.now.position > 1);
   CHECK_MESSAGE(b.report.position == doctest::Approx(b.motor.now.position).epsilon(0.02),
-                "it goes there and reports it|");
+                "it goes there and reports it");
   CHECK(b.report.fault == drive_fault::none);
   b.beats(3, D::disable());
-  CHECK_MESSAGE(gives_way(b.law), "disabled, it gives way|");
+  CHECK_MESSAGE(gives_way(b.law), "disabled, it gives way");
   CHECK_FALSE(b.v.enabled());
   CHECK_MESSAGE(b.allocated == 0, "nothing is allocated");
 }
@@ -135,26 +135,26 @@ void starves() {
   const std::int64_t fed = b.now;
   while (b.now < fed + V::timeout - 2'000'000) {
     b.beat();
-    REQUIRE_MESSAGE(!gives_way(b.law), "it follows until its timeout|");
+    REQUIRE_MESSAGE(!gives_way(b.law), "it follows until its timeout");
   }
   b.beats(3);
-  CHECK_MESSAGE(gives_way(b.law), "after its timeout it gives way|");
+  CHECK_MESSAGE(gives_way(b.law), "after its timeout it gives way");
   b.motor.now.velocity = 0;
   const double stood = b.motor.now.position;
   b.beats(20);
   if (!V::latches) {
-    CHECK_MESSAGE(b.follows(), "it follows again when it is fed, as its type says|");
+    CHECK_MESSAGE(b.follows(), "it follows again when it is fed, as its type says");
     return;
   }
   for (int i = 0; i < 200; ++i) {
     b.beat(b.go());
-    REQUIRE_MESSAGE(gives_way(b.law), "a late set point moves nothing|");
+    REQUIRE_MESSAGE(gives_way(b.law), "a late set point moves nothing");
   }
   CHECK(b.motor.now.position == doctest::Approx(stood).epsilon(0.01));
   CHECK_FALSE(b.v.enabled());
-  CHECK_MESSAGE(b.report.fault == Rig::unfed, "it reports the watchdog|");
+  CHECK_MESSAGE(b.report.fault == Rig::unfed, "it reports the watchdog");
   CHECK((b.report.activity == drive_activity::faulted || b.report.activity == drive_activity::disabled));
-  REQUIRE_MESSAGE(b.enable(), "it can be enabled again|");
+  REQUIRE_MESSAGE(b.enable(), "it can be enabled again");
   CHECK(b.follows());
   CHECK(b.allocated == 0);
 }
@@ -171,15 +171,15 @@ void fails() {
     b.beat(b.go());
     REQUIRE(gives_way(b.law));
   }
-  CHECK_MESSAGE(b.report.fault == Rig::fault, "the fault is reported|");
+  CHECK_MESSAGE(b.report.fault == Rig::fault, "the fault is reported");
   CHECK(b.report.activity == drive_activity::faulted);
   CHECK_FALSE(b.v.enabled());
   b.v.clear();
   if (Rig::drive::latches) {
     b.beats(50, b.go());
-    CHECK_MESSAGE(gives_way(b.law), "the end of a fault moves nothing|");
+    CHECK_MESSAGE(gives_way(b.law), "the end of a fault moves nothing");
   }
-  REQUIRE_MESSAGE(b.enable(), "it can be enabled again|");
+  REQUIRE_MESSAGE(b.enable(), "it can be enabled again");
   CHECK(b.follows());
 }
 
@@ -191,8 +191,8 @@ void falls_silent() {
   b.v.go_silent(true);
   const std::uint64_t heard = b.report.frames;
   b.beats(300, b.go());
-  CHECK_MESSAGE(b.report.frames == heard, "a silent drive sends nothing|");
-  CHECK_MESSAGE(!gives_way(b.law), "a silent drive works on|");
+  CHECK_MESSAGE(b.report.frames == heard, "a silent drive sends nothing");
+  CHECK_MESSAGE(!gives_way(b.law), "a silent drive works on");
   b.v.clear();
   b.beats(150, b.go());
   CHECK(b.report.frames > heard);
@@ -209,15 +209,15 @@ void reboots() {
   const std::uint64_t heard = b.report.frames;
   for (int i = 0; i < 300; ++i) {
     b.beat(Rig::drive::waits || i < 45 ? b.go() : drive_frames());
-    REQUIRE_MESSAGE(gives_way(b.law), "nothing moves until it is enabled, whatever comes|");
-    if (i == 49) CHECK_MESSAGE(b.report.frames == heard, "while it boots it sends nothing|");
+    REQUIRE_MESSAGE(gives_way(b.law), "nothing moves until it is enabled, whatever comes");
+    if (i == 49) CHECK_MESSAGE(b.report.frames == heard, "while it boots it sends nothing");
   }
   CHECK(b.motor.now.position == stood);
   CHECK_FALSE(b.v.enabled());
   if (Rig::drive::waits)
-    CHECK_MESSAGE(b.report.activity != drive_activity::enabled, "it does not report itself enabled|");
+    CHECK_MESSAGE(b.report.activity != drive_activity::enabled, "it does not report itself enabled");
   REQUIRE(b.enable());
-  CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.002, "enabling it makes no jerk|");
+  CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.002, "enabling it makes no jerk");
   CHECK(b.follows());
 }
 
@@ -237,7 +237,7 @@ void hears_anything() {
   V v;
   for (std::int64_t i = 0; i < 100'000; ++i) {
     v.hear(noise(), i * 100'000);
-    REQUIRE_MESSAGE(gives_way(v.law(i * 100'000)), "random bytes move no drive that is not enabled|");
+    REQUIRE_MESSAGE(gives_way(v.law(i * 100'000)), "random bytes move no drive that is not enabled");
     v.answer({});
   }
   bench_of<Rig> b;
@@ -258,7 +258,7 @@ void hears_anything() {
   }
   for (const can_frame& f : cycle_frames_of<D>) b.v.hear(f, now);
   CHECK_MESSAGE(same(before, b.v.law(now)),
-                "nor does half a set point, a remote frame, or a set point for another drive|");
+                "nor does half a set point, a remote frame, or a set point for another drive");
 }
 
 template <class Rig>
@@ -272,7 +272,7 @@ void hears_no_number() {
     const double stood = b.motor.now.position;
     for (int i = 0; i < 200; ++i) {
       b.beat({f});
-      REQUIRE_MESSAGE(finite(b.law), "every number of the law is finite|");
+      REQUIRE_MESSAGE(finite(b.law), "every number of the law is finite");
     }
     CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.001, "NaN moves nothing");
   }

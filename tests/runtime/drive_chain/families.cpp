@@ -70,7 +70,7 @@ struct robot : hw::oncilla<wire::end_type,
 
 using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
 static_assert(plan::load<0> < 0.6);
-static_assert(plan::load<2> > 0.75 && plan::load<2> < 0.9);                  // SYNC counts once|
+static_assert(plan::load<2> > 0.75 && plan::load<2> < 0.9);                  // SYNC counts once
 static_assert(plan::requests<2>.count == 4 && plan::replies<2>.count == 8);  // with NMT and SYNC
 static_assert(hw::cycle_ends<3, left_front_knee, right_front_knee>()[2].size() == 1);
 
@@ -163,7 +163,7 @@ private:
 }  // namespace
 
 TEST_SUITE("families of drives") {
-  TEST_CASE("a robot with all families is enabled, and each joint goes softly to its command|") {
+  TEST_CASE("a robot with all families is enabled, and each joint goes softly to its command") {
     lab l;
     l.controller.start();
     double fastest = 0;
@@ -176,7 +176,7 @@ TEST_SUITE("families of drives") {
     CHECK(l.stop().first_cause().rule == hw::safety_rule::none);
     CHECK(l.all_there());
     CHECK(fastest < 3);
-    CHECK(l.syncs >= 1990);  // one a beat for both drives on this bus|
+    CHECK(l.syncs >= 1990);  // one a beat for both drives on this bus
     CHECK(l.syncs <= 2000);
     for (auto& w : l.wires) CHECK(w.end(0).counters().dropped_full == 0);
     l.controller.stop();
@@ -200,7 +200,7 @@ TEST_SUITE("families of drives") {
         CHECK(l.stop().first_cause().joint == joint);
         CHECK(l.all_give_way());
         CHECK_MESSAGE(l.laws[1].damping > 0,
-                      "a moteus damps by its brake, since a set point without stiffness does not damp it|");
+                      "a moteus damps by its brake, since a set point without stiffness does not damp it");
         drive.clear();
         l.beats(50);
         CHECK(l.all_give_way());
@@ -211,12 +211,12 @@ TEST_SUITE("families of drives") {
         CHECK(l.all_there());
       };
       drive.fail(code);
-      l.beats(110);  // an ODrive reports it in its next heartbeat|
+      l.beats(110);  // an ODrive reports it in its next heartbeat
       recovers(hw::safety_rule::drive_fault, static_cast<int>(Drive));
       drive.go_silent(true);
       l.beats(6);
       CHECK_MESSAGE(l.stop().mode() == hw::motion_mode::damped, "three beats of silence are enough");
-      l.beats(64);  // meanwhile the drive's own watchdog runs out|
+      l.beats(64);  // meanwhile the drive's own watchdog runs out
       recovers(hw::safety_rule::silent, static_cast<int>(Drive));
       drive.reboot(l.now, 100'000'000);
       l.beats(200);
@@ -253,7 +253,7 @@ TEST_SUITE("families of drives") {
     }
   }
 
-  TEST_CASE("a drive that does not report its velocity is not enabled|") {
+  TEST_CASE("a drive that does not report its velocity is not enabled") {
     lab l;
     l.without_speed[2] = true;
     l.controller.start();

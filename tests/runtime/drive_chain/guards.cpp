@@ -91,7 +91,7 @@ limited limit(const hw::set_point& s, const hw::joint_state& q, std::int64_t bea
   measured where = in_the_middle;
   all[Joint] = s, where[Joint] = q;
   const both safe = pass(g, all, where, beat);
-  CHECK_MESSAGE(same(safe[1 - Joint], none[1 - Joint]), "the other joint stays as it is|");
+  CHECK_MESSAGE(same(safe[1 - Joint], none[1 - Joint]), "the other joint stays as it is");
   return {safe[Joint], g.record()};
 }
 
@@ -125,7 +125,7 @@ void holds(double hw::set_point::* number, double lower, double upper, safety_ru
 }  // namespace
 
 TEST_SUITE("guards") {
-  TEST_CASE("limits: each number at, inside and beyond its limits|") {
+  TEST_CASE("limits: each number at, inside and beyond its limits") {
     holds(&hw::set_point::position, -1, 2, safety_rule::range);
     holds(&hw::set_point::velocity, -3, 4, safety_rule::range);
     holds(&hw::set_point::stiffness, 0, 50, safety_rule::range);
@@ -165,7 +165,7 @@ TEST_SUITE("guards") {
     makes({{.position = 0.25, .velocity = 1, .torque = 2, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 0.25, .velocity = 1, .torque = 3, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 2, .torque = -3, .stiffness = 4}}, at(0),
-          5);  // together they are within the limits, one alone would not be|
+          5);  // together they are within the limits, one alone would not be
     // The law counts where the joint is and how fast it moves, not only the command.
     makes({{.position = 1.5, .stiffness = 8}}, at(1), 4);
     makes({{.position = 0, .velocity = 2, .damping = 4}}, at(0, 1), 4);
@@ -230,7 +230,7 @@ TEST_SUITE("guards") {
 
   TEST_CASE(
       "limits: a joint that can only be pulled gets nothing where a push is wanted, and nothing is "
-      "recorded|") {
+      "recorded") {
     const auto gets = [](double torque, const hw::joint_state& q, double expected) {
       const limited l =
           limit<1>({{.position = q.angle, .velocity = 1, .torque = torque, .damping = 0}}, q, 6);
@@ -244,18 +244,18 @@ TEST_SUITE("guards") {
     CHECK(l.safe.stiffness == 0);
     tells_nothing(l.told);
     tells(gets(1, at(1.5), 0), safety_rule::stop, 1, 6, 1);
-    tells_nothing(gets(1, at(0.5), 1));                     // away from its lower end|
-    CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // its spring leads it back|
+    tells_nothing(gets(1, at(0.5), 1));                     // away from its lower end
+    CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // its spring leads it back
   }
 
-  TEST_CASE("limits: without a measured angle the law can't be judged, but the numbers can|") {
+  TEST_CASE("limits: without a measured angle the law can't be judged, but the numbers can") {
     const hw::set_point strong{{.position = 2, .velocity = 4, .torque = 6, .stiffness = 50, .damping = 5}};
     const limited l = limit(strong, at(no_number));
     CHECK(same(l.safe, strong));
     tells_nothing(l.told);
   }
 
-  TEST_CASE("limits: the first change is kept until the next start|") {
+  TEST_CASE("limits: the first change is kept until the next start") {
     hw::limit_guard<joints> g;
     pass(g, none, in_the_middle, 16);
     tells_nothing(g.record());
@@ -287,10 +287,10 @@ TEST_SUITE("guards") {
     s = to(0.2505, 2);
     CHECK(s.position == 0.2505);
     CHECK_FALSE(g.approaching());
-    tells_nothing(g.record());     // a slow start is no violation|
-    s = to(0.2505 + 4 * 1e-3, 3);  // as fast as the axis may|
+    tells_nothing(g.record());     // a slow start is no violation
+    s = to(0.2505 + 4 * 1e-3, 3);  // as fast as the axis may
     CHECK(s.position == 0.2505 + 4 * 1e-3);
-    CHECK(s.velocity == 0);  // unchanged|
+    CHECK(s.velocity == 0);  // unchanged
     tells_nothing(g.record());
     s = to(1, 4);
     CHECK(s.position == doctest::Approx(0.2585));
@@ -315,7 +315,7 @@ TEST_SUITE("guards") {
     CHECK(pass(g, {hw::set_point{{.position = -1}}, none[1]}, where)[0].position == -3 * 1e-3);
   }
 
-  TEST_CASE("rate: after a pause of the loop a position moves by one beat's way at most|") {
+  TEST_CASE("rate: after a pause of the loop a position moves by one beat's way at most") {
     hw::rate_guard<joints> g;
     const auto safe =
         g.act(as_wanted({hw::set_point{{.position = 1}}, none[1]}),
@@ -351,7 +351,7 @@ TEST_SUITE("guards") {
 
   TEST_CASE(
       "rate: in other modes than `run` a set point passes unchanged, and the next run begins where the joint "
-      "then is|") {
+      "then is") {
     hw::rate_guard<joints> g;
     const auto to = [&](const hw::set_point& s, const hw::joint_state& q) {
       return pass(g, {s, none[1]}, {q, at(1)})[0];
@@ -364,7 +364,7 @@ TEST_SUITE("guards") {
     CHECK(to(early, at(0.75)).position == -0.5 + 2 * 1e-3);
     CHECK(same(to(held, at(7)), held));
     CHECK(to({{.position = 0}}, at(0)).position == 2 - 2 * 1e-3);  // begins within the range
-    tells(g.record(), safety_rule::rate, 0, 0, 1);                 // by the torque|
+    tells(g.record(), safety_rule::rate, 0, 0, 1);                 // by the torque
   }
 
   TEST_CASE(
@@ -399,13 +399,13 @@ TEST_SUITE("guards") {
           CHECK(g.record().first.beat == 41);
           g.on_start();
           tells_nothing(g.record());
-          const both first = pass(g, bad, 0);  // there was none before: no stiffness, no torque|
+          const both first = pass(g, bad, 0);  // there was none before: no stiffness, no torque
           CHECK(first[0].stiffness == 0);
           CHECK(first[0].damping == 0);
         }
   }
 
-  TEST_CASE("stale: by the age of the data, for all joints, and no number changes|") {
+  TEST_CASE("stale: by the age of the data, for all joints, and no number changes") {
     hw::stale_guard<joints> g;  // 50 ms
     const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     const auto is_stale = [&](std::int64_t beat, std::int64_t origin) {
@@ -422,7 +422,7 @@ TEST_SUITE("guards") {
     };
     CHECK_FALSE(is_stale(100, 100 * millisecond));
     CHECK_FALSE(is_stale(150, 100 * millisecond));
-    CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet, so there is no age|
+    CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet, so there is no age
     tells_nothing(g.record());
     CHECK(is_stale(150, 100 * millisecond - 1));
     tells(g.record(), safety_rule::stale, -1, 150, 1);
@@ -438,10 +438,10 @@ TEST_SUITE("guards") {
     marked[1].trip(safety_rule::not_finite);
     const both safe = pass(g, marked, 111, 100 * millisecond);
     CHECK(safe[0].broken() == safety_rule::stale);
-    CHECK(safe[1].broken() == safety_rule::not_finite);  // the first rule that it broke|
+    CHECK(safe[1].broken() == safety_rule::not_finite);  // the first rule that it broke
   }
 
-  TEST_CASE("emergency stop: the mode that each rule leads to, and whether it names a joint|") {
+  TEST_CASE("emergency stop: the mode that each rule leads to, and whether it names a joint") {
     const auto trip = [](safety_rule rule, bool of_the_joint) {
       hw::emergency_stop<joints> stop;
       measured begin{at(0, 0, hw::motion_phase::begins), at(1, 0, hw::motion_phase::begins)};
@@ -453,7 +453,7 @@ TEST_SUITE("guards") {
       const both safe = pass(stop, all, where, 12);
       CHECK(safe[0].mode() == stop.mode());
       CHECK(safe[1].mode() == stop.mode());
-      where[0].trip = safety_rule::drive_fault;  // later, so not the first cause|
+      where[0].trip = safety_rule::drive_fault;  // later, so not the first cause
       pass(stop, none, where, 13);
       CHECK(stop.mode() == hw::motion_mode::damped);
       CHECK(stop.first_cause().rule == rule);

@@ -57,7 +57,7 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(geared::torque_of(at_drive) == doctest::Approx(at_joint));
   }
 
-  TEST_CASE("the sensor board reports what it measured, to within a step|") {
+  TEST_CASE("the sensor board reports what it measured, to within a step") {
     using board = hw::sensor_board<0x40>;
     hw::board_reading r;
     r.orientation = {0.5, -0.5, 0.1, std::sqrt(1 - 0.51)};
@@ -84,7 +84,7 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(board::abducted(board::abduct({0.1, std::nan(""), -0.2, std::numeric_limits<double>::infinity()}),
                           targets));
     CHECK(targets[0] == doctest::Approx(0.1));
-    CHECK(targets[1] == 2);  // NaN: the target stays|
+    CHECK(targets[1] == 2);  // NaN: the target stays
     CHECK(targets[2] == doctest::Approx(-0.2));
     CHECK(targets[3] == 4);
   }
@@ -159,7 +159,7 @@ TEST_SUITE("parts of the drive chain") {
     v.go_silent(true);
     tell(v, go.frames, 7'000'000);
     CHECK(v.answer({}).empty());
-    CHECK(torque(7'000'000) > 0);  // it is silent, but still moves|
+    CHECK(torque(7'000'000) > 0);  // it is silent, but still moves
     v.clear();
 
     v.reboot(8'000'000, 10'000'000);

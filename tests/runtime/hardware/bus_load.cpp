@@ -63,7 +63,7 @@ int stuff_bits(const bits& b) {
   for (const bool bit : b) {
     run = bit == last ? run + 1 : 1;
     last = bit;
-    if (run == 5) {  // the stuff bit begins the next run|
+    if (run == 5) {  // the stuff bit begins the next run
       ++stuffed;
       last = !last;
       run = 1;
@@ -104,7 +104,7 @@ constexpr bool beside() {
 
 }  // namespace
 
-TEST_CASE("bus load: frames of known length|") {
+TEST_CASE("bus load: frames of known length") {
   CHECK(worst_case({.length = 8}).nominal == 135);
   CHECK(worst_case({.length = 0}).nominal == 55);
   CHECK(worst_case({.length = 8, .extended = true}).nominal == 160);
@@ -112,7 +112,7 @@ TEST_CASE("bus load: frames of known length|") {
   CHECK(bit_rates{1'000'000, 5'000'000}.nanoseconds({30, 100}) == 50'000);
 }
 
-TEST_CASE("bus load: the longest possible frame is as long as counted, and no frame is longer|") {
+TEST_CASE("bus load: the longest possible frame is as long as counted, and no frame is longer") {
   laws::can::frame_source random{std::mt19937_64{4}};
   const auto counted = [](const can_frame& f) {
     const auto worst = worst_case(shape_of(f));
@@ -120,7 +120,7 @@ TEST_CASE("bus load: the longest possible frame is as long as counted, and no fr
   };
   for (int i = 0; i < 200'000; ++i) {
     can_frame f = random.frame(true);
-    if (i % 2) {  // few changes give many stuff bits|
+    if (i % 2) {  // few changes give many stuff bits
       const auto pattern = static_cast<std::uint8_t>(
           std::array{0x00, 0xFF, 0xF0, 0x0F, 0x87, 0x1E, 0x3C, 0x78}[random.below(8)]);
       for (std::size_t k = 0; k < f.payload().size(); ++k)
@@ -137,8 +137,8 @@ TEST_CASE("bus load: the longest possible frame is as long as counted, and no fr
       for (std::size_t k = 0; k < 8; ++k) worst.data[k] = static_cast<std::uint8_t>(byte);
       longest = std::max(longest, length_of(worst));
     }
-  MESSAGE("longest classic frame of 8 bytes that was found: |" << longest << " of 135 bits");
-  CHECK(longest >= 131);  // id, length code and checksum rule out the full 135|
+  MESSAGE("longest classic frame of 8 bytes that was found: " << longest << " of 135 bits");
+  CHECK(longest >= 131);  // id, length code and checksum rule out the full 135
 }
 
 // [plan]
@@ -153,17 +153,17 @@ struct left : can_bus_plan<"left",
 static_assert(left::load > 0.43 && left::load < 0.44);  // of the bus's time
 // [plan end]
 
-TEST_CASE("bus load: the load of a plan|") {
+TEST_CASE("bus load: the load of a plan") {
   using plan = can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>, joint<1>, joint<2>, joint<3>,
                             joint<4>, joint<5>, joint<6>, joint<7>, joint<8>>;
   CHECK(plan::cycle == 8 * 2 * 135'000);
   CHECK(plan::load == doctest::Approx(0.864));
   const std::span<const can_filter> replies = plan::replies, requests = plan::requests;
   CHECK(requests.size() == 8);
-  CHECK(replies.size() == 1);  // all drives answer under one id|
+  CHECK(replies.size() == 1);  // all drives answer under one id
 }
 
-TEST_CASE("bus load: overloaded buses and shared ids are refused|") {
+TEST_CASE("bus load: overloaded buses and shared ids are refused") {
   using detail::plan_check;
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<500>, joint<1>, joint<2>, joint<3>, joint<4>,
                             joint<5>, joint<6>, joint<7>, joint<8>>::sound);
@@ -171,23 +171,23 @@ TEST_CASE("bus load: overloaded buses and shared ids are refused|") {
   static_assert(!plan_check<"b", bit_rates{500'000}, cca::rate<1000>, joint<1>, joint<2>, joint<3>>::sound);
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, joint<1>>::sound);
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<0>, joint<1>>::sound,
-                "its requests have the id of the others' replies|");
+                "its requests have the id of the others' replies");
   static_assert(
       plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, mit_drive<ak80_9, 2, 9>>::sound);
 }
 
-TEST_CASE("bus load: an id of a drive belongs to it alone, whether set points use it or not|") {
+TEST_CASE("bus load: an id of a drive belongs to it alone, whether set points use it or not") {
   // ODrive: all 32 ids of a node, of 11 or of 29 bits.
   static_assert(!beside<axis<1>, joint<0x20>>() && !beside<axis<1>, joint<0x36>>() &&
                 !beside<axis<1>, joint<0x3F>>());
   static_assert(beside<axis<1>, joint<0x1F>>() && beside<axis<1>, joint<0x40>>() &&
                 beside<axis<1>, axis<2>>());
   static_assert(!beside<axis<1>, mit_drive<ak80_9, 1, 0x24>>(),
-                "the other's answers have the id of its settings|");
+                "the other's answers have the id of its settings");
   static_assert(!beside<axis<2>, sensor_board<0x3B>>() && beside<axis<1>, sensor_board<0x40>>());
   static_assert(!beside<axis<0x402>, moteus<n1, 65>>() &&
                 beside<axis<0x402>, moteus<n1, 1>>());  // 29 bits: 8040h to 805Fh
-  static_assert(!beside<axis<4>, node<5>>(), "SYNC, 80h, asks axis 4 for its version|");
+  static_assert(!beside<axis<4>, node<5>>(), "SYNC, 80h, asks axis 4 for its version");
   static_assert(beside<axis<1>, node<5>>());
 
   // CANopen: all process data, SDO, NMT and heartbeat of a node.
@@ -213,5 +213,5 @@ TEST_CASE("bus load: an id of a drive belongs to it alone, whether set points us
   static_assert(!beside<joint<0x15>, damiao<5>>() && beside<joint<0x15>, damiao<5, 0x100>>() &&
                 beside<joint<0x16>, damiao<5>>());
   static_assert(!beside<mit_drive<ak80_9, 9, 0x41>, sensor_board<0x40>>(),
-                "no byte of the board's frames names it|");
+                "no byte of the board's frames names it");
 }

@@ -56,7 +56,7 @@ inline bool present(const char* name) {
     if (set_link(name, true)) return true;
     why = std::string("no right to set ") + name + " up and down";
   } catch (const cca::refused& r) { why = r.what(); }
-  if (in_guest()) FAIL("the guest lacks: |" << why);
+  if (in_guest()) FAIL("the guest lacks: " << why);
   MESSAGE("left out: " << why);
   return false;
 }
@@ -88,7 +88,7 @@ struct controllers {
   socket_can a{"can0"}, b{"can1"};
 
   socket_can& end(std::size_t i) { return i == 0 ? a : b; }
-  void settle() { wait_ms(40); }  // an emulated card on a busy machine is slow|
+  void settle() { wait_ms(40); }  // an emulated card on a busy machine is slow
   void away(std::size_t) { REQUIRE(set_link("can0", false)); }
   void back(std::size_t) { REQUIRE(set_link("can0", true)); }
   ~controllers() { set_link("can0", true); }

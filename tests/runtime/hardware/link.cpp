@@ -58,7 +58,7 @@ TEST_CASE("link: nothing moves before a deliberate start") {
 }
 
 TEST_CASE(
-    "link: bus-off or link down, even for less than a beat, leads to `safe` at once, and it stays there|") {
+    "link: bus-off or link down, even for less than a beat, leads to `safe` at once, and it stays there") {
   for (const auto away : {bus_trouble::bus_off, bus_trouble::link_down})
     for (const std::int64_t lasts : {ms / 100, ms / 2, 10 * ms}) {
       robot r({{.what = away, .from = 20 * ms + ms / 2, .until = 20 * ms + ms / 2 + lasts, .end = 0}});
@@ -66,13 +66,13 @@ TEST_CASE(
       CHECK(r.link.state() == link_state::safe);
       CHECK(r.link.first_cause() ==
             (away == bus_trouble::bus_off ? link_cause::bus_off : link_cause::link_down));
-      CHECK(r.link.first_beat() == 20);  // counted from 0: the beat after it|
+      CHECK(r.link.first_beat() == 20);  // counted from 0: the beat after it
       CHECK(r.got.size() == 20);
       CHECK(r.got.back() == 20);
     }
 }
 
-TEST_CASE("link: a start is refused while the bus is away, and while it holds frames|") {
+TEST_CASE("link: a start is refused while the bus is away, and while it holds frames") {
   robot r({{.what = bus_trouble::link_down, .from = 20 * ms, .until = 40 * ms, .end = 0}});
   r.until(30);
   CHECK(r.link.start(0) == start_refusal::bus_away);
@@ -85,12 +85,11 @@ TEST_CASE("link: a start is refused while the bus is away, and while it holds fr
   CHECK(r.link.first_cause() == link_cause::none);
   r.until(60);
   CHECK(r.got.size() == 19 + 15 - 1);
-  CHECK(r.got[19] == 46);  // no set point from the time between|
+  CHECK(r.got[19] == 46);  // no set point from the time between
 }
 
-TEST_CASE("link: a full queue drops frames, and after three beats leads to `safe`|") {
-  robot r(
-      {{.what = bus_trouble::link_down, .from = 20 * ms, .end = 1}});  // nobody acknowledges from here on|
+TEST_CASE("link: a full queue drops frames, and after three beats leads to `safe`") {
+  robot r({{.what = bus_trouble::link_down, .from = 20 * ms, .end = 1}});  // nobody acknowledges from here on
   r.until(60);
   CHECK(r.link.state() == link_state::safe);
   CHECK(r.link.first_cause() == link_cause::queue_full);
@@ -98,7 +97,7 @@ TEST_CASE("link: a full queue drops frames, and after three beats leads to `safe
   CHECK(r.wire.end(0).counters().dropped_full == 3);
 }
 
-TEST_CASE("link: a queue that is full now and then stops nothing|") {
+TEST_CASE("link: a queue that is full now and then stops nothing") {
   link_supervisor<3> link;
   link.observe(bus_state::active, {});
   REQUIRE(link.start(0) == start_refusal::none);
@@ -125,7 +124,7 @@ TEST_CASE("link: another sender of our frames stops it; the first cause is kept"
   CHECK(link.first_beat() == 1);
 }
 
-TEST_CASE("link: warning and passive stop nothing, and are reported|") {
+TEST_CASE("link: warning and passive stop nothing, and are reported") {
   link_supervisor<3> link;
   link.observe(bus_state::active, {});
   REQUIRE(link.start(0) == start_refusal::none);

@@ -24,7 +24,7 @@ struct motor {
 using servo = moteus<motor, 1>;
 using ninth = moteus<motor, 9>;
 constexpr double turn = detail::radians_in_turn;
-constexpr std::uint32_t stride = 99991;  // step through the bits of all floats|
+constexpr std::uint32_t stride = 99991;  // step through the bits of all floats
 
 can_frame from_hex(can_id id, std::string_view hex) {
   std::array<std::uint8_t, 64> bytes{};
@@ -88,7 +88,7 @@ TEST_CASE("moteus: the request and the reply of its documentation") {
   CHECK(r.fault == drive_fault::none);
 }
 
-TEST_CASE("moteus: a command survives encoding and decoding, floats exactly|") {
+TEST_CASE("moteus: a command survives encoding and decoding, floats exactly") {
   servo::request q;
   REQUIRE(
       servo::hear(servo::set_point(
@@ -112,7 +112,7 @@ TEST_CASE("moteus: a command survives encoding and decoding, floats exactly|") {
   }
 }
 
-TEST_CASE("moteus: each number of a command survives encoding and decoding|") {
+TEST_CASE("moteus: each number of a command survives encoding and decoding") {
   servo::request q;
   const auto hear = [&q](const auto& s) { return servo::hear(s.frames[0], q); };
   for_floats(stride, [&](float x) {
@@ -127,7 +127,7 @@ TEST_CASE("moteus: each number of a command survives encoding and decoding|") {
     REQUIRE(s.cut == (part > 12 ? of_torque : no_quantity));
     REQUIRE(hear(s));
     REQUIRE(q.command.torque == std::fmax(-12, std::fmin(12, number)));
-    s = servo::set_point({}, part);  // the torque that it may use at most|
+    s = servo::set_point({}, part);  // the torque that it may use at most
     REQUIRE(hear(s));
     REQUIRE(q.most_torque == part);
     if (part > 1) return;
@@ -155,11 +155,11 @@ TEST_CASE("moteus: each number of a command survives encoding and decoding|") {
 // Each register of a request or a reply, in each form, with every number of 8 and 16 bits. Steps:
 // registers.md.
 TEST_CASE(
-    "moteus: every number of a register is read as it was written; the most negative integer means none|") {
+    "moteus: every number of a register is read as it was written; the most negative integer means none") {
   using enum moteus_register;
   struct known {
     moteus_register which;
-    double steps[3];  // with 8, 16, 32 bits|
+    double steps[3];  // with 8, 16, 32 bits
   };
   const known all[] = {{position, {0.01, 0.0001, 0.00001}},
                        {velocity, {0.1, 0.00025, 0.00001}},
@@ -259,7 +259,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("moteus: a position beyond 32 bits stays at their end and does not wrap|") {
+TEST_CASE("moteus: a position beyond 32 bits stays at their end and does not wrap") {
   drive_report r;
   for (const double sign : {-1, 1}) {
     double before = 0;
@@ -273,7 +273,7 @@ TEST_CASE("moteus: a position beyond 32 bits stays at their end and does not wra
   }
 }
 
-TEST_CASE("moteus: each mode and each fault; a reply without a mode reports no activity|") {
+TEST_CASE("moteus: each mode and each fault; a reply without a mode reports no activity") {
   using enum drive_fault;
   const std::pair<unsigned, drive_fault> faults[] = {
       {32, configuration},    {33, power_stage},     {34, over_voltage},
@@ -287,7 +287,7 @@ TEST_CASE("moteus: each mode and each fault; a reply without a mode reports no a
     for (const auto& [known, fault] : faults)
       if (known == code) expected = fault;
     drive_report r;
-    if (code < 128) {  // as int8, the form that we ask for|
+    if (code < 128) {  // as int8, the form that we ask for
       REQUIRE(servo::decode(servo::reply(1, 0, 0, 0, static_cast<std::uint8_t>(code)), r));
       CHECK_MESSAGE(r.fault == expected, code);
       CHECK(r.code == code);
@@ -325,7 +325,7 @@ TEST_CASE("moteus: each mode and each fault; a reply without a mode reports no a
   }
 }
 
-TEST_CASE("moteus: stiffness and damping are parts of kp and kd, damping no larger a part than stiffness|") {
+TEST_CASE("moteus: stiffness and damping are parts of kp and kd, damping no larger a part than stiffness") {
   servo::request q;
   auto s = servo::set_point({.stiffness = 160, .damping = 1});
   CHECK(s.cut == of_stiffness);
@@ -335,11 +335,11 @@ TEST_CASE("moteus: stiffness and damping are parts of kp and kd, damping no larg
   CHECK(q.command.damping == doctest::Approx(0.1));
   CHECK(servo::set_point({.torque = 13, .stiffness = -1}).cut == (of_torque | of_stiffness));
   REQUIRE(servo::hear(servo::stay(), q));
-  CHECK(std::isnan(q.command.position));  // means stay here|
+  CHECK(std::isnan(q.command.position));  // means stay here
   CHECK(q.command.stiffness == 1);
 }
 
-TEST_CASE("moteus: bytes that make no sense are not taken, not even in part|") {
+TEST_CASE("moteus: bytes that make no sense are not taken, not even in part") {
   for (const std::string_view hex : {"24", "2404", "24040a", "24ff0f00", "2c0100", "280400", "40", "60", "ff",
                                      "20ffffffffff0100", "2100", "3001", "1004"}) {
     drive_report r;
@@ -351,11 +351,11 @@ TEST_CASE("moteus: bytes that make no sense are not taken, not even in part|") {
   CHECK(!servo::decode(from_hex(standard(0x100), "2101002404"), r));  // a mode, and then the bytes end
   CHECK(r.activity == drive_activity::unknown);
   CHECK(!servo::decode(from_hex(standard(0x200), "21000a"), r));
-  CHECK(!servo::decode(from_hex(standard(0x100), "5050"), r));  // has no contents|
+  CHECK(!servo::decode(from_hex(standard(0x100), "5050"), r));  // has no contents
   CHECK(servo::decode(from_hex(extended(0x100), "21000a"), r));
 }
 
-TEST_CASE("moteus: its timeout is a fault, its limits are not|") {
+TEST_CASE("moteus: its timeout is a fault, its limits are not") {
   drive_report r;
   REQUIRE(servo::decode(servo::reply(11, 0, 0, 0), r));
   CHECK(r.activity == drive_activity::faulted);
@@ -369,10 +369,10 @@ TEST_CASE("moteus: its timeout is a fault, its limits are not|") {
   CHECK(servo::watchdog.nanoseconds == 50'000'000);
 }
 
-TEST_CASE("moteus: enabling stops it first, then holds it where it is|") {
+TEST_CASE("moteus: enabling stops it first, then holds it where it is") {
   servo::enabling enabling;
   drive_report r;
-  REQUIRE(servo::decode(servo::reply(11, 0, 0, 0), r));  // a report from before|
+  REQUIRE(servo::decode(servo::reply(11, 0, 0, 0), r));  // a report from before
   auto s = enabling.next(r);
   CHECK(s.frames[0] == servo::disable()[0]);
   REQUIRE(servo::decode(servo::reply(0, 0, 0, 0), r));

@@ -41,7 +41,7 @@ public:
       cfmakeraw(&t);
       tcsetattr(fd, TCSANOW, &t);
     }
-    reader = std::thread([this] { read_on(); });  // the driver waits until its commands are read|
+    reader = std::thread([this] { read_on(); });  // the driver waits until its commands are read
     const int discipline = 17;                    // N_SLCAN
     REQUIRE(ioctl(line, TIOCSETD, &discipline) == 0);
     ifreq r{};

@@ -48,7 +48,7 @@ TEST_CASE("socket can on slcan: the states of the controller, with its error cou
 }
 
 TEST_CASE(
-    "socket can on slcan: bus-off stops a moving robot, and after the restart it sends only new frames|") {
+    "socket can on slcan: bus-off stops a moving robot, and after the restart it sends only new frames") {
   if (!guest_has_slcan()) return;
   can_rigs::slcan rig;
   link_supervisor<3> link;
@@ -72,7 +72,7 @@ TEST_CASE(
   CHECK(link.start(rig.bus.in_flight()) == start_refusal::bus_away);
   rig.back(0);
   for (int i = 0; i < 10; ++i) step();
-  CHECK(link.state() == link_state::safe);  // the bus is back, but that is not enough|
+  CHECK(link.state() == link_state::safe);  // the bus is back, but that is not enough
   rig.settle();
   CHECK(all_from(rig.adapter).empty());
   CHECK(rig.bus.stale() == 0);
@@ -85,7 +85,7 @@ TEST_CASE(
   CHECK(got[0].frame.data[0] == first);
 }
 
-TEST_CASE("socket can on slcan: a full queue drops and counts the rest, and leads to the state `safe`|") {
+TEST_CASE("socket can on slcan: a full queue drops and counts the rest, and leads to the state `safe`") {
   if (!guest_has_slcan()) return;
   can_rigs::slcan rig;
   rig.adapter.listen(false);  // the line fills, then the interface's queue

@@ -1,4 +1,4 @@
-// Drives by name say and hear what the codecs of that number and those ranges do.
+// Drives by name send and decode the same frames as the codecs with that number and those ranges.
 #include <array>
 #include <random>
 
@@ -27,7 +27,7 @@ struct n1 {
 
 namespace {
 
-// `reply(random)`: a frame of the drive. Clocked ones have a SYNC behind.
+// `reply(random)` is a frame of the drive. Clocked drives have a SYNC after it.
 template <class Drive, class Reply>
 void alike(const char* name, Reply reply, double most_torque = 0) {
   CAPTURE(name);
@@ -66,7 +66,7 @@ std::string complaint(const char* name) {
 }  // namespace
 
 TEST_SUITE("drives by name") {
-  TEST_CASE("an MIT drive is the one of its number and ranges") {
+  TEST_CASE("an MIT drive has the number and ranges of its name") {
     using ak = hw::mit_drive<hw::ak80_9, 3>;
     alike<ak>("mit:ak80-9:3",
               [](auto& some, auto& r) { return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
@@ -94,7 +94,7 @@ TEST_SUITE("drives by name") {
     alike<far>(
         "moteus:80/2:127", [](auto& some, auto& r) { return far::reply(10, some(r), some(r), some(r)); }, 12);
   }
-  TEST_CASE("a CANopen drive is started by its own number, as the first step of enabling it") {
+  TEST_CASE("enabling a CANopen drive begins by starting its own node") {
     const hw::drive_frames first = drive_named("cia402:4096/0.8:9")->enable({}).frames;
     hw::cia402<epos, 9, hw::cia402_mode::position>::enabling way;
     const hw::drive_frames expected = way.next({}).frames;
@@ -102,7 +102,7 @@ TEST_SUITE("drives by name") {
     for (std::size_t i = 0; i < expected.size(); ++i) CHECK(first[i] == expected[i]);
     CHECK(first[0] == hw::canopen_start(9));
   }
-  TEST_CASE("a moteus may use no more torque than is stated with each command, and none to be enabled") {
+  TEST_CASE("a moteus gets its largest torque with each command, and enabling uses none") {
     const auto drive = drive_named("moteus:80/2:4");
     hw::moteus<n1, 4>::request q;
     REQUIRE(hw::moteus<n1, 4>::hear(
@@ -114,7 +114,7 @@ TEST_SUITE("drives by name") {
       for (const hw::can_frame& f : drive->enable(r).frames)
         if (hw::moteus<n1, 4>::hear(f, q) && q.mode != 0) CHECK(q.most_torque < 0.002);
   }
-  TEST_CASE("frames of another drive of the same bus are not its own") {
+  TEST_CASE("frames of another drive on the same bus are not taken") {
     const auto drive = drive_named("mit:ak80-9:3");
     hw::drive_report r;
     CHECK_FALSE(drive->decode(hw::mit_drive<hw::ak80_9, 4>::reply(0, 0, 0), r));
@@ -124,7 +124,7 @@ TEST_SUITE("drives by name") {
     CHECK_FALSE(drive_named("moteus:80/2:4")->decode(hw::moteus<n1, 5>::reply(10, 0, 0, 0), r));
     CHECK(r.frames == 0);
   }
-  TEST_CASE("what is asked of a drive can't move it") {
+  TEST_CASE("questions to a drive can't move it") {
     const hw::drive_frames leave = drive_named("mit:ak80-9:3")->ask();
     REQUIRE(leave.size() == 1);
     CHECK(leave[0] == hw::mit_special_frame(hw::standard(3), hw::mit_special::leave));
@@ -141,14 +141,15 @@ TEST_SUITE("drives by name") {
     CHECK(object[0].id == hw::standard(0x609));
     CHECK(object[0].data[0] == 0x40);  // an upload: reads
   }
-  TEST_CASE("a name that is none says how it is written") {
+  TEST_CASE("a wrong name gives a message with the right form") {
     CHECK(complaint("mit") ==
-          "`mit` names no drive: written as one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
+          "`mit` names no drive: expected one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
           "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
           "cia402:COUNTS/TORQUE:NUMBER, "
           "cia402-torque:COUNTS/TORQUE:NUMBER");
-    CHECK(complaint("mit:3") ==
-          "`mit:3` names no drive: it needs the ranges of its firmware, which no frame tells: mit:RANGES:3");
+    CHECK(
+        complaint("mit:3") ==
+        "`mit:3` names no drive: it needs the ranges of its firmware, which no frame reports: mit:RANGES:3");
     CHECK(
         complaint("mit:ak99:3") ==
         "`mit:ak99:3` names no drive: expected a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or "

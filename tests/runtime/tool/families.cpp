@@ -1,4 +1,4 @@
-// Every family of drives, played at the other end of a bus in memory: found, watched, enabled, jogged,
+// Every family of drives, played at the other end of a bus in memory: listed, watched, enabled, jogged,
 // calibrated.
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ struct family {
   bool damps_by_itself;  // between two commands
   double torque = 0.5;   // N m, of jog
 };
-// The last one's greatest torque (6072h) is 0.8 N m.
+// The largest torque of the last one (6072h) is 0.8 N m.
 constexpr std::array families{
     family{"mit:ak80-9:3", "  mit:3  answers 000#03", true},
     family{"damiao:12.5/45/20:7", "  mit:7  answers 000#07", true},
@@ -80,14 +80,14 @@ TEST_SUITE("every family") {
       CHECK(law_of(*w.drives[0], w.clock) == 0);
     }
   }
-  TEST_CASE("is enabled where it stands, and disabled at the end and at ctrl-c") {
+  TEST_CASE("is enabled at its position, and disabled at the end and at ctrl-c") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig r(f);
       r.drives[0]->motor.now.position = 0.1;
       const auto named = drive_named(f.name);
       CHECK_MESSAGE(enable(r.bus, "can0", *named, 1, r, r.say) == done, r.error.str());
-      // No torque is half a step beside it on the wire of MIT drives: 2 mN m, which nothing opposes for a
+      // On the wire of an MIT drive no torque is half a step off zero: 2 mN m, against no friction, for a
       // second.
       CHECK(std::abs(r.angle() - 0.1) < (named->takes_gains() ? 0.2 : 0.002));
       CHECK(r.told("disabled"));
@@ -112,7 +112,7 @@ TEST_SUITE("every family") {
     }
   }
   TEST_CASE(
-      "pushed, it makes no more than was asked for at what it told; by torque alone never more at all") {
+      "when pushed, it makes no more torque than allowed at its last report; in torque mode never more") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig r(f);
@@ -123,7 +123,7 @@ TEST_SUITE("every family") {
       CHECK(r.is_off());
     }
   }
-  TEST_CASE("held fast it is pulled with half of the torque, and let go; a fault and silence end it") {
+  TEST_CASE("held, it gets half of the torque and is then disabled; a fault and silence end jog") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig held(f);
@@ -160,7 +160,7 @@ TEST_SUITE("every family") {
     }
     std::remove(file.c_str());
   }
-  TEST_CASE("a CANopen drive in another mode, or with more torque of its own, is not enabled") {
+  TEST_CASE("a CANopen drive in another mode, or with a larger torque setting, is not enabled") {
     const family torque = families[6], position = families[7];
     rig other({position.name});
     const auto as_torque_drive = drive_named(torque.name);
