@@ -25,7 +25,7 @@ namespace virtual_drives {
 
 using namespace cca::hardware;
 
-inline constexpr double stands = 0.2;  // where a motor is before anything happens
+inline constexpr double starts_at = 0.2;  // where a motor is before anything happens
 
 inline bool finite(const drive_command& c) {
   return (c.position + c.velocity + c.torque + c.stiffness + c.damping) * 0 == 0;
@@ -104,11 +104,11 @@ template <class Rig>
 void follows_once_enabled() {
   bench_of<Rig> b;
   using D = typename Rig::drive::drive;
-  b.motor.now.position = stands;
+  b.motor.now.position = starts_at;
   b.beats(200, Rig::drive::waits ? b.go() : drive_frames());
-  CHECK_MESSAGE(b.motor.now.position == stands, "nothing moves before it is enabled");
+  CHECK_MESSAGE(b.motor.now.position == starts_at, "nothing moves before it is enabled");
   REQUIRE_MESSAGE(b.enable(), "its codec enables it");
-  CHECK_MESSAGE(std::fabs(b.motor.now.position - stands) < 0.002, "enabling it makes no jerk");
+  CHECK_MESSAGE(std::fabs(b.motor.now.position - starts_at) < 0.002, "enabling it makes no jerk");
   b.beats(1500, b.go());
   if constexpr ((D::uses & of_position) != 0)
     CHECK(b.motor.now.position == doctest::Approx(0.5).epsilon(0.02));
@@ -267,7 +267,7 @@ void hears_no_number() {
   CHECK(D::set_point({.position = NAN, .velocity = NAN, .torque = NAN}).frames.empty());
   for (const can_frame& f : Rig::no_number()) {
     bench_of<Rig> b;
-    b.motor.now.position = stands;
+    b.motor.now.position = starts_at;
     REQUIRE(b.enable());
     const double stood = b.motor.now.position;
     for (int i = 0; i < 200; ++i) {

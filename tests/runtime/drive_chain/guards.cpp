@@ -82,7 +82,7 @@ double torque_made(const hw::set_point& s, const hw::joint_state& q) {
 // What the limits make of one set point of a joint, and what they record.
 struct limited {
   hw::set_point safe;
-  hw::safety_record told;
+  hw::safety_record record;
 };
 template <std::size_t Joint = 0>
 limited limit(const hw::set_point& s, const hw::joint_state& q, std::int64_t beat = 0) {
@@ -95,13 +95,13 @@ limited limit(const hw::set_point& s, const hw::joint_state& q, std::int64_t bea
   return {safe[Joint], g.record()};
 }
 
-void tells(const hw::safety_record& r, safety_rule rule, int joint, std::int64_t beat, std::int64_t count) {
+void records(const hw::safety_record& r, safety_rule rule, int joint, std::int64_t beat, std::int64_t count) {
   CHECK(r.first.rule == rule);
   CHECK(r.first.joint == joint);
   CHECK(r.first.beat == beat);
   CHECK(r.count == count);
 }
-void tells_nothing(const hw::safety_record& r) { tells(r, safety_rule::none, -1, -1, 0); }
+void records_nothing(const hw::safety_record& r) { records(r, safety_rule::none, -1, -1, 0); }
 
 // One number of a set point, all others 0, at, inside and beyond its limits.
 void holds(double hw::set_point::* number, double lower, double upper, safety_rule rule) {
@@ -114,8 +114,8 @@ void holds(double hw::set_point::* number, double lower, double upper, safety_ru
     hw::set_point should;
     should.*number = expected;
     CHECK(same(l.safe, should));
-    if (wanted == expected) tells_nothing(l.told);
-    else tells(l.told, rule, 0, 7, 1);
+    if (wanted == expected) records_nothing(l.record);
+    else records(l.record, rule, 0, 7, 1);
   };
   for (const double x : {lower, inside, upper}) becomes(x, x);
   for (const double over : {1e-9, 1.0, 1e12}) becomes(lower - over, lower), becomes(upper + over, upper);
@@ -146,13 +146,13 @@ TEST_SUITE("guards") {
       CHECK(l.safe.velocity == s.velocity);
       if (wanted == expected) {
         CHECK(same(l.safe, s));
-        tells_nothing(l.told);
+        records_nothing(l.record);
       } else {
         const double part = expected / wanted;
         CHECK(l.safe.stiffness == doctest::Approx(part * s.stiffness));
         CHECK(l.safe.damping == doctest::Approx(part * s.damping));
         CHECK(l.safe.torque == doctest::Approx(part * s.torque));
-        tells(l.told, safety_rule::torque, 0, 3, 1);
+        records(l.record, safety_rule::torque, 0, 3, 1);
       }
     };
     makes({{.position = 0.5, .stiffness = 8}}, at(0), 4);
@@ -185,12 +185,12 @@ TEST_SUITE("guards") {
         const limited l = limit(s, q, 9);
         if (may) {
           CHECK(same(l.safe, s));
-          tells_nothing(l.told);
+          records_nothing(l.record);
         } else {
           CHECK(l.safe.stiffness == 0);
           CHECK(l.safe.damping == 0);
           CHECK(l.safe.torque == 0);
-          tells(l.told, safety_rule::stop, 0, 9, 1);
+          records(l.record, safety_rule::stop, 0, 9, 1);
         }
       }
     };
@@ -219,8 +219,8 @@ TEST_SUITE("guards") {
       CAPTURE(torque);
       const limited l = limit({{.torque = torque}}, at(0, velocity), 5);
       CHECK(l.safe.torque == expected);
-      if (torque == expected) tells_nothing(l.told);
-      else tells(l.told, safety_rule::torque, 0, 5, 1);
+      if (torque == expected) records_nothing(l.record);
+      else records(l.record, safety_rule::torque, 0, 5, 1);
     };
     for (const double torque : {1.0, -1.0}) gets(4, torque, torque), gets(-3, torque, torque);
     for (const double velocity : {4 + 1e-9, 9.0}) gets(velocity, 1, 0), gets(velocity, -1, -1);
@@ -235,16 +235,16 @@ TEST_SUITE("guards") {
       const limited l =
           limit<1>({{.position = q.angle, .velocity = 1, .torque = torque, .damping = 0}}, q, 6);
       CHECK(l.safe.torque == expected);
-      return l.told;
+      return l.record;
     };
-    tells_nothing(gets(7, at(1), 7));
-    tells(gets(7.5, at(1), 7), safety_rule::torque, 1, 6, 1);
+    records_nothing(gets(7, at(1), 7));
+    records(gets(7.5, at(1), 7), safety_rule::torque, 1, 6, 1);
     const hw::set_point pushing{{.position = 0.5, .stiffness = 10}};
     const limited l = limit<1>(pushing, at(1));
     CHECK(l.safe.stiffness == 0);
-    tells_nothing(l.told);
-    tells(gets(1, at(1.5), 0), safety_rule::stop, 1, 6, 1);
-    tells_nothing(gets(1, at(0.5), 1));                     // away from its lower end
+    records_nothing(l.record);
+    records(gets(1, at(1.5), 0), safety_rule::stop, 1, 6, 1);
+    records_nothing(gets(1, at(0.5), 1));                   // away from its lower end
     CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // its spring leads it back
   }
 
@@ -252,21 +252,21 @@ TEST_SUITE("guards") {
     const hw::set_point strong{{.position = 2, .velocity = 4, .torque = 6, .stiffness = 50, .damping = 5}};
     const limited l = limit(strong, at(no_number));
     CHECK(same(l.safe, strong));
-    tells_nothing(l.told);
+    records_nothing(l.record);
   }
 
   TEST_CASE("limits: the first change is kept until the next start") {
     hw::limit_guard<joints> g;
     pass(g, none, in_the_middle, 16);
-    tells_nothing(g.record());
+    records_nothing(g.record());
     pass(g, {none[0], {{.position = 9}}}, in_the_middle, 17);
-    tells(g.record(), safety_rule::range, 1, 17, 1);
+    records(g.record(), safety_rule::range, 1, 17, 1);
     pass(g, {hw::set_point{{.position = 9, .torque = 9}}, none[1]}, in_the_middle, 18);
-    tells(g.record(), safety_rule::range, 1, 17, 3);
+    records(g.record(), safety_rule::range, 1, 17, 3);
     g.on_start();
-    tells_nothing(g.record());
+    records_nothing(g.record());
     pass(g, {hw::set_point{{.torque = 9}}, none[1]}, in_the_middle, 2);
-    tells(g.record(), safety_rule::torque, 0, 2, 1);
+    records(g.record(), safety_rule::torque, 0, 2, 1);
   }
 
   TEST_CASE(
@@ -287,23 +287,23 @@ TEST_SUITE("guards") {
     s = to(0.2505, 2);
     CHECK(s.position == 0.2505);
     CHECK_FALSE(g.approaching());
-    tells_nothing(g.record());     // a slow start is no violation
+    records_nothing(g.record());   // a slow start is no violation
     s = to(0.2505 + 4 * 1e-3, 3);  // as fast as the axis may
     CHECK(s.position == 0.2505 + 4 * 1e-3);
     CHECK(s.velocity == 0);  // unchanged
-    tells_nothing(g.record());
+    records_nothing(g.record());
     s = to(1, 4);
     CHECK(s.position == doctest::Approx(0.2585));
     CHECK(s.velocity == 4);
-    tells(g.record(), safety_rule::rate, 0, 4, 1);
+    records(g.record(), safety_rule::rate, 0, 4, 1);
     s = to(-1, 5);
     CHECK(s.position == doctest::Approx(0.2555));
     CHECK(s.velocity == -3);
     s = to(0.2555 - 1e-3, 6);
     CHECK(s.position == 0.2555 - 1e-3);
-    tells(g.record(), safety_rule::rate, 0, 4, 2);
+    records(g.record(), safety_rule::rate, 0, 4, 2);
     g.on_start();
-    tells_nothing(g.record());
+    records_nothing(g.record());
     CHECK(g.approaching());
   }
 
@@ -335,16 +335,16 @@ TEST_SUITE("guards") {
     both safe = to(0.1, 0.7, 0, hw::motion_phase::begins);
     CHECK(safe[0].torque == 0.1);  // 100 N m/s
     CHECK(safe[1].torque == 0.7);  // 7 N m in 10 ms
-    tells_nothing(g.record());
+    records_nothing(g.record());
     safe = to(0.1, 5, 1);
     CHECK(safe[1].torque == doctest::Approx(1.4));
-    tells(g.record(), safety_rule::rate, 1, 1, 1);
+    records(g.record(), safety_rule::rate, 1, 1, 1);
     safe = to(5, -5, 2);
     CHECK(safe[0].torque == doctest::Approx(0.2));
     CHECK(safe[1].torque == doctest::Approx(0.7));
     safe = to(-5, 0.7, 3);
     CHECK(safe[0].torque == doctest::Approx(0.1));
-    tells(g.record(), safety_rule::rate, 1, 1, 4);
+    records(g.record(), safety_rule::rate, 1, 1, 4);
     safe = to(5, 0.7, 4, hw::motion_phase::begins);
     CHECK(safe[0].torque == doctest::Approx(0.1));
   }
@@ -364,7 +364,7 @@ TEST_SUITE("guards") {
     CHECK(to(early, at(0.75)).position == -0.5 + 2 * 1e-3);
     CHECK(same(to(held, at(7)), held));
     CHECK(to({{.position = 0}}, at(0)).position == 2 - 2 * 1e-3);  // begins within the range
-    tells(g.record(), safety_rule::rate, 0, 0, 1);                 // by the torque
+    records(g.record(), safety_rule::rate, 0, 0, 1);               // by the torque
   }
 
   TEST_CASE(
@@ -382,7 +382,7 @@ TEST_SUITE("guards") {
           const both before = pass(g, good, 40);
           CHECK(same(before[0], good[0]));
           CHECK(same(before[1], good[1]));
-          tells_nothing(g.record());
+          records_nothing(g.record());
           both bad{hw::set_point{{9, 9, 9, 9, 9}}, hw::set_point{{9, 9, 9, 9, 9}}};
           const hw::set_point other = bad[1 - joint];
           bad[joint].*number = x;
@@ -392,13 +392,13 @@ TEST_SUITE("guards") {
           expected.velocity = expected.torque = 0;
           expected.mark = static_cast<double>(safety_rule::not_finite);
           CHECK(same(safe[joint], expected));
-          tells(g.record(), safety_rule::not_finite, static_cast<int>(joint), 41, 1);
+          records(g.record(), safety_rule::not_finite, static_cast<int>(joint), 41, 1);
           bad[0].damping = no_number;
           pass(g, bad, 42);
           CHECK(g.record().first.joint == static_cast<int>(joint));
           CHECK(g.record().first.beat == 41);
           g.on_start();
-          tells_nothing(g.record());
+          records_nothing(g.record());
           const both first = pass(g, bad, 0);  // there was none before: no stiffness, no torque
           CHECK(first[0].stiffness == 0);
           CHECK(first[0].damping == 0);
@@ -423,13 +423,13 @@ TEST_SUITE("guards") {
     CHECK_FALSE(is_stale(100, 100 * millisecond));
     CHECK_FALSE(is_stale(150, 100 * millisecond));
     CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet, so there is no age
-    tells_nothing(g.record());
+    records_nothing(g.record());
     CHECK(is_stale(150, 100 * millisecond - 1));
-    tells(g.record(), safety_rule::stale, -1, 150, 1);
+    records(g.record(), safety_rule::stale, -1, 150, 1);
     CHECK(is_stale(151, 100 * millisecond));
-    tells(g.record(), safety_rule::stale, -1, 150, 2);
+    records(g.record(), safety_rule::stale, -1, 150, 2);
     g.on_start();
-    tells_nothing(g.record());
+    records_nothing(g.record());
     g.p.greatest_age = 0.01;
     CHECK_FALSE(is_stale(110, 100 * millisecond));
     CHECK(is_stale(111, 100 * millisecond));

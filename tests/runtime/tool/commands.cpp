@@ -59,9 +59,9 @@ TEST_SUITE("list and watch") {
   TEST_CASE("an MIT drive is found by asking, and no frame moves it") {
     rig r({"mit:ak80-9:3", name});
     CHECK(list(r.bus, {.ask = {"mit"}, .first = 1, .last = 10}, r, r.say) == done);
-    CHECK(r.told("  mit:3  answers 000#03"));
-    CHECK(r.told("  mit:7  answers 000#07"));
-    CHECK_FALSE(r.told("mit:4"));
+    CHECK(r.printed("  mit:3  answers 000#03"));
+    CHECK(r.printed("  mit:7  answers 000#07"));
+    CHECK_FALSE(r.printed("mit:4"));
     for (const hw::can_frame& f : r.seen)
       if (f.id != hw::standard(0)) CHECK(f == hw::mit_special_frame(f.id, hw::mit_special::leave));
     CHECK(r.seen.size() == 12);
@@ -74,9 +74,9 @@ TEST_SUITE("list and watch") {
                               hw::can_frame{.id = hw::standard(0x709), .length = 1, .data = {0x7F}}});
     };
     CHECK(list(r.bus, {}, r, r.say) == done);
-    CHECK(r.told("  odrive:5  "));
-    CHECK(r.told("enabled"));
-    CHECK(r.told("  cia402:9  heartbeat: pre-operational"));
+    CHECK(r.printed("  odrive:5  "));
+    CHECK(r.printed("enabled"));
+    CHECK(r.printed("  cia402:9  heartbeat: pre-operational"));
     CHECK(r.bus.counters().sent == 0);
   }
   TEST_CASE("a number under whose id somebody sends is not asked") {
@@ -85,7 +85,7 @@ TEST_SUITE("list and watch") {
       if (r.clock % (10 * ms) == 0) r.spy.send(std::array{drive_named(name)->set_point({}, 0).frames[0]});
     };
     CHECK(list(r.bus, {.ask = {"mit"}, .first = 7, .last = 7}, r, r.say) == failed);
-    CHECK(r.told("mit:7  not asked: someone sends under its id, 007#7FFF7FF0000007FF"));
+    CHECK(r.printed("mit:7  not asked: someone sends under its id, 007#7FFF7FF0000007FF"));
     CHECK(r.bus.counters().sent == 0);
   }
   TEST_CASE("a CANopen drive answers for its type, a moteus for its registers") {
@@ -102,21 +102,21 @@ TEST_SUITE("list and watch") {
       }
     };
     CHECK(list(r.bus, {.ask = {"cia402", "moteus"}, .first = 1, .last = 9}, r, r.say) == done);
-    CHECK(r.told("  cia402:9  answers 589#4300100092010200"));
-    CHECK(r.told("  moteus:4  answers 400##1"));
+    CHECK(r.printed("  cia402:9  answers 589#4300100092010200"));
+    CHECK(r.printed("  moteus:4  answers 400##1"));
   }
   TEST_CASE("a bus that is down, or empty, is reported") {
     const std::array away{
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 0}};
     rig r({name}, away);
     CHECK(list(r.bus, {.ask = {"mit"}}, r, r.say) == failed);
-    CHECK(r.told("the bus is down"));
+    CHECK(r.printed("the bus is down"));
     const std::array alone{
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 1},
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
     rig q({name}, alone);
     CHECK(list(q.bus, {.ask = {"mit"}}, q, q.say) == failed);
-    CHECK(q.told("nobody acknowledges"));
+    CHECK(q.printed("nobody acknowledges"));
   }
   TEST_CASE("watch prints what drives report, and which are silent") {
     rig r({name});
@@ -124,11 +124,11 @@ TEST_SUITE("list and watch") {
     std::vector<std::unique_ptr<any_drive>> drives;
     drives.push_back(drive_named(name));
     CHECK(watch(r.bus, drives, true, 2, r, r.say) == done);
-    CHECK(r.told("damiao:12.5/45/20:7    0.250"));
-    CHECK(r.told("disabled"));
+    CHECK(r.printed("damiao:12.5/45/20:7    0.250"));
+    CHECK(r.printed("disabled"));
     drives.push_back(drive_named("mit:ak80-9:3"));
     CHECK(watch(r.bus, drives, true, 2, r, r.say) == failed);
-    CHECK(r.told("mit:ak80-9:3  silent"));
+    CHECK(r.printed("mit:ak80-9:3  silent"));
     rig quiet({name});
     CHECK(watch(quiet.bus, drives, false, 2, quiet, quiet.say) == failed);
     CHECK(quiet.bus.counters().sent == 0);
@@ -139,8 +139,8 @@ TEST_SUITE("enable") {
   TEST_CASE("it enables without torque, and disables at the end") {
     jog_rig r;
     CHECK(enable(r.bus, "can0", *r.drive, 2, r, r.say) == done);
-    CHECK(r.told("enabled"));
-    CHECK(r.told("disabled"));
+    CHECK(r.printed("enabled"));
+    CHECK(r.printed("disabled"));
     CHECK(r.strongest < 0.01);
     CHECK(r.is_off());
   }
@@ -158,7 +158,7 @@ TEST_SUITE("enable") {
     jog_rig r;
     r.say.yes = false;
     CHECK(enable(r.bus, "can0", *r.drive, 2, r, r.say) == not_confirmed);
-    CHECK(r.told("there is no terminal to ask at; --yes confirms beforehand"));
+    CHECK(r.printed("there is no terminal to ask at; --yes confirms beforehand"));
     r.say.someone_is_there = true;
     r.in.str("no\n");
     CHECK(enable(r.bus, "can0", *r.drive, 2, r, r.say) == not_confirmed);
@@ -172,7 +172,7 @@ TEST_SUITE("enable") {
     rig r;
     const auto drive = drive_named(name);
     CHECK(enable(r.bus, "can0", *drive, 2, r, r.say) == failed);
-    CHECK(r.told("it does not answer: is it powered, is this its number, its bus, its bit rate?"));
+    CHECK(r.printed("it does not answer: is it powered, is this its number, its bus, its bit rate?"));
     CHECK(count(r.seen, enter) == 0);
   }
 }
@@ -186,7 +186,7 @@ TEST_SUITE("jog") {
     CHECK(r.fastest < 0.55);
     CHECK(r.farthest <= 0.2);
     CHECK(r.is_off());
-    CHECK(r.told("disabled"));
+    CHECK(r.printed("disabled"));
   }
   TEST_CASE("moves by an angle, and back") {
     jog_rig r;
@@ -201,7 +201,7 @@ TEST_SUITE("jog") {
     jog_rig r;
     r.drives[0]->motor.inertia = 1e6;
     CHECK(r.run() == failed);
-    CHECK(r.told("it does not get there: something holds it, or the torque is too small"));
+    CHECK(r.printed("it does not get there: something holds it, or the torque is too small"));
     CHECK(r.strongest <= 0.5 + 0.03);
     CHECK(r.is_off());
     jog_rig freed;
@@ -218,20 +218,20 @@ TEST_SUITE("jog") {
     jog_rig r;
     r.drives[0]->motor.now.position = 0.3;
     CHECK(r.run() == failed);
-    CHECK(r.told("it is at 0.30"));
-    CHECK(r.told("outside of the range: turn it by hand, or give another range"));
+    CHECK(r.printed("it is at 0.30"));
+    CHECK(r.printed("outside of the range: turn it by hand, or give another range"));
     jog_rig far;
     far.order.relative = true;
     far.order.goal = 0.25;
     CHECK(far.run() == failed);
-    CHECK(far.told("rad, is outside of the range"));
+    CHECK(far.printed("rad, is outside of the range"));
     CHECK(count(r.seen, enter) + count(far.seen, enter) == 0);
   }
   TEST_CASE("a drive that is pushed out of its range is disabled") {
     jog_rig r;
     r.drives[0]->load = 3;
     CHECK(r.run() == failed);
-    CHECK((r.told("it left its range") || r.told("it is faster than twice the speed")));
+    CHECK((r.printed("it left its range") || r.printed("it is faster than twice the speed")));
     CHECK(r.strongest <= 1);  // its damping acts on the speed gained since the last frame
     CHECK(r.is_off());
   }
@@ -241,27 +241,27 @@ TEST_SUITE("jog") {
       if (fault.clock == 200 * ms) fault.drives[0]->fail(0xA);
     };
     CHECK(fault.run() == failed);
-    CHECK(fault.told("it reports a fault: over-current (code 10)"));
+    CHECK(fault.printed("it reports a fault: over-current (code 10)"));
     CHECK(fault.last_of(leave.id) == leave);
 
     jog_rig silent;
     silent.then = [&] { silent.drives[0]->go_silent(silent.clock > 200 * ms); };
     CHECK(silent.run() == failed);
-    CHECK(silent.told("it does not answer any more"));
-    CHECK(silent.told("told to disable, and does not answer"));
+    CHECK(silent.printed("it does not answer any more"));
+    CHECK(silent.printed("told to disable, and does not answer"));
     CHECK(silent.is_off());
 
     const std::array script{
         hw::bus_fault{.what = hw::bus_trouble::link_down, .from = 200 * ms, .until = 230 * ms, .end = 0}};
     jog_rig away(script);
     CHECK(away.run() == failed);
-    CHECK(away.told("the bus is down"));
+    CHECK(away.printed("the bus is down"));
     CHECK(away.angle() < 0.14);
 
     jog_rig ctrl_c;
     ctrl_c.ctrl_c = 200 * ms;
     CHECK(ctrl_c.run() == interrupted);
-    CHECK(ctrl_c.told("ended by ctrl-c"));
+    CHECK(ctrl_c.printed("ended by ctrl-c"));
     CHECK(ctrl_c.is_off());
     CHECK(ctrl_c.angle() < 0.14);
     CHECK(ctrl_c.angle() > 0.01);
@@ -363,11 +363,11 @@ TEST_SUITE("calibrate") {
 
     r.drives[0]->motor.now.velocity = 0.5;
     CHECK(calibrate(r.bus, "can0", *drive, o, r, r.say) == failed);
-    CHECK(r.told("hold it still; nothing was written"));
+    CHECK(r.printed("hold it still; nothing was written"));
     rig far({name});
     o.at = 2;
     CHECK(calibrate(far.bus, "can0", *drive, o, far, far.say) == failed);
-    CHECK(far.told("more than 1 rad; is the sign, the gear or the angle wrong?"));
+    CHECK(far.printed("more than 1 rad; is the sign, the gear or the angle wrong?"));
     rig nobody;
     CHECK(calibrate(nobody.bus, "can0", *drive, o, nobody, nobody.say) == failed);
     far.say.yes = false;
@@ -390,7 +390,7 @@ TEST_SUITE("record and replay") {
     };
     std::ostringstream file;
     CHECK(record(r.bus, "can7", {.frames = 40}, file, r, r.say) == done);
-    CHECK(r.told("40 frames recorded"));
+    CHECK(r.printed("40 frames recorded"));
     CHECK(file.str().starts_with("(1436509052.005"));
 
     std::istringstream text(file.str());
@@ -425,7 +425,7 @@ TEST_SUITE("record and replay") {
     r.wait_until(r.clock + ms);
     REQUIRE(r.seen.size() == 1);
     CHECK(r.seen[0].id == hw::standard(0x124));
-    CHECK(r.told("1 error frames not sent"));
+    CHECK(r.printed("1 error frames not sent"));
   }
   TEST_CASE("replay asks first, stops at ctrl-c, and reports a queue that stays full or a bus that is away") {
     std::ostringstream text;
@@ -448,12 +448,12 @@ TEST_SUITE("record and replay") {
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
     rig nobody({}, alone);
     CHECK(replay(nobody.bus, "can0", log, {.speed = 0}, nobody, nobody.say) == failed);
-    CHECK(nobody.told("the queue stays full: does anybody acknowledge?"));
+    CHECK(nobody.printed("the queue stays full: does anybody acknowledge?"));
     const std::array gone{
         hw::bus_fault{.what = hw::bus_trouble::bus_off, .until = 1'000'000'000'000, .end = 0}};
     rig off({}, gone);
     CHECK(replay(off.bus, "can0", log, {}, off, off.say) == failed);
-    CHECK(off.told("the bus is bus-off"));
+    CHECK(off.printed("the bus is bus-off"));
   }
 }
 
@@ -470,7 +470,7 @@ TEST_SUITE("the whole line") {
     CHECK(r.drives[0]->motor.now.position == doctest::Approx(0.1).epsilon(0.2));
     CHECK(ends({"enable", "can0", name, "--seconds", "0.5"}) == done);
     CHECK(ends({}) == done);
-    CHECK(r.told("cca-can: CAN buses and the drives on them, by hand"));
+    CHECK(r.printed("cca-can: CAN buses and the drives on them, by hand"));
     CHECK(ends({"jg", "can0"}) == misunderstood);
     CHECK(r.error.str() == "cca-can: there is no command `jg`; see `cca-can help`\n");
     CHECK(ends({"jog", "can0", name, "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == misunderstood);
@@ -487,11 +487,11 @@ TEST_SUITE("the whole line") {
                 "0.1", "--by", "0.1"}) == misunderstood);
     CHECK(ends({"jog", "can0", "odrive:3", "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
                 "0.1"}) == failed);
-    CHECK(r.told("odrive:3 on can0: it does not answer"));
+    CHECK(r.printed("odrive:3 on can0: it does not answer"));
     CHECK(ends({"replay", "can0", "no/such.log"}) == refused);
-    CHECK(r.told("no/such.log: cannot be read: No such file or directory"));
+    CHECK(r.printed("no/such.log: cannot be read: No such file or directory"));
     CHECK(ends({"calibrate", "can0", name, "--joint", "hip", "--file", "f", "--at", "0"}) == misunderstood);
-    CHECK(r.told("--joint hip: expected one of left_front_hip, right_front_hip,"));
+    CHECK(r.printed("--joint hip: expected one of left_front_hip, right_front_hip,"));
     CHECK(ends({"list", "can0", "--ask", "odrive"}) == misunderstood);
     CHECK(ends({"list", "can0", "--ids", "5-3"}) == misunderstood);
     CHECK(ends({"list", "can0", "--ask", "mit", "--ids", "6-8"}) == done);
@@ -499,12 +499,12 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"pretend", "can0", "servo:3"}) == misunderstood);
     r.say.yes = false;
     CHECK(ends({"pretend", "can0", "odrive:3", "--seconds", "0.1"}) == not_confirmed);
-    CHECK(r.told("On can0 this answers instead of drives"));
+    CHECK(r.printed("On can0 this answers instead of drives"));
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1"}) == done);
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1", "--silent-at", "0", "--silent-for",
                 "0.05", "--fault-at", "0.01", "--code", "64", "--load", "-1"}) == done);
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--fault-at", "0.01"}) == misunderstood);
-    CHECK(r.told("--code is missing: the firmware's number of a fault"));
+    CHECK(r.printed("--code is missing: the firmware's number of a fault"));
     CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1", "--yes"}) == done);
   }
 }

@@ -29,7 +29,7 @@ namespace {
 
 // `reply(random)` is a frame of the drive. Clocked drives have a SYNC after it.
 template <class Drive, class Reply>
-void alike(const char* name, Reply reply, double most_torque = 0) {
+void same_as_codec(const char* name, Reply reply, double most_torque = 0) {
   CAPTURE(name);
   const auto named = drive_named(name);
   std::mt19937 random(5);
@@ -68,30 +68,35 @@ std::string complaint(const char* name) {
 TEST_SUITE("drives by name") {
   TEST_CASE("an MIT drive has the number and ranges of its name") {
     using ak = hw::mit_drive<hw::ak80_9, 3>;
-    alike<ak>("mit:ak80-9:3",
-              [](auto& some, auto& r) { return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
+    same_as_codec<ak>("mit:ak80-9:3", [](auto& some, auto& r) {
+      return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1);
+    });
     using dm = hw::mit_drive<dm8006, 7, 16, hw::mit_firmware::damiao>;
-    alike<dm>("damiao:12.5/45/20:7@16",
-              [](auto& some, auto& r) { return dm::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
+    same_as_codec<dm>("damiao:12.5/45/20:7@16", [](auto& some, auto& r) {
+      return dm::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1);
+    });
     using plain = hw::mit_drive<hw::ak10_9, 255, 0, hw::mit_firmware::original>;
-    alike<plain>("mit-original:12.5/50/65:255",
-                 [](auto& some, auto& r) { return plain::reply(10 * some(r), 40 * some(r), 9 * some(r)); });
+    same_as_codec<plain>("mit-original:12.5/50/65:255", [](auto& some, auto& r) {
+      return plain::reply(10 * some(r), 40 * some(r), 9 * some(r));
+    });
   }
   TEST_CASE("so are an ODrive, a moteus and a CANopen drive") {
     using o = hw::odrive<5, hw::odrive_mode::position>;
-    alike<o>("odrive:5", [](auto& some, auto& r) { return o::estimates(10 * some(r), some(r)); });
+    same_as_codec<o>("odrive:5", [](auto& some, auto& r) { return o::estimates(10 * some(r), some(r)); });
     using wide = hw::odrive<70, hw::odrive_mode::position, hw::odrive_firmware::v0_5>;
-    alike<wide>("odrive-0.5:70", [](auto& some, auto& r) { return wide::estimates(10 * some(r), some(r)); });
+    same_as_codec<wide>("odrive-0.5:70",
+                        [](auto& some, auto& r) { return wide::estimates(10 * some(r), some(r)); });
     using c = hw::cia402<epos, 9, hw::cia402_mode::position>;
-    alike<c>("cia402:4096/0.8:9", [](auto& some, auto& r) { return c::reply(0x27, 10 * some(r), some(r)); });
+    same_as_codec<c>("cia402:4096/0.8:9",
+                     [](auto& some, auto& r) { return c::reply(0x27, 10 * some(r), some(r)); });
     using t = hw::cia402<epos, 9, hw::cia402_mode::torque>;
-    alike<t>("cia402-torque:4096/0.8:9",
-             [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
+    same_as_codec<t>("cia402-torque:4096/0.8:9",
+                     [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
     using m = hw::moteus<n1, 4>;
-    alike<m>(
+    same_as_codec<m>(
         "moteus:80/2:4", [](auto& some, auto& r) { return m::reply(10, some(r), some(r), some(r)); }, 12);
     using far = hw::moteus<n1, 127>;
-    alike<far>(
+    same_as_codec<far>(
         "moteus:80/2:127", [](auto& some, auto& r) { return far::reply(10, some(r), some(r), some(r)); }, 12);
   }
   TEST_CASE("enabling a CANopen drive begins by starting its own node") {

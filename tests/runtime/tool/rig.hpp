@@ -62,7 +62,7 @@ struct rig : pace {
         std::find_if(seen.rbegin(), seen.rend(), [&](const hw::can_frame& f) { return f.id == id; });
     return at == seen.rend() ? hw::can_frame{} : *at;
   }
-  bool told(const char* text) const { return (out.str() + error.str()).find(text) != std::string::npos; }
+  bool printed(const char* text) const { return (out.str() + error.str()).find(text) != std::string::npos; }
 };
 
 }  // namespace tool_test

@@ -64,7 +64,7 @@ public:
     static_assert(
         sizeof...(Buses) == buses,
         "cca::hardware::can_synchronizer: connect as many buses as the joints and the board are on");
-    wires = {&all...};
+    bus_ends = {&all...};
   }
 
   auto sense() -> std::tuple<out<J::axis::label, sim::measured_joint<typename J::axis>>...,
@@ -74,7 +74,7 @@ public:
     bring_up();
     typename joint_states<joints>::vector_type states;
     for (std::size_t i = 0; i < count; ++i)
-      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), at}.put(states, i);
+      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), phase_now}.put(states, i);
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense())(Eigen::Vector3d(drives.angle[I], J::speed_of(drives.reports[I].velocity),
                                                J::torque_of(drives.reports[I].torque))...,
@@ -85,37 +85,37 @@ public:
   void act(in<"set_points", set_points<joints>> wanted,
            optional_in<"abduction", sim::abduction_angles> abduction) {
     clear(outbox), moves = {};
-    if (at == motion_phase::enabling) {
+    if (phase_now == motion_phase::enabling) {
       outbox = enabling_frames;
-    } else if (at == motion_phase::begins || at == motion_phase::running) {
+    } else if (phase_now == motion_phase::begins || phase_now == motion_phase::running) {
       each([&]<std::size_t... I>(std::index_sequence<I...>) {
-        (order<J, I>(set_point::of(wanted.vector(), I)), ...);
+        (command_joint<J, I>(set_point::of(wanted.vector(), I)), ...);
       });
     }
-    if (abduction && at != motion_phase::stopped) {
+    if (abduction && phase_now != motion_phase::stopped) {
       const auto& a = abduction.vector();
       outbox[Board::bus].add(Board::abduct({a[0], a[1], a[2], a[3]}));
     }
-    post();
-    if (at == motion_phase::begins) at = motion_phase::running;
+    send_batches();
+    if (phase_now == motion_phase::begins) phase_now = motion_phase::running;
   }
 
   // While a bus is away or still holds frames, this waits and the drives stay as they are.
   void start() {
-    at = motion_phase::enabling;
-    way = {};
+    phase_now = motion_phase::enabling;
+    enabling_steps = {};
     ready = refused = {};
-    budget = enabling_beats;
+    beats_left = enabling_beats;
     failed = safety_rule::none;
     drives.forget_trips();
     drives.forget_jumps();
     quiet_board = 0;
-    newest = 0;
+    last_arrival = 0;
   }
   void stop() {
     clear(outbox), moves = {};
     each([&]<std::size_t... I>(std::index_sequence<I...>) { (add<J>(J::drive::disable()), ...); });
-    post_and_stop();
+    send_and_stop();
   }
 
   void on_start() { start(); }
@@ -125,10 +125,10 @@ public:
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       (add<J>(damped<J>(std::isfinite(drives.angle[I]) ? drives.angle[I] : 0.0)), ...);
     });
-    post_and_stop();
+    send_and_stop();
   }
 
-  motion_phase phase() const { return at; }
+  motion_phase phase() const { return phase_now; }
   const drive_report& report(std::size_t joint) const { return drives.reports[joint]; }
   const board_reading& board() const { return reading; }
   const link_supervisor<3>& link(std::size_t bus) const { return links[bus]; }
@@ -144,35 +144,35 @@ private:
     return f(std::make_index_sequence<count>());
   }
 
-  bool moving() const { return at >= motion_phase::begins; }
+  bool moving() const { return phase_now >= motion_phase::begins; }
 
   void listen() {
     drives.begin_beat();
-    const std::uint64_t of_board = reading.frames;
-    std::int64_t latest = newest;
+    const std::uint64_t board_frames_before = reading.frames;
+    std::int64_t newest_arrival = last_arrival;
     for (std::size_t b = 0; b < buses; ++b) {
-      if (!wires[b]) continue;
+      if (!bus_ends[b]) continue;
       for (std::size_t n = inbox.size(); n == inbox.size();) {
-        n = wires[b]->receive(inbox);
+        n = bus_ends[b]->receive(inbox);
         for (std::size_t k = 0; k < n; ++k) {
-          latest = std::max(latest, inbox[k].time);
+          newest_arrival = std::max(newest_arrival, inbox[k].time);
           if (b == Board::bus && Board::decode(inbox[k].frame, reading)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
             (drives.template hear<J, I>(b, inbox[k], p.offset[I], moving()) || ...);
           });
         }
       }
-      links[b].observe(wires[b]->state(), wires[b]->counters());
+      links[b].observe(bus_ends[b]->state(), bus_ends[b]->counters());
     }
-    const std::int64_t pause = newest == 0 ? 0 : latest - newest;
-    newest = latest;
+    const std::int64_t pause = last_arrival == 0 ? 0 : newest_arrival - last_arrival;
+    last_arrival = newest_arrival;
     if (!moving()) return;
     auto& trips = drives.trips;
     if (pause > longest_pause) trips.fill(safety_rule::stalled);
     drives.check();
     for (std::size_t i = 0; i < count; ++i)
       if (links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
-    quiet_board = reading.frames == of_board ? quiet_board + 1 : 0;
+    quiet_board = reading.frames == board_frames_before ? quiet_board + 1 : 0;
     if (quiet_board >= silent_board_beats || reading.status != 0)
       std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
     if (links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
@@ -180,7 +180,7 @@ private:
 
   // A step of enabling. Motion begins once all drives are ready, all positions known and all buses free.
   void bring_up() {
-    if (at != motion_phase::enabling) return;
+    if (phase_now != motion_phase::enabling) return;
     clear(enabling_frames);
     bool all = true;
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -190,9 +190,9 @@ private:
         const drive_report& report = drives.reports[K];
         const bool off = refused[K] || report.activity == drive_activity::disabled;
         // Again every 50 beats, since a frame may be lost.
-        if (off && budget % 50 == 0) std::get<K>(way) = {}, refused[K] = false;
+        if (off && beats_left % 50 == 0) std::get<K>(enabling_steps) = {}, refused[K] = false;
         if (!refused[K]) {
-          const enable_step s = std::get<K>(way).next(report);
+          const enable_step s = std::get<K>(enabling_steps).next(report);
           for (std::size_t k = 0; k < s.frames.size(); ++k) enabling_frames[One::bus].add(s.frames[k]);
           ready[K] = ready[K] || s.progress == enable_progress::done;
           refused[K] = !ready[K] && s.progress == enable_progress::failed;
@@ -202,7 +202,7 @@ private:
       };
       (next.template operator()<J, I>(), ...);
     });
-    if (--budget <= 0) {
+    if (--beats_left <= 0) {
       failed = safety_rule::enabling;
       return stop();
     }
@@ -212,11 +212,11 @@ private:
     for (auto& l : links) l.start(0);
     drives.forget_trips();
     quiet_board = 0;
-    at = motion_phase::begins;
+    phase_now = motion_phase::begins;
   }
 
   template <class One, std::size_t I>
-  void order(set_point s) {
+  void command_joint(set_point s) {
     const bool runs = s.mode() == motion_mode::run;
     if (runs && !links[One::bus].may_move()) return;
     moves[One::bus] = runs;
@@ -234,24 +234,24 @@ private:
   }
   // Behind frames that still wait, a set point would be stale: it is dropped and counted. Only frames that
   // damp may go behind frames that move, once: so they come last.
-  void post() {
+  void send_batches() {
     for (std::size_t b = 0; b < buses; ++b) {
-      if (!wires[b] || outbox[b].empty() || !links[b].may_speak()) continue;
-      for (const can_frame& f : ends[b]) outbox[b].add(f);
-      const bool too_late = wires[b]->in_flight() != 0 && (moves[b] || !moved[b]);
-      const send_result sent = too_late ? send_result{0, send_outcome::full} : wires[b]->send(outbox[b]);
+      if (!bus_ends[b] || outbox[b].empty() || !links[b].may_speak()) continue;
+      for (const can_frame& f : cycle_end_frames[b]) outbox[b].add(f);
+      const bool too_late = bus_ends[b]->in_flight() != 0 && (moves[b] || !moved[b]);
+      const send_result sent = too_late ? send_result{0, send_outcome::full} : bus_ends[b]->send(outbox[b]);
       if (sent.sent != 0) moved[b] = moves[b];
       if (links[b].may_move()) links[b].sent(sent);
     }
   }
-  void post_and_stop() {
+  void send_and_stop() {
     moved.fill(true);  // so this goes out behind whatever still waits
-    post();
-    at = motion_phase::stopped;
+    send_batches();
+    phase_now = motion_phase::stopped;
     for (auto& l : links) l.stop();
   }
   bool is_free(std::size_t b) const {
-    return wires[b] && !is_away(wires[b]->state()) && wires[b]->in_flight() == 0;
+    return bus_ends[b] && !is_away(bus_ends[b]->state()) && bus_ends[b]->in_flight() == 0;
   }
 
   safety_rule trip_of(std::size_t i) const { return moving() ? drives.trips[i] : safety_rule::none; }
@@ -268,20 +268,20 @@ private:
   }
 
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
-  static constexpr auto ends = cycle_ends<buses, J...>();
+  static constexpr auto cycle_end_frames = cycle_ends<buses, J...>();
 
-  std::array<Bus*, buses> wires{};
+  std::array<Bus*, buses> bus_ends{};
   std::array<link_supervisor<3>, buses> links{};
   joint_monitor<J...> drives{};
   board_reading reading = board_reading::untold();
-  int quiet_board = 0, budget = 0;
+  int quiet_board = 0, beats_left = 0;
   safety_rule failed = safety_rule::none;
-  std::tuple<typename J::drive::enabling...> way{};
+  std::tuple<typename J::drive::enabling...> enabling_steps{};
   std::array<bool, count> ready{}, refused{};
   // Whether the next batch follows the controller, and whether the last one that was sent did.
   std::array<bool, buses> moves{}, moved{};
-  std::int64_t newest = 0;
-  motion_phase at = motion_phase::stopped;
+  std::int64_t last_arrival = 0;
+  motion_phase phase_now = motion_phase::stopped;
   std::array<batch, buses> enabling_frames{}, outbox{};
   std::array<received_frame, 64> inbox{};
 };

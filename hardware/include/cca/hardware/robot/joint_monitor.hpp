@@ -42,7 +42,7 @@ struct joint_monitor {
     if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return ++jumps[I], true;
     if (heard.told & of_position) {
       const double now = One::angle_of(heard.position) + offset;
-      const double pause = static_cast<double>(f.time - told_at[I]) * 1e-9;
+      const double pause = static_cast<double>(f.time - reported_at[I]) * 1e-9;
       const double fastest = 1.5 * std::max(One::speed.upper, -One::speed.lower);
       if (moving && std::isfinite(angle[I]) &&
           !(std::abs(now - angle[I]) <= 0.05 + fastest * (pause + 1e-3))) {
@@ -50,7 +50,7 @@ struct joint_monitor {
         return true;
       }
       jumps[I] = 0;
-      told_at[I] = f.time;
+      reported_at[I] = f.time;
       angle[I] = now;
     }
     if (heard.told & of_velocity) speed[I] = One::speed_of(heard.velocity);
@@ -65,7 +65,7 @@ struct joint_monitor {
     for (std::size_t i = 0; i < count; ++i) {
       quiet[i] = now[i] == before[i] ? quiet[i] + 1 : 0;
       if (jumps[i] >= silent_beats) trip(i, safety_rule::implausible);
-      if (quiet[i] >= patient[i]) trip(i, safety_rule::silent);
+      if (quiet[i] >= silent_after[i]) trip(i, safety_rule::silent);
       if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
         trip(i, safety_rule::drive_fault);
     }
@@ -79,7 +79,7 @@ struct joint_monitor {
 
 private:
   static constexpr std::array<double, count> unknown() { return {(sizeof(J) ? drive_report::untold : 0)...}; }
-  static constexpr std::array<int, count> patient{patience<J>(silent_beats, 1'000'000)...};
+  static constexpr std::array<int, count> silent_after{patience<J>(silent_beats, 1'000'000)...};
 
   std::array<std::uint64_t, count> frames() const {
     std::array<std::uint64_t, count> all;
@@ -88,7 +88,7 @@ private:
   }
 
   std::array<std::uint64_t, count> before{};
-  std::array<std::int64_t, count> told_at{};
+  std::array<std::int64_t, count> reported_at{};
   std::array<int, count> quiet{}, jumps{};
 };
 

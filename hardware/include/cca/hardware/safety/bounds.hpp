@@ -45,7 +45,7 @@ public:
     for (std::size_t i = 0; i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
       const joint_state q = joint_state::of(joints.vector(), i);
-      approach_state& j = at[i];
+      approach_state& j = sent[i];
       if (s.mode() != motion_mode::run || q.phase < motion_phase::begins) {
         j = {Joints::angle[i].nearest(q.known() ? q.angle : s.position), 0, true};
         continue;
@@ -74,17 +74,17 @@ public:
     return v;
   }
   bool approaching() const {
-    return std::any_of(at.begin(), at.end(), [](const approach_state& j) { return j.approaching; });
+    return std::any_of(sent.begin(), sent.end(), [](const approach_state& j) { return j.approaching; });
   }
   const safety_record& record() const { return noted; }
-  void on_start() { at = {}, noted = {}; }
+  void on_start() { sent = {}, noted = {}; }
 
 private:
   struct approach_state {
     double position = 0, torque = 0;
     bool approaching = true;
   };
-  std::array<approach_state, Joints::count> at{};
+  std::array<approach_state, Joints::count> sent{};
   safety_record noted{};
 };
 

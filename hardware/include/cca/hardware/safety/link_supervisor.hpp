@@ -57,9 +57,9 @@ public:
   constexpr void sent(const send_result& result) {
     if (result.outcome == send_outcome::away)
       stop_for(bus == bus_state::bus_off ? link_cause::bus_off : link_cause::link_down);
-    full = result.outcome == send_outcome::full ? full + 1 : 0;
+    full_in_a_row = result.outcome == send_outcome::full ? full_in_a_row + 1 : 0;
     dropped += result.outcome == send_outcome::full;
-    if (full >= FullCycles) stop_for(link_cause::queue_full);
+    if (full_in_a_row >= FullCycles) stop_for(link_cause::queue_full);
   }
 
   // `in_flight`: the frames that the bus still holds.
@@ -69,7 +69,7 @@ public:
     now = link_state::running;
     cause = link_cause::none;
     caused_at = -1;
-    full = 0;
+    full_in_a_row = 0;
     return start_refusal::none;
   }
   constexpr void stop() {
@@ -100,7 +100,7 @@ private:
   bus_counters seen{};
   std::int64_t beats = -1, caused_at = -1;
   std::uint64_t dropped = 0;
-  int full = 0;
+  int full_in_a_row = 0;
 };
 
 }  // namespace cca::hardware
