@@ -5,7 +5,7 @@
 // 48 or 64. A remote frame asks for a frame: it has no payload, and its length is the length that it asks
 // for. FD has no remote frames.
 //
-// Cost: 72 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp; docs/can_bus.md.
+// Cost: 76 bytes. Source: ISO 11898-1:2015. Example: tests/runtime/hardware/memory_bus.cpp; docs/can_bus.md.
 #pragma once
 
 #include <algorithm>

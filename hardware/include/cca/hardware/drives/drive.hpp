@@ -115,8 +115,8 @@ struct drive_report {
   std::uint32_t state = 0;  // the drive's own number of its state
   std::uint32_t code = 0;   // and of its fault
   std::uint8_t told = 0;    // drive_quantity: what the last frame reported
-  std::uint8_t at_end =
-      0;  // drive_quantity: at the end of what a frame can say, so the true number may be beyond
+  // drive_quantity: numbers at the end of what a frame can say; the true number may be beyond it.
+  std::uint8_t at_end = 0;
   std::uint64_t frames = 0;  // frames with a report
   std::uint64_t states = 0;  // those of them that reported the activity
 };
@@ -133,7 +133,7 @@ struct frame_list {
   constexpr frame_list(const Frames&... f) : frames{f...}, count(sizeof...(Frames)) {}
 
   constexpr void add(const can_frame& f) { frames[count++] = f; }
-  constexpr void clear() { count = 0; }  // leaves the frames as they are: each has 80 bytes
+  constexpr void clear() { count = 0; }  // leaves the frames as they are: each has 76 bytes
   constexpr bool empty() const { return count == 0; }
   constexpr std::size_t size() const { return count; }
   constexpr const can_frame& operator[](std::size_t i) const { return frames[i]; }
