@@ -34,7 +34,7 @@ struct odrive_rig : Base {
   static drive_frames no_number() {
     drive_frames all;
     for (const std::size_t at : {0u, 4u}) {
-      can_frame f = Drive::set_point({.position = laws::virtual_drives::stands}).frames[0];
+      can_frame f = Drive::set_point({.position = laws::virtual_drives::starts_at}).frames[0];
       detail::put_float(f.data, at, std::numeric_limits<float>::quiet_NaN());
       if (at < f.length && (at == 0 || Drive::by_velocity)) all.add(f);
     }
@@ -66,7 +66,7 @@ struct moteus_rig : rig<virtual_moteus<hip, Then>, 38, drive_fault::over_tempera
     drive_frames all{hip::stay()};
     for (std::size_t at = 6; at < 6 + 5 * 4; at += 4) {  // after the mode and the head of the floats
       can_frame f =
-          hip::set_point({.position = laws::virtual_drives::stands, .stiffness = 20, .damping = 0.1})
+          hip::set_point({.position = laws::virtual_drives::starts_at, .stiffness = 20, .damping = 0.1})
               .frames[0];
       detail::put_float(f.data, at, std::numeric_limits<float>::quiet_NaN());
       all.add(f);
