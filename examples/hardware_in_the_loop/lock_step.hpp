@@ -13,7 +13,7 @@
 
 #include <poll.h>
 
-#include <cca/hardware/ring.hpp>
+#include <cca/hardware/bus/ring.hpp>
 #include <cca/hardware/socket_can.hpp>
 
 namespace hil {
