@@ -18,7 +18,7 @@ LITERAL = re.compile(r'"((?:%s)\.[a-z_]+)[":]' % "|".join(FAMILIES))
 def rules(root):
     """Id -> the first header that has it. Comments are left out, and so are wires, whose paths look alike."""
     found = {}
-    for base in ("include", "sim/include", "hardware/include"):
+    for base in ("include", "robots/include", "sim/include", "hardware/include"):
         for header in sorted((root / base).rglob("*.hpp")):
             code = re.sub(r"//.*", "", header.read_text())
             code = re.sub(r"(?:wire|expose|latency|observe|get)<[^>]*>", "", code)

@@ -1,10 +1,10 @@
 // The synchronizer of a robot on CAN: the one node that knows the buses. It reads all that came in `sense`,
 // and writes in `act`.
 //
-//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has told: the
+//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has told: the
 //   nodes behind it publish
 //           what is a number (oncilla_nodes.hpp)
-//           out "trunk"  the sensor board, as sim::measured_trunk, NaN likewise
+//           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
 //   act     in "set_points" of the guards; optional "abduction" targets for the board
 //
@@ -29,11 +29,12 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/base/reflect.hpp>
+#include <cca/hardware/board_record.hpp>
 #include <cca/hardware/joint_frames.hpp>
 #include <cca/hardware/link_supervisor.hpp>
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/hardware/set_points.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 
 namespace cca::hardware {
 
@@ -63,8 +64,8 @@ public:
     wires = {&all...};
   }
 
-  auto sense() -> std::tuple<out<J::axis::label, sim::measured_joint<typename J::axis>>...,
-                             out<"trunk", sim::measured_trunk>,
+  auto sense() -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
+                             out<"trunk", robots::oncilla::measured_trunk>,
                              out<"joints", joint_states<joints>>> {
     listen();
     bring_up();
@@ -74,12 +75,12 @@ public:
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense())(
           Eigen::Vector3d(angle[I], J::speed_of(reports[I].velocity), J::torque_of(reports[I].torque))...,
-          trunk(), states);
+          record_of(reading), states);
     });
   }
 
   void act(in<"set_points", set_points<joints>> wanted,
-           optional_in<"abduction", sim::abduction_angles> abduction) {
+           optional_in<"abduction", robots::oncilla::abduction_angles> abduction) {
     clear(outbox), moves = {};
     if (at == motion_phase::enabling) {
       outbox = enabling_frames;
@@ -284,17 +285,6 @@ private:
   }
   safety_rule trip_of(std::size_t i) const {
     return at >= motion_phase::begins ? trips[i] : safety_rule::none;
-  }
-
-  sim::measured_trunk::vector_type trunk() const {
-    sim::measured_trunk::vector_type v;
-    Eigen::Index n = 0;
-    const auto put = [&](const auto&... parts) {
-      (std::ranges::for_each(parts, [&](double x) { v[n++] = x; }), ...);
-    };
-    put(reading.orientation, reading.angular_velocity, reading.specific_force, reading.foot_load,
-        reading.contact, reading.abduction);
-    return v;
   }
 
   static constexpr std::array<double, count> unknown{(sizeof(J) ? drive_report::untold : 0)...};
