@@ -8,10 +8,10 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "../trot/csv.hpp"
-#include "../trot/progress.hpp"
-#include "../trot/recording.hpp"
-#include "../trot/svg.hpp"
+#include "../trot/report/csv.hpp"
+#include "../trot/report/progress.hpp"
+#include "../trot/report/recording.hpp"
+#include "../trot/report/svg.hpp"
 #include "program.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../trot/command_line.hpp"
+#include "../trot/report/command_line.hpp"
 #include "rollout.hpp"
 
 namespace skills {

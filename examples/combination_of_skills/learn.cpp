@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "../trot/program.hpp"
+#include "../trot/report/program.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"
 

@@ -2,7 +2,7 @@
 // What the programs that act once have in common: the command line.
 #include <iostream>
 
-#include "../trot/program.hpp"
+#include "../trot/report/program.hpp"
 #include "command_line.hpp"
 
 namespace skills {

@@ -16,9 +16,9 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "../trot/parallel.hpp"
-#include "../trot/program.hpp"
-#include "../trot/progress.hpp"
+#include "../trot/report/parallel.hpp"
+#include "../trot/report/program.hpp"
+#include "../trot/report/progress.hpp"
 #include "command_line.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"

@@ -33,7 +33,7 @@ template <class Limiter>
 struct sabotaged : cca::graph<cca::rate<1000>,
                               cca::node<"throttle", trot::throttle, cca::timed<10>>,
                               cca::node<"posture", trot::posture, cca::timed<10>>,
-                              cca::node<"cpg", trot::hopf, cca::timed<1>>,
+                              cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
                               cca::node<"gait", trot::gait, cca::port_triggered<"phase">>,
                               cca::node<"saboteur", saboteur>,
                               cca::node<"limits", Limiter>,

@@ -5,7 +5,7 @@
 #include <cca/sim/oncilla_spaces.hpp>
 
 #include "gait.hpp"
-#include "hopf.hpp"
+#include "stride_oscillator.hpp"
 #include "posture.hpp"
 #include "throttle.hpp"
 
@@ -16,7 +16,7 @@ struct architecture
     : cca::graph<cca::rate<1000>,
                  cca::node<"throttle", throttle, cca::timed<10>>,
                  cca::node<"posture", posture, cca::timed<10>>,
-                 cca::node<"cpg", hopf, cca::timed<1>>,
+                 cca::node<"cpg", stride_oscillator, cca::timed<1>>,
                  cca::node<"gait", gait, cca::port_triggered<"phase">>,
                  cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
                  cca::node<"robot", Robot>,

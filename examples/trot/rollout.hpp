@@ -11,7 +11,7 @@
 #include <cca/sim/world.hpp>
 
 #include "architecture.hpp"
-#include "recording.hpp"
+#include "report/recording.hpp"
 
 namespace trot {
 

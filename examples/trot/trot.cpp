@@ -8,14 +8,14 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "csv.hpp"
+#include "report/csv.hpp"
 #include "idle_robot.hpp"
-#include "program.hpp"
-#include "progress.hpp"
+#include "report/program.hpp"
+#include "report/progress.hpp"
 #include "rollout.hpp"
-#include "statistics.hpp"
-#include "summary.hpp"
-#include "svg.hpp"
+#include "report/statistics.hpp"
+#include "report/summary.hpp"
+#include "report/svg.hpp"
 
 namespace {
 

@@ -17,14 +17,14 @@
 
 #include <cca/config.hpp>
 
-#include "../../../examples/trot/cma_es.hpp"
-#include "../../../examples/trot/command_line.hpp"
-#include "../../../examples/trot/csv.hpp"
-#include "../../../examples/trot/parallel.hpp"
+#include "../../../tools/gait_search/cma_es.hpp"
+#include "../../../examples/trot/report/command_line.hpp"
+#include "../../../examples/trot/report/csv.hpp"
+#include "../../../examples/trot/report/parallel.hpp"
 #include "../../../examples/trot/rollout.hpp"
-#include "../../../examples/trot/statistics.hpp"
-#include "../../../examples/trot/summary.hpp"
-#include "../../../examples/trot/svg.hpp"
+#include "../../../examples/trot/report/statistics.hpp"
+#include "../../../examples/trot/report/summary.hpp"
+#include "../../../examples/trot/report/svg.hpp"
 
 namespace {
 
@@ -232,7 +232,7 @@ TEST_SUITE("trot") {
       const double a = x[0] - 0.3, b = x[1] - 0.6 - a * a, c = x[2] - 0.5;
       return -(a * a + 100 * b * b + 10 * c * c);
     };
-    trot::cma_es search(Eigen::VectorXd::Constant(3, 0.8), 0.2, 10, 1);
+    gait_search::cma_es search(Eigen::VectorXd::Constant(3, 0.8), 0.2, 10, 1);
     for (int generation = 0; generation < 120; ++generation) {
       std::vector<double> values;
       for (const auto& x : search.ask()) values.push_back(hill(x));

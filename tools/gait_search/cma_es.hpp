@@ -14,7 +14,7 @@
 
 #include <Eigen/Dense>
 
-namespace trot {
+namespace gait_search {
 
 class cma_es {
 public:
@@ -115,4 +115,4 @@ private:
   int generation_ = 0;
 };
 
-}  // namespace trot
+}  // namespace gait_search

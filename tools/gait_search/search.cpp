@@ -20,11 +20,11 @@
 #include <cca/config.hpp>
 
 #include "cma_es.hpp"
-#include "parallel.hpp"
-#include "program.hpp"
-#include "progress.hpp"
-#include "rollout.hpp"
-#include "statistics.hpp"
+#include "../../examples/trot/report/parallel.hpp"
+#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/progress.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/report/statistics.hpp"
 
 namespace {
 
@@ -32,7 +32,7 @@ constexpr int parameter_count = 13;
 
 // What is searched, each within a range, as one vector of numbers.
 struct searched {
-  trot::hopf::parameters cpg;
+  trot::stride_oscillator::parameters cpg;
   trot::gait::parameters gait;
 
   template <class Field>
@@ -152,7 +152,7 @@ void search(const options& o) {
                                   {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.55},
                                   {cca::sim::terrain::slope(cca::sim::degrees(6)), o.seconds, 0.55}};
 
-  trot::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
+  gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;
   double best_worth = worth(start, first, trials, 0);
   trot::progress_bar bar("search");
