@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <cca/sim/oncilla_model.hpp>
+
 #include "../examples/trot/architecture.hpp"
 #include "classical.hpp"
 #include "program.hpp"

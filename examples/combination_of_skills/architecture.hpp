@@ -9,7 +9,6 @@
 #include <cca/motor/dmp_rhythmic_module.hpp>
 #include <cca/motor/hopf.hpp>
 #include <cca/motor/vite.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 
 #include "eyes.hpp"
 #include "inverse_kinematics.hpp"
@@ -34,16 +33,16 @@ struct oscillator : cca::hopf<stride> {
 
 // The shape of the trot, learned by the program `combination_of_skills_learn`, and read from its file.
 template <int Examples>
-struct shape_of_trot : cca::dmp_rhythmic_module<
-                           cca::sim::leg_angles,
-                           stride,
-                           40,
-                           cca::locally_weighted_regression<cca::rhythmic_shape<cca::sim::leg_angles, 40>>,
-                           Examples> {
+struct shape_of_trot
+    : cca::dmp_rhythmic_module<oncilla::leg_angles,
+                               stride,
+                               40,
+                               cca::locally_weighted_regression<cca::rhythmic_shape<oncilla::leg_angles, 40>>,
+                               Examples> {
   shape_of_trot() { this->p.frequency = 3.8; }
 };
 
-struct tracking_criterion : cca::tracking<cca::sim::leg_angles> {
+struct tracking_criterion : cca::tracking<oncilla::leg_angles> {
   tracking_criterion() { p.limits = {0.2, 0.3, 1.0, 0.1}; }
 };
 
@@ -98,9 +97,9 @@ struct architecture
                  cca::wire<"abduction_limits.safe", "robot.abduction">,
                  cca::wire<"orders.stiffness", "stiffness_limits.command", cca::latest>,
                  cca::wire<"stiffness_limits.safe", "robot.stiffness">,
-                 cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
-                 cca::node<"abduction_limits", cca::limiter<cca::sim::abduction_angles>>,
-                 cca::node<"stiffness_limits", cca::limiter<cca::sim::hip_stiffnesses>, cca::timed<1>>,
+                 cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
+                 cca::node<"abduction_limits", cca::limiter<oncilla::abduction_angles>>,
+                 cca::node<"stiffness_limits", cca::limiter<oncilla::hip_stiffnesses>, cca::timed<1>>,
                  cca::wire<"robot.angles", "limits.measured">,
                  cca::wire<"robot.abducted", "abduction_limits.measured">,
 

@@ -49,9 +49,9 @@ struct ball_watch {
 //   out "status"                  paw_status
 struct nearer_paw {
   auto process(cca::in<"ball", point_in_trunk> ball,
-               cca::in<"angles", cca::sim::leg_angles> angles,
-               cca::in<"abducted", cca::sim::abduction_angles> abducted,
-               cca::in<"contacts", cca::sim::foot_contacts> contacts) -> std::
+               cca::in<"angles", oncilla::leg_angles> angles,
+               cca::in<"abducted", oncilla::abduction_angles> abducted,
+               cca::in<"contacts", oncilla::foot_contacts> contacts) -> std::
       tuple<cca::out<"paw", point_in_trunk>, cca::out<"side", side_port>, cca::out<"status", paw_status>> {
     if (!settled && ball.origin() != cca::never) {
       settled = true;

@@ -19,7 +19,7 @@
 
 namespace {
 
-using angles = cca::sim::leg_angles::vector_type;
+using angles = oncilla::leg_angles::vector_type;
 
 // [record]
 struct recorded_trot : cca::graph<cca::rate<1000>,
@@ -68,8 +68,8 @@ std::vector<moment> recorded(double seconds) {
 struct playback {
   auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, skills::stride>>,
                                             cca::out<"amplitude", cca::over<cca::amplitude, skills::stride>>,
-                                            cca::out<"angles", cca::sim::leg_angles>,
-                                            cca::out<"neutral", cca::sim::leg_angles>> {
+                                            cca::out<"angles", oncilla::leg_angles>,
+                                            cca::out<"neutral", oncilla::leg_angles>> {
     const moment& m = played[static_cast<std::size_t>(now.index()) % played.size()];
     return {m.phase, m.amplitude, m.commanded, around};
   }

@@ -76,8 +76,8 @@ struct orders {
 
     std::array<Eigen::Vector3d, 4> feet;
     for (std::size_t leg = 0; leg < 4; ++leg) {
-      const foot_place& at = shifted ? p.stand.feet : cca::sim::is_front(leg) ? p.trot.front : p.trot.hind;
-      const double aside = shifted ? cca::sim::side_of(paw) * p.stand.aside : 0.0;
+      const foot_place& at = shifted ? p.stand.feet : oncilla::is_front(leg) ? p.trot.front : p.trot.hind;
+      const double aside = shifted ? oncilla::side_of(paw) * p.stand.aside : 0.0;
       feet[leg] = hip_in_trunk(leg) + Eigen::Vector3d(at.ahead, aside, -at.below);
     }
     if (raised) feet[paw][2] += p.stand.lift;

@@ -64,7 +64,7 @@ struct result {
 inline cca::sim::initial_posture put_down(const orders::parameters& p, const cca::sim::disturbance& d) {
   cca::sim::initial_posture posture;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto& foot = cca::sim::is_front(i) ? p.trot.front : p.trot.hind;
+    const auto& foot = oncilla::is_front(i) ? p.trot.front : p.trot.hind;
     const auto q = cca::sim::leg_angles_for(cca::sim::oncilla_defaults, {foot.ahead, -foot.below});
     posture.legs[i] = {q.hip + d.hip_offset[i], q.knee + d.knee_offset[i], 0};
   }

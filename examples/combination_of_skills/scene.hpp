@@ -26,7 +26,7 @@ public:
   scene(target where, paw_side paw, double trot_seconds)
       : where_(where), leg_(paw == paw_side::right ? 1 : 0), shown_at_(trot_seconds) {
     if (where == target::world)
-      ball_ = Eigen::Vector3d(fixed_ahead, cca::sim::side_of(leg_) * cca::sim::oncilla_defaults.hip_y,
+      ball_ = Eigen::Vector3d(fixed_ahead, oncilla::side_of(leg_) * cca::sim::oncilla_defaults.hip_y,
                               fixed_height);
   }
 
@@ -60,7 +60,7 @@ private:
   static constexpr double fixed_ahead = 4.15, fixed_height = 0.062;  // m
 
   Eigen::Vector3d beside(const std::array<double, 3>& p) const {
-    return {p[0], cca::sim::side_of(leg_) * p[1], p[2]};
+    return {p[0], oncilla::side_of(leg_) * p[1], p[2]};
   }
   static Eigen::Vector3d vector(const cca::sim::vector3& v) { return {v[0], v[1], v[2]}; }
 

@@ -6,12 +6,14 @@
 #include <cstdint>
 
 #include <cca/motor/spaces.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 #include <cca/space/domain.hpp>
 
 namespace skills {
 
-using cca::sim::trunk_frame;
+namespace oncilla = cca::robots::oncilla;  // axes and spaces of the robot
+
+using oncilla::trunk_frame;
 
 struct foot_frame {};
 
@@ -24,42 +26,40 @@ struct point_in_trunk : cca::space<cca::cartesian_position<trunk_frame>, cca::ax
 
 // A hip has two axes, abduction and swing.
 struct hip_angles : cca::space<cca::joint_angles,
-                               cca::axes<cca::sim::left_front_abduction,
-                                         cca::sim::right_front_abduction,
-                                         cca::sim::left_hind_abduction,
-                                         cca::sim::right_hind_abduction,
-                                         cca::sim::left_front_hip,
-                                         cca::sim::right_front_hip,
-                                         cca::sim::left_hind_hip,
-                                         cca::sim::right_hind_hip>> {};
+                               cca::axes<oncilla::left_front_abduction,
+                                         oncilla::right_front_abduction,
+                                         oncilla::left_hind_abduction,
+                                         oncilla::right_hind_abduction,
+                                         oncilla::left_front_hip,
+                                         oncilla::right_front_hip,
+                                         oncilla::left_hind_hip,
+                                         oncilla::right_hind_hip>> {};
 struct knee_angles : cca::space<cca::joint_angles,
-                                cca::axes<cca::sim::left_front_knee,
-                                          cca::sim::right_front_knee,
-                                          cca::sim::left_hind_knee,
-                                          cca::sim::right_hind_knee>> {};
+                                cca::axes<oncilla::left_front_knee,
+                                          oncilla::right_front_knee,
+                                          oncilla::left_hind_knee,
+                                          oncilla::right_hind_knee>> {};
 
 // The joints of a leg.
 struct left_front_joints
     : cca::space<
           cca::joint_angles,
-          cca::axes<cca::sim::left_front_abduction, cca::sim::left_front_hip, cca::sim::left_front_knee>> {};
+          cca::axes<oncilla::left_front_abduction, oncilla::left_front_hip, oncilla::left_front_knee>> {};
 struct right_front_joints
     : cca::space<
           cca::joint_angles,
-          cca::axes<cca::sim::right_front_abduction, cca::sim::right_front_hip, cca::sim::right_front_knee>> {
-};
+          cca::axes<oncilla::right_front_abduction, oncilla::right_front_hip, oncilla::right_front_knee>> {};
 struct left_hind_joints
-    : cca::space<
-          cca::joint_angles,
-          cca::axes<cca::sim::left_hind_abduction, cca::sim::left_hind_hip, cca::sim::left_hind_knee>> {};
+    : cca::space<cca::joint_angles,
+                 cca::axes<oncilla::left_hind_abduction, oncilla::left_hind_hip, oncilla::left_hind_knee>> {};
 struct right_hind_joints
     : cca::space<
           cca::joint_angles,
-          cca::axes<cca::sim::right_hind_abduction, cca::sim::right_hind_hip, cca::sim::right_hind_knee>> {};
+          cca::axes<oncilla::right_hind_abduction, oncilla::right_hind_hip, oncilla::right_hind_knee>> {};
 
 struct turning : cca::space<cca::number, cca::axes<yaw>> {};  // > 0 to the left: right legs swing farther
-struct wanted_stiffness : cca::space<cca::joint_stiffness, cca::sim::hip_axes> {};
-struct supports : cca::space<cca::number, cca::sim::foot_axes> {
+struct wanted_stiffness : cca::space<cca::joint_stiffness, oncilla::hip_axes> {};
+struct supports : cca::space<cca::number, oncilla::foot_axes> {
 };  // 1: the leg stands and carries, 0: it swings
 
 // Which front leg the ball is in front of.

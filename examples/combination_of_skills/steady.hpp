@@ -39,22 +39,22 @@ struct steadying {
   };
   parameters p{0.01, 0.1, 0.03, 0.005};
 
-  auto process(cca::in<"legs", cca::sim::leg_angles> legs,
-               cca::in<"abduction", cca::sim::abduction_angles> abduction,
+  auto process(cca::in<"legs", oncilla::leg_angles> legs,
+               cca::in<"abduction", oncilla::abduction_angles> abduction,
                cca::in<"ball", point_in_trunk> ball,
                cca::in<"paw", point_in_trunk> paw,
                cca::in<"aim", point_in_trunk> aim,
                cca::in<"side", side_port> side,
                cca::in<"step", cca::step_port> step,
-               cca::beat now) -> std::tuple<cca::out<"angles", cca::sim::leg_angles>,
-                                            cca::out<"abducted", cca::sim::abduction_angles>> {
+               cca::beat now) -> std::tuple<cca::out<"angles", oncilla::leg_angles>,
+                                            cca::out<"abducted", oncilla::abduction_angles>> {
     const int now_on = static_cast<int>(step[cca::step_axis{}]);
     const bool reaching = plan::at<"reach"> <= now_on && now_on <= plan::at<"touch">;
     const bool near = (ball.vector() - paw.vector()).norm() < p.near;
     share = std::clamp(share + (reaching && near ? +1 : -1) * now.dt() / p.onset, 0.0, 1.0);
 
-    cca::sim::leg_angles::vector_type angles = legs.vector();
-    cca::sim::abduction_angles::vector_type abducted = abduction.vector();
+    oncilla::leg_angles::vector_type angles = legs.vector();
+    oncilla::abduction_angles::vector_type abducted = abduction.vector();
     if (share > 0) {
       const bool right = side.is(paw_side::right);
       const int leg = right ? 1 : 0;

@@ -23,7 +23,7 @@ struct stillness {
   };
   parameters p{{0.15, 0.15, cca::infinity, 0.1}, 0.05};
 
-  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning, cca::beat now)
+  auto process(cca::in<"angular_velocity", oncilla::trunk_angular_velocity> turning, cca::beat now)
       -> cca::out<"status", trunk_status> {
     smooth += now.dt() / p.smoothing * (turning.vector().norm() - smooth);
     return cca::status_of(monitor.update(smooth, p.limits, now.dt()));
@@ -55,7 +55,7 @@ struct heading {
   };
   parameters p{1.2, 0.4, 0.5, 0.3, 0.014};
 
-  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk,
+  auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk,
                cca::in<"ball", point_in_trunk> ball,
                cca::in<"side", side_port> side,
                cca::in<"amplitude", cca::over<cca::amplitude, stride>> amplitude,
@@ -63,7 +63,7 @@ struct heading {
     const std::size_t leg = side.is(paw_side::right) ? 1 : 0;
     const Eigen::Vector3d hip = hip_in_trunk(leg);
     const double ahead = ball[cca::x{}] - hip[0],
-                 beside = ball[cca::y{}] - hip[1] + cca::sim::side_of(leg) * p.inside;
+                 beside = ball[cca::y{}] - hip[1] + oncilla::side_of(leg) * p.inside;
     const double off =
         ball.origin() != cca::never && ahead > p.near ? -std::atan2(beside, ahead) : trunk.yaw();
     constexpr double swinging = 0.1;
@@ -87,12 +87,12 @@ private:
 //   in  "command"  leg_angles
 //   out "angles"   leg_angles
 struct steering {
-  auto process(cca::in<"goal", cca::sim::leg_angles> goal,
+  auto process(cca::in<"goal", oncilla::leg_angles> goal,
                cca::in<"turn", turning> turn,
-               cca::in<"command", cca::sim::leg_angles> command) -> cca::out<"angles", cca::sim::leg_angles> {
-    cca::sim::leg_angles::vector_type angles = command.vector();
+               cca::in<"command", oncilla::leg_angles> command) -> cca::out<"angles", oncilla::leg_angles> {
+    oncilla::leg_angles::vector_type angles = command.vector();
     for (int leg = 0; leg < 4; ++leg)
-      angles[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] *
+      angles[leg] -= oncilla::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] *
                      (command.vector()[leg] - goal.vector()[leg]);
     return angles;
   }
@@ -117,10 +117,10 @@ struct balance {
   };
   parameters p{0.03, 0.09, 0.1};
 
-  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning,
+  auto process(cca::in<"angular_velocity", oncilla::trunk_angular_velocity> turning,
                cca::in<"supports", supports> standing,
-               cca::in<"command", cca::sim::leg_angles> command) -> cca::out<"angles", cca::sim::leg_angles> {
-    cca::sim::leg_angles::vector_type angles = command.vector();
+               cca::in<"command", oncilla::leg_angles> command) -> cca::out<"angles", oncilla::leg_angles> {
+    oncilla::leg_angles::vector_type angles = command.vector();
     const auto& w = turning.vector();
     for (int leg = 0; leg < 4; ++leg) {
       const Eigen::Vector3d hip = hip_in_trunk(static_cast<std::size_t>(leg));

@@ -16,16 +16,17 @@ namespace hil {
 // What goes wrong in the controller: numbers that are none, or commands made again and again from the same
 // old data.
 struct saboteur {
-  auto process(cca::in<"angles", sim::leg_angles> wanted) -> cca::out<"angles", sim::leg_angles> {
+  auto process(cca::in<"angles", robots::oncilla::leg_angles> wanted)
+      -> cca::out<"angles", robots::oncilla::leg_angles> {
     if (!stuck) origin = wanted.origin(), angles = wanted.vector();
-    cca::out<"angles", sim::leg_angles> result = angles;
-    if (not_a_number) result[sim::left_hind_hip{}] = std::nan("");
+    cca::out<"angles", robots::oncilla::leg_angles> result = angles;
+    if (not_a_number) result[robots::oncilla::left_hind_hip{}] = std::nan("");
     return result.with_origin(origin);
   }
   bool not_a_number = false, stuck = false;
 
 private:
-  sim::leg_angles::vector_type angles = sim::leg_angles::vector_type::Zero();
+  robots::oncilla::leg_angles::vector_type angles = robots::oncilla::leg_angles::vector_type::Zero();
   std::int64_t origin = cca::never;
 };
 
@@ -49,8 +50,8 @@ struct sabotaged : cca::graph<cca::rate<1000>,
                               cca::wire<"limits.safe", "robot.command">> {};
 
 // One with the limiter that every architecture has, one where it is switched off.
-struct limited : sabotaged<cca::limiter<sim::leg_angles>> {};
-struct unlimited : sabotaged<cca::unlimited<sim::leg_angles>> {};
+struct limited : sabotaged<cca::limiter<robots::oncilla::leg_angles>> {};
+struct unlimited : sabotaged<cca::unlimited<robots::oncilla::leg_angles>> {};
 
 template <class Architecture>
 struct scenario {

@@ -16,18 +16,13 @@
 namespace hil {
 
 namespace hw = cca::hardware;
-namespace sim = cca::sim;
+namespace robots = cca::robots;
 
 // The same servos as in the simulator. Left hips turn the other way round, and stand a little off.
 inline constexpr hw::joint_servo hip_servo{
-    .stiffness = sim::oncilla_defaults.hip_stiffness,
-    .damping = sim::oncilla_defaults.hip_stiffness * sim::oncilla_defaults.hip_damping_time,
-    .safe_damping = 1,
-    .most_stiff = sim::oncilla_defaults.stiffest_hip};
-inline constexpr hw::joint_servo knee_servo{.stiffness = sim::oncilla_defaults.cable_stiffness,
-                                            .damping = sim::oncilla_defaults.cable_damping,
-                                            .safe_damping = 0.4,
-                                            .most_stiff = 100};
+    .stiffness = 30, .damping = 0.375, .safe_damping = 1, .most_stiff = robots::oncilla::body.stiffest_hip};
+inline constexpr hw::joint_servo knee_servo{
+    .stiffness = 80, .damping = 0.4, .safe_damping = 0.4, .most_stiff = 100};
 inline constexpr hw::mounting left_hip{.sign = -1, .offset = 0.1}, right_hip{.offset = -0.1},
     knee{.offset = 1.0};
 
@@ -43,14 +38,14 @@ template <class Axis, std::uint32_t Number, hw::mounting Mounting, hw::joint_ser
 using leg_joint =
     hw::joint<Axis, hw::mit_drive<dm8006, Number, answers, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
 
-struct left_front_hip : leg_joint<sim::left_front_hip, 1, left_hip, hip_servo, 0> {};
-struct right_front_hip : leg_joint<sim::right_front_hip, 2, right_hip, hip_servo, 1> {};
-struct left_hind_hip : leg_joint<sim::left_hind_hip, 3, left_hip, hip_servo, 2> {};
-struct right_hind_hip : leg_joint<sim::right_hind_hip, 4, right_hip, hip_servo, 3> {};
-struct left_front_knee : leg_joint<sim::left_front_knee, 5, knee, knee_servo, 0> {};
-struct right_front_knee : leg_joint<sim::right_front_knee, 6, knee, knee_servo, 1> {};
-struct left_hind_knee : leg_joint<sim::left_hind_knee, 7, knee, knee_servo, 2> {};
-struct right_hind_knee : leg_joint<sim::right_hind_knee, 8, knee, knee_servo, 3> {};
+struct left_front_hip : leg_joint<robots::oncilla::left_front_hip, 1, left_hip, hip_servo, 0> {};
+struct right_front_hip : leg_joint<robots::oncilla::right_front_hip, 2, right_hip, hip_servo, 1> {};
+struct left_hind_hip : leg_joint<robots::oncilla::left_hind_hip, 3, left_hip, hip_servo, 2> {};
+struct right_hind_hip : leg_joint<robots::oncilla::right_hind_hip, 4, right_hip, hip_servo, 3> {};
+struct left_front_knee : leg_joint<robots::oncilla::left_front_knee, 5, knee, knee_servo, 0> {};
+struct right_front_knee : leg_joint<robots::oncilla::right_front_knee, 6, knee, knee_servo, 1> {};
+struct left_hind_knee : leg_joint<robots::oncilla::left_hind_knee, 7, knee, knee_servo, 2> {};
+struct right_hind_knee : leg_joint<robots::oncilla::right_hind_knee, 8, knee, knee_servo, 3> {};
 struct board : hw::sensor_board<0x40, 4> {};  // ids 0x40 to 0x45, on bus 4
 // [joints end]
 

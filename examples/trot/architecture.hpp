@@ -1,8 +1,7 @@
 #pragma once
-// The trot as an architecture, for any robot that has the Oncilla's ports: the simulated one, the real one,
+// The trot as an architecture, for any robot with the Oncilla's ports: the simulated one, the real one, or
 // one of a test.
 #include <cca/cca.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 
 #include "gait.hpp"
 #include "stride_oscillator.hpp"
@@ -18,7 +17,7 @@ struct architecture
                  cca::node<"posture", posture, cca::timed<10>>,
                  cca::node<"cpg", stride_oscillator, cca::timed<1>>,
                  cca::node<"gait", gait, cca::port_triggered<"phase">>,
-                 cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
+                 cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                  cca::node<"robot", Robot>,
 
                  cca::wire<"robot.orientation", "posture.orientation", cca::latest>,  // 1 kHz, read at 100 Hz
