@@ -1,5 +1,5 @@
-// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on: run, table, CSV, picture.
-// --help lists the options.
+// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on. Writes a table, a CSV file and
+// a picture; --help lists the options.
 #include <cstdio>
 #include <iostream>
 #include <string>

@@ -1,6 +1,5 @@
 #pragma once
-// A robot that does nothing: the Oncilla's ports without a simulator. Its joints are where they were
-// commanded to.
+// A robot without a simulator, with the Oncilla's ports: its joints are at once at their commands.
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -27,7 +26,7 @@ struct idle_robot {
   oncilla::abduction_angles::vector_type abduction = oncilla::abduction_angles::vector_type::Zero();
   oncilla::hip_stiffnesses::vector_type hips = oncilla::hip_stiffnesses::vector_type::Zero();
   oncilla::foot_contacts::vector_type contacts =
-      oncilla::foot_contacts::vector_type::Ones();  // for a program to set
+      oncilla::foot_contacts::vector_type::Ones();  // a program may set them
 };
 
 }  // namespace skills

@@ -1,6 +1,6 @@
 #pragma once
-// Joints in the robot's order (hips, then knees, of the four legs) and by kind (hips with their abduction;
-// knees), and back.
+// Converts joints from the robot's order (hips, then knees, of the four legs) to kinds (hips with their
+// abduction; knees), and back.
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -19,7 +19,7 @@ struct measured_joints {
   }
 };
 
-// What the reaching controllers give is what the legs swing around.
+// The output of the Reaching Controllers: the angles around which the legs swing.
 struct joint_goal {
   auto process(cca::in<"hips", hip_angles> hips, cca::in<"knees", knee_angles> knees)
       -> std::tuple<cca::out<"legs", oncilla::leg_angles>, cca::out<"abduction", oncilla::abduction_angles>> {

@@ -1,8 +1,8 @@
 #pragma once
-// What flows between the components, besides the robot's own spaces.
+// The spaces of what flows between the components, besides the robot's own.
 //
-// Positions are given in the frame of the trunk (x forward, y left, z up, from its centre). A foot is where
-// its sphere's centre is.
+// Positions are in the frame of the trunk (x forward, y left, z up, from its centre). The position of a foot
+// is the centre of its sphere.
 #include <cstdint>
 
 #include <cca/motor/spaces.hpp>
@@ -17,10 +17,10 @@ using oncilla::trunk_frame;
 
 struct foot_frame {};
 
-struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator, a step of each leg
+struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator: one step of each leg
 struct yaw : cca::dimension<"yaw"> {};
 
-// A point that a foot is at, or shall come to; also where the ball is.
+// The position of a foot, its target, or the position of the ball.
 struct point_in_trunk : cca::space<cca::cartesian_position<trunk_frame>, cca::axes<cca::x, cca::y, cca::z>> {
 };
 
@@ -62,12 +62,12 @@ struct wanted_stiffness : cca::space<cca::joint_stiffness, oncilla::hip_axes> {}
 struct supports : cca::space<cca::number, oncilla::foot_axes> {
 };  // 1: the leg stands and carries, 0: it swings
 
-// Which front leg the ball is in front of.
+// The front leg that is nearer to the ball.
 enum class paw_side : std::uint8_t { left, right };
 struct side_axis : cca::dimension<"side"> {};
 struct side_port : cca::space<cca::status, cca::axes<side_axis>> {};
 
-// Whether there is a ball, and whether the robot is near enough to stop; whether the paw carries.
+// Is there a ball, and is the robot near enough to stop? Does the paw touch the ground?
 enum class ball_state : std::uint8_t { unseen, ahead, near };
 enum class paw_state : std::uint8_t { raised, grounded };
 struct state_axis : cca::dimension<"state"> {};

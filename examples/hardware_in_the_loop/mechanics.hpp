@@ -1,5 +1,5 @@
 #pragma once
-// The simulated Oncilla as what the virtual drives move: their laws in, its joints and sensors out.
+// The simulated Oncilla as the mechanics of the virtual drives: their laws in, its joints and sensors out.
 #include <array>
 
 #include <cca/hardware/sensor_board.hpp>
