@@ -1,4 +1,4 @@
-// The README's example: a leg that is asked to swing further than its hip can, and the limiter between.
+// The README's example: a leg that is commanded to swing farther than its hip can, and a limiter.
 #include <cmath>
 #include <cstdio>
 

@@ -178,7 +178,7 @@ TEST_SUITE("trot") {
     std::filesystem::remove(path);
   }
 
-  TEST_CASE("the command line says what it doesn't understand") {
+  TEST_CASE("a mistake on the command line is refused with its name") {
     const trot::options o =
         trot::parse({"--seconds", "2.5", "--seed", "7", "--terrain", "slope:4", "--quiet"});
     CHECK(o.seconds == 2.5);
@@ -188,7 +188,7 @@ TEST_SUITE("trot") {
     CHECK(!trot::parse({"--seed", "none"}).seed);
     CHECK(trot::parse({"--help"}).help);
     for (const char* option : {"--seconds", "--seed", "--terrain", "--speed", "--config", "--summary",
-                               "--csv", "--svg"}) {  // what the help lists
+                               "--csv", "--svg"}) {  // listed by --help
       CHECK(trot::usage.find(option) != std::string_view::npos);
       const std::string value = option == std::string("--terrain") ? "flat" : "1";
       CHECK_NOTHROW(trot::parse({option, value}));
@@ -204,7 +204,7 @@ TEST_SUITE("trot") {
       CHECK_THROWS_AS(trot::parse(bad), trot::command_line_error);
   }
 
-  TEST_CASE("what is written is complete: table, JSON, CSV, picture") {
+  TEST_CASE("table, JSON, CSV and picture are complete") {
     const trot::recording recorded = run(2.5, 0);
     const trot::statistics s = trot::evaluate(recorded);
     std::ostringstream table, json, csv, svg;
