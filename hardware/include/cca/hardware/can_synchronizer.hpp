@@ -34,7 +34,7 @@
 #include <cca/hardware/link_supervisor.hpp>
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/hardware/set_points.hpp>
-#include <cca/robots/oncilla/spaces.hpp>
+#include <cca/robots/oncilla/former_names.hpp>
 
 namespace cca::hardware {
 
