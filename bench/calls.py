@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "robots/include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE)]
 LIBM = {"sin", "cos", "sincos", "tan", "atan", "atan2", "asin", "acos", "exp", "log", "pow", "sqrt", "fmod", "floor", "ceil", "round", "hypot"}
 # The engine, the one node that knows it, what begins it in a thread, and the end of a program where an exception of its leaves the beat.
-SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator|detail::simulator_of<.*>)::|^cca::sim::detail::record_of|^__cxa_|^_Unwind_Resume$|^std::runtime_error::"
+SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator|detail::simulator_of<.*>)::|^cca::sim::detail::trunk_record_of|^__cxa_|^_Unwind_Resume$|^std::runtime_error::"
                        r"|^__clang_call_terminate$|^std::terminate\(\)$")
 SIMULATED = HERE / "oncilla_beat.cpp"
 # The functions that are the beat; clang at -O3 folds a small one into the step.

@@ -5,18 +5,21 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 
 namespace cca::hardware {
 
-inline robots::oncilla::measured_trunk::vector_type record_of(const board_reading& board) {
+inline robots::oncilla::measured_trunk::vector_type trunk_record_of(const board_reading& board) {
   using record = robots::oncilla::trunk_record;
   robots::oncilla::measured_trunk::vector_type v;
   const auto copy = [](const auto& numbers, auto part) {
-    static_assert(std::size(std::remove_cvref_t<decltype(numbers)>{}) == std::size_t(decltype(part)::SizeAtCompileTime));
+    static_assert(std::tuple_size_v<std::remove_cvref_t<decltype(numbers)>> ==
+                  decltype(part)::SizeAtCompileTime);
     std::ranges::copy(numbers, part.begin());
   };
   copy(board.orientation, record::part<"orientation">(v));

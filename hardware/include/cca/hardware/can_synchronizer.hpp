@@ -1,8 +1,8 @@
 // The synchronizer of a robot on CAN: the one node that knows the buses. It reads all that came in `sense`,
 // and writes in `act`.
 //
-//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has told: the
-//   nodes behind it publish
+//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has
+//   told: the nodes behind it publish
 //           what is a number (oncilla_nodes.hpp)
 //           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
@@ -75,7 +75,7 @@ public:
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense())(
           Eigen::Vector3d(angle[I], J::speed_of(reports[I].velocity), J::torque_of(reports[I].torque))...,
-          record_of(reading), states);
+          trunk_record_of(reading), states);
     });
   }
 

@@ -3,9 +3,9 @@
 //
 //   servos -> finite -> stale -> emergency_stop -> soft_stop -> damping -> rate -> limits -> Synchronizer
 //
-// Each link takes the set-points of the one before it as "wanted" and passes them on as "safe". `Synchronizer`
-// names the node that has the drives: it takes "set_points" and gives "joints". Cost: that of the links.
-// Example: cca/hardware/oncilla.hpp; docs/hardware.md.
+// Each link takes the set-points of the one before it as "wanted" and passes them on as "safe".
+// `Synchronizer` names the node that has the drives: it takes "set_points" and gives "joints". Cost: that of
+// the links. Example: cca/hardware/oncilla.hpp; docs/hardware.md.
 #pragma once
 
 #include <cca/base/joined_names.hpp>
@@ -21,8 +21,8 @@ namespace cca::hardware {
 namespace detail {
 
 template <fixed_string Synchronizer, fixed_string... Readers>
-using joint_state_wires = robots::items<wire<cca::detail::joined_name<Synchronizer, "joints">,
-                                             cca::detail::joined_name<Readers, "joints">>...>;
+using joint_state_wires = robots::items<
+    wire<cca::detail::joined_name<Synchronizer, "joints">, cca::detail::joined_name<Readers, "joints">>...>;
 
 }  // namespace detail
 

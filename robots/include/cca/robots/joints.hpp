@@ -39,13 +39,12 @@ template <fixed_string Synchronizer, fixed_string Motors, class Axes>
 struct joint_wires_of;
 template <fixed_string Synchronizer, fixed_string Motors, class... Axes>
 struct joint_wires_of<Synchronizer, Motors, axes<Axes...>> {
-  using type =
-      items<wire<joined_name<Synchronizer, Axes::label>, joined_name<Axes::label, "measured">>...,
-            wire<joined_name<Axes::label, "angle">, joined_name<"angles", Axes::label>>...,
-            wire<joined_name<Axes::label, "velocity">, joined_name<"velocities", Axes::label>>...,
-            wire<joined_name<Axes::label, "torque">, joined_name<"torques", Axes::label>>...,
-            wire<joined_name<"splitter", Axes::label>, joined_name<Axes::label, "command">>...,
-            wire<joined_name<Axes::label, "target">, joined_name<Motors, Axes::label>>...>;
+  using type = items<wire<joined_name<Synchronizer, Axes::label>, joined_name<Axes::label, "measured">>...,
+                     wire<joined_name<Axes::label, "angle">, joined_name<"angles", Axes::label>>...,
+                     wire<joined_name<Axes::label, "velocity">, joined_name<"velocities", Axes::label>>...,
+                     wire<joined_name<Axes::label, "torque">, joined_name<"torques", Axes::label>>...,
+                     wire<joined_name<"splitter", Axes::label>, joined_name<Axes::label, "command">>...,
+                     wire<joined_name<Axes::label, "target">, joined_name<Motors, Axes::label>>...>;
 };
 
 }  // namespace detail

@@ -35,7 +35,7 @@ inline initial_posture standing_posture(const oncilla_model& model = oncilla_def
 namespace detail {
 
 // The trunk's record, as the simulated sensors read.
-inline measured_trunk::vector_type record_of(const robot_reading& now) {
+inline measured_trunk::vector_type trunk_record_of(const robot_reading& now) {
   measured_trunk::vector_type v;
   const trunk_reading& trunk = now.trunk;
   const quaternion& q = trunk.orientation;
@@ -71,7 +71,7 @@ public:
   const sim::world& world() const { return world_; }
 
   auto sense() -> std::tuple<out<Axes::label, measured_joint<Axes>>..., out<"trunk", measured_trunk>> {
-    return {joint<Axes>()..., record_of(world_.reading())};
+    return {joint<Axes>()..., trunk_record_of(world_.reading())};
   }
 
   void act(in<Axes::label, joint_angle<Axes>>... targets,

@@ -14,8 +14,7 @@ namespace cca::robots::oncilla {
 inline constexpr cca::limits hip_limits{
     cca::angle{body.hip_range.low, body.hip_range.high},
     cca::velocity{-body.hip_motor.no_load_speed, body.hip_motor.no_load_speed},
-    cca::torque{-body.hip_motor.torque, body.hip_motor.torque},
-    cca::stiffness{0.0, body.stiffest_hip}};
+    cca::torque{-body.hip_motor.torque, body.hip_motor.torque}, cca::stiffness{0.0, body.stiffest_hip}};
 
 // Torques are positive: the cable can only flex the knee.
 inline constexpr cca::limits knee_limits{

@@ -36,17 +36,16 @@ template <fixed_string Synchronizer,
           template <class> class Joint,
           class Trunk,
           class... More>
-struct robot
-    : graph_of<items<cca::rate<1000>, node<Synchronizer, Device>>,
-               joint_nodes<Joint, leg_axes>,
-               items<node<"trunk", Trunk>>,
-               whole_robot_nodes<leg_angles, leg_velocities, leg_torques>,
-               joint_wires<Synchronizer, Motors, leg_axes>,
-               items<wire<cca::detail::joined_name<Synchronizer, "trunk">, "trunk.measured">>,
-               More...,
-               joint_ports,
-               field_ports<"trunk", trunk_record>,
-               items<expose<cca::detail::joined_name<Synchronizer, "abduction">, "abduction">,
-                     expose<cca::detail::joined_name<Motors, "stiffness">, "stiffness">>> {};
+struct robot : graph_of<items<cca::rate<1000>, node<Synchronizer, Device>>,
+                        joint_nodes<Joint, leg_axes>,
+                        items<node<"trunk", Trunk>>,
+                        whole_robot_nodes<leg_angles, leg_velocities, leg_torques>,
+                        joint_wires<Synchronizer, Motors, leg_axes>,
+                        items<wire<cca::detail::joined_name<Synchronizer, "trunk">, "trunk.measured">>,
+                        More...,
+                        joint_ports,
+                        field_ports<"trunk", trunk_record>,
+                        items<expose<cca::detail::joined_name<Synchronizer, "abduction">, "abduction">,
+                              expose<cca::detail::joined_name<Motors, "stiffness">, "stiffness">>> {};
 
 }  // namespace cca::robots::oncilla
