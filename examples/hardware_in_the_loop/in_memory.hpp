@@ -26,9 +26,9 @@ struct trot_on_drives : trot::architecture<oncilla<memory_end>> {};
 inline cca::sim::world put_down() {
   const trot::gait g;
   cca::sim::initial_posture posture;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const trot::leg_shape& shape = i < 2 ? g.p.front : g.p.hind;
-    posture.legs[i] = {shape.hip, shape.knee, 0};
+  for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
+    const trot::leg_shape& shape = axes::is_front(leg) ? g.p.front : g.p.hind;
+    posture.legs[leg] = {shape.hip, shape.knee, 0};
   }
   return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
 }

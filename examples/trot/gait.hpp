@@ -35,7 +35,7 @@ struct gait {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (leg_shape, front),
                              (leg_shape, hind),
-                             (cca::bounded<double, 0.2, 0.8>, duty),  // part of the stride that is stance
+                             (cca::bounded<double, 0.2, 0.8>, duty),        // stance, as part of the stride
                              (cca::quantity<cca::angle, -0.5, 0.5>, give),  // flexion of the knee in stance
                              (cca::bounded<double, -0.5, 0.5>,
                               lead),  // of the knee before the hip, in strides
@@ -53,14 +53,13 @@ struct gait {
                cca::in<"amplitude", gait_amplitude> amplitude,
                cca::in<"turn", turning> turn) -> cca::out<"angles", oncilla::leg_angles> {
     oncilla::leg_angles::vector_type angles;
-    for (int leg = 0; leg < 4; ++leg) {
-      const leg_shape& shape = leg < 2 ? p.front : p.hind;
-      const double side = leg % 2 == 0 ? 1.0 : -1.0;
-      const double own = phase[stride{}] + whole * p.offsets[static_cast<std::size_t>(leg)];
-      const double farther = 1 - side * turn[yaw{}];
-      angles[leg] =
+    for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
+      const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
+      const double own = phase[stride{}] + whole * p.offsets[leg];
+      const double farther = 1 - oncilla::side_of(leg) * turn[yaw{}];
+      angles[oncilla::hip_of(leg)] =
           shape.hip + amplitude[stride{}] * farther * shape.swing * std::cos(warped(cca::wrap_turn(own)));
-      angles[4 + leg] =
+      angles[oncilla::knee_of(leg)] =
           shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
     }
     return angles;
@@ -69,7 +68,7 @@ struct gait {
 private:
   static constexpr double whole = 2 * std::numbers::pi, half = std::numbers::pi;
 
-  // Stance takes `duty` of the stride, but half of the cosine.
+  // Stretches the phase: stance takes `duty` of the stride, and half of the cosine.
   double warped(double phase) const {
     const double landing = whole * p.duty;
     return phase < landing ? phase / (2 * p.duty) : half + (phase - landing) / (2 * (1 - p.duty));

@@ -21,9 +21,9 @@ using trotting = cca::controller<simulated_trot>;
 // The posture around which the gait swings, with the noise of the disturbance.
 inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::sim::disturbance& d) {
   cca::sim::initial_posture posture;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const leg_shape& shape = i < 2 ? p.front : p.hind;
-    posture.legs[i] = {shape.hip + d.hip_offset[i], shape.knee + d.knee_offset[i], 0};
+  for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
+    const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
+    posture.legs[leg] = {shape.hip + d.hip_offset[leg], shape.knee + d.knee_offset[leg], 0};
   }
   posture.trunk_velocity = d.trunk_velocity;
   return posture;
