@@ -14,10 +14,10 @@ import tempfile
 import generate
 
 HERE = pathlib.Path(__file__).resolve().parent
-INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE)]
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "robots/include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE)]
 LIBM = {"sin", "cos", "sincos", "tan", "atan", "atan2", "asin", "acos", "exp", "log", "pow", "sqrt", "fmod", "floor", "ceil", "round", "hypot"}
 # The engine, the simulator node that calls it, its initialisation in a thread, and std::terminate for its exceptions.
-SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator)::|^__cxa_|^_Unwind_Resume$|^std::runtime_error::"
+SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator|detail::simulator_of<.*>)::|^cca::sim::detail::trunk_record_of|^__cxa_|^_Unwind_Resume$|^std::runtime_error::"
                        r"|^__clang_call_terminate$|^std::terminate\(\)$")
 SIMULATED = HERE / "oncilla_beat.cpp"
 # The functions of the beat; clang at -O3 inlines a small advance() into step().

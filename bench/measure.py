@@ -35,7 +35,7 @@ SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
 SYNTHETIC_BEATS = (200, 600)  # whole periods of the slowest clock, few enough for 300 virtual components under callgrind
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
-INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(ROOT / "hardware/include"), "-I", str(HERE)]
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "robots/include"), "-I", str(ROOT / "sim/include"), "-I", str(ROOT / "hardware/include"), "-I", str(HERE)]
 
 
 def run(command, **options):

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include <cca/sim/oncilla_model.hpp>
+
 #include "../examples/combination_of_skills/architecture.hpp"
 #include "program.hpp"
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <cca/sim/oncilla_model.hpp>
+
 #include "../examples/trot/architecture.hpp"
 #include "classical.hpp"
 #include "program.hpp"
@@ -167,7 +169,7 @@ struct in_classical_way {
   static constexpr const char* name = "classical";
   trot::throttle throttle;
   trot::posture posture;
-  trot::hopf cpg;
+  trot::stride_oscillator cpg;
   trot::gait gait;
   cca::limiter<angles> limits;
   robot body;
@@ -178,7 +180,7 @@ struct in_classical_way {
     loop.add<&robot::sense>("sense", body, std::make_unique<every>(1));
     loop.add<&trot::throttle::process>("throttle", throttle, std::make_unique<every>(10), 10);
     loop.add<&trot::posture::process>("posture", posture, std::make_unique<every>(10), 10);
-    loop.add<&trot::hopf::process>("cpg", cpg, std::make_unique<every>(1));
+    loop.add<&trot::stride_oscillator::process>("cpg", cpg, std::make_unique<every>(1));
     loop.add<&trot::gait::process>("gait", gait, std::make_unique<when_first_is_fresh>());
     loop.add<&cca::limiter<angles>::process>("limits", limits, std::make_unique<when_fresh>());
     loop.add<&robot::act>("act", body, std::make_unique<every>(1));

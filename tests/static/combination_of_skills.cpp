@@ -1,5 +1,5 @@
-// The Combination of Skills compiles for any robot with the Oncilla's ports: for the simulated one, and for
-// one that does nothing.
+// The Combination of Skills compiles for any robot with the Oncilla's ports: the simulated one, and one
+// without a simulator.
 #include "../../examples/combination_of_skills/architecture.hpp"
 #include "../../examples/combination_of_skills/idle_robot.hpp"
 

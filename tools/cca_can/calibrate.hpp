@@ -16,7 +16,7 @@
 
 #include <cca/base/file.hpp>
 #include <cca/hardware/joint.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 
 #include "console.hpp"
 #include "talk.hpp"
@@ -30,7 +30,7 @@ template <class... Axes>
 constexpr std::array<std::string_view, sizeof...(Axes)> names_of(cca::axes<Axes...>) {
   return {Axes::name...};
 }
-inline constexpr auto joint_names = names_of(cca::sim::leg_axes());
+inline constexpr auto joint_names = names_of(cca::robots::oncilla::leg_axes());
 
 }  // namespace detail
 

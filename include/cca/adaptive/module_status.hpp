@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {

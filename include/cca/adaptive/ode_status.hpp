@@ -14,7 +14,7 @@
 
 #include <cca/component/field_types.hpp>
 #include <cca/base/reflect.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {

@@ -12,7 +12,7 @@
 
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/sample.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 
 namespace cca {
 

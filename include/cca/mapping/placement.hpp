@@ -14,7 +14,7 @@
 #include <numbers>
 
 #include <cca/space/frame.hpp>
-#include <cca/space/rotation.hpp>
+#include <cca/space/methods/rotation.hpp>
 
 namespace cca {
 

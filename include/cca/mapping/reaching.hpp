@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {

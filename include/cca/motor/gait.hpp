@@ -15,10 +15,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/space/circle.hpp>
+#include <cca/space/methods/circle.hpp>
 #include <cca/space/dimension.hpp>
 #include <cca/base/eigen.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {

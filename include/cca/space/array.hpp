@@ -13,7 +13,7 @@
 
 #include <cca/space/frame.hpp>
 #include <cca/base/joined_names.hpp>
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/linear.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca {

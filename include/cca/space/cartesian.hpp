@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/linear.hpp>
 
 namespace cca {
 

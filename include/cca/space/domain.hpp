@@ -14,5 +14,5 @@
 #include <cca/space/orientation.hpp>
 #include <cca/space/phase.hpp>
 #include <cca/space/pose.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/twist_wrench.hpp>

@@ -9,8 +9,8 @@
 //   joint_stiffness       N m/rad   0      sums, torque(deflection), interpolated, within_limits, clamped
 #pragma once
 
-#include <cca/space/circle.hpp>
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/circle.hpp>
+#include <cca/space/methods/linear.hpp>
 
 namespace cca {
 

@@ -15,7 +15,7 @@
 #pragma once
 
 #include <cca/space/cartesian.hpp>
-#include <cca/space/rotation.hpp>
+#include <cca/space/methods/rotation.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca {

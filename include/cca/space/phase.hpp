@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include <cca/space/circle.hpp>
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/circle.hpp>
+#include <cca/space/methods/linear.hpp>
 
 namespace cca {
 

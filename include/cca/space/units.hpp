@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <cca/space/quantity.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 
 namespace cca {
 

@@ -17,7 +17,7 @@
 
 #include <cca/adaptive/ode.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
-#include <cca/space/rotation.hpp>
+#include <cca/space/methods/rotation.hpp>
 
 namespace cca {
 

@@ -1,17 +1,17 @@
-// A joint of a robot and the drive that moves it, as a type: axis, drive, how it is mounted, its servo, its
-// bus.
+// A joint of a robot and the drive that moves it, as a type: axis, drive, mounting, servo, bus.
 //
-//   struct left_front : cca::hardware::joint<cca::sim::left_front_hip,
-//   cca::hardware::mit_drive<cca::hardware::ak60_6, 1>,
-//                                            cca::hardware::mounting{.gear = 1, .sign = -1, .offset = 0.2},
-//                                            cca::hardware::joint_servo{.stiffness = 30, .damping = 0.375},
-//                                            0> {};
+//   struct left_front
+//       : cca::hardware::joint<cca::robots::oncilla::left_front_hip,
+//                              cca::hardware::mit_drive<cca::hardware::ak60_6, 1>,
+//                              cca::hardware::mounting{.gear = 1, .sign = -1, .offset = 0.2},
+//                              cca::hardware::joint_servo{.stiffness = 30, .damping = 0.375},
+//                              0> {};
 //
-// A joint's angle = sign (drive's angle / gear) + offset: gear counts turns of the drive's output for one of
-// the joint. A joint's torque = sign gear (drive's torque). All on one bus state its bit rates alike; unless
-// stated 1 Mbit/s, and 5 for fast FD frames, which are checked (robot_buses.hpp). Limits are those of the
-// axis, and what of them the drive's frames can say. Errors: space.missing_limits. Cost: constants, and some
-// multiplications. docs/hardware.md.
+// Angle of the joint = sign (angle of the drive / gear) + offset; gear is turns of the drive's output per
+// turn of the joint. Torque of the joint = sign gear (torque of the drive). All drives on one bus state the
+// same bit rates, by default 1 Mbit/s, and 5 for fast FD frames (checked by robot_buses.hpp). The limits are
+// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits. Cost:
+// constants, and some multiplications. docs/hardware.md.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ struct mounting {
 struct joint_servo {
   double stiffness = 0;     // N m/rad, while it follows commands
   double damping = 0;       // N m s/rad
-  double safe_damping = 1;  // N m s/rad, once it no longer does
-  double most_stiff = 200;  // N m/rad, whatever a controller asks for
+  double safe_damping = 1;  // N m s/rad, after a stop
+  double most_stiff = 200;  // N m/rad, the largest that a controller can ask for
 };
 
 struct joint_bounds {
@@ -82,8 +82,8 @@ struct joint {
     return Mounting.sign * of_joint / Mounting.gear;
   }
 
-  // What the joint is to do, as its drive is told, and back. Stiffness and damping go with the square of the
-  // gear.
+  // A command to the joint as a command to its drive, and back. Stiffness and damping scale with the square
+  // of the gear.
   static constexpr drive_command to_drive(const drive_command& c) {
     constexpr double square = Mounting.gear * Mounting.gear;
     return {drive_angle_of(c.position), drive_speed_of(c.velocity), drive_torque_of(c.torque),
@@ -101,8 +101,8 @@ struct joint {
                                          cca::detail::upper_limit_of<Axis, cca::velocity>};
   static constexpr joint_bounds torque = {cca::detail::lower_limit_of<Axis, cca::torque>,
                                           cca::detail::upper_limit_of<Axis, cca::torque>};
-  // N m/s, of the torque that a set-point feeds forward; without `torque_rate` of the axis the whole range in
-  // 10 ms.
+  // N m/s, for the torque that a set-point feeds forward. If the axis states no `torque_rate`: the whole
+  // range in 10 ms.
   static constexpr double torque_rate = [] {
     if constexpr (cca::detail::axis_has_limits<Axis, cca::torque_rate>)
       return cca::detail::upper_limit_of<Axis, cca::torque_rate>;
@@ -110,7 +110,7 @@ struct joint {
   }();
 };
 
-// What moves a robot, in the order of its axes. Name it by a struct of your own: messages stay short.
+// The joints of a robot, in the order of its axes.
 template <class... Joints>
 struct joint_list {
   static constexpr std::size_t count = sizeof...(Joints);

@@ -1,9 +1,9 @@
 // The synchronizer of a robot on CAN: the only node that knows the buses. It reads in `sense` and sends in
 // `act`.
 //
-//   sense   out one port an axis: sim::measured_joint (rad, rad/s, N m), NaN until the drive has reported;
+//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has reported;
 //               the nodes behind it publish only numbers (oncilla_nodes.hpp)
-//           out "trunk"  the sensor board, as sim::measured_trunk, NaN likewise
+//           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
 //   act     in "set_points" of the guards; optional "abduction" targets for the board
 //
@@ -32,11 +32,12 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/set_points.hpp>
+#include <cca/hardware/robot/board_record.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
 #include <cca/hardware/robot/sensor_board.hpp>
 #include <cca/hardware/safety/link_supervisor.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/robots/oncilla/former_names.hpp>
 
 namespace cca::hardware {
 
@@ -67,8 +68,8 @@ public:
     bus_ends = {&all...};
   }
 
-  auto sense() -> std::tuple<out<J::axis::label, sim::measured_joint<typename J::axis>>...,
-                             out<"trunk", sim::measured_trunk>,
+  auto sense() -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
+                             out<"trunk", robots::oncilla::measured_trunk>,
                              out<"joints", joint_states<joints>>> {
     listen();
     bring_up();
@@ -78,12 +79,12 @@ public:
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense())(Eigen::Vector3d(drives.angle[I], J::speed_of(drives.reports[I].velocity),
                                                J::torque_of(drives.reports[I].torque))...,
-                               trunk(), states);
+                               trunk_record_of(reading), states);
     });
   }
 
   void act(in<"set_points", set_points<joints>> wanted,
-           optional_in<"abduction", sim::abduction_angles> abduction) {
+           optional_in<"abduction", robots::oncilla::abduction_angles> abduction) {
     clear(outbox), moves = {};
     if (phase_now == motion_phase::enabling) {
       outbox = enabling_frames;
@@ -255,17 +256,6 @@ private:
   }
 
   safety_rule trip_of(std::size_t i) const { return moving() ? drives.trips[i] : safety_rule::none; }
-
-  sim::measured_trunk::vector_type trunk() const {
-    sim::measured_trunk::vector_type v;
-    Eigen::Index n = 0;
-    const auto put = [&](const auto&... parts) {
-      (std::ranges::for_each(parts, [&](double x) { v[n++] = x; }), ...);
-    };
-    put(reading.orientation, reading.angular_velocity, reading.specific_force, reading.foot_load,
-        reading.contact, reading.abduction);
-    return v;
-  }
 
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
   static constexpr auto cycle_end_frames = cycle_ends<buses, J...>();

@@ -1,83 +1,72 @@
 // The resource nodes of the Oncilla on real drives, with the ports of those in the simulator
-// (cca/sim/resource_nodes.hpp).
+// (cca/sim/resource_nodes.hpp), and the servos of its joints.
 //
 //   joint_node<Axis>   sense: in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m, as the
-//   drive tells), each a maybe
-//                      act:   in "command" (rad); out "target", of no origin (`never`) until a command has
-//                      come
-//   trunk_node         sense: in "measured"; out "orientation", "angular_velocity", "acceleration",
-//   "contacts" (status),
-//                      "foot_loads" (N), "abduction" (rad), each a maybe
-//   joint_servos       act:   in the targets, "joints", optional "stiffness" of the hips; out "wanted"
-//   set_points: the law of
-//                      each joint's servo, with the speed of its target. Without a target it holds where the
-//                      joint is.
+//                             drive reports it), each a maybe
+//                      act:   in "command" (rad); out "target", of no origin (`never`) until a command comes
+//   trunk_node         sense: in "measured"; out each field of trunk_record under its name, each a maybe
+//   joint_servos       act:   in one target for each joint, "joints", optional "stiffness" of the hips;
+//                             out "wanted" set_points: each joint's servo law, with the speed of its target.
+//                             Without a target a joint holds its position.
 //
-// What a drive or the board has not told yet is not published: a sample is what was measured. So "angles" of
-// the whole robot come once all drives have told theirs. A target's stiffness takes its damping with it, as
-// in the simulator. Cost: some operations a joint.
+// Until a drive or the board reports a quantity, its port publishes nothing. So "angles" of the whole robot
+// come once all drives have reported theirs. A target's stiffness scales its damping, as in the simulator.
+// Cost: some operations a joint.
 #pragma once
 
 #include <array>
 #include <tuple>
 
-#include <cca/component/beat.hpp>
 #include <cca/base/inlining.hpp>
+#include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/drives/set_points.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 
 namespace cca::hardware {
 
 namespace detail {
 
-// A part of a record as a port, if `witness` says that it has been told: it is a number.
-template <fixed_string Name, class Space, class Record>
-CCA_GLUE maybe<Name, Space> told(const Record& v, int from, int witness) {
-  if (v[witness] - v[witness] == 0) return v.template segment<Space::vector_type::RowsAtCompileTime>(from);
+// A field of a record as a port: empty until its first number is one.
+template <fixed_string Field, class Space, class Record, class Vector>
+CCA_GLUE maybe<Field, Space> published(const Vector& numbers) {
+  const auto part = Record::template part<Field>(numbers);
+  if (part[0] - part[0] == 0) return part;
   return {};
 }
-template <fixed_string Name, class Space, class Record>
-CCA_GLUE maybe<Name, Space> told(const Record& v, int from) {
-  return told<Name, Space>(v, from, from);
-}
+
+template <class Fields>
+struct trunk_node_of;
+template <class... Fields>
+struct trunk_node_of<robots::items<Fields...>> {
+  auto sense(in<"measured", robots::oncilla::measured_trunk> now)
+      -> std::tuple<maybe<Fields::name, typename Fields::space>...> {
+    return {published<Fields::name, typename Fields::space, robots::oncilla::trunk_record>(now.vector())...};
+  }
+};
 
 }  // namespace detail
 
 template <class Axis>
 struct joint_node {
-  auto sense(in<"measured", sim::measured_joint<Axis>> now)
-      -> std::tuple<maybe<"angle", sim::joint_angle<Axis>>,
-                    maybe<"velocity", sim::joint_velocity<Axis>>,
-                    maybe<"torque", sim::joint_torque<Axis>>> {
+  using record = robots::oncilla::joint_record<Axis>;
+  using angle = robots::oncilla::joint_angle<Axis>;
+  using velocity = robots::oncilla::joint_velocity<Axis>;
+  using torque = robots::oncilla::joint_torque<Axis>;
+
+  auto sense(in<"measured", robots::oncilla::measured_joint<Axis>> now)
+      -> std::tuple<maybe<"angle", angle>, maybe<"velocity", velocity>, maybe<"torque", torque>> {
     const auto& v = now.vector();
-    return {detail::told<"angle", sim::joint_angle<Axis>>(v, 0),
-            detail::told<"velocity", sim::joint_velocity<Axis>>(v, 1),
-            detail::told<"torque", sim::joint_torque<Axis>>(v, 2)};
+    return {detail::published<"angle", angle, record>(v), detail::published<"velocity", velocity, record>(v),
+            detail::published<"torque", torque, record>(v)};
   }
-  auto act(in<"command", sim::joint_angle<Axis>> wanted) -> out<"target", sim::joint_angle<Axis>> {
-    return out<"target", sim::joint_angle<Axis>>(wanted.vector()).with_origin(wanted.origin());
+  auto act(in<"command", angle> wanted) -> out<"target", angle> {
+    return out<"target", angle>(wanted.vector()).with_origin(wanted.origin());
   }
 };
 
-struct trunk_node {
-  auto sense(in<"measured", sim::measured_trunk> now)
-      -> std::tuple<maybe<"orientation", sim::trunk_orientation>,
-                    maybe<"angular_velocity", sim::trunk_angular_velocity>,
-                    maybe<"acceleration", sim::trunk_acceleration>,
-                    maybe<"contacts", sim::foot_contacts>,
-                    maybe<"foot_loads", sim::foot_loads>,
-                    maybe<"abduction", sim::abduction_angles>> {
-    const auto& v = now.vector();
-    return {detail::told<"orientation", sim::trunk_orientation>(v, 0),
-            detail::told<"angular_velocity", sim::trunk_angular_velocity>(v, 4),
-            detail::told<"acceleration", sim::trunk_acceleration>(v, 7),
-            detail::told<"contacts", sim::foot_contacts>(v, 14, 4),  // in the frame of the angular velocity
-            detail::told<"foot_loads", sim::foot_loads>(v, 10),
-            detail::told<"abduction", sim::abduction_angles>(v, 18)};
-  }
-};
+struct trunk_node : detail::trunk_node_of<robots::oncilla::trunk_record::fields> {};
 
 template <class Joints>
 class joint_servos;
@@ -87,9 +76,9 @@ class joint_servos<joint_list<J...>> {
 public:
   using joints = joint_list<J...>;
 
-  auto act(in<J::axis::label, sim::joint_angle<typename J::axis>>... targets,
+  auto act(in<J::axis::label, robots::oncilla::joint_angle<typename J::axis>>... targets,
            in<"joints", joint_states<joints>> states,
-           optional_in<"stiffness", sim::hip_stiffnesses> stiffness,
+           optional_in<"stiffness", robots::oncilla::hip_stiffnesses> stiffness,
            beat now) -> out<"wanted", set_points<joints>> {
     typename set_points<joints>::vector_type v;
     std::size_t i = 0;
@@ -100,7 +89,7 @@ public:
       s.position = given ? target : joints::angle[i].nearest(q.known() ? q.angle : 0);
       s.velocity = given && begun[i] ? joints::speed[i].nearest((target - former[i]) / now.dt()) : 0;
       s.stiffness = servo.stiffness;
-      if constexpr (sim::hip_axes::template contains<Axis>)
+      if constexpr (robots::oncilla::hip_axes::template contains<Axis>)
         if (stiffness && stiffness.origin() != never) s.stiffness = stiffness[Axis{}];
       s.damping = servo.damping * s.stiffness / servo.stiffness;
       if (given) former[i] = target;

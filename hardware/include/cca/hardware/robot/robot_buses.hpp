@@ -1,13 +1,12 @@
-// The buses of a robot, planned from its joints and its sensor board, while compiling.
+// The buses of a robot, planned at compile time from its joints and its sensor board.
 //
-//   using buses = cca::hardware::robot_buses<cca::rate<1000>, board, joints>;   // of cca::hardware::oncilla
-//   by itself buses::load<0>                                                              // the part of the
-//   time that bus 0 is in use cca::hardware::socket_can can0("can0", {.replies = buses::replies<0>, .ours =
-//   buses::requests<0>});
+//   using buses = cca::hardware::robot_buses<cca::rate<1000>, board, joints>;
+//   buses::load<0>   // the part of the time in which bus 0 is in use
+//   cca::hardware::socket_can can0("can0", {.replies = buses::replies<0>, .ours = buses::requests<0>});
 //
-// Each bus is a plan as in bus_plan.hpp, by the bit rates that its joints state; messages name joints, and
-// buses by their number. Errors: bus.overloaded, drive.duplicate_id. Cost: constants. Example:
-// tests/runtime/drive_chain/families.cpp; docs/can_bus.md.
+// cca::hardware::oncilla checks its buses by it. Each bus is a plan as in bus_plan.hpp, at the bit rates of
+// its joints; messages name the joint, and the number of the bus. Errors: bus.overloaded, drive.duplicate_id.
+// Cost: constants. Example: tests/runtime/drive_chain/families.cpp; docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +32,7 @@ struct users_of_bus {
   std::array<drive_facts, Count> drives{};
   std::size_t count = 0;
   bit_rates rates{};
-  bool alike = true;  // all state the same bit rates
+  bool one_rate = true;  // all state the same bit rates
   constexpr std::span<const drive_facts> view() const { return {drives.data(), count}; }
 };
 template <std::size_t Count>
@@ -42,7 +41,7 @@ constexpr users_of_bus<Count> users_on(const std::array<user_of_bus, Count>& all
   for (const user_of_bus& u : all) {
     if (u.bus != bus) continue;
     if (on.count == 0) on.rates = u.rates;
-    on.alike = on.alike && on.rates.nominal == u.rates.nominal && on.rates.data == u.rates.data;
+    on.one_rate = on.one_rate && on.rates.nominal == u.rates.nominal && on.rates.data == u.rates.data;
     on.drives[on.count++] = u.facts;
   }
   return on;
@@ -57,7 +56,8 @@ struct bus_check<Bus, Rate, Board, joint_list<J...>> {
       users_on<most>({{{J::bus, J::rates, facts_of<typename J::drive>(J::axis::name)}...,
                        {Board::bus, Board::rates, facts_of<Board>()}}},
                      Bus);
-  static_assert(on.alike, "cca::hardware::robot_buses: all that is on one bus states the same bit rates");
+  static_assert(on.one_rate,
+                "cca::hardware::robot_buses: all drives on one bus must state the same bit rates");
   static constexpr bus_figures figures{on.view(), on.rates, Rate::hz};
   static constexpr bool sound = figures.sound();
   static constexpr cca::detail::report tell() {
@@ -87,7 +87,7 @@ struct robot_buses<Rate, Board, joint_list<J...>> {
 
   template <std::size_t Bus>
   static constexpr double load = check<Bus>::figures.load();
-  // Which ids are sent to, and by, those on a bus.
+  // The ids that the controller sends on a bus, and those that it receives.
   template <std::size_t Bus>
   static constexpr auto requests = [] {
     detail::filter_list<Board::requests.size() +

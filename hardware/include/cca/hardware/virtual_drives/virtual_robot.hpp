@@ -1,12 +1,13 @@
-// A robot's drives and sensor board on the far end of its buses, around whatever mechanics moves the joints.
+// A robot's drives and sensor board at the far end of its buses. You supply the mechanics of the joints.
 //
-//   virtual_robot<Bus, Virtual, Board, Joints> far;   // Virtual<Drive> is the virtual drive of each; the
-//   rest as in the robot far.connect(bus0, ...); far.listen(now);                     // hears all that came
-//   const auto laws = far.laws(now);     // what each drive does, as a law of its joint
-//   far.tell(motions, board_reading);    // answers what was heard with what the mechanics says
+//   virtual_robot<Bus, Virtual, Board, Joints> far;   // Virtual<Drive>: the virtual drive for each drive
+//   far.connect(bus0, ...);
+//   far.listen(now);                                  // takes all frames that have come
+//   const auto laws = far.laws(now);                  // the control law of each joint, as its drive follows
+//   it far.tell(motions, board_reading);                 // answers with the state of the mechanics
 //
-// What finds no room in a queue is dropped, as a drive does. Example: examples/hardware_in_the_loop;
-// docs/hardware.md.
+// A frame for which a queue has no room is dropped, as by a real drive. Example:
+// examples/hardware_in_the_loop; docs/hardware.md.
 #pragma once
 
 #include <tuple>
@@ -27,7 +28,7 @@ public:
   static constexpr std::size_t count = sizeof...(J), buses = 1 + std::max({Board::bus, J::bus...});
   using drives_type = std::tuple<Virtual<typename J::drive>...>;
   drives_type drives{};
-  std::array<double, 4> abduction{};  // targets that the board was told
+  std::array<double, 4> abduction{};  // the last targets that the board received
   bool board_silent = false;
 
   template <class... Buses>
@@ -37,7 +38,7 @@ public:
     wires = {&all...};
   }
 
-  // `tap(bus, frame)` sees every frame, too.
+  // Calls tap(bus, frame) for every frame.
   template <class Tap>
   std::size_t listen(std::int64_t now, Tap tap) {
     std::size_t heard = 0;
@@ -49,7 +50,7 @@ public:
           if (b == Board::bus && Board::abducted(inbox[k].frame, abduction)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
             ((J::bus == b ? void(std::get<I>(drives).hear(inbox[k].frame, now)) : void()),
-             ...);  // some frames are for all
+             ...);  // some frames are broadcasts
           });
         }
       }
@@ -59,7 +60,7 @@ public:
     return listen(now, [](std::size_t, const can_frame&) {});
   }
 
-  // Of a joint: its axis' angle, speed and torque.
+  // For each joint, in angle, speed and torque of its axis.
   std::array<drive_command, count> laws(std::int64_t now) {
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return std::array<drive_command, count>{J::from_drive(std::get<I>(drives).law(now))...};

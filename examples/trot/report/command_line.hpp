@@ -1,5 +1,6 @@
 #pragma once
-// What the user asked for on the command line; what cannot be understood is refused with what was expected.
+// The options of `trot` from the command line. A mistake is refused with a message that says what was
+// expected.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -69,7 +70,7 @@ inline cca::sim::terrain ground(const std::string& text) {
 
 }  // namespace detail
 
-// Of the programs beside `trot`, whose options all have a value.
+// For programs whose options all have a value.
 inline bool asks_for_help(const std::vector<std::string>& arguments) {
   return std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The figures of a run: how far, how fast, how steady, at what cost.
+// The figures of a run: distance, speed, steadiness and cost of transport.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,11 +10,11 @@
 namespace trot {
 
 struct statistics {
-  double seconds = 0;   // simulated
-  double distance = 0;  // m forward (along x) from where it was put down, standing and starting included
-  double speed = 0;     // m/s, distance over all seconds
-  double cruise = 0;    // m/s from 2 s on
-  double drift = 0;     // m to the left of the line it started on
+  double seconds = 0;                  // simulated
+  double distance = 0;                 // m forward (along x) from the start, standing and starting included
+  double speed = 0;                    // m/s, distance over all seconds
+  double cruise = 0;                   // m/s from 2 s on
+  double drift = 0;                    // m to the left of the line of the start
   double max_roll = 0, max_pitch = 0;  // rad
   double stride_frequency = 0;         // Hz
   std::array<double, 4> duty_factor{};
@@ -24,7 +24,7 @@ struct statistics {
 
 namespace detail {
 
-// Swings of a hip through the middle of its range, forward: one a stride. `still` keeps jitter from counting.
+// Counts forward swings of a hip through the middle of its range: one per stride. `still` excludes jitter.
 inline double stride_frequency(const recording& run, std::size_t leg, double settled) {
   constexpr double still = 0.03;  // rad
   double sum = 0, count = 0;

@@ -1,5 +1,6 @@
 #pragma once
-// A run as comma-separated values: one line every few beats, SI units and radians, names in the first line.
+// A run as comma-separated values: one line every few beats, in SI units and radians. The first line has the
+// names.
 #include <cstdio>
 #include <ostream>
 

@@ -1,5 +1,6 @@
 #pragma once
-// A run as a picture: footfalls of the last seconds, the trunk's path from above, angles of one leg.
+// A run as a picture: the footfalls of the last seconds, the path of the trunk from above, the joint angles
+// of one leg.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +20,7 @@ struct range {
   double part(double x) const { return (x - low) / (high - low); }
 };
 
-// A rectangle of the page with axes: values to points, and what is drawn with them.
+// A rectangle of the page with axes: maps values to points and draws with them.
 class panel {
 public:
   panel(std::ostream& out, double top, double height, range x, range y)

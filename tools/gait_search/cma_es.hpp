@@ -1,10 +1,9 @@
 #pragma once
-// Covariance matrix adaptation: a search for the best of a function of which only the values are known.
+// Covariance matrix adaptation: maximises a function of which only the values are known.
 //
-// Ask for a generation of points, say how good each was, and so on. Points live in the unit cube of the
-// caller's parameters but may be asked for outside of it; the caller decides what such a point is worth.
-// Maximises. Hansen, "The CMA evolution strategy: a tutorial", arXiv:1604.00772; equation numbers are that
-// paper's.
+// `ask` for a generation of points, `tell` the value of each, and repeat. Points are meant to lie in the unit
+// cube, but `ask` may return points outside of it; the caller decides their value. Source: Hansen, "The CMA
+// evolution strategy: a tutorial", arXiv:1604.00772; the numbers are those of its equations.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 #include <Eigen/Dense>
 
-namespace trot {
+namespace gait_search {
 
 class cma_es {
 public:
@@ -96,7 +95,7 @@ public:
 private:
   static constexpr double largest_step = 0.4;  // of the unit cube
 
-  // Box and Muller, by hand: std::normal_distribution differs from library to library.
+  // Box and Muller; std::normal_distribution differs from library to library.
   double normal() {
     const auto uniform = [&] { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; };
     const double radius = std::sqrt(-2 * std::log(uniform()));
@@ -115,4 +114,4 @@ private:
   int generation_ = 0;
 };
 
-}  // namespace trot
+}  // namespace gait_search

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/linear.hpp>
 
 namespace cca {
 

@@ -1,15 +1,16 @@
 #pragma once
-// A Hopf oscillator: a point that runs around the origin, on a circle of the wanted radius. Where the wanted
-// amplitude is negative the circle shrinks to a point (the Hopf bifurcation; seed, section 6.3): the legs
-// come to rest where they stand.
+// The oscillator of the trot: a point that runs around the origin, on a circle of the wanted radius. For a
+// negative amplitude the circle shrinks to a point (a Hopf bifurcation; seed, section 6.3): the legs come to
+// rest where they stand.
 //
 //   in  "amplitude"   wanted_amplitude, the radius of the circle
 //   out "phase"       gait_phase
 //   out "amplitude"   gait_amplitude, the radius now
 //
-// x' = g x - w y, y' = g y + w x with w = 2 pi f and g = c (1 - r^2 / a^2): the normal form, in units of the
-// circle, so that a small circle is approached as fast as a large one. Euler's method; at 1 ms the radius
-// errs by 1 %, the frequency by 0.01 %.
+// x' = g x - w y, y' = g y + w x with w = 2 pi f and g = c (1 - r^2 / a^2): the normal form of the Hopf
+// bifurcation in units of the circle, so the point approaches a small circle as fast as a large one. The
+// library's cca::hopf has g = c (a |a| - r^2): it approaches a small circle slower. Euler's method; at 1 ms
+// the radius errs by 1 %, the frequency by 0.01 %.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,7 +24,7 @@
 
 namespace trot {
 
-struct hopf {
+struct stride_oscillator {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::quantity<cca::frequency, 0, 10>, frequency),  // Hz

@@ -8,7 +8,7 @@
 
 namespace trot {
 
-// Runs job(0) to job(count - 1); done(n) is called, by one thread at a time, when n of them are through.
+// Runs job(0) to job(count - 1). Calls done(n), from one thread at a time, when n jobs are finished.
 template <class Job, class Done>
 void on_all_cores(std::size_t count, Job job, Done done) {
   std::atomic<std::size_t> next = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// When each foot stood on the ground: it carries some weight, more than a toe that brushes the ground in
-// swing.
+// The times in which each foot stands: it carries some of the robot's weight. A toe that brushes the ground
+// in swing carries less.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -18,8 +18,8 @@ inline bool stands(const recording& run, const moment& m, std::size_t leg) {
   return m.foot_force[leg] > carried * run.mass * run.gravity;
 }
 
-// A break shorter than `shortest` (a bounce after landing) is still the same stance, a stance shorter than
-// that is none.
+// A break shorter than `shortest` (a bounce after landing) does not end a stance; a stance shorter than that
+// does not count.
 inline std::vector<stance> stances(const recording& run, std::size_t leg, double shortest = 0.03) {
   std::vector<stance> found;
   for (const moment& m : run.moments) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the programs of the examples have in common: files, and what they return when something is refused.
+// Shared by all example programs: writing files, and the exit codes for refused input.
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -18,7 +18,7 @@ void write(const std::string& name, Write content) {
   if (!file) throw std::runtime_error(name + ": cannot be written");
 }
 
-// What act() returns; 2 where the command line is refused, 3 where anything else is.
+// Returns what act() returns; 2 if the command line is refused, 3 for any other error.
 template <class Act>
 int program(const char* name, Act act) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// A progress bar: on a terminal one line that fills, elsewhere one line at each quarter.
+// A progress bar: on a terminal one line that fills up, elsewhere a new line at each quarter.
 #include <chrono>
 #include <cstdio>
 #include <string>

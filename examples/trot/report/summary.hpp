@@ -1,5 +1,5 @@
 #pragma once
-// The figures of a run for people (a short table) and for programs (one JSON object).
+// The figures of a run as a short table for people and as one JSON object for programs.
 #include <cmath>
 #include <cstdio>
 #include <ostream>
@@ -11,7 +11,7 @@
 namespace trot {
 
 struct costs {
-  double real_time_factor = 0;  // simulated over real time, controller and physics
+  double real_time_factor = 0;  // simulated time / real time, controller and physics
   double controller_ns_per_beat = 0;
   double physics_ns_per_beat = 0;
 };

@@ -1,12 +1,12 @@
-// Searches gait parameters in the simulator, on all cores, and writes the best as a TOML file for `trot
-// --config`.
+// Searches parameters for the gait of examples/trot in the simulator, on all cores, and writes the best as a
+// TOML file for `trot --config`.
 //
 //   trot_search --config trot.toml --generations 40 --out found.toml
 //
-// A gait is worth how fast it goes without falling, drifting, rolling and pitching: on flat ground, over
-// steps and up a slope, with disturbances that are others in each generation; the worst of the three counts
-// as much as all together. So a gait that lives on luck doesn't last. Change the robot (oncilla_model.hpp)
-// and search again to adapt the trot to it.
+// The value of a gait is its speed, less penalties for falling, drifting, rolling and pitching. It is tried
+// on flat ground, over steps and up a slope, with new disturbances in each generation; the worst of the three
+// counts as much as their mean. So a gait that is good by luck is not kept. To adapt the trot to another
+// robot, change the robot (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -20,19 +20,19 @@
 #include <cca/config.hpp>
 
 #include "cma_es.hpp"
-#include "parallel.hpp"
-#include "program.hpp"
-#include "progress.hpp"
-#include "rollout.hpp"
-#include "statistics.hpp"
+#include "../../examples/trot/report/parallel.hpp"
+#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/progress.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/report/statistics.hpp"
 
 namespace {
 
 constexpr int parameter_count = 13;
 
-// What is searched, each within a range, as one vector of numbers.
+// The parameters to search, each within a range.
 struct searched {
-  trot::hopf::parameters cpg;
+  trot::stride_oscillator::parameters cpg;
   trot::gait::parameters gait;
 
   template <class Field>
@@ -76,7 +76,7 @@ double outside(const Eigen::VectorXd& point) {
 
 struct trial {
   cca::sim::terrain ground;
-  double seconds, fast_enough;  // m/s beyond which more is worth nothing
+  double seconds, fast_enough;  // m/s; more speed adds no value
 };
 
 double worth(const trot::statistics& s, const trial& t) {
@@ -85,7 +85,7 @@ double worth(const trot::statistics& s, const trial& t) {
          0.4 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
 }
 
-// `start` is a controller that was loaded and not started; its copy is a robot of its own.
+// `start` is a controller that is loaded and not started; each run takes a copy of it.
 double worth(const trot::trotting& start,
              const searched& what,
              const std::vector<trial>& trials,
@@ -114,12 +114,12 @@ struct options {
 };
 
 constexpr std::string_view usage =
-    "trot_search: gait parameters that make the robot fast and steady, on all cores\n"
+    "trot_search: searches gait parameters that make the robot fast and steady, on all cores\n"
     "\n"
     "  --config FILE     parameters to begin with (the defaults in the code)\n"
-    "  --out FILE        where the best go, for trot --config (found.toml)\n"
+    "  --out FILE        the best parameters, for trot --config (found.toml)\n"
     "  --generations N   how long to search (40)\n"
-    "  --population N    how many at a time (12)\n"
+    "  --population N    gaits per generation (12)\n"
     "  --seconds S       of each run, simulated (7)\n"
     "  --seed N          of the search (1)\n"
     "  --help            this text\n";
@@ -150,23 +150,22 @@ void search(const options& o) {
   const searched first{start.get<"cpg">().p, start.get<"gait">().p};
   const std::vector<trial> trials{{cca::sim::terrain::flat(), o.seconds, 0.72},
                                   {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.55},
-                                  {cca::sim::terrain::slope(cca::sim::degrees(6)), o.seconds, 0.55}};
+                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.55}};
 
-  trot::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
+  gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;
   double best_worth = worth(start, first, trials, 0);
   trot::progress_bar bar("search");
   const double total = o.generations * static_cast<double>(o.population + 1);
   for (int generation = 0; generation < o.generations; ++generation) {
-    // The last of them is the middle of the generation before, which is what is kept if it is good.
+    // The last point is the mean of the generation before: only means become the result.
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
     std::vector<double> values(points.size());
     trot::on_all_cores(
         points.size(),
         [&](std::size_t i) {
-          const int draw =
-              i + 1 == points.size() ? 0 : generation;  // the middles are compared on equal terms
+          const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
           values[i] = worth(start, at_point(first, points[i]), trials, draw) - outside(points[i]);
         },
         [&](std::size_t finished) {

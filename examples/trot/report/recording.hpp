@@ -1,5 +1,5 @@
 #pragma once
-// What happened in a run, beat by beat: the raw material of the table, the CSV and the picture.
+// A recorded run, beat by beat: the data of the table, the CSV file and the picture.
 #include <array>
 #include <cstddef>
 #include <string_view>

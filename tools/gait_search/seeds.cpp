@@ -13,11 +13,11 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "parallel.hpp"
-#include "program.hpp"
-#include "progress.hpp"
-#include "rollout.hpp"
-#include "statistics.hpp"
+#include "../../examples/trot/report/parallel.hpp"
+#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/progress.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/report/statistics.hpp"
 
 namespace {
 
