@@ -9,6 +9,7 @@ the repository and must not crash. With --errors, the compiler must fail, and th
 hold an error or name the file that is compiled, without folders, line numbers and columns: these differ between machines.
 --write copies the output into the pages.
 """
+import os
 import pathlib
 import re
 import subprocess
@@ -40,7 +41,8 @@ def run(arguments):
     if len(names) != 1 or not command:
         return __doc__
     name = names[0]
-    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          env={**os.environ, "LC_ALL": "C"})  # compilers quote in plain ASCII
     shown = errors_in(done.stdout, command[-1]) if errors else done.stdout
     if done.returncode < 0 or (errors and done.returncode == 0):
         return f"{' '.join(command)}: ended with {done.returncode}\n{done.stdout}"
