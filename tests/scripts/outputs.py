@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def blocks(name):
-    return re.compile(rf"(?P<head><!-- output of {re.escape(name)} -->\n+```text\n)(?P<text>.*?)(?P<tail>^```$)", re.M | re.S)
+    return re.compile(rf"(?P<head><!-- output of {re.escape(name)} -->\n+```\w*\n)(?P<text>.*?)(?P<tail>^```$)", re.M | re.S)
 
 
 def errors_in(output, file):
