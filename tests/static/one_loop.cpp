@@ -1,4 +1,4 @@
-// The graph whose loop docs/how_it_becomes_one_loop.md shows.
+// The graph of docs/how_it_becomes_one_loop.md, which shows its loop.
 #include <cca/cca.hpp>
 
 // [one loop]
