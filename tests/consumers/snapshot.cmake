@@ -1,4 +1,4 @@
-# Makes a git repository of the files that a user's project fetches, from the work tree: headers and CMake files.
+# Makes a repository of what a user's project fetches, as it stands in the work tree: the headers and the CMake files.
 
 file(REMOVE_RECURSE ${work})
 set(snapshot ${work}/snapshot)

@@ -53,7 +53,7 @@ class Includes(Tree):
         self.write("include/cca/space/long.hpp", "int x;\n")
         self.assertEqual(len(list(includes.problems(self.root))), 2)
 
-    def test_files_named_in_comments_exist(self):
+    def test_what_is_named_exists(self):
         self.write("tests/runtime/space/a.cpp", "")
         self.assertEqual(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/a.cpp.\n"), [])
         self.assertEqual(len(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/b.cpp; docs/c.md.\n")), 2)
