@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Fails if a beat still calls anything but libm, or the simulator where there is one. Reads the disassembly.
+"""Fails if a beat still calls something that is not of libm, or of the simulator where there is one, by the disassembly.
 
     calls.py <compiler> [flags...]
 
-Checks small.cpp, the skeletons, the trot with the simulated robot, and a chain, a fan-out and a graph of mixed rates with 30 nodes.
+Looks at small.cpp, at the skeletons, at the trot with the simulated robot, and at a chain, a fan-out and a graph of mixed rates of 30 nodes.
 """
 import pathlib
 import re
@@ -16,16 +16,16 @@ import generate
 HERE = pathlib.Path(__file__).resolve().parent
 INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(HERE.parent / "include"), "-I", str(HERE.parent / "sim/include"), "-I", str(HERE)]
 LIBM = {"sin", "cos", "sincos", "tan", "atan", "atan2", "asin", "acos", "exp", "log", "pow", "sqrt", "fmod", "floor", "ceil", "round", "hypot"}
-# The engine, the one node that calls it, its start in a thread, and the end of the program if its exception leaves the beat.
+# The engine, the one node that knows it, what begins it in a thread, and the end of a program where an exception of its leaves the beat.
 SIMULATOR = re.compile(r"^d[A-Z]\w+$|^cca::sim::(world|simulator)::|^__cxa_|^_Unwind_Resume$|^std::runtime_error::"
                        r"|^__clang_call_terminate$|^std::terminate\(\)$")
 SIMULATED = HERE / "oncilla_beat.cpp"
-# The functions of a beat; clang at -O3 inlines a small advance() into step().
+# The functions that are the beat; clang at -O3 folds a small one into the step.
 BEAT = re.compile(r"controller<.*>::(advance|step)\(\)")
 
 
 def calls(listing):
-    """Calls in the functions of a beat, as (function, called). In an object file the relocation names the called function."""
+    """In the functions that are the beat: (function, what it calls). A call in an object file is named by its relocation."""
     function, waits = None, False
     for line in listing.splitlines():
         head = re.match(r"(?:[0-9a-f]+ )?<(.*)>:$", line)

@@ -1,5 +1,5 @@
-// A user's program that uses all components: it reads a parameter from a file, advances a world of the
-// simulator and sends a set-point to a drive over a bus in memory.
+// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a
+// step, a drive is told something over a bus in memory.
 #include <array>
 #include <fstream>
 

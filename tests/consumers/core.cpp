@@ -1,4 +1,4 @@
-// A user's program with the core alone: a controller moves one joint through a limiter.
+// A user's program: one joint that is moved through a limiter, by a controller.
 #include <cca/cca.hpp>
 
 struct hip : cca::dimension<"hip"> {

@@ -1,4 +1,4 @@
-// Unusual graphs that are allowed: each is sound, and its controller compiles.
+// What is unusual and allowed: each of these graphs is sound, and its controller compiles.
 #include <cca/cca.hpp>
 
 #include "rules_parts.hpp"
@@ -7,7 +7,7 @@ namespace {
 
 using namespace parts;
 
-// The graph is sound, and all members of its controller can be instantiated.
+// Sound, and all that a controller offers can be instantiated.
 template <class Graph>
 bool runs() {
   static_assert(cca::well_formed<Graph>);
@@ -22,7 +22,7 @@ bool runs() {
   return c.state() == cca::state::created;
 }
 
-// [[forms of process]]
+// [[how a function may be written]]
 struct by_reference {
   auto process(const cca::in<"x", signal>& x, const cca::beat&) -> cca::out<"y", signal> {
     return x.vector();

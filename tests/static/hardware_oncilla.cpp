@@ -1,4 +1,4 @@
-// One architecture for two robots: the same graph compiles for the simulated Oncilla and the one on drives.
+// One architecture, two robots: what is written for the simulated Oncilla compiles for the one on drives.
 #include <cca/sim/oncilla.hpp>
 
 #include "../../examples/combination_of_skills/architecture.hpp"

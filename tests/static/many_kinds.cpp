@@ -1,4 +1,4 @@
-// A graph of 260 different component types: clang allows 256 operands in one fold.
+// A graph in which no two components are alike, of more kinds than clang folds at once.
 #include <utility>
 
 #include <cca/cca.hpp>

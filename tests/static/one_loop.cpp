@@ -1,4 +1,4 @@
-// The graph of docs/how_it_becomes_one_loop.md, which shows its loop.
+// The graph whose loop docs/how_it_becomes_one_loop.md shows.
 #include <cca/cca.hpp>
 
 // [one loop]

@@ -1,4 +1,4 @@
-// Type names as messages and pictures show them.
+// Names as messages and pictures show them.
 #include <cca/base/type_name.hpp>
 
 namespace outer {

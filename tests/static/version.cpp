@@ -1,4 +1,4 @@
-// CMake reads the version from the header.
+// The header's version is the one that CMake reads from it.
 #include <cca/version.hpp>
 
 static_assert(cca::version_major == EXPECTED_MAJOR);
