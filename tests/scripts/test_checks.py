@@ -1,4 +1,4 @@
-"""The checks themselves: each must let pass what is right and name what is wrong."""
+"""Tests of the checks: each must accept correct input and report every mistake."""
 import pathlib
 import tempfile
 import unittest
@@ -70,7 +70,7 @@ class Includes(Tree):
         self.assertEqual(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/a.cpp.\n"), [])
         self.assertEqual(len(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/b.cpp; docs/c.md.\n")), 2)
 
-    def test_one_door_to_hana(self):
+    def test_one_header_includes_hana(self):
         self.found("include/cca/component/a.hpp", "boost/hana/tuple.hpp")
         self.assertEqual(len(self.found("include/cca/graph/a.hpp", "boost/hana/tuple.hpp")), 1)
 
