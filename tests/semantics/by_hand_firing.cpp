@@ -7,7 +7,7 @@ namespace {
 
 using ms1 = cca::rate<1000>;
 
-// What a source with this strategy does; it is read by a component that is restless.
+// A source with this strategy, read by a restless component.
 template <class Strategy>
 struct alone : cca::graph<ms1,
                           cca::node<"s", count, Strategy>,
@@ -59,7 +59,7 @@ struct clock_reader {
   }
 };
 
-// Strategies of the user's own. (A local class can't have a template.)
+// Strategies that a user could write. (A local class cannot have a template.)
 struct odd_and_fresh {
   template <class Inputs>
   static bool fires(cca::beat now, const Inputs& in) {

@@ -33,7 +33,7 @@ struct call {
   phase_of_beat phase = phase_of_beat::process;
   const function_info* function = nullptr;
   int first_input = 0, first_output = 0;
-  int rank = 0;  // place in the order of a beat
+  int rank = 0;  // its number in the order of a beat
   clock fires{};
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
 };
@@ -44,27 +44,27 @@ struct input {
   ref<item_info> wire = nullptr;
   int delay = 0;             // of its wire, in beats
   int next_of_writer = -1;   // the next input of the same output
-  bool wired = false;        // by a wire or shown outside
+  bool wired = false;        // by a wire, an observer, or exposed by the outermost graph
   bool counts = true;        // for the time of origin
   bool is_kept = false;      // read from where it is kept beyond the beat
-  bool in_beat = false;      // surely published in the beat of the reader's firing
-  bool is_last = false;      // no later function of the beat reads the local that it reads
-  bool own_initial = false;  // its initial value is not that of the kept sample
+  bool in_beat = false;      // always published in the beat in which the reader fires
+  bool is_last = false;      // reads a local that no later function of the beat reads
+  bool own_initial = false;  // its initial value differs from that of the kept sample
   int queue = -1;            // number of its queue
 };
 
 struct output {
   int call = 0, port = 0;
   int first_reader = -1;
-  bool watched = false;  // an `observe` of the graph listens to it
-  bool kept = false;     // some later beat reads it: a member; else a local of the beat
-  bool stamped = false;  // the beat of its publication is kept too
+  bool watched = false;  // an `observe` of the graph names it
+  bool kept = false;     // a later beat reads it, so it is a member; else a local of the beat
+  bool stamped = false;  // with the beat of its publication
   bool local = false;    // some input reads it in the same beat
-  int ring = 0;          // samples of the past that delayed readers need; 0: none
+  int ring = 0;          // how many past samples delayed readers need
   ref<item_info> initial_of = nullptr;
 };
 
-// An output that an observer listens to.
+// An output that an observer hears.
 struct link {
   int input = 0, output = 0;
   bool counts = true;  // for the time of origin
@@ -139,7 +139,7 @@ constexpr const port_info& port_of(const flat_view& g, const output& o) {
 constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
 constexpr int scope_of_call(const flat_view& g, const call& t) { return g.nodes[t.node].scope; }
 
-// The strategy of a component, the default filled in.
+// The strategy of a component: the stated one, or the default.
 constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& t) {
   const auto& item = item_of_call(g, t);
   if (item.strategy) return *item.strategy;
@@ -149,7 +149,7 @@ constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& 
 
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }
 
-// When samples of an output are published, as far as it is known.
+// The clock of an output's samples.
 constexpr clock published(const port_info& port, const call& t) {
   return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;
 }
