@@ -67,6 +67,20 @@ struct odd_and_fresh {
   }
 };
 
+struct not_too_often {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.any_fresh() && in.beats_since_fired() >= 2;
+  }
+};
+
+struct when_x_is_fresh {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.template fresh<"x">();
+  }
+};
+
 struct z_above_x {
   template <class Inputs>
   static bool fires(cca::beat, const Inputs& in) {
@@ -167,6 +181,8 @@ TEST_SUITE("semantics by hand: when a component fires") {
 
   TEST_CASE("a strategy of the user's own sees the beat, and of every input freshness, origin and value") {
     check<odd_and_fresh>({1, 5, 7});  // x of 4 waits for 5
+    check<not_too_often>({2, 4, 6, 8});
+    check<when_x_is_fresh>({1, 4, 7});
     check<z_above_x>({2, 3, 6, 8});
     check<x_is_old>({3, 6});
   }
