@@ -1,5 +1,5 @@
 // EXPECT: body\.cycle: the parts of this body close a loop
-// Two chains that end in one frame are a closed mechanism, which a tree can't say.
+// Two chains that end in one frame form a closed mechanism, which a tree cannot describe.
 #include <cca/robot/body.hpp>
 
 struct trunk : cca::frame<"trunk"> {};

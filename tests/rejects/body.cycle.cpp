@@ -1,5 +1,5 @@
 // EXPECT: body\.cycle: the parts of this body close a loop
-// A body is a tree: here each of two parts hangs on the other.
+// A body is a tree: here two parts each hang on the other.
 #include <cca/robot/body.hpp>
 
 struct trunk : cca::frame<"trunk"> {};

@@ -1,5 +1,5 @@
 // EXPECT: body\.unattached: a part of this body hangs on nothing
-// A finger without the arm that leads to its hand.
+// This finger lacks the arm that leads to its hand.
 #include <cca/robot/body_components.hpp>
 
 #include "parts.hpp"

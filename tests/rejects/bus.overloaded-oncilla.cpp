@@ -1,6 +1,6 @@
 // EXPECT: bus\.overloaded: the bus `0` at 1000000 bit/s would be in use for 108 % of the time: 4 drives send 8 frames a cycle, which take up to 1080 us, at 1000 Hz
-// A robot knows which drives share a bus: four that are asked and answer are too many for a classic one at 1
-// kHz.
+// A robot knows which drives share a bus: four drives that are asked and answer are too many for a classic
+// bus at 1 kHz.
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/oncilla.hpp>

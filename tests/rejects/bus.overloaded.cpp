@@ -1,7 +1,6 @@
 // EXPECT: bus\.overloaded: the bus `left` at 1000000 bit/s would be in use for 216 % of the time: 8 drives send 16 frames a cycle, which take up to 2160 us, at 1000 Hz
-// A bus carries so many bits a second, and each frame may be longer by as many stuff bits as its contents can
-// force. Eight drives that are asked and answer a thousand times a second don't fit on a classic bus of 1
-// Mbit/s.
+// A bus carries a limited number of bits a second, and stuff bits can make each frame longer. Eight drives
+// that are asked and answer a thousand times a second do not fit on a classic bus of 1 Mbit/s.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 

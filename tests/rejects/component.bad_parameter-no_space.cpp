@@ -1,5 +1,5 @@
 // EXPECT: component\.bad_parameter: a port is of a space, and this type is none: make one of it, as in `struct leg_angles : cca::space<
-// A port says of which space its samples are: a bare number has neither axes nor limits.
+// A port states the space of its samples: a bare number has neither axes nor limits.
 #include "parts.hpp"
 
 struct elbow_angle : cca::space<cca::joint_angles, cca::axes<knee>> {};

@@ -1,5 +1,5 @@
 // EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `in<angles, leg_angles>&`, but it may take only ports \(cca::in, cca::optional_in,
-// What a component sees it can't change: others read it, too.
+// A component cannot change what it sees: others read it too.
 #include "parts.hpp"
 
 struct balance {

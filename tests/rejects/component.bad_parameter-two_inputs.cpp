@@ -1,5 +1,5 @@
 // EXPECT: component\.bad_parameter: `balance` \(balance\) has two inputs named `angles`, so a wire to it would have two meanings: give one of them another name
-// The inputs of a component have names of their own.
+// The inputs of a component have different names.
 #include "parts.hpp"
 
 struct balance {

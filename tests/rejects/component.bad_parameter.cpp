@@ -1,5 +1,5 @@
 // EXPECT: component\.bad_parameter: `balance` \(balance\): `process` takes `double`, but it may take only ports \(cca::in, cca::optional_in, cca::observe\) and the
-// `process` takes what the loop can give it: ports and the beat.
+// `process` takes what the loop can provide: ports and the beat.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
 // EXPECT: component\.bad_result: `balance` \(balance\) has two outputs named `torques`, so a wire to it would have two meanings: give one of them another name
-// The outputs of a component have names of their own.
+// The outputs of a component have different names.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
 // EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_load` that would never be called, because it is not `void on_load\(\)`: make it a public
-// What a hook returns nobody would look at.
+// Nobody would read the result of a hook.
 #include "parts.hpp"
 
 struct balance {

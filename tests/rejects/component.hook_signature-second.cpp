@@ -1,5 +1,5 @@
 // EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_fault` that would never be called, because it is not `void on_fault\(\)`: make it a public
-// One sound hook does not hide another one.
+// A correct hook does not hide a wrong one.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
 // EXPECT: component\.hook_signature: `balance` \(balance\) has a hook `on_start` that would never be called, because it is not `void on_start\(\)`: make it a public
-// A hook of the right name and another signature would be passed over in silence.
+// A hook with the right name and another signature would be ignored silently.
 #include "parts.hpp"
 
 struct balance {

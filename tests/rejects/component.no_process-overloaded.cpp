@@ -1,6 +1,5 @@
 // EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
-// Ports are read from the address of `process`, so there is one of it; what it does in several cases it asks
-// itself.
+// Ports are read from the address of `process`, so it cannot be overloaded.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
 // EXPECT: component\.no_process: `balance` \(balance\) has no `process` from which its ports could be read: give it one, public, neither overloaded nor a template
-// A component is known by its function `process`.
+// A component has a function `process`.
 #include "parts.hpp"
 
 struct balance {

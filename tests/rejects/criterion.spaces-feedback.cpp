@@ -1,5 +1,5 @@
 // EXPECT: criterion\.spaces: .* to which its feedback_through<\.\.\.> maps
-// The criterion measures joint angles, the mapping of the feedback gives torques.
+// The criterion measures joint angles, but the mapping of the feedback returns torques.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/mapping/mapping.hpp>

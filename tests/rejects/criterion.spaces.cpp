@@ -1,5 +1,5 @@
 // EXPECT: criterion\.spaces: the criterion of this adaptive component measures in another space
-// The module commands joint angles, the criterion measures a paw.
+// The module commands joint angles, but the criterion measures a paw.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/motor/vite.hpp>

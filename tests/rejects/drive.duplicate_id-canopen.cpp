@@ -1,6 +1,6 @@
 // EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(EPOS4\) and 2 \(AK80-9\) both use the id 0x605
-// A CANopen node has more ids than its process data: what answers under 0x605 would write the objects of
-// node 5.
+// A CANopen node uses more ids than those of its process data: a frame with the id 0x605 would write the
+// objects of node 5.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/cia402.hpp>
 #include <cca/hardware/mit.hpp>

@@ -1,6 +1,6 @@
 // EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 2 \(DM4310\) both use the id 0x000: what one answers
-// Drives may answer under one id if their first byte tells them apart. A Damiao's number is in half of it:
-// 15h, which is the AK's number here, is also the Damiao 5 that says that it is enabled.
+// Drives may answer under one id if their first byte tells them apart. The number of a Damiao is in half of
+// that byte: 15h, the number of the AK here, is also the Damiao 5 that reports that it is enabled.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 

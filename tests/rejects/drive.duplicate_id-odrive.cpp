@@ -1,5 +1,5 @@
 // EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(ODrive 0\.6\) and 2 \(AK80-9\) both use the id 0x036
-// All 32 ids of an ODrive's node are its own, those that no set-point uses as well: 0x36 would reboot node 1.
+// An ODrive owns all 32 ids of its node, even those that no set-point uses: 0x36 would reboot node 1.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/odrive.hpp>

@@ -1,5 +1,5 @@
 // EXPECT: drive\.duplicate_id: on the bus `0` the drives 1 \(left_front_hip\) and 2 \(left_front_knee\) both use the id 0x001
-// A robot knows which drives share a bus: on one bus each has an id of its own, on another it may be used
+// A robot knows which drives share a bus: on one bus each drive has its own id; another bus may use the id
 // again.
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>

@@ -1,6 +1,6 @@
 // EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(n1\) and 2 \(n1\) both use the id 0x00008003
-// A moteus hears all frames to its number, whoever sends them: another source doesn't make another servo of
-// it.
+// A moteus hears every frame to its number, whoever sends it: another source does not make it another
+// servo.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/moteus.hpp>
 

@@ -1,6 +1,6 @@
 // EXPECT: drive\.duplicate_id: on the bus `left` the drives 1 \(AK80-9\) and 3 \(AK60-6\) both use the id 0x001
-// Each drive of a bus listens to ids of its own: two that share one would both follow what is meant for one
-// of them.
+// Each drive of a bus has its own id: two drives that share one would both follow the commands for one of
+// them.
 #include <cca/hardware/bus_plan.hpp>
 #include <cca/hardware/mit.hpp>
 

@@ -1,5 +1,5 @@
 // EXPECT: frame\.mismatch: this frame change takes what is given in the frame that it places
-// A frame change leads from the frame that it places to the one in which it is placed, not back.
+// A frame change leads from the frame that it places to the frame in which it is placed, not back.
 #include <cca/mapping/rigid_motion.hpp>
 
 struct hip : cca::frame<"hip"> {};

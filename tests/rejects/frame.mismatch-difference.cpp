@@ -1,5 +1,5 @@
 // EXPECT: frame\.mismatch: these two samples are of different frames
-// A distance is one within a frame.
+// A distance lies within one frame.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>
 

@@ -1,5 +1,5 @@
 // EXPECT: frame\.mismatch: kinematics say where a chain's tip is in the frame of the chain's base
-// The chain begins in the trunk, and the paw is to be given in the world.
+// The chain begins in the trunk, but the paw is wanted in the world.
 #include <cca/mapping/inverse_kinematics.hpp>
 
 #include "parts.hpp"

@@ -1,5 +1,5 @@
 // EXPECT: frame\.mismatch: the power of a wrench with a twist that acts at another point
-// A wrench and a twist that act at two points do not make a power.
+// A wrench and a twist that act at two points make no power.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>
 

@@ -1,5 +1,5 @@
 // EXPECT: frame\.mismatch: two orientations are composed that are rotations in different frames
-// Coordinates are numbers in a frame; those of two frames do not combine, not even rotations.
+// Coordinates are numbers in a frame; those of two frames do not combine, nor do rotations.
 #include <cca/space/domain.hpp>
 #include <cca/space/sample.hpp>
 

@@ -1,5 +1,5 @@
 // EXPECT: graph\.algebraic_loop: `posture\.angles` -> `eye\.expected` leads back within a beat, which is: every sense, then every component, then every act; say
-// What a robot senses in a beat can't depend on what is computed in it.
+// What a robot senses in a beat cannot depend on what is computed in that beat.
 #include "parts.hpp"
 
 struct eye {

@@ -1,5 +1,5 @@
 // EXPECT: graph\.algebraic_loop: `memory\.angles` -> `memory\.angles` is a loop without delay, so its component would have to come before itself; say where it may
-// A component that hears itself hears what it said before.
+// A component that reads its own output reads what it published before.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

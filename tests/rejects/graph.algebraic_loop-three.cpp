@@ -1,5 +1,5 @@
 // EXPECT: graph\.algebraic_loop: `a\.angles` -> `b\.angles`, `b\.angles` -> `c\.angles`, `c\.angles` -> `a\.angles` are a loop without delay, so none of their
-// The whole loop is shown.
+// The message shows the whole loop.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

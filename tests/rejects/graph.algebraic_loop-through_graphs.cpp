@@ -1,5 +1,5 @@
 // EXPECT: graph\.algebraic_loop: `inner\.a\.angles` -> `inner\.b\.angles`, `inner\.b\.angles` -> `outer\.angles`, `outer\.angles` -> `inner\.a\.angles` are a loop without
-// The loop is found through inner graphs.
+// The loop is found through inner graphs too.
 #include "parts.hpp"
 
 struct filter : cca::graph<cca::node<"a", posture>,

@@ -1,5 +1,5 @@
 // EXPECT: graph\.algebraic_loop: `wish\.angles` -> `reality\.angles`, `reality\.angles` -> `wish\.angles` are a loop without delay, so none of their components can
-// In a loop of wires without delay no component could come first.
+// In a loop of wires without delay no component can come first.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: graph\.unknown_item: `require<latency<cpg\.phase, gait\.phase>, timed<2>>` in walk is no item of a graph, so it would be ignored: write
-// An item is written in full.
+// Write an item in full.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: graph\.unknown_item: `gait` in walk is no item of a graph, so it would be ignored: write cca::node<`name`, type> for a component or graph; the
-// A graph is made of items; what is none would be passed over.
+// A graph consists of known items; any other type would be ignored.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: latency\.exceeded: a sample of `stance\.angles` can be of any age when `recorder\.angles` is read, but walk requires at most 2: a clock on the way is
-// Without a clock on the way no age can be promised.
+// Without a known clock on the way no age can be promised.
 #include "parts.hpp"
 
 struct now_and_then {

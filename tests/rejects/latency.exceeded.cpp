@@ -1,5 +1,5 @@
 // EXPECT: latency\.exceeded: a sample of `leg\.angles` can be 3 beats old when `leg\.command` is read, but walk requires at most 2: shorten a delay or a queue on
-// A graph may say how old a sample may be when it is used.
+// A graph can require that a sample is not too old when it is read.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

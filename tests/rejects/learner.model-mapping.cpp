@@ -1,5 +1,5 @@
 // EXPECT: learner\.model: the learner of this adaptive mapping adapts a model between other spaces
-// A learner that leads to torques, in a mapping to angles.
+// This learner leads to torques, but the mapping to angles.
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/mapping/adaptive_mapping.hpp>
 

@@ -1,5 +1,5 @@
 // EXPECT: learner\.model: the learner of this module adapts another model
-// A learner of discrete shapes for a module that runs a rhythmic one.
+// This learner learns discrete shapes, but the module runs a rhythmic one.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/motor/dmp_rhythmic_module.hpp>

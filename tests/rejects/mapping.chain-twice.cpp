@@ -1,5 +1,5 @@
 // EXPECT: mapping\.chain: a mapping of this chain takes samples of another space
-// Two joints of a chain that don't meet are one error: the first.
+// Of two joints of a chain that do not meet, the first is reported.
 #include <cca/mapping/mapping_chain.hpp>
 
 struct one : cca::space<cca::number, cca::axes<cca::x>> {};

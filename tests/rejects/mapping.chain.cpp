@@ -1,5 +1,5 @@
 // EXPECT: mapping\.chain: a mapping of this chain takes samples of another space
-// The first gives the paw in the trunk's frame, the last takes it in the world's.
+// The first mapping returns the paw in the trunk's frame, but the last takes it in the world's.
 #include <cca/mapping/mapping_chain.hpp>
 #include <cca/mapping/rigid_motion.hpp>
 

@@ -1,5 +1,5 @@
 // EXPECT: node\.bad_name: a port that walk exposes has no name, so no wire could name it: give it one
-// And so are the names under which a graph shows them.
+// The names under which a graph exposes ports obey the same rule.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

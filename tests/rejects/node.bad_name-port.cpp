@@ -1,5 +1,5 @@
 // EXPECT: node\.bad_name: a port of `balance` \(balance\) is named `angles\.left`, but dots join names to paths, and `\*` stands for any name: use
-// Ports, too, are named in paths.
+// Ports are named in paths too.
 #include "parts.hpp"
 
 struct balance {

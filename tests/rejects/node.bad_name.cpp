@@ -1,5 +1,5 @@
 // EXPECT: node\.bad_name: a node of walk is named `leg\.front`, but dots join names to paths, and `\*` stands for any name: use neither in a name
-// Names are joined by dots to paths.
+// Dots join names to paths.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: node\.duplicate_name: two outputs are exposed as `angles` by walk: give one of them another name
-// What a graph shows outside has a name of its own, too.
+// The ports that a graph exposes have different names too.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

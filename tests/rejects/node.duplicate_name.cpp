@@ -1,5 +1,5 @@
 // EXPECT: node\.duplicate_name: two nodes of walk are named `gait` \(oscillator, gait\), so a path to them has two meanings: give one of them another name
-// A path names one thing: the nodes of a graph, and what it shows outside, have names of their own.
+// A path names one thing: the nodes of a graph and the ports that it exposes have different names.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

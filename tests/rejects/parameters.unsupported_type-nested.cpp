@@ -1,5 +1,5 @@
 // EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `hip_spring` is a `balance::spring`, which no file can hold: use a number, bool, enum
-// A struct within the parameters names its fields, too.
+// A struct within the parameters names its fields too.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
 // EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`, whose fields are unknown: name them in it with
-// What a struct of parameters holds is known by the names of its fields.
+// The fields of a struct of parameters are known by their names.
 #include "parts.hpp"
 
 struct balance {

@@ -1,5 +1,5 @@
 // EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `model` is a `std::string`, which no file can hold: use a number, bool, enum class,
-// Parameters are what a file can hold.
+// A file can hold every parameter.
 #include <string>
 
 #include "parts.hpp"

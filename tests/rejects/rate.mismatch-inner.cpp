@@ -1,5 +1,5 @@
 // EXPECT: rate\.mismatch: the inner graph `walking` \(walking\) states 500 Hz, but robot runs at 1000 Hz: give both one rate, or let the inner one state none
-// All of an architecture runs in one beat; an inner graph may state its rate, but no other.
+// A whole architecture runs in one beat: an inner graph may state its rate, but no other.
 #include "parts.hpp"
 
 #if CCA_REJECT

@@ -1,5 +1,5 @@
 // EXPECT: rate\.unstated: `stance\.angles` is published every 2 beats from beat 1 but `recorder\.angles` is read every 2 beats, and the wire does not say what
-// Other beats are other beats, though there be as many.
+// The same period with another phase is another clock.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: rate\.unstated: `stance\.angles` is published every beat but `recorder\.angles` is read every 10 beats, and the wire does not say what happens between
-// Where two ends run at other beats, the wire says what that means: the newest sample, a queue, a delay.
+// Between two clocks a wire states what the reader gets: the newest sample, a queue or a delay.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: robot\.unlimited_command: `posture\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
-// What comes after the limiter and may change the command undoes it.
+// A component after the limiter may change the command and undo the limits.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

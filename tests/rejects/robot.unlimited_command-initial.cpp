@@ -1,5 +1,5 @@
 // EXPECT: robot\.unlimited_command: `leg\.command` may be read before a first command has passed a limiter, and would then hold the cca::initial of its wire
-// The limits of a command hold for what the actuator gets before the first one, too.
+// The limits also hold for what the actuator gets before the first command.
 #include "parts.hpp"
 
 struct walk

@@ -1,5 +1,5 @@
 // EXPECT: robot\.unlimited_command: `stance\.angles` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<leg_angles> between them
-// No command reaches an actuator but through a limiter.
+// Every command passes a limiter before it reaches an actuator.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `arbiter` \(arbiter<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more
-// An arbiter with one writer.
+// This arbiter has one writer.
 #include "parts.hpp"
 
 #if CCA_REJECT

@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `whole` \(collector<.*>\) is to put attitude together, which has 4 numbers over 3 axes, so it is not made of one for each
-// Nor is a quaternion made of one number for each axis.
+// A quaternion cannot be made of one number for each axis.
 #include "parts.hpp"
 
 #if CCA_REJECT

@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `posture` \(farm<.*>\) cannot be shared out: what comes in, three_angles \(joint_angles over 3 axes\) is no whole number of leg_angles \(joint_angles over 2\)
-// Three joints among workers that take two each.
+// Three joints do not divide among workers that take two each.
 #include "parts.hpp"
 
 struct ankle : cca::dimension<"ankle"> {};

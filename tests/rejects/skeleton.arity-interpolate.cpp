@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `smooth` \(interpolate<.*>\) leads from slow_angles \(300 Hz\) to fast_angles \(1000 Hz\), but the first must have a rate that is a whole part of that of the second
-// There is no whole number of steps from a sample to the next.
+// There is no whole number of steps from one sample to the next.
 #include "parts.hpp"
 
 #if CCA_REJECT

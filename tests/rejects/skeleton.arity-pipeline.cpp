@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `signal` \(pipeline<.*>\) is a pipeline whose stage 1 correct has 2 inputs that must be wired and 1 output \(of a status none counts\), but it takes what has one
-// A stage that needs more than what the one before it gives.
+// This stage needs more than the stage before it returns.
 #include "parts.hpp"
 
 struct correct {

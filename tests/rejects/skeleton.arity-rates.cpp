@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `slow` \(decimate<.*>\) leads from fast_angles \(1000 Hz\) to slow_angles \(300 Hz\), but the first must have a rate that is a whole multiple of that of the second
-// 1000 Hz are not a whole number of 300.
+// 1000 Hz is no multiple of 300 Hz.
 #include "parts.hpp"
 
 struct fast_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};

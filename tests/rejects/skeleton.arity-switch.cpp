@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `mode` \(switch_between<.*>\) has 1 source, but between fewer than two there is nothing to choose or to mix: name two or more
-// A switch with nothing to switch to.
+// This switch has nothing to switch to.
 #include "parts.hpp"
 
 struct operator_panel {

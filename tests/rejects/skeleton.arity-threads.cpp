@@ -1,5 +1,5 @@
 // EXPECT: skeleton\.arity: `plan` \(farm_on_threads<.*>\) is to have pipeline<posture, posture> on threads, but that is a graph, whose nodes run in the loop: put what it does into one component
-// A graph belongs to the loop, so it can't be a worker on a thread.
+// A graph belongs to the loop, so it cannot be a worker on a thread.
 #include <cca/skeleton/farm_on_threads.hpp>
 
 #include "parts.hpp"

@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: `source\.y` publishes leg_angles \(joint_angles over hip, knee\) but `target\.x` expects expected \(joint_angles over hip\): the axes
-// Samples along other axes are other samples.
+// Samples along other axes are different samples.
 #include "parts.hpp"
 
 struct source {

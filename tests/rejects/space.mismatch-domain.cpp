@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: `source\.y` publishes leg_angles \(joint_angles over hip, knee\) but `target\.x` expects expected \(joint_torques over hip, knee\): the
-// Angles are no torques, though both are two numbers.
+// Angles are no torques, although both are two numbers.
 #include "parts.hpp"
 
 struct source {

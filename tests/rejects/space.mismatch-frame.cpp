@@ -1,5 +1,6 @@
 // EXPECT: space\.mismatch: `source\.y` publishes foot \(cartesian_position<hip_frame> over x, z\) but `target\.x` expects expected \(cartesian_position<world> over
-// The frame belongs to the domain type: where a foot is seen from the hip is not where it is in the world.
+// The frame belongs to the domain type: the position of a foot seen from the hip is not its position in the
+// world.
 #include "parts.hpp"
 
 struct hip_frame : cca::frame<"hip"> {};

@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: `legs\.gait\.angles` \(exposed as `legs\.angles`\) publishes leg_angles \(joint_angles over hip, knee\) but `drive\.torques` expects leg_torques
-// However much is done with the controller, the graph is all that is told of.
+// However the controller is used, only the graph's mistake is reported.
 #include "parts.hpp"
 
 struct legs : cca::graph<cca::node<"cpg", oscillator>,

@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: `source\.y` publishes fast_angles \(joint_angles over hip, knee at 1000 Hz\) but `target\.x` expects expected \(joint_angles over hip,
-// Two rates that are stated agree; a rate that only one end states does not count.
+// Two stated rates agree; a rate that only one end states does not count.
 #include "parts.hpp"
 
 struct fast_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};

@@ -1,5 +1,5 @@
 // EXPECT: space\.missing_limits: `limits\.command` takes commands of toe_angle, but its axis `toe` states no limits of angle to keep them within: add `static
-// What commands an actuator is kept within limits, and those are stated by the axes.
+// Commands to an actuator are kept within limits, and the axes state these.
 #include "parts.hpp"
 
 #if CCA_REJECT

@@ -1,5 +1,5 @@
 // EXPECT: strategy\.coordination: `compare` \(comparison\) is cca::coordinated, but `compare\.wanted` \(from `wanted\.angles`, every 2 beats\) and `compare\.actual`
-// What compares samples of one time needs sources that make some at one time.
+// A component that compares samples of one time needs sources that publish at one time.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

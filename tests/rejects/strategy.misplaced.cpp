@@ -1,5 +1,5 @@
 // EXPECT: strategy\.misplaced: `leg` \(leg\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
-// A resource node begins and ends beats, so it can't wait for its inputs.
+// A resource node begins and ends beats, so it cannot wait for its inputs.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: strategy\.never_fires: `stance` \(stance\) counts beats by a number below 1: in cca::timed<N> and cca::timeout<N> it is at least 1
-// Nor does a clock tick every no beats.
+// A clock cannot tick every 0 beats.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

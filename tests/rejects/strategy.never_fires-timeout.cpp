@@ -1,5 +1,5 @@
 // EXPECT: strategy\.never_fires: `stance` \(stance\) counts beats by a number below 1: in cca::timed<N> and cca::timeout<N> it is at least 1
-// A number of beats is at least one, within a combination too.
+// A number of beats is at least 1, in a combination too.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: strategy\.never_fires: `watch` \(watch\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
-// The input that it waits for is the one to wire.
+// Wire the input that the component waits for.
 #include "parts.hpp"
 
 struct watch {

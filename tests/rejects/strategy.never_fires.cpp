@@ -1,5 +1,5 @@
 // EXPECT: strategy\.never_fires: `watch` \(watch\) fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it cca::timed
-// What waits for its inputs needs one that is wired.
+// A component that waits for its inputs needs one that is wired.
 #include "parts.hpp"
 
 struct watch {

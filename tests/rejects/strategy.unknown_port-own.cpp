@@ -1,5 +1,5 @@
 // EXPECT: strategy\.unknown_port: the strategy of this node looks at an input by a name that its component has no input of
-// A strategy of the user's own looks at inputs that the component has.
+// A strategy of your own reads inputs that the component has.
 #include "parts.hpp"
 
 struct when_far {

@@ -1,5 +1,5 @@
 // EXPECT: strategy\.unknown_port: `gait` \(gait\) is cca::port_triggered by `angles`, but it has no such input; did you mean `phase`\?
-// Strategies within others are looked at, too.
+// Strategies within others are checked too.
 #include "parts.hpp"
 
 struct walk

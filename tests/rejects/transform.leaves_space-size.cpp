@@ -1,5 +1,5 @@
 // EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another space
-// A vector of another size.
+// The result has another size.
 #include <cca/mapping/mapping.hpp>
 
 struct frequencies : cca::space<cca::frequency, cca::axes<cca::x, cca::y>> {};

@@ -1,5 +1,6 @@
 // EXPECT: transform\.leaves_space: the function of this transformation returns something that lies in another space
-// A transformation gives what it takes: here the paw in the trunk's frame, for one in the hip's.
+// A transformation returns the space that it takes: here it takes the paw in the hip's frame and returns it
+// in the trunk's.
 #include <cca/mapping/mapping.hpp>
 
 #include "parts.hpp"

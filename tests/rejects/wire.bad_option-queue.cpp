@@ -1,5 +1,5 @@
 // EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has a queue with `latest`, which does not say what a full queue loses: write cca::drop_oldest, cca::drop_newest or
-// A queue says what it does when it is full.
+// A queue states what it loses when it is full.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.bad_option: the wire `stance\.angles` -> `recorder\.angles` has two policies or two initial values: leave one of
-// Of two policies only one could hold.
+// A wire has one policy.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.direction: a wire leads from an output to an input, but in `compare\.actual` -> `compare\.wanted` in walk `compare\.actual` is an input: name an
-// Two inputs can't be joined: what feeds one feeds the other by a wire of its own.
+// Two inputs cannot be joined: wire the output that feeds one of them to the other too.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

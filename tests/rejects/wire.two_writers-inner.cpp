@@ -1,5 +1,5 @@
 // EXPECT: wire\.two_writers: `log\.compare\.wanted` is written by `swing\.angles` and by `log\.stance\.angles`, but an input has one writer: put an arbiter in front, cca::arbiter<
-// An input that an inner graph shows outside may be wired inside or outside, not both.
+// An input that an inner graph exposes is wired inside or outside, not both.
 #include "parts.hpp"
 
 struct logging : cca::graph<cca::node<"stance", stance>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` twice: remove one of the two wires
-// Once is enough.
+// One wire is enough.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

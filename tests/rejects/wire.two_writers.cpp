@@ -1,5 +1,5 @@
 // EXPECT: wire\.two_writers: `recorder\.angles` is written by `stance\.angles` and by `swing\.angles`, but an input has one writer: put an arbiter in front, cca::arbiter<`angles`, leg_angles, cca::by_priority<`first`, `second`>>, and wire each to an input of it
-// An input has one writer; which of two is to be heard somebody has to decide.
+// An input has one writer; an arbiter decides which of two is read.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.unconnected_input: `log\.recorder\.angles` is not connected: in robot, wire an output of leg_angles \(joint_angles over hip, knee\) to `log\.angles`,
-// What an inner graph shows outside is wired outside.
+// What an inner graph exposes is wired outside.
 #include "parts.hpp"
 
 struct logging : cca::graph<cca::node<"recorder", recorder>, cca::expose<"recorder.angles", "angles">> {};

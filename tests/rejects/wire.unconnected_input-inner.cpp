@@ -1,5 +1,5 @@
 // EXPECT: wire\.unconnected_input: `log\.recorder\.angles` is not connected: in logging, wire an output of leg_angles \(joint_angles over hip, knee\) to
-// What it does not show outside is wired inside.
+// What an inner graph does not expose is wired inside.
 #include "parts.hpp"
 
 struct logging : cca::graph<cca::node<"stance", stance>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input that its module or its criterion has
-// A mapping stands on an input that is there.
+// A mapping stands on an input that exists.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/motor/vite.hpp>

@@ -1,5 +1,5 @@
 // EXPECT: wire\.unknown_port: cca::expose<`gait\.angle`, `angles`> in walk names `gait\.angle`, but `gait` \(gait\) has no such port; did you mean `gait\.angles`\?
-// What a graph shows outside exists inside.
+// A graph exposes a port that exists inside.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::node<"cpg", oscillator>,

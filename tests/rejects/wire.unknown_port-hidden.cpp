@@ -1,5 +1,5 @@
 // EXPECT: wire\.unknown_port: the wire `walking\.gait\.angles` -> `recorder\.angles` in robot names `walking\.gait\.angles`, but a path into an inner graph cannot be
-// What an inner graph does not show outside cannot be wired.
+// What an inner graph does not expose cannot be wired.
 #include "parts.hpp"
 
 struct walking : cca::graph<cca::node<"cpg", oscillator>,

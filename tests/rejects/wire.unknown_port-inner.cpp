@@ -1,5 +1,5 @@
 // EXPECT: wire\.unknown_port: the wire `walking\.gait\.angles` -> `recorder\.angles` in robot names `walking\.gait\.angles`, but a path into an inner graph cannot be
-// Ports of an inner graph are known by the names under which it shows them.
+// Ports of an inner graph have the names under which it exposes them.
 #include "parts.hpp"
 
 struct walking : cca::graph<cca::node<"cpg", oscillator>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.unknown_port: the wire `cgp\.phase` -> `gait\.phase` in walk names `cgp\.phase`, but there is no node `cgp`; did you mean `cpg\.phase`\?
-// Nor can it name a node that does not exist.
+// A wire names nodes that exist.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

@@ -1,5 +1,5 @@
 // EXPECT: wire\.unknown_port: cca::observe<`gpc\.\*`> in walk matches no output: write the path from the nodes of this graph on, as in
-// What is listened to from outside exists.
+// An `observe` names outputs that exist.
 #include "parts.hpp"
 
 struct walk : cca::graph<cca::rate<1000>,

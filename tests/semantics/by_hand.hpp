@@ -1,4 +1,5 @@
-// Small components for the tests whose figures were worked out by hand from the text of the Semantics.
+// Small components for the tests whose expected values were worked out by hand from the text of the
+// Semantics.
 #pragma once
 
 #include <ostream>
@@ -39,7 +40,7 @@ struct count {
   auto process(cca::beat now) -> cca::out<"y", value> { return static_cast<double>(now.index()); }
 };
 
-// Publishes the beat's index in even beats only, or in beats of which N is a divisor.
+// Publishes the beat's index, in beats that N divides.
 template <int N>
 struct sometimes {
   auto process(cca::beat now) -> cca::maybe<"y", value> {
@@ -48,7 +49,7 @@ struct sometimes {
   }
 };
 
-// Writes down what it sees.
+// Records what it sees.
 struct look {
   sights log;
   void process(cca::in<"x", value> x, cca::beat now) {

@@ -19,7 +19,7 @@ struct clock_reader {
   }
 };
 
-// Writes its name down in the order of turns.
+// Records its name in the order of calls.
 template <char Name>
 struct writes_name {
   std::string* to = nullptr;

@@ -7,7 +7,7 @@ namespace {
 
 using ms1 = cca::rate<1000>;
 
-// What a source with this strategy does; it is read by a component that is restless.
+// A source with this strategy, read by a restless component.
 template <class Strategy>
 struct alone : cca::graph<ms1,
                           cca::node<"s", count, Strategy>,
@@ -59,11 +59,25 @@ struct clock_reader {
   }
 };
 
-// Strategies of the user's own. (A local class can't have a template.)
+// Strategies that a user could write. (A local class cannot have a template.)
 struct odd_and_fresh {
   template <class Inputs>
   static bool fires(cca::beat now, const Inputs& in) {
     return now.index() % 2 == 1 && in.template get<"x">().fresh();
+  }
+};
+
+struct not_too_often {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.any_fresh() && in.beats_since_fired() >= 2;
+  }
+};
+
+struct when_x_is_fresh {
+  template <class Inputs>
+  static bool fires(cca::beat, const Inputs& in) {
+    return in.template fresh<"x">();
   }
 };
 
@@ -167,6 +181,8 @@ TEST_SUITE("semantics by hand: when a component fires") {
 
   TEST_CASE("a strategy of the user's own sees the beat, and of every input freshness, origin and value") {
     check<odd_and_fresh>({1, 5, 7});  // x of 4 waits for 5
+    check<not_too_often>({2, 4, 6, 8});
+    check<when_x_is_fresh>({1, 4, 7});
     check<z_above_x>({2, 3, 6, 8});
     check<x_is_old>({3, 6});
   }

@@ -1,4 +1,4 @@
-// Listening to a scope, and what an interface may look like: the order of ports, several outputs, nesting.
+// Observing a scope, and what a signature may look like: the order of ports, several outputs, nesting.
 #include <algorithm>
 #include <string>
 

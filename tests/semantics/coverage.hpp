@@ -1,4 +1,4 @@
-// What the random architectures exercised: counted from the interpreter after its run, so that only what
+// What the random architectures exercised. It is counted from the interpreter after its run, so only what
 // happened counts.
 #pragma once
 

@@ -1,15 +1,17 @@
-// A flat graph as text, one thing a line, so that a failing one can be read, and shrunk, by hand:
+// clang-format off
+// A flat graph as text, one thing a line, so that you can read and shrink a failing one by hand:
 //
 //   architecture 17
 //   period 1000000
-//   feature 2 exposes                                   what the code has and the flat graph doesn't show
+//   feature 2 exposes                                   what the code has but the flat graph does not show
 //   component arm.mix any_of 2 moderate timeout 15      path, strategy; `resource` for a resource node
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
 //   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
-//   process                                             or sense, act: whose ports these are
-//   in x 2                                              name, axes; `optional`; `heard`, by an observer,
-//   under its path out y 1                                             `maybe`; and last, if it may stop,
-//   `fault` wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
+//   process                                             or sense, act: whose ports follow
+//   in x 2                                              name, axes; `optional`; `heard`, by an observer, named by its path
+//   out y 1                                             `maybe`; and `fault` last, if it may stop
+//   wire arm.mix.y body.act.x delayed 3 initial 0.5     or latest, queue 4 drop_oldest
+// clang-format on
 #pragma once
 
 #include <sstream>

@@ -1,4 +1,4 @@
-// What a test component writes down each time it fires, and what it does: the same on both sides of the
+// What a test component records each time it fires, and what it answers: the same on both sides of the
 // comparison.
 #pragma once
 
@@ -42,8 +42,8 @@ struct firing {
 
 using log = std::vector<firing>;
 
-// What makes a test component different from the others. A structural type: it is a template argument of the
-// component.
+// What distinguishes a test component from the others. It is a structural type, so it can be a template
+// argument.
 struct habit {
   int id = 0;
   int publishes = 100;  // of a hundred times, for the outputs that are `maybe`

@@ -1,6 +1,6 @@
-// The Semantics, told slowly: histories are kept whole and read by the definitions of the text, in the order
-// of the text. Nothing here knows how the library does it. Each definition is a function of its own, virtual,
-// so that a mutant (mutants.cpp) can get one of them wrong.
+// The Semantics, slow and obvious: it keeps whole histories and reads them by the definitions of the text, in
+// the order of the text. Nothing here depends on how the library works. Each definition is a virtual
+// function, so that a mutant (mutants.cpp) can replace one of them by a wrong one.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The interpreter itself against figures taken from the text by hand, before it judges anything else.
+// Checks the interpreter against values worked out by hand from the text, before it judges anything else.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -9,7 +9,7 @@ using namespace semantics;
 
 namespace {
 
-// A source publishes the beat's index; everybody else the sum of its inputs.
+// A source publishes the beat's index, every other component the sum of its inputs.
 interpreter made(const std::string& text, int beats) {
   interpreter i(described(text));
   int id = 0;

@@ -1,5 +1,5 @@
-// Runs all architectures that generate.py made; with seeds as arguments only those, and tells all that
-// differs.
+// Runs all architectures that generate.py made, or only those whose seeds are arguments, and then prints all
+// differences.
 #include <algorithm>
 #include <iostream>
 #include <string>

@@ -1,5 +1,5 @@
-// Interpreters with one mistake each. The comparison must see every one of them: a check that was never seen
-// to fail proves nothing.
+// Interpreters with one mistake each. The comparison must find every mistake: a check that never failed
+// proves nothing.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// The test components, spaces and strategies that generated architectures are made of: a probe writes down
-// all that it sees and answers as `respond` says.
+// The test components, spaces and strategies of the generated architectures. A probe records all that it sees
+// and answers as `respond` says.
 #pragma once
 
 #include <algorithm>
@@ -86,7 +86,7 @@ void note(firing& f, const cca::optional_in<Name, Space>& x) {
   f.inputs.push_back(
       {std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), static_cast<bool>(x)});
 }
-// The text says nothing of the order of what an observer hears: by path.
+// The text leaves open in which order an observer hears outputs, so they are sorted by path.
 template <cca::fixed_string Scope, class Policy>
 void note(firing& f, const cca::observe<Scope, Policy>& all) {
   const auto before = static_cast<std::ptrdiff_t>(f.inputs.size());
@@ -128,8 +128,7 @@ void add_blank(firing& f, const Port* port) {
   f.outputs.push_back(blank(port));
 }
 
-// Not inlined: what is under test is the loop around it, and writing down would be most of what the optimiser
-// works on.
+// Not inlined: the loop around it is under test, and recording would be most of the optimiser's work.
 template <class... Results, class... Inputs>
 [[gnu::noinline]] auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs)
     -> typename result<Results...>::type {
@@ -220,7 +219,7 @@ struct between : Blend {
   between() { this->p = {None, Full}; }
 };
 
-// ---- strategies of the user's own ----
+// ---- strategies that a user could write ----
 
 template <int N, int Phase>
 struct on_beats {

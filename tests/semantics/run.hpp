@@ -1,5 +1,4 @@
-// Runs an architecture on the library; what its components write down is compared with what the interpreter
-// does.
+// Runs an architecture on the library, to compare what its components record with what the interpreter does.
 #pragma once
 
 #include <memory>

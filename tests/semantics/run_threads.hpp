@@ -1,5 +1,5 @@
-// Architectures with farms on threads. After each beat one waits until the workers have nothing left to do:
-// so it doesn't depend on the threads when a result comes, and the interpreter can say it.
+// Architectures with farms on threads. Each beat waits until the workers are idle, so a result arrives in the
+// same beat in every run and the interpreter can predict it.
 #pragma once
 
 #include <cca/skeleton/farm_on_threads.hpp>
@@ -8,7 +8,7 @@
 
 namespace semantics {
 
-// A worker, who is no probe: another thread can't write into the log of the loop.
+// A worker is no probe: another thread cannot write into the log of the loop.
 template <class From, class To>
 struct apprentice {
   int done = 0;

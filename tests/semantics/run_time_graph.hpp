@@ -67,7 +67,7 @@ struct input {
   int dropped = 0, reads = 0, fresh_reads = 0;  // for the count of what was exercised
 };
 
-// What has a turn in a beat: a component, or one half of a resource node.
+// One call in a beat: of a component, or of one half of a resource node.
 struct turn {
   int node = -1;
   half which = half::process;
@@ -97,7 +97,7 @@ struct graph {
   std::map<std::string, int> features;  // counted by who made the graph
 };
 
-// An input as its component would see it.
+// An input as its component sees it.
 struct sight {
   std::vector<double> value;
   std::int64_t origin = never;  // of an initial value: never

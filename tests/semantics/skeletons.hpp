@@ -1,5 +1,5 @@
-// The skeletons that are components, for the interpreter: what each does, from docs/skeletons.md, on plain
-// vectors and whatever the library makes of it. Those that are graphs the interpreter gets as their nodes.
+// The skeletons that are components, for the interpreter: what docs/skeletons.md says of each, on plain
+// vectors and independent of the library. Skeletons that are graphs reach the interpreter as their nodes.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ inline void tell(told& t, const value& v) {
 }
 inline void tell(told& t, double number) { t.value = {number}; }
 
-// On a line; what has no part in it leaves no trace.
+// On a line; a part of weight 0 leaves no trace.
 inline value between(const value& a, const value& b, double t) {
   if (!(t > 0)) return a;
   if (t >= 1) return b;
@@ -41,7 +41,7 @@ inline value between(const value& a, const value& b, double t) {
   return v;
 }
 
-// Each with the mean of those before it, by its share of the weights so far.
+// Blends each part with the mean of the parts before it, by its share of the weights so far.
 inline value mean(const std::vector<double>& weights, const std::vector<seen>& inputs) {
   value v = of(inputs[0]);
   double sum = weights[0];
@@ -52,7 +52,7 @@ inline value mean(const std::vector<double>& weights, const std::vector<seen>& i
   return v;
 }
 
-// The first that has been heard within its patience; if none has, who spoke last goes on.
+// The first input that was fresh within its patience; if none was, the last writer stays.
 struct by_priority {
   std::size_t count;
   std::int64_t patience;
@@ -168,7 +168,7 @@ struct interpolate {
   }
 };
 
-// Its workers have all the time that they need: what they make of a task is there one beat later.
+// Its workers have all the time that they need: a result is there one beat after its task.
 struct on_threads {
   int tasks = 0;
   std::deque<value> made{};
@@ -185,7 +185,7 @@ struct on_threads {
   }
 };
 
-// The first coordinates to the first output, and so on: a splitter, what shares out for a farm.
+// The first coordinates go to the first output, and so on: a splitter, and what shares tasks out to a farm.
 inline void apart(firing& f) {
   std::size_t next = 0;
   for (told& t : f.outputs)

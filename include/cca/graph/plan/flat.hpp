@@ -33,7 +33,7 @@ struct call {
   phase_of_beat phase = phase_of_beat::process;
   const function_info* function = nullptr;
   int first_input = 0, first_output = 0;
-  int rank = 0;  // place in the order of a beat
+  int rank = 0;  // its number in the order of a beat
   clock fires{};
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
 };
@@ -44,7 +44,7 @@ struct input {
   ref<item_info> wire = nullptr;
   int delay = 0;             // of its wire, in beats
   int next_of_writer = -1;   // the next input of the same output
-  bool wired = false;        // by a wire or shown outside
+  bool wired = false;        // by a wire, an observer, or exposed by the outermost graph
   bool counts = true;        // for the time of origin
   bool in_beat = false;      // surely published in the beat of the reader's firing
   bool own_initial = false;  // its initial value differs from that of the stored sample
@@ -63,7 +63,7 @@ struct output {
   ref<item_info> initial_of = nullptr;
 };
 
-// An output that an observer listens to.
+// An output that an observer hears.
 struct link {
   int input = 0, output = 0;
   bool counts = true;  // for the time of origin
@@ -137,7 +137,7 @@ constexpr const port_info& port_of(const flat_view& g, const output& o) {
 constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
 constexpr int scope_of_call(const flat_view& g, const call& t) { return g.nodes[t.node].scope; }
 
-// The strategy of a component, the default filled in.
+// The strategy of a component: the stated one, or the default.
 constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& t) {
   const auto& item = item_of_call(g, t);
   if (item.strategy) return *item.strategy;
@@ -147,7 +147,7 @@ constexpr const strategy_info& strategy_of_call(const flat_view& g, const call& 
 
 constexpr bool is_queued(const input& i) { return i.queue >= 0; }
 
-// When samples of an output are published, as far as it is known.
+// The clock of an output's samples.
 constexpr clock published(const port_info& port, const call& t) {
   return port.maybe ? (t.fires.never() ? never_clock : dynamic_clock) : t.fires;
 }

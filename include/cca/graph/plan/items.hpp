@@ -27,7 +27,7 @@ struct item_info {
   ref<double> initial = nullptr;
   int initial_count = 0;
   double hz = 0;                             // rate
-  std::string_view unknown_type{};           // an item, a wire's option or a node's strategy that is none
+  std::string_view unknown_type{};           // a type that is no item, option of a wire, or strategy
   bool repeats_option = false;               // wire: two policies, or two initial values
   std::uint64_t from_hash = 0, to_hash = 0;  // as paths of the outermost graph
   std::uint64_t strategy_key = 0;            // type_key of a node's strategy
@@ -123,8 +123,8 @@ struct wire_option<initial<Coordinates...>> {
 template <class Item>
 inline constexpr item_info item_of{.unknown_type = type_name<Item>()};
 
-// By functions of the types alone, so that nodes of equal types and wires of equal options are made by the
-// same.
+// Functions of the types alone: nodes of equal types share one instantiation, and so do wires of equal
+// options.
 template <class Component, class Strategy>
 constexpr item_info node_item(std::string_view name) {
   item_info item{.from = name, .from_hash = hash(name), .strategy_key = type_key<Strategy>};
@@ -203,7 +203,7 @@ struct items_facts<list<Items...>> {
   static constexpr std::array<item_info, sizeof...(Items) + 1> items{item_of<Items>..., item_info{}};
 };
 
-// One that is no named struct would be called by all its items.
+// A graph that is no named struct has all its items in its name.
 constexpr std::string_view graph_name(std::string_view name) {
   return name.starts_with("graph<") ? "the graph" : name;
 }

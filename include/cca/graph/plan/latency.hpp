@@ -28,8 +28,7 @@ struct latency_search {
       if (in.wire->full == full_kind::drop_oldest) {
         tick -= (in.wire->number - 1) * writer.period;
       } else {
-        const auto taken_before =
-            k - in.wire->number * reader.period;  // this sample came in right after that
+        const auto taken_before = k - in.wire->number * reader.period;  // the sample arrived right after that
         tick = taken_before - ((taken_before - writer.first) % writer.period) + writer.period;
       }
     }
@@ -46,7 +45,7 @@ struct latency_search {
 
   constexpr clock writer_clock(const input& in) const { return published(g, g.outputs[in.writer]); }
 
-  // The way is complete: `way[0]` is the input asked for, `way[length - 1]` reads the output asked for.
+  // The way is complete: `way[0]` is the input in question, `way[length - 1]` reads the output in question.
   constexpr void measure() {
     std::int64_t start = 0, common = 1;
     for (int w = 0; w < length; ++w) {

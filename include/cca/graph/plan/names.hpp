@@ -1,5 +1,5 @@
-// Finding ports by path: one open-addressing table of hashes. A path's hash goes on where that of its scope
-// ended.
+// Finds ports by path in one open-addressing table of hashes. The hash of a path continues the hash of its
+// scope.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace cca::detail {
 
-// One table for inputs, outputs and nodes: the salt tells them apart.
+// One table holds inputs, outputs and nodes; a different salt for each keeps them apart.
 inline constexpr std::uint64_t as_input = 0x9e3779b97f4a7c15ull, as_output = 0xc2b2ae3d27d4eb4full,
                                as_node = 0;
 
@@ -22,7 +22,7 @@ struct name_table {
     while (entries[at].index >= 0) at = (at + 1) & mask;
     entries[at] = {key, index};
   }
-  // False, and nothing is done, where there is one of this key.
+  // Returns false and adds nothing if the key exists.
   constexpr bool add(std::uint64_t key, int index) {
     auto at = key & mask;
     for (; entries[at].index >= 0; at = (at + 1) & mask)
@@ -32,7 +32,7 @@ struct name_table {
   }
 };
 
-// Walks over all entries of one key.
+// Visits all entries of one key.
 struct name_search {
   const table_entry* entries;
   std::uint64_t mask, key, at;
@@ -60,19 +60,19 @@ constexpr std::uint64_t table_size(int entries) {
   return size;
 }
 
-// The hash of `name`, a path from the scope, as a path from the outermost graph.
+// The hash of a path: `name` begins in the scope, the hash is that of the path from the outermost graph.
 constexpr std::uint64_t path_hash(const scope& from, std::string_view name, std::uint64_t in_outermost) {
   return from.parent < 0 ? in_outermost : hash(name, after_dot(from.hash));
 }
 
-// Names are joined by dots to paths, and `*` stands for any of them.
+// Dots join names to paths, and `*` stands for any name.
 constexpr bool is_name(std::string_view name) {
   for (const char c : name)
     if (c == '.' || c == '*') return false;
   return !name.empty();
 }
 
-// A wire names `node.port`, both of its own graph.
+// A wire names `node.port`, where the node is one of its own graph.
 constexpr bool names_port(std::string_view path) {
   int dots = 0;
   for (const char c : path) dots += c == '.';

@@ -52,7 +52,7 @@ struct origin_search {
     const int beats = horizon(marked);
     if (beats == 0) return false;
 
-    // Of each output, in each beat, the beat in which its newest sample originates; -1: there is none.
+    // For each output and beat: the beat in which its newest sample originates; -1: no sample.
     scratch column(g.output_count, -1);
     int columns = 0;
     for (int o = 0; o < g.output_count; ++o)

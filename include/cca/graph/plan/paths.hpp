@@ -1,4 +1,4 @@
-// How parts of a graph are named in messages and pictures.
+// Writes paths, spaces and clocks for messages and pictures.
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>
