@@ -6,18 +6,17 @@
 //   finite
 #pragma once
 
-#include <cca/base/inlining.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca::detail {
 
 template <class Vector>
-CCA_GLUE bool all_finite(const Eigen::MatrixBase<Vector>& v) {
+inline bool all_finite(const Eigen::MatrixBase<Vector>& v) {
   return (v - v).sum() == 0;
 }
 
 template <class Port>
-CCA_GLUE bool has_come(const Port& port) {
+inline bool has_come(const Port& port) {
   return port.origin() != never && all_finite(port.vector());
 }
 
