@@ -22,7 +22,6 @@
 
 #include <cca/component/beat.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
@@ -46,7 +45,7 @@ namespace detail {
 
 // The largest absolute value; NaN if any is NaN. (Eigen's maxCoeff may skip a NaN.)
 template <class Vector>
-CCA_GLUE double furthest(const Vector& v) {
+inline double furthest(const Vector& v) {
   double most = 0;
   for (int i = 0; i < v.size(); ++i) {
     if (std::isnan(v[i])) return v[i];
@@ -61,7 +60,7 @@ CCA_GLUE double furthest(const Vector& v) {
 // orientations the angle between them, of phases the shorter way round, else the largest difference along an
 // axis.
 template <Space S>
-CCA_GLUE double apart(const sample<S>& a, const sample<S>& b) {
+inline double apart(const sample<S>& a, const sample<S>& b) {
   if constexpr (requires { a.distance(b); }) return a.distance(b);
   else if constexpr (requires { a.angle_to(b); }) return a.angle_to(b);
   else if constexpr (std::same_as<typename S::domain, phase>) return detail::furthest(a.difference(b));
@@ -99,7 +98,7 @@ struct error_limits {
 class error_monitor {
 public:
   template <Quantity Unit>
-  CCA_GLUE criterion_state update(double error, const error_limits<Unit>& limits, double dt) {
+  criterion_state update(double error, const error_limits<Unit>& limits, double dt) {
     const bool near = error <= limits.within, far = !(error <= limits.lost);
     for_near = near ? for_near + dt : 0;
     for_far = far ? for_far + dt : 0;

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cca/adaptive/numerics/ode_integrators.hpp>
-#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -26,13 +25,16 @@ public:
   const state& get() const { return x; }
   void set(const state& to) { x = to; }
 
-  CCA_GLUE void advance(const input& u, const parameters& p, double dt) {
+  // always_inline, here and below: without it clang calls each step and keeps the state in memory.
+  [[gnu::always_inline]] void advance(const input& u, const parameters& p, double dt) {
     Integrator{}.template step<Model>(x, u, p, dt);
     if constexpr (requires { Model::project(x); }) x = Model::project(x);
   }
 
   // The rate of change of the current state under this input.
-  CCA_GLUE state rate(const input& u, const parameters& p) const { return Model::derivative(x, u, p); }
+  [[gnu::always_inline]] state rate(const input& u, const parameters& p) const {
+    return Model::derivative(x, u, p);
+  }
 
 private:
   state x;

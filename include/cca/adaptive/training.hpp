@@ -27,7 +27,6 @@
 #include <cca/adaptive/module_status.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/base/file.hpp>
-#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -95,13 +94,16 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  CCA_GLUE bool in_trained_region(const input& x, const settings& s) const {
+  // always_inline, here and below: without it clang leaves calls in the beat.
+  [[gnu::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
     return has_learned && Rule::inside(known, x, s);
   }
-  CCA_GLUE trained_region region(const input& x, const settings& s) const {
+  [[gnu::always_inline]] trained_region region(const input& x, const settings& s) const {
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
-  CCA_GLUE auto status(const input& x, const settings& s) const { return status_of(now, region(x, s)); }
+  [[gnu::always_inline]] auto status(const input& x, const settings& s) const {
+    return status_of(now, region(x, s));
+  }
 
   // Ignores examples that are not finite.
   void teach(const input& x, const output& y, const settings& s) {

@@ -19,7 +19,6 @@
 #include <cmath>
 #include <limits>
 
-#include <cca/base/inlining.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/mapping/reaching.hpp>
 #include <cca/space/limits.hpp>
@@ -98,7 +97,7 @@ struct tip_task {
 // False if the target is not finite. Moves a target beyond a million spans of the chain to that distance:
 // only its direction counts there. Normalises quaternions.
 template <class Space>
-CCA_GLUE bool readable(typename Space::vector_type& wanted, double span) {
+inline bool readable(typename Space::vector_type& wanted, double span) {
   double largest = 0;
   for (int i = 0; i < Space::size; ++i) {
     if (!std::isfinite(wanted[i])) return false;

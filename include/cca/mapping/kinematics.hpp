@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <utility>
 
-#include <cca/base/inlining.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
 namespace cca {
@@ -28,7 +27,8 @@ struct rigid {
   matrix3 turn = matrix3::Identity();
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
-  CCA_GLUE rigid operator*(const placement& p) const {
+  // always_inline, here and below: a chain is constant, and only inlined does clang see that.
+  [[gnu::always_inline]] rigid operator*(const placement& p) const {
     return {turn * rotation::matrix(detail::as_vector(p.rotation)),
             turn * detail::as_vector(p.translation) + at};
   }
@@ -38,7 +38,7 @@ namespace detail {
 
 // Turns a rotation (axes as columns) about one of its own axes. For x, y or z only two columns change; else
 // Rodrigues' formula.
-CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
+inline void turn_about(matrix3& m, const body_link& l, double angle) {
   const double s = std::sin(angle), c = std::cos(angle);
   if (l.principal >= 0) {
     const int i = (l.principal + 1) % 3, j = (l.principal + 2) % 3;
@@ -62,9 +62,9 @@ struct placed_link {
 };
 
 template <std::size_t Count, class Coordinates>
-CCA_GLUE void place_links(const std::array<body_link, Count>& links,
-                          const Coordinates& q,
-                          std::array<placed_link, Count>& placed) {
+[[gnu::always_inline]] inline void place_links(const std::array<body_link, Count>& links,
+                                               const Coordinates& q,
+                                               std::array<placed_link, Count>& placed) {
   const rigid base;
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
@@ -82,11 +82,11 @@ CCA_GLUE void place_links(const std::array<body_link, Count>& links,
 
 // The geometric Jacobian of a point on the link `last`: a column per coordinate.
 template <std::size_t Count, class Jacobian>
-CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links,
-                            const std::array<placed_link, Count>& placed,
-                            int last,
-                            const vector3& point,
-                            Jacobian& jacobian) {
+inline void fill_jacobian(const std::array<body_link, Count>& links,
+                          const std::array<placed_link, Count>& placed,
+                          int last,
+                          const vector3& point,
+                          Jacobian& jacobian) {
   jacobian.setZero();
   for (int i = last; i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
     const body_link& l = links[static_cast<std::size_t>(i)];
@@ -163,18 +163,18 @@ public:
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 
-  CCA_GLUE explicit chain_pose(const vector_type& q) {
+  [[gnu::always_inline]] explicit chain_pose(const vector_type& q) {
     detail::place_links(detail::chain_links<Chain>, q, links);
   }
 
   // In the base: a link, and the tip.
   const rigid& link(std::size_t i) const { return links[i].frame; }
-  CCA_GLUE rigid tip() const {
+  rigid tip() const {
     if constexpr (count == 0) return rigid{} * Chain::tip;
     else return links[count - 1].frame * Chain::tip;
   }
 
-  CCA_GLUE jacobian_type jacobian() const {
+  jacobian_type jacobian() const {
     jacobian_type j;
     detail::fill_jacobian(detail::chain_links<Chain>, links, static_cast<int>(count) - 1, tip().at, j);
     return j;

@@ -26,7 +26,6 @@
 #include <numbers>
 #include <type_traits>
 
-#include <cca/base/inlining.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 
 namespace cca {
@@ -77,41 +76,52 @@ struct plane_leg {
     double hip = 0, knee = 0, square = std::numeric_limits<double>::infinity(), change = 0;
   };
 
-  CCA_GLUE answer solve(double x, double z, double hip_before, double knee_before) const {
-    answer best;
-    const auto offer = [&](double hip, double knee) {
-      const double dx = a * std::sin(hip) + b * std::sin(hip - knee) - x,
-                   dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
-      const double square = dx * dx + dz * dz,
-                   change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
-      constexpr double same = 1e-24;  // m^2: of equal distances the solution that moves less wins
-      if (square < best.square - same || (square <= best.square + same && change < best.change))
-        best = {hip, knee, square, change};
-    };
-    const double towards = std::atan2(x, -z);
-    // For a given knee: the hip that points the foot at the target.
-    const auto with_knee = [&](double knee) {
-      if (knee < knee_low || knee > knee_high) return;
-      CCA_INLINE_CALL offer(
-          nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high),
-          knee);
-    };
-    // For a given hip: the knee that points the middle segment at the target.
-    const auto with_hip = [&](double hip) {
-      if (!std::isfinite(hip)) return;
-      CCA_INLINE_CALL offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))),
-                                            knee_low, knee_high));
-    };
+  // always_inline, here and below: a leg is constant, and only inlined does clang see that.
+  [[gnu::always_inline]] answer solve(double x, double z, double hip_before, double knee_before) const {
+    search one{*this, x, z, hip_before, knee_before};
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
     if (std::abs(cosine) <= 1)
-      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) CCA_INLINE_CALL with_knee(knee);
-    if (best.square > 1e-24)
+      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) one.try_knee(knee);
+    if (one.best.square > 1e-24)
       for (const double knee : {knee_low, knee_high, 0.0, std::numbers::pi, -std::numbers::pi})
-        if (std::isfinite(knee)) CCA_INLINE_CALL with_knee(knee);
-    if (best.square > 1e-24)
-      for (const double hip : {hip_low, hip_high}) CCA_INLINE_CALL with_hip(hip);
-    return best;
+        if (std::isfinite(knee)) one.try_knee(knee);
+    if (one.best.square > 1e-24)
+      for (const double hip : {hip_low, hip_high}) one.try_hip(hip);
+    return one.best;
   }
+
+private:
+  // Tries angles and keeps the best answer.
+  struct search {
+    const plane_leg& leg;
+    double x, z, hip_before, knee_before;
+    double towards = std::atan2(x, -z);
+    answer best{};
+
+    // With this knee, the hip that turns the foot to the target.
+    [[gnu::always_inline]] void try_knee(double knee) {
+      if (knee < leg.knee_low || knee > leg.knee_high) return;
+      keep_better(nearest_in(towards + std::atan2(leg.b * std::sin(knee), leg.a + leg.b * std::cos(knee)),
+                             leg.hip_low, leg.hip_high),
+                  knee);
+    }
+    // With this hip, the knee that turns the middle segment to the target.
+    [[gnu::always_inline]] void try_hip(double hip) {
+      if (!std::isfinite(hip)) return;
+      keep_better(hip, nearest_in(hip - std::atan2(x - leg.a * std::sin(hip), -(z + leg.a * std::cos(hip))),
+                                  leg.knee_low, leg.knee_high));
+    }
+
+    [[gnu::always_inline]] void keep_better(double hip, double knee) {
+      const double dx = leg.a * std::sin(hip) + leg.b * std::sin(hip - knee) - x,
+                   dz = -leg.a * std::cos(hip) - leg.b * std::cos(hip - knee) - z;
+      const double square = dx * dx + dz * dz,
+                   change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
+      constexpr double same = 1e-24;  // m^2: then the answer that moves the joints less
+      if (square < best.square - same || (square <= best.square + same && change < best.change))
+        best = {hip, knee, square, change};
+    }
+  };
 };
 
 // The solver of a pantograph leg, with the interface of least_squares_solver.
@@ -136,7 +146,7 @@ public:
     reaching status;
   };
 
-  CCA_GLUE static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
+  [[gnu::always_inline]] static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
     answer best{near, std::numeric_limits<double>::infinity(), reaching::nearest};
     if constexpr (abducted) {
       const vector3 p = in_hip(wanted);
@@ -166,12 +176,12 @@ public:
   }
 
 private:
-  CCA_GLUE static vector3 in_hip(const typename Tip::vector_type& wanted) {
+  static vector3 in_hip(const typename Tip::vector_type& wanted) {
     constexpr placement back = inverse(geometry.hip);
     vector3 p = vector3::Zero();
     using part = cartesian_part<typename Tip::axes>;
     for (int i = 0; i < Tip::size; ++i) p[part::of[static_cast<std::size_t>(i)]] = wanted[i];
-    CCA_INLINE_CALL return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
+    return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
   }
 };
 

@@ -42,7 +42,6 @@
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/beat.hpp>
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/dmp_rhythmic_ode.hpp>
@@ -141,11 +140,11 @@ private:
     double tau;
   };
 
-  CCA_GLUE void observe_demonstration(const optional_in<"demonstration", S>& y,
-                                      const input& x,
-                                      const typename ode::vector& goal,
-                                      double tau,
-                                      double dt) {
+  [[gnu::always_inline]] void observe_demonstration(const optional_in<"demonstration", S>& y,
+                                                    const input& x,
+                                                    const typename ode::vector& goal,
+                                                    double tau,
+                                                    double dt) {
     if (!y || !y.fresh()) {
       seen_in_a_row = 0;
       return;

@@ -10,7 +10,6 @@
 
 #include <string>
 
-#include <cca/base/inlining.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
@@ -44,7 +43,10 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 2, 1>;
 
-  CCA_GLUE static cca::activations<N> activations(const input& x) { return rhythmic_activations<N>(x[0]); }
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] static cca::activations<N> activations(const input& x) {
+    return rhythmic_activations<N>(x[0]);
+  }
   static double scale(const input& x) { return x[1]; }
   static cca::activations<N> regressors(const input& x) { return scale(x) * activations(x); }
   static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }
@@ -61,7 +63,7 @@ struct discrete_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 1, 1>;
 
-  CCA_GLUE static cca::activations<N> activations(const input& x) {
+  static cca::activations<N> activations(const input& x) {
     return discrete_activations<N>(x[0], 1e-3 * Decay);
   }
   static double scale(const input& x) { return x[0]; }

@@ -5,18 +5,17 @@
 //   detail::has_come(port)    a sample has arrived (no initial value) and it is finite
 #pragma once
 
-#include <cca/base/inlining.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca::detail {
 
 template <class Vector>
-CCA_GLUE bool all_finite(const Eigen::MatrixBase<Vector>& v) {
+inline bool all_finite(const Eigen::MatrixBase<Vector>& v) {
   return (v - v).sum() == 0;
 }
 
 template <class Port>
-CCA_GLUE bool has_come(const Port& port) {
+inline bool has_come(const Port& port) {
   return port.origin() != never && all_finite(port.vector());
 }
 

@@ -23,7 +23,6 @@
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/beat.hpp>
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
@@ -84,9 +83,9 @@ struct vite {
 
 private:
   // Of position and difference vector only: the clock never stops.
-  CCA_GLUE static double rate(const typename ode::state& x,
-                              const typename ode::input& u,
-                              const typename ode::parameters& at) {
+  static double rate(const typename ode::state& x,
+                     const typename ode::input& u,
+                     const typename ode::parameters& at) {
     return ode::derivative(x, u, at).template head<2 * S::size>().norm();
   }
 

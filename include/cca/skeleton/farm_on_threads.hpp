@@ -1,8 +1,10 @@
 // A farm with one thread per worker: a worker may take longer than a beat, and the loop never waits for it.
 //
-//   cca::node<"ik", cca::farm_on_threads<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles,
-//   4>>> in  "input"     From: each fresh sample is a task out "output"    To, a `maybe`: a result, with the
-//   origin of its task out "waiting"   a number: tasks under way, from being handed out to being published
+//   cca::node<"ik",
+//             cca::farm_on_threads<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>
+//   in  "input"     From: each fresh sample is a task
+//   out "output"    To, a `maybe`: a result, with the origin of its task
+//   out "waiting"   a number: tasks under way, from being handed out to being published
 //   out "dropped"   a number: tasks lost since the start, because `capacity` others were under way
 //
 // The fourth argument sets the order of results. `in_order`: each result once, the oldest first, one per
@@ -23,7 +25,8 @@
 // are done; the copy gets the workers, the results still to be published, and threads of its own. A change of
 // a worker's parameters takes effect at the next start. Errors: skeleton.arity; cca::refused, if the system
 // has no more threads. Cost: two atomic loads and two stores per worker and beat; no allocation, no lock, no
-// system call. Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
+// system call.
+// Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +37,6 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/skeleton/crew.hpp>
@@ -157,7 +159,8 @@ private:
   }
 
   // True if there is a whole to publish: every part has arrived and, with in_order, is new.
-  CCA_GLUE bool take() noexcept {
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] bool take() noexcept {
     if (!at_work) return false;
     if constexpr (ordered) {
       for (std::size_t i = 0; i < count; ++i)

@@ -14,7 +14,6 @@
 #include <numbers>
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -25,7 +24,7 @@ struct hopf_ode {
     double convergence;  // c, per s and per square of the amplitude's unit
   };
 
-  CCA_GLUE static state derivative(const state& x, const input& u, const parameters& p) {
+  static state derivative(const state& x, const input& u, const parameters& p) {
     const double along = p.convergence * (u[0] * std::abs(u[0]) - x.dot(x)),
                  around = 2 * std::numbers::pi * u[1];
     return {along * x[0] - around * x[1], along * x[1] + around * x[0]};

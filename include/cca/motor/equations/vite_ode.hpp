@@ -18,7 +18,6 @@
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
-#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -33,7 +32,7 @@ struct vite_ode {
   };
   static constexpr int positions = D;
 
-  CCA_GLUE static double go(double t, const parameters& p) {
+  static double go(double t, const parameters& p) {
     if (!(p.rise > 0)) return 1;
     if (!(t > 0)) return 0;
     double ratio = 1;
@@ -41,7 +40,7 @@ struct vite_ode {
     return 1 / (1 + ratio);
   }
 
-  CCA_GLUE static state derivative(const state& x, const input& u, const parameters& p) {
+  static state derivative(const state& x, const input& u, const parameters& p) {
     state rate;
     rate.template head<D>() = u[D] * go(x[2 * D], p) * x.template segment<D>(D);
     rate.template segment<D>(D) =
