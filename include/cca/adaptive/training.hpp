@@ -150,7 +150,7 @@ public:
   {
     if (example_count() == 0)
       throw refused(
-          "cca::training: begin_batch() is refused: there are no examples; call collect() and run some beats "
+          "cca::training: begin_batch() is refused: no examples yet; call collect() and run some beats "
           "first");
     change(detail::learning_change::begin_batch, "begin_batch()");
     return {examples(), s};

@@ -46,7 +46,7 @@ Component lasting(Component c) {
 
 // `step(component, k)` steps it; the values of k before and after the start differ.
 template <class Component, class Step>
-void starts_anew(const Component& made, Step step) {
+void check_reset(const Component& made, Step step) {
   for (const int before : {1, 37, 400, 6000}) {
     Component fresh = made, used = made;
     for (int k = 0; k < before; ++k) (void)step(used, 10'000 + k);
@@ -68,7 +68,7 @@ Eigen::Vector2d place(int k) { return k < 10'000 ? Eigen::Vector2d(0.4, -0.3) : 
 }  // namespace
 
 TEST_CASE("a start resets VITE") {
-  starts_anew(lasting(cca::vite<leg>{}), [](auto& c, int k) {
+  check_reset(lasting(cca::vite<leg>{}), [](auto& c, int k) {
     return c.process(given<cca::in<"target", leg>>(place(k)), {}, {}, at(k));
   });
 }
@@ -76,7 +76,7 @@ TEST_CASE("a start resets VITE") {
 TEST_CASE("a start resets the discrete movement primitive") {
   cca::dmp_discrete<leg, 5> c;
   c.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
-  starts_anew(lasting(c), [](auto& one, int k) {
+  check_reset(lasting(c), [](auto& one, int k) {
     return one.process(given<cca::in<"goal", leg>>(place(k)),
                        wired<cca::optional_in<"start", leg>>(0.5 * place(k)), {}, {}, at(k));
   });
@@ -85,7 +85,7 @@ TEST_CASE("a start resets the discrete movement primitive") {
 TEST_CASE("a start resets the movement primitive of a pose") {
   cca::dmp_pose<hand_in_trunk, hand, 3> c;
   c.p.weights.setConstant(30);
-  starts_anew(lasting(c), [](auto& one, int k) {
+  check_reset(lasting(c), [](auto& one, int k) {
     Eigen::Matrix<double, 7, 1> to;
     to << place(k), 0.1, cca::rotation::exp(Eigen::Vector3d(0.3, k < 10'000 ? 0.5 : -0.5, 0));
     return one.process(given<cca::in<"goal", hand_in_trunk>>(to), {}, {}, {}, at(k));
@@ -101,7 +101,7 @@ TEST_CASE("a start resets rhythmic movement primitives, which keep what they hav
   };
   cca::dmp_rhythmic<leg, stride, 5> plain;
   plain.p.weights << 10, -20, 30, 5, 8, 4, 3, 2, 1, 50;
-  starts_anew(lasting(plain), step);
+  check_reset(lasting(plain), step);
   using module = cca::dmp_rhythmic_module<leg, stride, 5>;
   module learned;
   for (int i = 0; i < 100; ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("a start resets rhythmic movement primitives, which keep what they hav
     module::learner::step(known, {0.07 * i, 1.0}, {std::sin(i), 2}, {});
     learned.learning.hand_over(known);
   }
-  starts_anew(lasting(learned), [](auto& one, int k) {
+  check_reset(lasting(learned), [](auto& one, int k) {
     return one.process(given<cca::in<"phase", phase_of<stride>>>(one_number(0.01 * k)),
                        given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 10'000 ? 1.0 : 0.0)),
                        {}, given<cca::in<"reference", leg>>(place(k)), {}, {}, {}, at(k));
@@ -118,7 +118,7 @@ TEST_CASE("a start resets rhythmic movement primitives, which keep what they hav
 
 TEST_CASE("a start resets the gait network: at rest, in the gait") {
   using network = cca::gait_network<lf, rf, lh, rh>;
-  starts_anew(lasting(network{}), [](auto& one, int k) {
+  check_reset(lasting(network{}), [](auto& one, int k) {
     return one.process(
         given<cca::in<"amplitude", network::legs<cca::amplitude>>>(Eigen::Vector4d::Constant(0.8)), {},
         wired<cca::optional_in<"gait", cca::gait_choice>>(one_number(k < 10'000 ? 2.0 : 0.0)), at(k));
@@ -126,7 +126,7 @@ TEST_CASE("a start resets the gait network: at rest, in the gait") {
 }
 
 TEST_CASE("a start resets the Hopf oscillator: to the radius `ember`") {
-  starts_anew(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
+  check_reset(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
     return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)),
                        {}, at(k));
   });
@@ -135,7 +135,7 @@ TEST_CASE("a start resets the Hopf oscillator: to the radius `ember`") {
 TEST_CASE("a start resets a reservoir pattern generator: the same network, at rest") {
   cca::rcpg<plane, 20> c;
   c.p.readout.setConstant(0.1);
-  starts_anew(c, [](auto& one, int k) {
+  check_reset(c, [](auto& one, int k) {
     return one.process(wired<cca::optional_in<"teacher", plane>>(place(k), k >= 10'000));
   });
 }
@@ -143,7 +143,7 @@ TEST_CASE("a start resets a reservoir pattern generator: the same network, at re
 TEST_CASE("a start resets PID") {
   cca::pid<plane, plane> c;
   c.p.integral.setConstant(3), c.p.derivative.setConstant(0.2);
-  starts_anew(c, [](auto& one, int k) {
+  check_reset(c, [](auto& one, int k) {
     const Eigen::Vector2d wanted =
         k == 0 ? Eigen::Vector2d::Constant(std::nan(""))
                : place(k);  // the first sample is ignored: the earlier state would show
@@ -158,7 +158,7 @@ TEST_CASE("a start resets the hidden Markov model") {
   c.p.mixture.means.row(2) << 1, -2, 3;  // so the velocity shows which states are likely
   c.p.mixture.priors << 0.5, 0.3, 0.2;
   c.p.transitions << 0.9, 0.1, 0, 0, 0.9, 0.1, 0.1, 0, 0.9;
-  starts_anew(c, [](auto& one, int k) {
+  check_reset(c, [](auto& one, int k) {
     const double x = k < 3 ? std::nan("") : k < 10'000 ? -1 + 0.007 * k : 1;  // NaN at first
     return one.process(given<cca::in<"position", plane>>(Eigen::Vector2d(x, 0)));
   });
