@@ -143,9 +143,8 @@ struct integral {
       state = (state + 0.001 * x.vector()).cwiseMin(0.5).cwiseMax(-0.5);
       return state;
     } else {
-      return made_of<Style>([&](int i) {
-        return state[i] = std::max(std::min(state[i] + 0.001 * x.vector()[i], 0.5), -0.5);
-      });
+      return made_of<Style>(
+          [&](int i) { return state[i] = std::max(std::min(state[i] + 0.001 * x.vector()[i], 0.5), -0.5); });
     }
   }
 };

@@ -10,7 +10,8 @@ struct beat_outcome {
   int node = -1;                // the component that stated it
 };
 
-// The arrays of samples that end with the beat. They are written before they are read, by the order of the beat.
+// The arrays of samples that end with the beat. They are written before they are read, by the order of the
+// beat.
 template <class Graph>
 using beat_arrays = chosen<layout_of<Graph>.array_count, ends_with_beat<Graph>>;
 
@@ -22,7 +23,8 @@ struct reference_to_array {
 template <class Graph, class BeatArrays = beat_arrays<Graph>>
 struct beat_context;
 template <class Graph, int... BeatArray>
-struct beat_context<Graph, std::integer_sequence<int, BeatArray...>> : reference_to_array<Graph, BeatArray>... {
+struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
+    : reference_to_array<Graph, BeatArray>... {
   controller_state<Graph>& state;
   beat_outcome& outcome;
   std::int64_t k;

@@ -60,8 +60,8 @@ struct component_call_of<Graph, Call, list<Parameters...>, std::integer_sequence
 private:
   CCA_INLINE void ask_strategy() const {
     last_firing& own = b.state.firings[at.firing];
-    using strategy =
-        typename strategy_or_default<typename node_types<Graph, c.node>::strategy, (sizeof...(Position) > 0)>::type;
+    using strategy = typename strategy_or_default<typename node_types<Graph, c.node>::strategy,
+                                                  (sizeof...(Position) > 0)>::type;
     if (!strategy_fires<strategy>(question<Graph, Call>{b, at, own})) return;
     if constexpr (c.stored_seen) own.oldest = oldest_seen();
     const std::int64_t last = own.last;
@@ -110,12 +110,13 @@ private:
   }
 
   CCA_INLINE void take_from_queues() const {
-    (input_reader<Graph, input_at<Graph, Call, Position>>::take(b, index_of_source<Graph>(at, Position)), ...);
+    (input_reader<Graph, input_at<Graph, Call, Position>>::take(b, index_of_source<Graph>(at, Position)),
+     ...);
   }
 
-  // The oldest origin among the inputs as they were; where none counts, the beat's time. Where it is known while
-  // compiling that a sample has arrived, nothing is asked while running: in a chain each question would depend
-  // on the one before.
+  // The oldest origin among the inputs as they were; where none counts, the beat's time. Where it is known
+  // while compiling that a sample has arrived, nothing is asked while running: in a chain each question would
+  // depend on the one before.
   CCA_INLINE std::int64_t origin() const {
     const std::int64_t time = b.k * period;
     if constexpr (c.phase == phase_of_beat::sense) {
@@ -164,7 +165,9 @@ private:
 };
 
 template <class Graph, int Call>
-using component_call =
-    component_call_of<Graph, Call, typename function_called<Graph, Call>::parameters, input_positions<Graph, Call>>;
+using component_call = component_call_of<Graph,
+                                         Call,
+                                         typename function_called<Graph, Call>::parameters,
+                                         input_positions<Graph, Call>>;
 
 }  // namespace cca::detail

@@ -229,9 +229,9 @@ private:
       return all;
     }();
     f(observation{detail::path_of_output<Graph, Output>(),
-                  sample ? std::span<const double>{sample->vector().data(), zero.size()} : std::span<const double>{zero},
-                  sample ? sample->origin() : never,
-                  k > 0 && stored.arrived(k - 1, 0) == k - 1});
+                  sample ? std::span<const double>{sample->vector().data(), zero.size()}
+                         : std::span<const double>{zero},
+                  sample ? sample->origin() : never, k > 0 && stored.arrived(k - 1, 0) == k - 1});
   }
 
   static std::string path_of(int node) {

@@ -30,8 +30,8 @@ CCA_INLINE void for_each_observed(F f) {
     for_each_link<Graph, Call, OnlyInput>(f, std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
 }
 
-// What an observer hears of one output. What a wire gives as an initial value is its reader's alone: an observer
-// sees the space's zero.
+// What an observer hears of one output. What a wire gives as an initial value is its reader's alone: an
+// observer sees the space's zero.
 template <class Graph, int Link>
 struct observed_output {
   static constexpr int output = plan_of<Graph>.links[Link].output;
@@ -118,7 +118,8 @@ public:
       constexpr auto size = static_cast<std::size_t>(size_of_output<Graph, from::output>);
       const auto* sample = from::shown(b);
       for (std::size_t c = 0; c < size; ++c)
-        next[c] = sample ? sample->vector()[static_cast<int>(c)] : output_port_of<Graph, from::output>.space->zero[static_cast<int>(c)];
+        next[c] = sample ? sample->vector()[static_cast<int>(c)]
+                         : output_port_of<Graph, from::output>.space->zero[static_cast<int>(c)];
       entries[count++] = {path_of_output<Graph, from::output>(),
                           {next, size},
                           sample ? sample->origin() : never,

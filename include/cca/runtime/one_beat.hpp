@@ -20,20 +20,22 @@ CCA_INLINE void run_call(const beat_context<Graph>& b) {
 
 // Marked unlikely: otherwise g++ treats the code after several checks as cold and optimises it for size.
 CCA_INLINE bool goes_on(const beat_outcome& outcome) {
-  if (outcome.fault) [[unlikely]] return false;
+  if (outcome.fault) [[unlikely]]
+    return false;
   return true;
 }
 
-// The calls from rank `First` on, until one faults. Where a beat can end early they are one chain of conditions, so
-// that g++ sees that no later call reads what an earlier one did not write.
+// The calls from rank `First` on, until one faults. Where a beat can end early they are one chain of
+// conditions, so that g++ sees that no later call reads what an earlier one did not write.
 template <class Graph, int First, int... Rank>
 CCA_INLINE void run_calls(const beat_context<Graph>& b, std::integer_sequence<int, Rank...>) {
-  if constexpr (counts_of<Graph>.may_fault) (void)((run_call<Graph, First + Rank>(b), goes_on(b.outcome)) && ...);
+  if constexpr (counts_of<Graph>.may_fault)
+    (void)((run_call<Graph, First + Rank>(b), goes_on(b.outcome)) && ...);
   else (run_call<Graph, First + Rank>(b), ...);
 }
 
-// Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of them in
-// memory, on g++.
+// Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
+// them in memory, on g++.
 template <class Graph, int First, int Count, int... BeatArray>
 CCA_INLINE void run_with(controller_state<Graph>& state,
                          beat_outcome& outcome,
@@ -55,7 +57,8 @@ template <class Graph, int First>
 [[gnu::noinline, gnu::flatten]] void run_part_apart(controller_state<Graph>& state,
                                                     beat_outcome& outcome,
                                                     std::int64_t k) noexcept {
-  run_part<Graph, First, std::min(calls_in_part<Graph>, counts_of<Graph>.call_count - First)>(state, outcome, k, beat_arrays<Graph>{});
+  run_part<Graph, First, std::min(calls_in_part<Graph>, counts_of<Graph>.call_count - First)>(
+      state, outcome, k, beat_arrays<Graph>{});
 }
 
 template <class Graph, int... Part>

@@ -1,8 +1,8 @@
-// What a component returned goes to its readers: it stays where it is for those of this beat, and is stored for
-// those of later beats and for queues.
+// What a component returned goes to its readers: it stays where it is for those of this beat, and is stored
+// for those of later beats and for queues.
 //
-// `Output` is the number of the first output that is published in the same way; `index` says where in its array
-// this one is stored.
+// `Output` is the number of the first output that is published in the same way; `index` says where in its
+// array this one is stored.
 #pragma once
 
 #include <tuple>
@@ -20,7 +20,8 @@ constexpr int queue_from(int input) {
   return input;
 }
 
-// Into the queues among the readers of an output, from reader `Input` on. An output that has some has no twin.
+// Into the queues among the readers of an output, from reader `Input` on. An output that has some has no
+// twin.
 template <class Graph, int Input, class Vector>
 CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, std::int64_t origin) {
   constexpr place at = layout_of<Graph>.sources[Input];
@@ -41,7 +42,7 @@ CCA_INLINE void publish(const beat_context<Graph>& b, Result& result, int index,
   if (result.origin() == never) result.with_origin(oldest);
   if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
     b.template at<layout_of<Graph>.outputs[Output].array>(index).put(std::as_const(result).vector(),
-                                                                    result.origin(), b.k);
+                                                                     result.origin(), b.k);
   constexpr int queue = queue_from<Graph>(out.first_reader);
   if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, std::as_const(result).vector(), result.origin());
 }

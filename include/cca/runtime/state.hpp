@@ -1,5 +1,6 @@
-// The state of a controller: what it keeps between beats, and the samples that live for one beat. Both consist of
-// arrays of equal things (graph/plan/layout.hpp). The state is plain values, so a copy is a snapshot.
+// The state of a controller: what it keeps between beats, and the samples that live for one beat. Both
+// consist of arrays of equal things (graph/plan/layout.hpp). The state is plain values, so a copy is a
+// snapshot.
 #pragma once
 
 #include <cstdint>
@@ -46,9 +47,9 @@ struct component_array : components_of_type<typename node_types<Graph, First>::c
 // ---- samples ----
 
 template <class Graph, int Call>
-using function_called = function_facts<
-    typename function_of<typename node_types<Graph, call_of<Graph, Call>.node>::component,
-                         call_of<Graph, Call>.phase>::type>;
+using function_called =
+    function_facts<typename function_of<typename node_types<Graph, call_of<Graph, Call>.node>::component,
+                                        call_of<Graph, Call>.phase>::type>;
 
 template <class Graph, int Array, storage_kind Kind = array_of<Graph, Array>.kind>
 struct stored_in;
@@ -130,11 +131,10 @@ struct ends_with_beat {
 template <class Graph, class Components, class Samples>
 struct state_of;
 template <class Graph, int... Component, int... Array>
-struct state_of<Graph,
-                std::integer_sequence<int, Component...>,
-                std::integer_sequence<int, Array...>> : component_array<Graph, Component>...,
-                                                        stored_array<Graph, Array>...,
-                                                        last_firings<layout_of<Graph>.firing_count> {};
+struct state_of<Graph, std::integer_sequence<int, Component...>, std::integer_sequence<int, Array...>>
+    : component_array<Graph, Component>...,
+      stored_array<Graph, Array>...,
+      last_firings<layout_of<Graph>.firing_count> {};
 
 // What outlives a beat.
 template <class Graph>

@@ -22,8 +22,8 @@
 
 namespace cca::detail {
 
-// Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial components
-// is: so the vector lives in bytes.
+// Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial
+// components is: so the vector lives in bytes.
 template <int Size>
 class stored_sample {
   using vector_type = Eigen::Matrix<double, Size, 1>;
@@ -55,8 +55,8 @@ constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
 
 // ---- of_beat ----
 
-// What a component returned, where it returned it. Nobody reads it in a later beat. The component may not have
-// been called in this beat, unless `InEachBeat`.
+// What a component returned, where it returned it. Nobody reads it in a later beat. The component may not
+// have been called in this beat, unless `InEachBeat`.
 template <bool InEachBeat>
 struct call_mark {
   bool was_called = false;
@@ -147,7 +147,9 @@ public:
     e.store(v, origin);
     e.published_in = k;
   }
-  CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const { return newest_arrived(k, delay); }
+  CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const {
+    return newest_arrived(k, delay);
+  }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
     const entry* e = newest_arrived(k, delay);
     return e ? e->published_in + delay : -1;

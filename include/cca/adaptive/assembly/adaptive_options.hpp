@@ -45,8 +45,7 @@ struct control_option<Input, control_through<Input, Mapping>, Rest...> {
 template <fixed_string Input, class Other, class... Rest>
 struct control_option<Input, Other, Rest...> : control_option<Input, Rest...> {};
 
-template <class Type> concept StatesStrategy =
-    requires { &Type::template fires<any_inputs>; };
+template <class Type> concept StatesStrategy = requires { &Type::template fires<any_inputs>; };
 
 template <class... Options>
 struct strategy_option {

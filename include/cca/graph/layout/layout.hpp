@@ -1,8 +1,9 @@
-// Where everything lies in memory. Equal things lie side by side in one array, so a place is an array and an index
-// in it.
+// Where everything lies in memory. Equal things lie side by side in one array, so a place is an array and an
+// index in it.
 //
-// Calls are twins if they call the same function of the same component type, and fire, read and publish in the
-// same way: they differ only in the places that they touch. The code of a call is compiled once for all its twins.
+// Calls are twins if they call the same function of the same component type, and fire, read and publish in
+// the same way: they differ only in the places that they touch. The code of a call is compiled once for all
+// its twins.
 //
 // Cost: a chain of a thousand equal nodes compiles as two different ones, a thousand times inlined.
 #pragma once
@@ -20,11 +21,11 @@ struct place {
 // Samples that are stored in the same way.
 struct sample_array {
   storage_kind kind = storage_kind::none;
-  int size = 0;                   // coordinates of a sample
-  int depth = 0;                  // of the past, or of a queue
-  clock published{};              // newest, past
-  int call = -1;                  // of_beat: the first call of the same function, whose result it is
-  bool in_each_beat = false;      // of_beat: the result is there in each beat
+  int size = 0;               // coordinates of a sample
+  int depth = 0;              // of the past, or of a queue
+  clock published{};          // newest, past
+  int call = -1;              // of_beat: the first call of the same function, whose result it is
+  bool in_each_beat = false;  // of_beat: the result is there in each beat
   full_kind full = full_kind::drop_oldest;  // queue
   int count = 0;
 
@@ -69,9 +70,9 @@ struct layout {
   int input_twin[Inputs + 1]{};       // the first input that reads in the same way
   int output_twin[Outputs + 1]{};     // the first output that is published in the same way
   call_place calls[Calls + 1]{};
-  place results[Calls + 1]{};         // what a call returns, where readers of the beat read it
-  place outputs[Outputs + 1]{};       // newest, past
-  place sources[Inputs + 1]{};        // what the input reads; a queue is its own
+  place results[Calls + 1]{};    // what a call returns, where readers of the beat read it
+  place outputs[Outputs + 1]{};  // newest, past
+  place sources[Inputs + 1]{};   // what the input reads; a queue is its own
   sample_array arrays[max_arrays]{};
   int array_count = 0, firing_count = 0;
 
@@ -134,8 +135,8 @@ struct layout_step {
         for (int array = 0; array < to.array_count; ++array) used[array] = 0;
       if (!is_read_in_beat(c)) continue;
       const int first = functions.first(mixed(to.components[c.node].array, c.phase), index);
-      const int array = array_like(
-          {.kind = storage_kind::of_beat, .call = first, .in_each_beat = c.fires.every_beat()});
+      const int array =
+          array_like({.kind = storage_kind::of_beat, .call = first, .in_each_beat = c.fires.every_beat()});
       to.results[index] = {array, used[array]++};
       if (used[array] > to.arrays[array].count) to.arrays[array].count = used[array];
     }
@@ -229,7 +230,8 @@ struct layout_step {
     for (int o = 0; o < g.output_count; ++o)
       to.output_twin[o] =
           is_unique(g.outputs[o]) ? o : outputs.first(key_of(g.outputs[o], to.outputs[o].array), o);
-    for (int c = 0; c < g.call_count; ++c) to.twin[c] = calls.first(key_of(g.calls[c], to.results[c].array), c);
+    for (int c = 0; c < g.call_count; ++c)
+      to.twin[c] = calls.first(key_of(g.calls[c], to.results[c].array), c);
   }
 
   constexpr void run() {

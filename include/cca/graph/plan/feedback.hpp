@@ -1,6 +1,6 @@
-// Which delayed inputs close a loop: their writer is fed, over any wires, by their reader. The origin of such an
-// input does not count for what its component publishes (otherwise the age of the data in a loop would grow
-// forever).
+// Which delayed inputs close a loop: their writer is fed, over any wires, by their reader. The origin of such
+// an input does not count for what its component publishes (otherwise the age of the data in a loop would
+// grow forever).
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>
@@ -76,7 +76,9 @@ struct loop_search {
   }
 };
 
-constexpr int delay_of(const flat_view& g, const link& l) { return port_of(g, g.inputs[l.input]).observed_delay; }
+constexpr int delay_of(const flat_view& g, const link& l) {
+  return port_of(g, g.inputs[l.input]).observed_delay;
+}
 
 constexpr bool has_delays(const flat_view& g) {
   for (int i = 0; i < g.input_count; ++i)

@@ -85,8 +85,8 @@ struct flat_view {
   int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
       queue_count = 0;
   double hz = 0;
-  std::int64_t period = 0;   // nanoseconds a beat
-  int calls_in_part = 0;     // graph/parts.hpp
+  std::int64_t period = 0;  // nanoseconds a beat
+  int calls_in_part = 0;    // graph/parts.hpp
   bool may_fault = false;
   finding found{};
 };

@@ -1,9 +1,9 @@
-// A beat of very many calls is compiled in parts: the optimisers of both compilers take time that grows with the
-// square of a function's length. What goes from one part to a later one lies in memory, all else may stay in
-// registers.
+// A beat of very many calls is compiled in parts: the optimisers of both compilers take time that grows with
+// the square of a function's length. What goes from one part to a later one lies in memory, all else may stay
+// in registers.
 //
-// Cost at run time: a call for each part, and a store and a load for each sample that crosses from one to another.
-// A graph of up to `most_in_one` calls is one loop and pays nothing.
+// Cost at run time: a call for each part, and a store and a load for each sample that crosses from one to
+// another. A graph of up to `most_in_one` calls is one loop and pays nothing.
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>

@@ -80,7 +80,8 @@ inline constexpr flat_of<Graph> clocked_of =
 template <class Graph>
 inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
   g.calls_in_part = calls_in_part<Graph>;
-  return check_whole(choose_storage(find_feedback(g)), flattened_of<Graph>.names.data(), names_size<Graph> - 1);
+  return check_whole(choose_storage(find_feedback(g)), flattened_of<Graph>.names.data(),
+                     names_size<Graph> - 1);
 });
 
 template <class Graph>

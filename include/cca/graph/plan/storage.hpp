@@ -1,5 +1,5 @@
-// How the samples of each output are stored. It is decided here, once; runtime/stored_samples.hpp has a type for
-// each way.
+// How the samples of each output are stored. It is decided here, once; runtime/stored_samples.hpp has a type
+// for each way.
 //
 //   none      nobody reads them, or only queues do
 //   of_beat   only read in the beat in which they were published: where the component returned them

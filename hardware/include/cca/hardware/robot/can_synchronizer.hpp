@@ -1,7 +1,8 @@
 // The synchronizer of a robot on CAN: the only node that knows the buses. It reads in `sense` and sends in
 // `act`.
 //
-//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has reported;
+//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has
+//   reported;
 //               the nodes behind it publish only numbers (oncilla_nodes.hpp)
 //           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
