@@ -8,7 +8,7 @@
 namespace cca::detail {
 
 // n, which is never negative: clang then needs no sign in `n % 64`.
-CCA_GLUE constexpr std::int64_t non_negative(std::int64_t n) {
+CCA_INLINE constexpr std::int64_t non_negative(std::int64_t n) {
   CCA_ASSUME(n >= 0);
   return n;
 }

@@ -28,7 +28,6 @@
 #define CCA_ASSUME(condition)
 #define CCA_STAY_ROLLED
 #endif
-#define CCA_GLUE CCA_INLINE
 
 namespace cca::detail {
 

@@ -86,7 +86,7 @@ struct flat_view {
       queue_count = 0;
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
-  int calls_in_part = 0;    // graph/parts.hpp
+  int calls_in_part = 0;    // graph/plan/long_beats.hpp
   bool may_fault = false;
   finding found{};
 };

@@ -17,7 +17,6 @@
 #include <array>
 #include <tuple>
 
-#include <cca/base/inlining.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/joint.hpp>
@@ -30,7 +29,7 @@ namespace detail {
 
 // A field of a record as a port: empty until its first number is one.
 template <fixed_string Field, class Space, class Record, class Vector>
-CCA_GLUE maybe<Field, Space> published(const Vector& numbers) {
+[[gnu::always_inline]] inline maybe<Field, Space> published(const Vector& numbers) {
   const auto part = Record::template part<Field>(numbers);
   if (part[0] - part[0] == 0) return part;
   return {};
