@@ -96,7 +96,8 @@ TEST_CASE("a condition must hold without a break, and again for the next step") 
 }
 
 TEST_CASE(
-    "a timeout leads to its step, counted from the start of the running step; a condition in time does not") {
+    "a timeout leads to its step, counted from the start of the running step, but a condition in time does "
+    "not") {
   running<too_long> r;
   r.k = 100;  // it may begin in any beat
   CHECK_EQ(r.step(5), "try");

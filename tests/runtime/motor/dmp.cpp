@@ -219,7 +219,8 @@ TEST_CASE("a duration that changes during the movement changes the speed, not th
   for (std::size_t k = 0; k < 600; ++k) CHECK(std::abs(slowed[399 + 2 * k] - plain[399 + k]) < 1e-6);
 }
 
-TEST_CASE("a restart begins the shape at the current position; an unscaled shape may end where it began") {
+TEST_CASE(
+    "a restart begins the shape at the current position, and an unscaled shape may end where it began") {
   reach dmp;
   dmp.p.weights = fitted(dmp);
   for (int k = 0; k < 3000; ++k) (void)step(dmp, k, {1, 0});
@@ -267,7 +268,7 @@ TEST_CASE(
   CHECK(worst < 0.3 * 0.01);
 }
 
-TEST_CASE("the limit cycle attracts as in the closed form; at amplitude 0 or less the goal attracts") {
+TEST_CASE("the limit cycle attracts as in the closed form, and at amplitude 0 or less the goal attracts") {
   swing one, other;
   for (int i = 0; i < N; ++i)
     one.p.weights.col(i) = other.p.weights.col(i) = 60 * Eigen::Vector2d(std::sin(i), std::cos(i));

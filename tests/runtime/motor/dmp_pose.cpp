@@ -102,8 +102,8 @@ TEST_CASE("with the same weights position and rotation take the same course") {
 }
 
 TEST_CASE(
-    "a goal that changes during the movement is reached without a jump of the acceleration; a restart begins "
-    "at the current pose") {
+    "a goal that changes during the movement is reached without a jump of the acceleration, and a restart "
+    "begins at the current pose") {
   reach dmp;
   const vector7 from = pose({0, 0, 0}, {0, 0, 0, 1}), first = pose({1, 0, 0}, about(v3(0, 0, 1), 1.5)),
                 second = pose({0, 1, 0}, about(v3(0, 1, 0), -1.0));

@@ -88,7 +88,8 @@ TEST_CASE(
     CHECK(cca::wrap_signed(cca::phase_matrix(gait::walk)(i, j)) == doctest::Approx(cca::pi / 2));
 }
 
-TEST_CASE("two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t); amplitudes converge critically damped") {
+TEST_CASE(
+    "two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t), and amplitudes converge critically damped") {
   using ode = pair_case::ode;
   for (const double start : {0.5, 2.0, -3.0})
     for (const double t : {0.2, 0.7, 1.5}) {
@@ -118,8 +119,8 @@ TEST_CASE("the coupling is proportional to the amplitude") {
 }
 
 TEST_CASE(
-    "each leg may have its own frequency; without coupling each runs by itself; `convergence` sets the speed "
-    "of the amplitudes") {
+    "each leg may have its own frequency, without coupling each runs by itself, and convergence sets the "
+    "speed of the amplitudes") {
   network net;
   net.p.coupling = 0, net.p.convergence = 10;
   const Eigen::Vector4d hertz(0.5, 1, 1.5, 2);
@@ -185,7 +186,7 @@ TEST_CASE("every change of gait arrives, even if all differences change by pi") 
     }
 }
 
-TEST_CASE("an unwired gait comes from the parameter; the frequency is kept") {
+TEST_CASE("an unwired gait comes from the parameter, and the frequency is kept") {
   network net;
   net.p.gait = cca::gait::bound;
   net.p.frequency = 1.5;

@@ -84,7 +84,7 @@ TEST_CASE("Gaussian mixture regression equals its formula, mean and spread") {
 }
 
 TEST_CASE(
-    "one Gaussian is linear regression; far from all Gaussians the nearest counts, without under- or "
+    "one Gaussian is linear regression, and far from all Gaussians the nearest counts, without under- or "
     "overflow") {
   motion m;
   auto& mix = m.p.mixture;
@@ -152,7 +152,8 @@ TEST_CASE("the hidden Markov model equals its forward recursion, written out") {
   }
 }
 
-TEST_CASE("where a movement crosses itself the hidden state gives the direction; the mixture alone cannot") {
+TEST_CASE(
+    "where a movement crosses itself the hidden state gives the direction, which the mixture alone cannot") {
   // First a stroke to the right through the origin, then one upwards through it.
   hidden h;
   auto& m = h.p.mixture;
@@ -181,7 +182,7 @@ TEST_CASE("where a movement crosses itself the hidden state gives the direction;
   CHECK(std::abs(blind.mean[0] - blind.mean[1]) < 0.1);
 }
 
-TEST_CASE("invalid models are refused; a position that is not finite does no harm; nothing allocates") {
+TEST_CASE("invalid models are refused, a position that is not finite does no harm, and nothing allocates") {
   motion m;
   CHECK_NOTHROW(cca::check_parameters(m.p));
   auto bad = m.p;

@@ -77,8 +77,8 @@ TEST_CASE("the oscillator runs at its frequency, on a circle of the wanted ampli
 }
 
 TEST_CASE(
-    "an unwired frequency comes from the parameter; with Euler's method the circle is wider by the predicted "
-    "amount") {
+    "an unwired frequency comes from the parameter, and with Euler's method the circle is wider by the "
+    "predicted amount") {
   oscillator cpg;
   cpg.p.frequency = 2.0;
   cca::hopf<stride, cca::explicit_euler> rough;

@@ -79,7 +79,7 @@ TEST_CASE("PD on a double integrator is a critically damped spring: the derivati
   }
 }
 
-TEST_CASE("a step of the reference makes no kick; one of the measurement makes a filtered one") {
+TEST_CASE("a step of the reference makes no kick, but one of the measurement makes a filtered one") {
   auto pid = gains(2, 0, 5, 0.05);
   CHECK(u_of(pid, 0, 0) == 0);
   CHECK(u_of(pid, 1, 0) == doctest::Approx(2));
@@ -102,7 +102,7 @@ TEST_CASE("the integral compensates a constant load, P alone does not") {
   CHECK(response(p, 6000, 0.5).back() == doctest::Approx(1 - 0.5 / 8).epsilon(1e-4));
 }
 
-TEST_CASE("the command stays within the limits of its axes and `largest`") {
+TEST_CASE("the command stays within the limits of its axes and largest") {
   limited pid;
   pid.p.proportional[0] = 10;
   CHECK(u_of(pid, 3, 0) == 2);
@@ -142,7 +142,7 @@ TEST_CASE("a tracking time shorter than a beat counts as one beat") {
   }
 }
 
-TEST_CASE("from manual to automatic without a bump; back in manual it follows the manual command") {
+TEST_CASE("from manual to automatic without a bump, and back in manual it follows the manual command") {
   limited pid;
   pid.p.proportional[0] = 3, pid.p.integral[0] = 2, pid.p.derivative[0] = 0.1;
   for (int k = 0; k < 100; ++k) CHECK(u_of(pid, 1, 0.2, 0.7, 0.0) == 0.7);
@@ -171,7 +171,7 @@ TEST_CASE("a change of gains at run time makes no bump") {
   CHECK(u_of(p, 1, 0) == doctest::Approx(2 + 6 * std::pow(0.99, 100)).epsilon(1e-9));
 }
 
-TEST_CASE("numbers that are not finite are ignored; negative gains are refused; nothing allocates") {
+TEST_CASE("numbers that are not finite are ignored, negative gains are refused, and nothing allocates") {
   auto pid = gains(8, 16, 0);
   const double before = u_of(pid, 1, 0);
   CHECK(u_of(pid, std::nan(""), 0) == before);

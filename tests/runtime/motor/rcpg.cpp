@@ -60,8 +60,8 @@ TEST_CASE("the spectral radius is the requested one, and the seed determines the
 }
 
 TEST_CASE(
-    "a single unit leaks to its bias; a teacher acts through the feedback, each sample once; a load resets "
-    "the network") {
+    "a single unit leaks to its bias, a teacher acts through the feedback, each sample once, and a load "
+    "resets the network") {
   generator g;
   g.p.spectral_radius = 0, g.p.feedback = 0, g.p.bias = 3, g.p.leak = 0.25;
   g.on_load();
@@ -121,7 +121,8 @@ TEST_CASE("a trained network without a teacher falls into the pattern from rest:
 }
 
 TEST_CASE(
-    "without readout it is silent; the first firing makes the network; NaN is ignored; nothing allocates") {
+    "without readout it is silent, the first firing makes the network, NaN is ignored, and nothing "
+    "allocates") {
   generator g;
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 100; ++k) CHECK(free_run(g).norm() == 0);

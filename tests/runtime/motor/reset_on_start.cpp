@@ -125,7 +125,7 @@ TEST_CASE("a start resets the gait network: at rest, in the gait") {
   });
 }
 
-TEST_CASE("a start resets the Hopf oscillator: to the radius `ember`") {
+TEST_CASE("a start resets the Hopf oscillator: to the radius ember") {
   check_reset(lasting(cca::hopf<stride>{}), [](auto& one, int k) {
     return one.process(given<cca::in<"amplitude", amplitude_of<stride>>>(one_number(k < 12'000 ? 1.0 : -1.0)),
                        {}, at(k));

@@ -53,8 +53,8 @@ int peak(const std::vector<double>& v) {
 TEST_CASE("VITE obeys the laws of an ode") { laws::ode<vite_case>(); }
 
 TEST_CASE(
-    "VITE with a constant GO signal, critically damped, follows the closed form; its velocity has its peak "
-    "at 2 / a") {
+    "VITE with a constant GO signal, critically damped, follows the closed form, and its velocity has its "
+    "peak at 2 / a") {
   reach arm;
   arm.p.rise = 0;
   arm.p.convergence = 20;
@@ -108,7 +108,7 @@ TEST_CASE(
   CHECK(m.position.back() == doctest::Approx(0.8).epsilon(1e-3));
 }
 
-TEST_CASE("twice the distance takes the same time with the same profile; a larger GO signal is faster") {
+TEST_CASE("twice the distance takes the same time with the same profile, and a larger GO signal is faster") {
   reach near, far, quick;
   const auto a = run(near, {0.4, 0}, 800), b = run(far, {0.8, 0}, 800), c = run(quick, {0.4, 0}, 800, 1.5);
   for (std::size_t k = 0; k < 800; ++k)
@@ -117,7 +117,7 @@ TEST_CASE("twice the distance takes the same time with the same profile; a large
   CHECK(peak(c.velocity) < peak(a.velocity));
 }
 
-TEST_CASE("both axes move in step, whatever their distances; the movement begins at `start`") {
+TEST_CASE("both axes move in step, whatever their distances, and the movement begins at start") {
   reach arm;
   for (int k = 0; k < 700; ++k) {
     const auto x = std::get<0>(arm.process(given<target>({1.0, -0.2}), wired<start>({0.2, 0.4}), {}, at(k)));
@@ -125,7 +125,7 @@ TEST_CASE("both axes move in step, whatever their distances; the movement begins
   }
 }
 
-TEST_CASE("go = 0 holds still; the status reports arrival, and a second movement equals the first") {
+TEST_CASE("with go = 0 it holds still, the status reports arrival, and a second movement equals the first") {
   reach arm;
   for (const double v : run(arm, {0.8, 0}, 100, 0).velocity) CHECK(v == 0);
   reach twice;
@@ -137,7 +137,7 @@ TEST_CASE("go = 0 holds still; the status reports arrival, and a second movement
   for (std::size_t k = 0; k < 1000; ++k) CHECK(std::abs(back.velocity[k] + there.velocity[k]) < 3e-3);
 }
 
-TEST_CASE("a target that jumps during the movement makes no jump of the velocity; nothing allocates") {
+TEST_CASE("a target that jumps during the movement makes no jump of the velocity, and nothing allocates") {
   reach arm;
   const std::size_t before = laws::allocations();
   double last = 0, jump = 0;

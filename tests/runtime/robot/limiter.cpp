@@ -157,7 +157,7 @@ TEST_SUITE("limiter") {
     CHECK_EQ(informed({no_number, inf}, {0.3, -1}), Eigen::Vector2d(0.3, -1));
   }
 
-  TEST_CASE("a measurement counts once it has arrived; before that the first command is taken as it is") {
+  TEST_CASE("a measurement counts once it has arrived, and before that the first command is taken as it is") {
     cca::limiter<leg_angles> limit;
     cca::optional_in<"measured", leg_angles> none;
     none.set_wired();
