@@ -4,9 +4,9 @@
 #pragma once
 
 #include <cca/adaptive/adaptive_component.hpp>
-#include <cca/adaptive/adaptive_options.hpp>
+#include <cca/adaptive/assembly/adaptive_options.hpp>
 #include <cca/adaptive/component_status.hpp>
-#include <cca/adaptive/covered_region.hpp>
+#include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/criterion.hpp>
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/adaptive/grasping.hpp>
@@ -15,7 +15,7 @@
 #include <cca/adaptive/locally_weighted_regression.hpp>
 #include <cca/adaptive/module_status.hpp>
 #include <cca/adaptive/ode.hpp>
-#include <cca/adaptive/ode_integrators.hpp>
+#include <cca/adaptive/numerics/ode_integrators.hpp>
 #include <cca/adaptive/ode_odeint.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
