@@ -2,8 +2,8 @@
 // functions, found by name at run time; samples on the heap behind shared pointers; a queue at each input;
 // strategies as objects. The components themselves are those of the graph, so the arithmetic is the same.
 //
-// Meant to be good of its kind: ports are looked up once, when they are connected; samples are typed and of
-// fixed size.
+// It is a good implementation of this kind: ports are looked up once, when they are connected; samples are
+// typed and of fixed size.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct sample : any_sample {
 };
 using sample_pointer = std::shared_ptr<const any_sample>;
 
-// Where samples wait; `newest` takes all of them and keeps the last.
+// The samples that wait at an input; `newest` removes all and returns the last.
 class input_port {
 public:
   virtual ~input_port() = default;
@@ -92,7 +92,7 @@ struct when_fresh : strategy {
     return false;
   }
 };
-// If the first input is.
+// Fires if the first input is fresh.
 struct when_first_is_fresh : strategy {
   bool fires(std::int64_t, const std::vector<std::unique_ptr<input_port>>& inputs) const override {
     return inputs.front()->fresh();
@@ -162,9 +162,9 @@ private:
       auto& input =
           static_cast<typed_input<typename Port::space>&>(*inputs[static_cast<std::size_t>(positions[i])]);
       const bool fresh = input.update();
-      Port port{cca::detail::to_be_filled{}};
-      for (int c = 0; c < Port::space::size; ++c) port.set(c, input.newest().value[c]);
-      port.set(input.newest().origin, fresh);
+      typename Port::vector_type coordinates;
+      for (int c = 0; c < Port::space::size; ++c) coordinates[c] = input.newest().value[c];
+      Port port{coordinates, input.newest().origin, fresh};
       if constexpr (requires { port.set_wired(); }) {
         if (input.wired) port.set_wired();
       }
@@ -209,7 +209,7 @@ class architecture {
 public:
   explicit architecture(std::int64_t nanoseconds) : period(nanoseconds) {}
 
-  // Components are asked in the order in which they are added.
+  // Components fire in the order in which they were added.
   template <auto Function, class Component>
   void add(const std::string& name,
            Component& component,

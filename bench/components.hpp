@@ -1,5 +1,5 @@
-// The components of the synthetic graphs, on samples of two axes: as small as a component gets, so that what
-// the library adds shows.
+// The components of the synthetic graphs, on samples of two axes: as small as possible, so that the cost of
+// the library shows.
 #pragma once
 
 #include <cca/component/beat.hpp>

@@ -1,4 +1,4 @@
-// Counts what is allocated: stands before the C library's malloc and its kin.
+// Counts allocations: replaces malloc and its relatives of the C library.
 #include <atomic>
 #include <cstddef>
 

@@ -1,12 +1,12 @@
 // A whole beat on eight drives: the trot's controller with hardware::oncilla, on buses that cost nothing.
 //
-//   drives BEATS          so many beats (under callgrind); ends with 1 if anything tripped
-//   drives allocations    what 1000 beats allocate
+//   drives BEATS          runs this many beats (under callgrind); exits with 1 if a guard tripped
+//   drives allocations    the allocations of 1000 beats
 //
-// Each bus is a mirror: behind it stand drives that are at once where they are told to be, and the sensor
-// board. What it does is taken off, by a second count of its two functions alone (--toggle-collect), so the
-// figure is that of reading and writing all frames, of the safety chain and of the controller. On a real bus
-// the kernel's work comes on top. docs/hardware.md.
+// Each bus is a mirror: it plays drives that reach every command at once, and the sensor board. Its own cost
+// is subtracted by a second count of its two functions alone (--toggle-collect), so the figure is the cost of
+// reading and writing all frames, of the safety chain and of the controller. A real bus adds the kernel's
+// work. docs/hardware.md.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -59,7 +59,7 @@ public:
   const hw::bus_counters& counters() const noexcept { return none; }
   std::uint64_t in_flight() const noexcept { return 0; }
 
-  // Where a drive stands at the beginning: in the middle of its joint's range.
+  // A drive begins in the middle of its joint's range.
   template <class... J>
   void stand(hw::joint_list<J...>) {
     const auto one = [this]<class One>(One) {
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  std::array<std::array<std::uint8_t, 4>, 9> at{};  // position and velocity as on the wire
+  std::array<std::array<std::uint8_t, 4>, 9> at{};  // position and velocity as in a frame
   std::array<hw::can_frame, 32> answers{};
   hw::can_id answers_under{};
   std::size_t count = 0;
@@ -108,7 +108,7 @@ template <class Robot>
 
 int main(int count, char** arguments) {
   const auto r = std::make_unique<bench::robot>();
-  constexpr int begin = 2000;  // enabled, and caught up with the gait
+  constexpr int begin = 2000;  // the drives are enabled and follow the gait
   for (int k = 0; k < begin; ++k) bench::one_beat(*r);
   const std::string_view what = count > 1 ? arguments[1] : "";
   if (what == "allocations") {

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Sources of the synthetic graphs: chain, fan_out, mixed (rates), of any number of nodes.
+"""Generates the sources of the synthetic graphs: chain, fan_out and mixed (rates), with any number of nodes.
 
-    generate.py chain 30                 a benchmark program: as a graph, as a loop by hand, and in the classical way
-    generate.py chain 1000 --only-graph  one translation unit that steps the graph, to measure compiling
+    generate.py chain 30                 a benchmark program: graph, loop by hand, classical
+    generate.py chain 1000 --only-graph  one translation unit that steps the graph, to measure compile time
 """
 import argparse
 
 SHAPES = ("chain", "fan_out", "mixed")
-PERIODS = (1, 2, 5, 10)  # of mixed rates: node i has PERIODS[i % 4]
+PERIODS = (1, 2, 5, 10)  # mixed rates: node i has the period PERIODS[i % 4]
 
 
 def writer_of(shape, i):
@@ -37,7 +37,7 @@ BY_HAND = {
     "chain": """    Eigen::Vector2d x = ramp;
     for (auto& f : filters) x = f.state += f.gain * (x - f.state);""",
     "fan_out": """    for (auto& f : filters) f.state += f.gain * (ramp - f.state);""",
-    # What a filter publishes is its state, so that is where the next one reads.
+    # A filter publishes its state, so the next one reads it there.
     "mixed": """    const bool due[4] = {true, k % 2 == 0, k % 5 == 0, k % 10 == 0};
     const Eigen::Vector2d* x = &ramp;
     for (std::size_t i = 0; i < filters.size(); ++i) {
@@ -139,6 +139,6 @@ if __name__ == "__main__":
     parser.add_argument("shape", choices=SHAPES)
     parser.add_argument("count", type=int)
     parser.add_argument("--only-graph", action="store_true")
-    parser.add_argument("--own-types", action="store_true", help="each node has a component type of its own")
+    parser.add_argument("--own-types", action="store_true", help="each node has its own component type")
     a = parser.parse_args()
     print(source(a.shape, a.count, a.only_graph, a.own_types))

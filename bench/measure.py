@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""All figures of docs/performance.md in one run: builds the programs of this folder with both compilers, checks that the
-three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
+"""Makes all figures of docs/performance.md in one run: builds the programs of this folder with both compilers, checks that
+the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, skills, drives, compile, listing; the others stay as they were in figures.json;
-                               more than one: --only compile --only synthetic
+    measure.py --only compile  one part: trot, synthetic, skeletons, skills, drives, compile, listing; the others keep their figures in figures.json;
+                               several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
 
@@ -32,10 +32,10 @@ FORMS = ("graph", "by_hand", "classical")
 TROT_FLAGS = (["-O2"], ["-O3"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
 SIZES = (10, 30, 100, 300)
 SKILLS_FLAGS = (["-O2"], ["-O3"])
-SKILLS_BEATS = (2000, 14000)  # from the sight of the ball on: each skill has its turn
-SYNTHETIC_BEATS = (200, 600)  # whole rounds of the slowest clock, and 300 virtual components under callgrind
+SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
+SYNTHETIC_BEATS = (200, 600)  # whole periods of the slowest clock, few enough for 300 virtual components under callgrind
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
-INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "sim/include"), "-I", str(ROOT / "hardware/include"), "-I", str(HERE)]
+INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "robots/include"), "-I", str(ROOT / "sim/include"), "-I", str(ROOT / "hardware/include"), "-I", str(HERE)]
 
 
 def run(command, **options):
@@ -51,7 +51,7 @@ def build(compiler, flags, source, program):
 
 
 def instructions(program, *form, lengths=(1000, 3000), within=()):
-    """A beat: the difference between two lengths of run. `within`: counted in these functions alone."""
+    """Instructions per beat: the difference between runs of two lengths. `within`: count only in these functions."""
     counts = []
     for beats in lengths:
         out = run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *(f"--toggle-collect={name}" for name in within),
@@ -84,7 +84,7 @@ def functions(program):
 
 
 def loop_of(program):
-    """The beat of the graph: advance(), or what it was inlined into."""
+    """The beat of the graph: advance(), or the function that it was inlined into."""
     all_functions = functions(program)
     for wanted in ("::advance()", "::step()", "one_beat<bench::as_graph"):
         for name, lines in all_functions.items():
@@ -94,7 +94,7 @@ def loop_of(program):
 
 
 def calls_of(lines):
-    """What is called in the hot part. g++ puts what is unlikely into a part of its own."""
+    """The functions called in the hot part. g++ moves unlikely code into a part of its own."""
     called = {}
     for line in lines:
         call = re.search(r"\b(?:call|jmp)\s+(?:[0-9a-f]+ )?<(.*)>", line)
@@ -124,7 +124,7 @@ def trot(work):
     for compiler in COMPILERS:
         for flags in TROT_FLAGS:
             program = work / "trot"
-            # Contraction to fused multiply-adds may differ from one function to another: off, so that bits can be compared.
+            # Without contraction to fused multiply-adds, which may differ between functions: the forms must agree to the bit.
             build(compiler, [*flags, "-ffp-contract=off"], HERE / "trot.cpp", program)
             rows.append({"compiler": compiler, "flags": " ".join(flags), **forms(program, (1000, 3000))})
             print("trot", compiler, *flags, {f: rows[-1][f]["instructions"] for f in FORMS}, flush=True)
@@ -165,7 +165,7 @@ def skills(work):
 
 
 def drives(work):
-    """The trot on eight drives over CAN, less what the buses that cost nothing do."""
+    """The trot on eight drives over CAN, without the cost of the pretended buses."""
     rows = []
     for compiler in COMPILERS:
         program = work / "drives"
@@ -178,7 +178,7 @@ def drives(work):
 
 
 def skeletons(work):
-    """Each skeleton in a graph, and by hand: instructions a beat, allocations of a thousand, calls left."""
+    """Each skeleton in a graph and by hand: instructions per beat, allocations of a thousand beats, calls left."""
     rows = []
     for compiler in COMPILERS:
         program = work / "skeletons"
@@ -188,7 +188,7 @@ def skeletons(work):
         beats = {name: lines for name, lines in functions(program).items() if re.search(r"::advance\(\)|one_beat<bench::as_graph", name)}
         for name in names:
             row = {"skeleton": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
-            within = ("*bench::one_beat*",) if "threads" in name else ()  # not what the threads do, nor waiting for them
+            within = ("*bench::one_beat*",) if "threads" in name else ()  # without the threads' work and without waiting for them
             for form in ("graph", "by_hand"):
                 row[form] = {"instructions": instructions(program, name, form, within=within)}
             rows.append(row)
@@ -212,7 +212,7 @@ def compile_once(compiler, source):
 
 
 def compile_cost(compiler, source, times):
-    """The least of several, and what Eigen alone took in between: how fast a shared machine is changes by the minute."""
+    """The least of several runs, with runs of Eigen alone in between: the speed of a shared machine changes by the minute."""
     eigen = source.parent / "eigen.cpp"
     eigen.write_text("#include <Eigen/Core>\n")
     runs = [(compile_once(compiler, eigen)[0], *compile_once(compiler, source)) for _ in range(times)]
@@ -221,7 +221,7 @@ def compile_cost(compiler, source, times):
 
 
 def instantiations(source, work):
-    """Classes and functions that clang makes of templates."""
+    """How many classes and functions clang instantiates."""
     run(["clang++-19", "-std=c++20", "-O0", *INCLUDES, "-ftime-trace", "-ftime-trace-granularity=0", "-c", str(source), "-o", str(work / "trace.o")])
     events = json.loads((work / "trace.json").read_text())["traceEvents"]
     count = {e["name"]: e["args"]["count"] for e in events if e["name"].startswith("Total Instantiate")}
@@ -229,7 +229,7 @@ def instantiations(source, work):
 
 
 def exponent(rows):
-    """Of seconds above Eigen alone, between the last two sizes."""
+    """The exponent of growth of the seconds above Eigen alone, between the last two sizes."""
     (n1, s1), (n2, s2) = [(r["nodes"], r["seconds"] / r["eigen"] - 1) for r in rows[-2:]]
     return math.log(s2 / s1) / math.log(n2 / n1) if s1 > 0 and s2 > 0 else float("nan")
 
@@ -262,7 +262,7 @@ def listing(work):
     for compiler in COMPILERS:
         run([compiler, "-std=c++20", "-O2", "-DNDEBUG", *INCLUDES, "-c", str(source), "-o", str(work / "small.o")])
         for name, lines in functions(work / "small.o").items():
-            # The compiler decides whether advance() is a function of its own or part of beat(): the longer one is the loop.
+            # The compiler may inline advance() into beat(): the longer one is the loop.
             if ("advance()" in name or name.startswith("beat(")) and "cold" not in name and len(lines) > len(result.get(compiler, [])):
                 result[compiler] = lines
     return result
@@ -292,7 +292,7 @@ def main():
         with tempfile.TemporaryDirectory() as work:
             for name in a.only or parts:
                 part = {"machine": machine(), "data": parts[name](pathlib.Path(work))}
-                # Anew, since two parts may be measured at the same time.
+                # Read again: another process may have measured another part meanwhile.
                 figures = json.loads(file.read_text()) if file.exists() else {}
                 figures[name] = part
                 file.write_text(json.dumps(figures, indent=1) + "\n")

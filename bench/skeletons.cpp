@@ -1,9 +1,9 @@
-// Each skeleton in a graph, and what one would write by hand instead: how much of it is left after compiling.
+// Each skeleton in a graph, and by hand: shows how much of a skeleton is left after compiling.
 //
 //   skeletons list                       the names
-//   skeletons check                      compares the two forms of each, bit for bit, beat by beat; exits
-//   with 1 where they differ skeletons <name> <form> <beats>      runs `graph` or `by_hand` so many beats
-//   (under callgrind) skeletons <name> allocations         of a thousand beats
+//   skeletons check                      compares the two forms of each, bit for bit; exits with 1 if they
+//   differ skeletons <name> <form> <beats>      runs `graph` or `by_hand` for this many beats (under
+//   callgrind) skeletons <name> allocations         the allocations of a thousand beats
 #include "skeletons.hpp"
 
 #include <cstdio>
@@ -21,7 +21,7 @@ template <class Form>
   form.step();
 }
 
-// Named, so that the disassembly has it under its name.
+// Not inlined, so that the disassembly shows it under its name.
 template <class Graph>
 struct as_graph {
   cca::controller<Graph> controller;
@@ -35,7 +35,7 @@ struct as_graph {
   Eigen::Vector2d result() const { return controller.template get<"end">().sum; }
 };
 
-// What threads have to do is done between two beats.
+// The threads work between two beats.
 template <class Form>
 void one_round(Form& form) {
   one_beat(form);

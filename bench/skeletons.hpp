@@ -1,5 +1,4 @@
-// Graphs of one skeleton each, of a ramp and low-pass filters, and the same by hand. What ends in `end` is
-// summed up.
+// One graph per skeleton, with a ramp and low-pass filters, and the same by hand. `end` adds up what it gets.
 #pragma once
 
 #include <atomic>
@@ -60,7 +59,7 @@ struct splitter_collector : cca::graph<cca::rate<1000>,
                                        cca::wire<"split.x", "join.x">,
                                        cca::wire<"split.y", "join.y">,
                                        cca::wire<"join.whole", "end.x">> {};
-struct moving {  // the source by hand
+struct moving {  // the source, by hand
   Eigen::Vector2d at{0, 1}, sum{0, 0};
   void move() { at[0] += dt, at[1] -= dt; }
   Eigen::Vector2d result() const { return sum; }
@@ -117,8 +116,8 @@ struct farm_by_hand : sum_of {
   Eigen::Vector2d result() const { return sum; }
 };
 
-// A task a beat, of which the threads are done before the next one: what is counted is the loop's hand-over,
-// not their work.
+// One task per beat; the threads finish it before the next beat. So the count is the cost of the loop's
+// hand-over, not of the work.
 struct farm_threads
     : through<cca::farm_on_threads<filter, quad, quad>, cca::node<"source", ramp<quad>>, quad> {
   static constexpr cca::fixed_string crew = "skeleton.crew";
@@ -245,7 +244,7 @@ struct by_freshness_by_hand : either {
 
 // ---- switch, blend ----
 
-struct chooser {  // the other one every hundred beats
+struct chooser {  // changes its choice every hundred beats
   std::int64_t count = 0;
   auto process(cca::beat) -> cca::out<"y", cca::choice> { return static_cast<double>(count++ / 100 % 2); }
 };

@@ -1,12 +1,14 @@
 // The controller of the Combination of Skills, in two forms: the graph, and the same arithmetic as one loop
 // written by hand.
 //
-// The robot's joints are where they were commanded to, with a little noise; after two seconds it sees a ball,
-// so that all skills have their turn. `bench_skills check` compares the two bit for bit.
+// The robot's joints reach their commands at once, with a little noise; after two seconds it sees a ball, so
+// all skills run. `bench_skills check` compares the two bit for bit.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include <cca/sim/oncilla_model.hpp>
 
 #include "../examples/combination_of_skills/architecture.hpp"
 #include "program.hpp"
@@ -17,7 +19,7 @@ using vector4 = Eigen::Matrix<double, 4, 1>;
 using vector8 = Eigen::Matrix<double, 8, 1>;
 using Eigen::Vector3d;
 
-// What the robot feels and sees, from what it was told last.
+// The robot's sensor values, computed from its last commands.
 struct echo {
   vector8 legs = vector8::Constant(1.0);
   vector4 abduction = vector4::Zero(), stiffness = vector4::Zero();
@@ -33,12 +35,12 @@ struct echo {
   }
   Eigen::Vector4d orientation(std::int64_t k) const { return {0, 0, noise(k, 3), 1}; }
   Vector3d rates(std::int64_t k) const { return {noise(k, 4), noise(k, 5), noise(k, 6)}; }
-  vector4 contacts() const {  // a leg that is raised has its hip far forward
+  vector4 contacts() const {  // a raised leg has its hip far forward
     vector4 touching;
     for (int i = 0; i < 4; ++i) touching[i] = legs[i] < 1.2 ? 1 : 0;
     return touching;
   }
-  CCA_GLUE void take(const vector8& command, const vector4& sideways, const vector4& hips) {
+  [[gnu::always_inline]] void take(const vector8& command, const vector4& sideways, const vector4& hips) {
     legs = command;
     abduction = sideways;
     stiffness = hips;
@@ -75,7 +77,7 @@ struct eyes {
 
 using module = skills::shape_of_trot<1>;
 
-// Some shape: it needs no file.
+// An arbitrary shape, so no file is needed.
 module::learner::learned some_shape() {
   module::learner::learned known;
   for (int i = 0; i < 8; ++i)
@@ -93,7 +95,7 @@ struct graph : as_graph<skills_graph, look_at_robot> {
   graph() { controller.get<"dmp.module">().learning.hand_over(some_shape()); }
 };
 
-// The same by hand: one function, no samples, no ports, no origins. Equations, kinematics and monitors are
+// The same by hand: one function without samples, ports and origins. Equations, kinematics and monitors are
 // the library's functions.
 struct by_hand {
   static constexpr const char* name = "by_hand";
@@ -143,7 +145,7 @@ struct by_hand {
   skills::ball_state ball_told = skills::ball_state::unseen;
   skills::paw_state paw_told = skills::paw_state::raised;
   cca::component_status dmp_told = cca::component_status::converging;
-  bool region_told = false, begun = false;  // the module's status is told, too: dmp.status.module
+  bool region_told = false, begun = false;  // the module's status is published too: dmp.status.module
   vector8 last_legs;
   vector4 last_sideways;
 
@@ -162,7 +164,7 @@ struct by_hand {
   static double at_least(double a, double b) { return b > a ? b : a; }
   static double at_most(double a, double b) { return b < a ? b : a; }
 
-  // The plan: what has to hold for the step after this one.
+  // The plan: the condition for the next step.
   bool next_may_begin() const {
     const bool rest =
         hips_rest.get() == cca::ode_status::converged && knees_rest.get() == cca::ode_status::converged;
@@ -321,7 +323,7 @@ struct by_hand {
     goal << hips.segment<4>(4), knees.head<4>();
     vector4 sideways = hips.head<4>();
 
-    // The paw keeps to the ball.
+    // The paw follows the ball.
     const bool at_ball_now = (now_on == 4 || now_on == 5) && missing.norm() < steady.near;
     share = std::clamp(share + (at_ball_now ? +1 : -1) * dt / steady.onset, 0.0, 1.0);
     if (share > 0) {
@@ -388,7 +390,7 @@ struct by_hand {
           carrying[leg] * std::clamp(balance.time / balance.lever * rising, -balance.most, +balance.most);
     }
 
-    // What is told.
+    // Status.
     if (seen) at_ball.update(std::sqrt(missing.dot(missing)), reaching, dt);
     ball_told = !seen     ? skills::ball_state::unseen
                 : way < 0 ? skills::ball_state::near

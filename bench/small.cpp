@@ -1,5 +1,5 @@
-// A small graph with a resource node, a limiter, two rates and functions of libm: what `calls.py`
-// disassembles.
+// A small graph with a resource node, a limiter, two rates and functions of libm, for `calls.py` to
+// disassemble.
 #include <cmath>
 #include <numbers>
 

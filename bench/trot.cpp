@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <cca/sim/oncilla_model.hpp>
+
 #include "../examples/trot/architecture.hpp"
 #include "classical.hpp"
 #include "program.hpp"
@@ -13,7 +15,7 @@ namespace bench {
 using angles = cca::sim::leg_angles;
 using vector8 = angles::vector_type;
 
-// Plays 64 beats of joint angles and orientations over and over, and adds up what it is commanded.
+// Plays 64 beats of joint angles and orientations over and over, and adds up its commands.
 struct playback {
   static constexpr int length = 64;
   std::array<vector8, length> stored;
@@ -45,7 +47,7 @@ struct look_at_robot {
 };
 using graph = as_graph<trot_graph, look_at_robot>;
 
-// The same by hand: one function, no samples, no ports, no origins.
+// The same by hand: one function without samples, ports and origins.
 struct by_hand {
   static constexpr const char* name = "by_hand";
   static constexpr double pi = std::numbers::pi, whole = 2 * pi;
@@ -86,7 +88,7 @@ struct by_hand {
     return (in_stance ? give : lift) * sine * sine;
   }
 
-  // Of the hips, then of the knees.
+  // First the hips, then the knees.
   static constexpr double low(int i) {
     return i < 4 ? cca::sim::oncilla_defaults.hip_range.low : cca::sim::oncilla_defaults.knee_range.low;
   }
@@ -167,7 +169,7 @@ struct in_classical_way {
   static constexpr const char* name = "classical";
   trot::throttle throttle;
   trot::posture posture;
-  trot::hopf cpg;
+  trot::stride_oscillator cpg;
   trot::gait gait;
   cca::limiter<angles> limits;
   robot body;
@@ -178,7 +180,7 @@ struct in_classical_way {
     loop.add<&robot::sense>("sense", body, std::make_unique<every>(1));
     loop.add<&trot::throttle::process>("throttle", throttle, std::make_unique<every>(10), 10);
     loop.add<&trot::posture::process>("posture", posture, std::make_unique<every>(10), 10);
-    loop.add<&trot::hopf::process>("cpg", cpg, std::make_unique<every>(1));
+    loop.add<&trot::stride_oscillator::process>("cpg", cpg, std::make_unique<every>(1));
     loop.add<&trot::gait::process>("gait", gait, std::make_unique<when_first_is_fresh>());
     loop.add<&cca::limiter<angles>::process>("limits", limits, std::make_unique<when_fresh>());
     loop.add<&robot::act>("act", body, std::make_unique<every>(1));

@@ -1,4 +1,4 @@
-# Finds the Open Dynamics Engine (Debian: libode-dev), which brings no CMake package of its own.
+# Finds the Open Dynamics Engine (Debian: libode-dev), which has no CMake package of its own.
 # Gives the imported target ODE::ODE.
 
 find_path(ODE_INCLUDE_DIR ode/ode.h)

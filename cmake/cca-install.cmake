@@ -1,10 +1,10 @@
-# Installs the headers and what find_package(cca COMPONENTS ...) reads.
+# Installs the headers and the files that find_package(cca COMPONENTS ...) reads.
 
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/cca)  # headers only: the same on every architecture
-foreach(component cca ${CCA_COMPONENTS})
-  install(EXPORT cca-${component} FILE cca-${component}-targets.cmake NAMESPACE cca:: DESTINATION ${package_dir})
+foreach(target IN LISTS CCA_TARGETS)
+  install(EXPORT cca-${target} FILE cca-${target}-targets.cmake NAMESPACE cca:: DESTINATION ${package_dir})
 endforeach()
 
 configure_package_config_file(cmake/cca-config.cmake.in ${PROJECT_BINARY_DIR}/cca-config.cmake INSTALL_DESTINATION ${package_dir}

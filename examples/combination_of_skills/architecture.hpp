@@ -1,6 +1,10 @@
 #pragma once
-// The Combination of Skills (seed, section 6.3, figure 6.2) for any robot that has the Oncilla's ports, and a
+// The Combination of Skills (seed, section 6.3, figure 6.2) for any robot with the Oncilla's ports and a
 // camera.
+//
+// Read first: spaces.hpp, then plan.hpp (the sequence of skills), orders.hpp (what each step asks for), and
+// the components: eyes.hpp, inverse_kinematics.hpp, joints.hpp, steady.hpp, trunk.hpp. rollout.hpp runs it in
+// the simulator.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/reaching_criterion.hpp>
 #include <cca/adaptive/sequencer.hpp>
@@ -9,7 +13,6 @@
 #include <cca/motor/dmp_rhythmic_module.hpp>
 #include <cca/motor/hopf.hpp>
 #include <cca/motor/vite.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 
 #include "eyes.hpp"
 #include "inverse_kinematics.hpp"
@@ -32,18 +35,18 @@ struct oscillator : cca::hopf<stride> {
   oscillator() { p.frequency = 3.8; }
 };
 
-// The shape of the trot, learned by the program `combination_of_skills_learn`, and read from its file.
+// The shape of the trot. `combination_of_skills_learn` learns it and writes the file that is read here.
 template <int Examples>
-struct shape_of_trot : cca::dmp_rhythmic_module<
-                           cca::sim::leg_angles,
-                           stride,
-                           40,
-                           cca::locally_weighted_regression<cca::rhythmic_shape<cca::sim::leg_angles, 40>>,
-                           Examples> {
+struct shape_of_trot
+    : cca::dmp_rhythmic_module<oncilla::leg_angles,
+                               stride,
+                               40,
+                               cca::locally_weighted_regression<cca::rhythmic_shape<oncilla::leg_angles, 40>>,
+                               Examples> {
   shape_of_trot() { this->p.frequency = 3.8; }
 };
 
-struct tracking_criterion : cca::tracking<cca::sim::leg_angles> {
+struct tracking_criterion : cca::tracking<oncilla::leg_angles> {
   tracking_criterion() { p.limits = {0.2, 0.3, 1.0, 0.1}; }
 };
 
@@ -51,7 +54,7 @@ struct tracking_criterion : cca::tracking<cca::sim::leg_angles> {
 template <int Examples = 1>
 struct dmp_transformation_system : cca::tracker<shape_of_trot<Examples>, tracking_criterion> {};
 
-// Whether the paw is at the ball; told under `reaching.status`.
+// Is the paw at the ball? Published as `reaching.status`.
 struct reaching_criterion : cca::reaching_goal<point_in_trunk> {
   reaching_criterion() { p.limits = {0.002, 0.004, 1.0, 0.1}; }
 };
@@ -98,13 +101,13 @@ struct architecture
                  cca::wire<"abduction_limits.safe", "robot.abduction">,
                  cca::wire<"orders.stiffness", "stiffness_limits.command", cca::latest>,
                  cca::wire<"stiffness_limits.safe", "robot.stiffness">,
-                 cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
-                 cca::node<"abduction_limits", cca::limiter<cca::sim::abduction_angles>>,
-                 cca::node<"stiffness_limits", cca::limiter<cca::sim::hip_stiffnesses>, cca::timed<1>>,
+                 cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
+                 cca::node<"abduction_limits", cca::limiter<oncilla::abduction_angles>>,
+                 cca::node<"stiffness_limits", cca::limiter<oncilla::hip_stiffnesses>, cca::timed<1>>,
                  cca::wire<"robot.angles", "limits.measured">,
                  cca::wire<"robot.abducted", "abduction_limits.measured">,
 
-                 // Where the controllers begin: at the angles measured.
+                 // The controllers begin at the measured angles.
                  cca::node<"measured", measured_joints, cca::moderate>,
                  cca::wire<"robot.angles", "measured.angles">,
                  cca::wire<"robot.abducted", "measured.abducted">,
@@ -153,7 +156,7 @@ struct architecture
                  cca::node<"trunk", stillness, cca::timed<1>>,
                  cca::wire<"robot.angular_velocity", "trunk.angular_velocity">,
 
-                 // What a program may look at.
+                 // For programs that look on.
                  cca::observe<"dmp.criterion.*">,
                  cca::observe<"dmp.status.*">> {};
 // [architecture end]

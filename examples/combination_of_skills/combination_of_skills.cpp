@@ -1,5 +1,5 @@
-// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on: run, table, CSV, picture.
-// --help lists the options.
+// The Oncilla trots, stops, reaches for a ball with a front paw, and trots on. Writes a table, a CSV file and
+// a picture; --help lists the options.
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -8,10 +8,10 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "../trot/csv.hpp"
-#include "../trot/progress.hpp"
-#include "../trot/recording.hpp"
-#include "../trot/svg.hpp"
+#include "../trot/report/csv.hpp"
+#include "../trot/report/progress.hpp"
+#include "../trot/report/recording.hpp"
+#include "../trot/report/svg.hpp"
 #include "program.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What the user asked for on the command line; what cannot be understood is refused with what was expected.
+// The options from the command line. A mistake is refused with a message that says what was expected.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../trot/command_line.hpp"
+#include "../trot/report/command_line.hpp"
 #include "rollout.hpp"
 
 namespace skills {
@@ -89,7 +89,7 @@ inline options parse(const std::vector<std::string>& arguments) {
   return o;
 }
 
-// A controller that is loaded: with parameters from a file, if there is one, and the shape that it trots by.
+// Loads a controller: its parameters from a file, if one is given, and the learned shape of the trot.
 template <class Controller>
 void load(Controller& controller, const std::string& shape, const std::optional<std::string>& config) {
   if (!controller.template get<"dmp.module">().p.files.load.assign(shape))

@@ -1,6 +1,6 @@
 #pragma once
-// Where ball and paw are, and where it has to be sent to meet the ball: what is measured, no model of the
-// world.
+// The positions of ball and paw, and the point to send the paw to. All from measurements, without a model of
+// the world.
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -10,7 +10,7 @@
 
 namespace skills {
 
-// A camera on the trunk. It sees the ball once there is one; the program, or a driver, tells it where.
+// A camera on the trunk. The program, or a driver, sets whether it sees the ball, and where.
 struct camera {
   auto sense() -> cca::maybe<"ball", point_in_trunk> {
     if (!sees) return {};
@@ -21,13 +21,13 @@ struct camera {
   bool sees = false;
 };
 
-// How far it is to go until the ball is in reach of a front paw, m.
+// The way to walk until the ball is in reach of a front paw, m.
 inline constexpr double reach_ahead = 0.105;  // of the hip
 inline double way_left(const cca::sample<point_in_trunk>& ball) {
   return ball[cca::x{}] - hip_in_trunk(0)[0] - reach_ahead;
 }
 
-// Whether the robot is near enough to a ball to stop.
+// Is the robot near enough to the ball to stop?
 //
 //   in  "ball"     point_in_trunk
 //   out "status"   ball_status
@@ -38,8 +38,8 @@ struct ball_watch {
   }
 };
 
-// The front paw that the ball is in front of, by forward kinematics of the angles measured. Which one is
-// settled when the ball is first seen: from afar a little yaw would make it the other.
+// The position of the front paw that is nearer to the ball, by forward kinematics of the measured angles. The
+// side is chosen when the ball is first seen, and kept: later a little yaw could change it.
 //
 //   in  "ball"                    point_in_trunk
 //   in  "angles", "abducted"      of the robot
@@ -49,9 +49,9 @@ struct ball_watch {
 //   out "status"                  paw_status
 struct nearer_paw {
   auto process(cca::in<"ball", point_in_trunk> ball,
-               cca::in<"angles", cca::sim::leg_angles> angles,
-               cca::in<"abducted", cca::sim::abduction_angles> abducted,
-               cca::in<"contacts", cca::sim::foot_contacts> contacts) -> std::
+               cca::in<"angles", oncilla::leg_angles> angles,
+               cca::in<"abducted", oncilla::abduction_angles> abducted,
+               cca::in<"contacts", oncilla::foot_contacts> contacts) -> std::
       tuple<cca::out<"paw", point_in_trunk>, cca::out<"side", side_port>, cca::out<"status", paw_status>> {
     if (!settled && ball.origin() != cca::never) {
       settled = true;
@@ -69,8 +69,8 @@ private:
   bool settled = false, right = false;
 };
 
-// Where to send the paw: to the ball, and beyond by what it has lagged behind so far (springs yield, gravity
-// pulls). It adds up only near the ball.
+// The point to send the paw to: the ball, plus the integral of the paw's error (springs yield, gravity
+// pulls). It integrates only near the ball.
 //
 //   in  "ball", "paw"   point_in_trunk
 //   out "aim"           point_in_trunk
@@ -78,7 +78,7 @@ struct aim {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::bounded<double, 0, 20>, gain),          // 1/s
-                             (cca::quantity<cca::length, 0, 0.2>, near),   // adds up within this distance
+                             (cca::quantity<cca::length, 0, 0.2>, near),   // integrates within this distance
                              (cca::quantity<cca::length, 0, 0.1>, most));  // along each axis
   };
   parameters p{3.0, 0.03, 0.03};

@@ -5,8 +5,8 @@
 //   out "hips"                          hip_angles: abduction and swing
 //   out "knees"                         knee_angles
 //
-// The same component four times, each with another chain; a point out of reach gives the nearest that is in
-// reach.
+// One component for each leg, each with its own chain. A point out of reach is replaced by the nearest point
+// in reach.
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -19,7 +19,7 @@ namespace skills {
 template <class Leg>
 struct inverse_leg : cca::inverse_kinematics<Leg, typename Leg::joints_of, point_in_trunk> {};
 
-// From legs to kinds of joints.
+// Sorts the joints by kind: hips and knees.
 struct by_kind {
   auto process(cca::in<"left_front", left_front::joints_of> lf,
                cca::in<"right_front", right_front::joints_of> rf,

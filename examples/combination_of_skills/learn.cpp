@@ -1,11 +1,10 @@
-// Learns the shape of a trot from a recording of it, and writes it to a file: what the Combination of Skills
-// trots by.
+// Learns the shape of a trot from a recording of it, and writes it to the file that the Combination of Skills
+// reads.
 //
 //   combination_of_skills_learn --out trot.shape
 //
-// The robot of examples/trot trots in the simulator. What its gait commands is recorded with the phase and
-// the amplitude that it belongs to, and shown to the module; that learns in a batch and is saved by its
-// life-cycle.
+// The robot of examples/trot trots in the simulator. The commands of its gait are recorded, with their phase
+// and amplitude, and shown to the module. The module learns in a batch, and its life-cycle saves it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,13 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "../trot/program.hpp"
+#include "../trot/report/program.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"
 
 namespace {
 
-using angles = cca::sim::leg_angles::vector_type;
+namespace oncilla = cca::robots::oncilla;
+
+using angles = oncilla::leg_angles::vector_type;
 
 // [record]
 struct recorded_trot : cca::graph<cca::rate<1000>,
@@ -33,7 +34,7 @@ struct moment {
   angles commanded = angles::Zero();
 };
 
-// What stands still is the robot with its legs where the gait swings around.
+// The angles around which the gait swings.
 angles neutral(const trot::gait::parameters& p) {
   angles q;
   q << p.front.hip, p.front.hip, p.hind.hip, p.hind.hip, p.front.knee, p.front.knee, p.hind.knee, p.hind.knee;
@@ -48,7 +49,7 @@ std::vector<moment> recorded(double seconds) {
                       trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
   c.start();
   std::vector<moment> all;
-  const double settled = 2;  // s, then it trots
+  const double settled = 2;  // s, then it trots steadily
   while (1e-3 * static_cast<double>(c.beat_index()) < settled + seconds) {
     c.step();
     moment now;
@@ -68,8 +69,8 @@ std::vector<moment> recorded(double seconds) {
 struct playback {
   auto process(cca::beat now) -> std::tuple<cca::out<"phase", cca::over<cca::phase, skills::stride>>,
                                             cca::out<"amplitude", cca::over<cca::amplitude, skills::stride>>,
-                                            cca::out<"angles", cca::sim::leg_angles>,
-                                            cca::out<"neutral", cca::sim::leg_angles>> {
+                                            cca::out<"angles", oncilla::leg_angles>,
+                                            cca::out<"neutral", oncilla::leg_angles>> {
     const moment& m = played[static_cast<std::size_t>(now.index()) % played.size()];
     return {m.phase, m.amplitude, m.commanded, around};
   }
@@ -109,8 +110,7 @@ options parse(const std::vector<std::string>& arguments) {
   return o;
 }
 
-// Largest distance of what the module makes of the recording's phases from the recording, rad, once it has
-// begun.
+// The largest distance between the module's command and the recording, rad, after the start.
 double greatest_error(cca::controller<teaching>& c) {
   double worst = 0;
   const auto& played = c.get<"recording">().played;

@@ -1,11 +1,11 @@
 #pragma once
-// What each step of the plan asks of the others: an amplitude of the oscillator, a point for each foot.
+// What each step of the plan asks for: an amplitude of the oscillator, a point for each foot.
 //
 //   in  "step"               step_port of the sequencer
-//   in  "ball", "aim"        point_in_trunk: where the ball is, and where to send the paw for it
+//   in  "ball", "aim"        point_in_trunk: the ball, and the point to send the paw to
 //   in  "side"               side_port: which paw
 //   out "amplitude"          of the gait; negative: stand
-//   out "left_front" ...     point_in_trunk: where the feet shall be, or, in a trot, swing around
+//   out "left_front" ...     point_in_trunk: where to put the feet, or what they swing around
 //   out "stiffness"          of the hips
 //   out "supports"           1 for legs that stand
 #include <algorithm>
@@ -32,9 +32,9 @@ struct orders {
                              (cca::quantity<cca::speed, 0, 1>, speed),
                              (double, intercept),
                              (double, slope),  // amplitude = intercept + slope * speed
-                             (cca::quantity<cca::duration, 0, 3600>, start),  // stand so long first
+                             (cca::quantity<cca::duration, 0, 3600>, start),  // stand first, so long
                              (cca::bounded<double, 0, 10>,
-                              slowing),  // speed per way that is left to the ball, 1/s
+                              slowing),                            // speed per remaining way to the ball, 1/s
                              (cca::bounded<double, 0, 1>, least),  // amplitude on that way
                              (foot_place, front),
                              (foot_place, hind),  // what feet swing around
@@ -42,9 +42,9 @@ struct orders {
   };
   struct standing {
     BOOST_HANA_DEFINE_STRUCT(standing,
-                             (foot_place, feet),  // the trunk moves back, and crouches
+                             (foot_place, feet),  // moves the trunk back and down
                              (cca::quantity<cca::length, 0, 0.1>,
-                              aside),  // feet towards the paw: the trunk leans away from it
+                              aside),  // feet towards the paw, so the trunk leans away from it
                              (cca::quantity<cca::length, 0, 0.1>, lift),
                              (cca::quantity<cca::stiffness, 0, 200>, stiffness),
                              (cca::quantity<cca::duration, 0.01, 2>, stiffening));
@@ -76,8 +76,8 @@ struct orders {
 
     std::array<Eigen::Vector3d, 4> feet;
     for (std::size_t leg = 0; leg < 4; ++leg) {
-      const foot_place& at = shifted ? p.stand.feet : cca::sim::is_front(leg) ? p.trot.front : p.trot.hind;
-      const double aside = shifted ? cca::sim::side_of(paw) * p.stand.aside : 0.0;
+      const foot_place& at = shifted ? p.stand.feet : oncilla::is_front(leg) ? p.trot.front : p.trot.hind;
+      const double aside = shifted ? oncilla::side_of(paw) * p.stand.aside : 0.0;
       feet[leg] = hip_in_trunk(leg) + Eigen::Vector3d(at.ahead, aside, -at.below);
     }
     if (raised) feet[paw][2] += p.stand.lift;

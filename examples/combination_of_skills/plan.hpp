@@ -1,9 +1,9 @@
 #pragma once
-// The sequence of skills: which one comes next, what its precondition is, and where it leads when that takes
-// too long.
+// The sequence of skills: the order of the steps, the conditions that start each, and where to go if that
+// takes too long.
 //
-// A condition stands with the step that it starts. It is about what the skills tell of themselves, not about
-// time; the paw is held at the ball for a second.
+// A condition stands with the step that it starts. Conditions depend on the status of the skills, not on
+// time; only the paw is held at the ball for a second.
 #include <cca/adaptive/component_status.hpp>
 #include <cca/adaptive/sequence.hpp>
 

@@ -1,13 +1,13 @@
 #pragma once
-// What the programs that act once have in common: the command line.
+// Shared by the programs that do one run: the command line.
 #include <iostream>
 
-#include "../trot/program.hpp"
+#include "../trot/report/program.hpp"
 #include "command_line.hpp"
 
 namespace skills {
 
-// What run(options) returns, or trot::program.
+// Returns what run(options) returns, or an exit code of trot::program.
 template <class Run>
 int program(const char* name, int count, char** arguments, Run run) {
   return trot::program(name, [&] {

@@ -1,7 +1,7 @@
 #pragma once
-// One run of the Combination of Skills in a simulated world, and what came of it. The robot is the
-// simulator's, or one on virtual drives around it (examples/hardware_in_the_loop): a stage has a
-// `controller`, loaded and not yet started, `step()`, a `world()`, and can `put_down(world, disturbance)` and
+// One run of the Combination of Skills in a simulated world, and its result. The robot is the simulator's, or
+// one on virtual drives around it (examples/hardware_in_the_loop). `act` takes either as a stage: it has a
+// `controller`, loaded and not started, `step()`, `world()`, `put_down(world, disturbance)` and
 // `disturb(disturbance)`.
 #include <algorithm>
 #include <array>
@@ -29,8 +29,8 @@ struct circumstances {
   paw_side paw = paw_side::left;
   target where = target::ahead;
   double push = 20;           // N on the trunk from the side, while the paw is at the ball
-  double trot_seconds = 6.2;  // first; and at the end, counted from the first step
-  double after_seconds = 6;
+  double trot_seconds = 6.2;  // s, from the start
+  double after_seconds = 6;   // s, of the trot at the end
 };
 
 // How a skill ended.
@@ -39,17 +39,17 @@ enum class outcome : std::uint8_t { not_begun, going_on, done, timed_out };
 struct episode {
   outcome how = outcome::not_begun;
   double begin = 0, end = 0;    // s
-  double error = std::nan("");  // of the joints behind their commands, when it ended, rad
+  double error = std::nan("");  // between joints and commands, when it ended, rad
 };
 
 struct result {
   bool fell = false;
-  int last = 0;  // the step of the plan that was on
+  int last = 0;  // the last step of the plan
   double seconds = 0;
   double reach_error = std::nan("");       // m, mean while the paw is at the ball, before the push
-  double worst_error = std::nan("");       // m, greatest in that time
-  double error_after_push = std::nan("");  // m, mean of the end of that skill
-  double worst_after_push = std::nan("");  // m, greatest then
+  double worst_error = std::nan("");       // m, largest in that time
+  double error_after_push = std::nan("");  // m, mean after the push
+  double worst_after_push = std::nan("");  // m, largest after the push
   double reach_time = std::nan("");        // s
   double speed_after = 0;                  // m/s
   std::array<episode, plan::count> skills{};
@@ -64,7 +64,7 @@ struct result {
 inline cca::sim::initial_posture put_down(const orders::parameters& p, const cca::sim::disturbance& d) {
   cca::sim::initial_posture posture;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto& foot = cca::sim::is_front(i) ? p.trot.front : p.trot.hind;
+    const auto& foot = oncilla::is_front(i) ? p.trot.front : p.trot.hind;
     const auto q = cca::sim::leg_angles_for(cca::sim::oncilla_defaults, {foot.ahead, -foot.below});
     posture.legs[i] = {q.hip + d.hip_offset[i], q.knee + d.knee_offset[i], 0};
   }
@@ -72,7 +72,7 @@ inline cca::sim::initial_posture put_down(const orders::parameters& p, const cca
   return posture;
 }
 
-// How far the joints are behind their commands.
+// The distance between the joints and their commands.
 template <class Controller>
 double tracking_error(const Controller& controller) {
   double error = std::nan("");

@@ -1,5 +1,5 @@
-// The Combination of Skills from many disturbance seeds, with either paw, for each ball, on all cores: how
-// often it falls, how near the paw comes, how long that takes.
+// The Combination of Skills from many disturbance seeds, with either paw, for each place of the ball, on all
+// cores: how often it falls, how near the paw comes, how long that takes.
 //
 //   combination_of_skills_runs --shape trot.shape --count 10 --summary summary.json
 #include <algorithm>
@@ -16,9 +16,9 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "../trot/parallel.hpp"
-#include "../trot/program.hpp"
-#include "../trot/progress.hpp"
+#include "../trot/report/parallel.hpp"
+#include "../trot/report/program.hpp"
+#include "../trot/report/progress.hpp"
 #include "command_line.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"
@@ -54,7 +54,7 @@ options parse(const std::vector<std::string>& arguments) {
 
 std::string quoted(std::string_view name) { return std::string("`").append(name).append("`"); }
 
-// Lowest, highest and mean of what was seen.
+// Lowest, highest and sum of numbers.
 struct seen {
   double low = std::numeric_limits<double>::infinity(), high = 0, sum = 0;
   void add(double x) {
@@ -64,9 +64,9 @@ struct seen {
   }
 };
 
-// A row of a table in Markdown: of the runs with this ball and this paw; of its figures, those of runs that
-// did what they should.
-void print(const std::vector<skills::told_run>& runs, skills::target where, skills::paw_side paw) {
+// A row of a Markdown table, for the runs with this ball and this paw. The figures are of the successful
+// runs.
+void print(const std::vector<skills::finished_run>& runs, skills::target where, skills::paw_side paw) {
   int count = 0, fell = 0, good = 0;
   seen off, worst, pushed, time, speed;
   for (const auto& [c, r] : runs) {
@@ -90,7 +90,7 @@ void print(const std::vector<skills::told_run>& runs, skills::target where, skil
   else std::printf("                     |                |                |                  |\n");
 }
 
-void print(const std::vector<skills::told_run>& runs) {
+void print(const std::vector<skills::finished_run>& runs) {
   std::printf(
       "\n| ball     | paw   | within 5 mm in 3 s | falls | off: mean, greatest | after the push | reached in "
       "    | then trots at    |\n"
@@ -101,19 +101,20 @@ void print(const std::vector<skills::told_run>& runs) {
       print(runs, static_cast<skills::target>(where), static_cast<skills::paw_side>(paw));
   for (const auto& [c, r] : runs)
     if (!skills::succeeded(r))
-      std::printf("not so: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, reached in %.2f s\n",
+      std::printf("failed: seed %d, %s paw, %s: %s in `%s`, worst error %.2f mm, reached in %.2f s\n",
                   static_cast<int>(c.seed.value_or(0)),
                   std::string(skills::paw_names[static_cast<std::size_t>(c.paw)]).c_str(),
                   std::string(skills::target_names[static_cast<std::size_t>(c.where)]).c_str(),
                   r.fell ? "fell" : "ended",
                   std::string(skills::plan::table[static_cast<std::size_t>(r.last)].name).c_str(),
                   r.worst_error * 1e3, r.reach_time);
-  const auto good = std::count_if(runs.begin(), runs.end(),
-                                  [](const skills::told_run& one) { return skills::succeeded(one.what); });
+  const auto good = std::count_if(
+      runs.begin(), runs.end(), [](const skills::finished_run& one) { return skills::succeeded(one.what); });
   std::printf(
-      "\n%d of %d runs did it: no fall, the ball reached in 3 s, the paw within 5 mm of it, and trotted on.\n"
-      "Off: from the paw to the ball, in the 0.4 s after it was reached; after the push: greatest in the "
-      "time from then on.\n",
+      "\n%d of %d runs succeeded: no fall, the ball reached in 3 s, the paw within 5 mm of it, and trotted "
+      "on.\n"
+      "Off: the distance from paw to ball in the 0.4 s after it was reached. After the push: the largest "
+      "distance from then on.\n",
       static_cast<int>(good), static_cast<int>(runs.size()));
 }
 
@@ -121,7 +122,7 @@ int run(const options& o) {
   skills::combined start;
   skills::load(start, o.shape, o.config);
 
-  std::vector<skills::told_run> runs;
+  std::vector<skills::finished_run> runs;
   for (std::uint64_t seed = o.first; seed < o.first + o.count; ++seed)
     for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw)
       for (std::size_t where = 0; where < skills::target_names.size(); ++where) {
@@ -147,7 +148,7 @@ int run(const options& o) {
   print(runs);
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });
   return std::all_of(runs.begin(), runs.end(),
-                     [](const skills::told_run& one) { return skills::succeeded(one.what); })
+                     [](const skills::finished_run& one) { return skills::succeeded(one.what); })
              ? 0
              : 1;
 }

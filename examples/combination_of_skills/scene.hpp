@@ -1,5 +1,5 @@
 #pragma once
-// The ball: at a place in reach of the robot once it has stopped, or fixed in the world in front of it.
+// The ball: in reach of the robot when it stops, or fixed in the world in front of it.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,14 +26,14 @@ public:
   scene(target where, paw_side paw, double trot_seconds)
       : where_(where), leg_(paw == paw_side::right ? 1 : 0), shown_at_(trot_seconds) {
     if (where == target::world)
-      ball_ = Eigen::Vector3d(fixed_ahead, cca::sim::side_of(leg_) * cca::sim::oncilla_defaults.hip_y,
+      ball_ = Eigen::Vector3d(fixed_ahead, oncilla::side_of(leg_) * cca::sim::oncilla_defaults.hip_y,
                               fixed_height);
   }
 
   std::size_t leg() const { return leg_; }
 
-  // What a camera on the trunk sees now, if anything. A ball that isn't fixed in the world is held in front
-  // of the robot, once it has trotted for long enough, until it stands.
+  // The ball in the trunk's frame, if a camera on the trunk sees it. A ball that isn't fixed in the world
+  // appears in front of the robot after `trot_seconds`, and moves with it until it stops.
   std::optional<Eigen::Vector3d> seen(const cca::sim::world& world, bool stopped) {
     const Eigen::Vector3d trunk = vector(world.trunk_position());
     const cca::sim::quaternion& q = world.reading().trunk.orientation;
@@ -47,7 +47,7 @@ public:
     return Eigen::Vector3d(turn.conjugate() * (*ball_ - trunk));
   }
 
-  // From the paw to the ball, in the world: what no sensor of the robot knows.
+  // The true distance from paw to ball, which no sensor of the robot measures.
   std::optional<double> distance(const cca::sim::world& world) const {
     if (!ball_) return {};
     return (vector(world.foot_position(leg_)) - *ball_).norm();
@@ -60,7 +60,7 @@ private:
   static constexpr double fixed_ahead = 4.15, fixed_height = 0.062;  // m
 
   Eigen::Vector3d beside(const std::array<double, 3>& p) const {
-    return {p[0], cca::sim::side_of(leg_) * p[1], p[2]};
+    return {p[0], oncilla::side_of(leg_) * p[1], p[2]};
   }
   static Eigen::Vector3d vector(const cca::sim::vector3& v) { return {v[0], v[1], v[2]}; }
 

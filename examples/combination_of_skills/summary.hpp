@@ -1,5 +1,5 @@
 #pragma once
-// The figures of runs: a table of one for people, a list of many for programs (JSON).
+// The figures of runs: a table of one run for people, a JSON list of many for programs.
 #include <cmath>
 #include <cstdio>
 #include <ostream>
@@ -11,12 +11,12 @@
 
 namespace skills {
 
-struct told_run {
+struct finished_run {
   circumstances where;
   result what;
 };
 
-// Within 5 mm, in 3 s, without a fall.
+// Success: within 5 mm, in 3 s, without a fall.
 inline constexpr double allowed_error = 0.005, allowed_time = 3.0;
 inline bool succeeded(const result& r) {
   return !r.fell && r.last == plan::at<"trot on"> && r.touched() && r.worst_error <= allowed_error &&
@@ -68,7 +68,7 @@ inline void write_table(std::ostream& out, const circumstances& c, const result&
   out << formatted("  trotted on at %.3f m/s", r.speed_after) << (r.fell ? "; FELL\n" : "\n");
 }
 
-inline void write_json(std::ostream& out, const std::vector<told_run>& runs) {
+inline void write_json(std::ostream& out, const std::vector<finished_run>& runs) {
   using detail::number;
   out << "[";
   for (std::size_t i = 0; i < runs.size(); ++i) {

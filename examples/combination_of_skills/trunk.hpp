@@ -1,5 +1,5 @@
 #pragma once
-// What the trunk's sensors are good for: is it still, where does it head, does it sway.
+// Components for the trunk: is it still, heading, steering, and a reflex against swaying.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace skills {
 
-// Fulfilled while the trunk is still: its rates of turn, low-passed, have stayed small for a while.
+// Fulfilled while the trunk is still: its low-passed rates of turn have been small for a while.
 //
 //   in  "angular_velocity"   trunk_angular_velocity
 //   out "status"             trunk_status: a criterion_state
@@ -23,7 +23,7 @@ struct stillness {
   };
   parameters p{{0.15, 0.15, cca::infinity, 0.1}, 0.05};
 
-  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning, cca::beat now)
+  auto process(cca::in<"angular_velocity", oncilla::trunk_angular_velocity> turning, cca::beat now)
       -> cca::out<"status", trunk_status> {
     smooth += now.dt() / p.smoothing * (turning.vector().norm() - smooth);
     return cca::status_of(monitor.update(smooth, p.limits, now.dt()));
@@ -34,13 +34,13 @@ private:
   cca::error_monitor monitor;
 };
 
-// Heads for the ball while it is ahead, so that it comes in front of its paw; else in the direction that it
-// started in.
+// Heads for the ball while that is ahead, so that the ball comes in front of the paw; otherwise holds the
+// direction of the start.
 //
 //   in  "orientation"   trunk_orientation
 //   in  "ball"          point_in_trunk
 //   in  "side"          side_port: the paw
-//   in  "amplitude"     of the gait: standing, nothing adds up
+//   in  "amplitude"     of the gait; nothing is integrated while it stands
 //   out "turn"          turning, -most to most
 struct heading {
   struct parameters {
@@ -49,13 +49,13 @@ struct heading {
                              (cca::bounded<double, 0, 10>, drift),  // turn per rad s
                              (cca::bounded<double, 0, 1>, most),    // turn
                              (cca::quantity<cca::length, 0, 10>,
-                              near),  // a ball nearer than this is not headed for
+                              near),  // does not head for a ball nearer than this
                              (cca::quantity<cca::length, 0, 0.1>,
-                              inside));  // of the hip: there the paw reaches as far to both sides
+                              inside));  // of the hip: from there the paw reaches equally far to both sides
   };
   parameters p{1.2, 0.4, 0.5, 0.3, 0.014};
 
-  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk,
+  auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk,
                cca::in<"ball", point_in_trunk> ball,
                cca::in<"side", side_port> side,
                cca::in<"amplitude", cca::over<cca::amplitude, stride>> amplitude,
@@ -63,12 +63,12 @@ struct heading {
     const std::size_t leg = side.is(paw_side::right) ? 1 : 0;
     const Eigen::Vector3d hip = hip_in_trunk(leg);
     const double ahead = ball[cca::x{}] - hip[0],
-                 beside = ball[cca::y{}] - hip[1] + cca::sim::side_of(leg) * p.inside;
+                 beside = ball[cca::y{}] - hip[1] + oncilla::side_of(leg) * p.inside;
     const double off =
         ball.origin() != cca::never && ahead > p.near ? -std::atan2(beside, ahead) : trunk.yaw();
     constexpr double swinging = 0.1;
     if (amplitude[stride{}] > swinging) {
-      const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more could not be acted on
+      const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more has no effect
       aside = std::clamp(aside + now.dt() * off, -largest, largest);
     } else {
       aside = 0;
@@ -80,47 +80,47 @@ private:
   double aside = 0;  // rad s
 };
 
-// Legs on one side swing farther, on the other less.
+// Legs on one side swing farther, those on the other side less.
 //
-//   in  "goal"     leg_angles: what the hips swing around
+//   in  "goal"     leg_angles: the angles around which the hips swing
 //   in  "turn"     turning
 //   in  "command"  leg_angles
 //   out "angles"   leg_angles
 struct steering {
-  auto process(cca::in<"goal", cca::sim::leg_angles> goal,
+  auto process(cca::in<"goal", oncilla::leg_angles> goal,
                cca::in<"turn", turning> turn,
-               cca::in<"command", cca::sim::leg_angles> command) -> cca::out<"angles", cca::sim::leg_angles> {
-    cca::sim::leg_angles::vector_type angles = command.vector();
+               cca::in<"command", oncilla::leg_angles> command) -> cca::out<"angles", oncilla::leg_angles> {
+    oncilla::leg_angles::vector_type angles = command.vector();
     for (int leg = 0; leg < 4; ++leg)
-      angles[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] *
+      angles[leg] -= oncilla::side_of(static_cast<std::size_t>(leg)) * turn[yaw{}] *
                      (command.vector()[leg] - goal.vector()[leg]);
     return angles;
   }
 };
 
-// A reflex against swaying on springs: where the trunk sinks above a leg that stands, that leg stretches.
+// A reflex against swaying on springs: where the trunk sinks above a standing leg, that leg stretches.
 //
 //   in  "angular_velocity"   trunk_angular_velocity
 //   in  "supports"           supports: 1 for the legs that stand
 //   in  "command"            leg_angles
 //   out "angles"             leg_angles
 //
-// The rate at which a hip sinks is taken from the trunk's rates of turn; the knee gives `time` times that, as
-// far as `most`.
+// The speed at which a hip sinks follows from the trunk's rates of turn; the knee stretches by `time` times
+// that, at most by `most`.
 struct balance {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::quantity<cca::duration, 0, 0.2>, time),
                              (cca::quantity<cca::length, 0.01, 0.2>,
-                              lever),  // of the foot's height about the knee
+                              lever),  // of the foot's height per angle of the knee, m
                              (cca::quantity<cca::angle, 0, 0.5>, most));
   };
   parameters p{0.03, 0.09, 0.1};
 
-  auto process(cca::in<"angular_velocity", cca::sim::trunk_angular_velocity> turning,
+  auto process(cca::in<"angular_velocity", oncilla::trunk_angular_velocity> turning,
                cca::in<"supports", supports> standing,
-               cca::in<"command", cca::sim::leg_angles> command) -> cca::out<"angles", cca::sim::leg_angles> {
-    cca::sim::leg_angles::vector_type angles = command.vector();
+               cca::in<"command", oncilla::leg_angles> command) -> cca::out<"angles", oncilla::leg_angles> {
+    oncilla::leg_angles::vector_type angles = command.vector();
     const auto& w = turning.vector();
     for (int leg = 0; leg < 4; ++leg) {
       const Eigen::Vector3d hip = hip_in_trunk(static_cast<std::size_t>(leg));

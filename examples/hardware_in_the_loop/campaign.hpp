@@ -1,6 +1,6 @@
 #pragma once
-// One run of the fault campaign: the trot on virtual drives, a fault after 1.5 s, what the robot does, and a
-// deliberate restart.
+// One run of the fault campaign: the trot on virtual drives, a fault after 1.5 s, the robot's reaction, and a
+// restart by the operator.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,19 +13,20 @@
 
 namespace hil {
 
-// What goes wrong in the controller: numbers that are none, or commands made again and again from the same
-// old data.
+// Faults in the controller: commands that are not numbers, or commands that are made of the same old data
+// again and again.
 struct saboteur {
-  auto process(cca::in<"angles", sim::leg_angles> wanted) -> cca::out<"angles", sim::leg_angles> {
+  auto process(cca::in<"angles", robots::oncilla::leg_angles> wanted)
+      -> cca::out<"angles", robots::oncilla::leg_angles> {
     if (!stuck) origin = wanted.origin(), angles = wanted.vector();
-    cca::out<"angles", sim::leg_angles> result = angles;
-    if (not_a_number) result[sim::left_hind_hip{}] = std::nan("");
+    cca::out<"angles", robots::oncilla::leg_angles> result = angles;
+    if (not_a_number) result[robots::oncilla::left_hind_hip{}] = std::nan("");
     return result.with_origin(origin);
   }
   bool not_a_number = false, stuck = false;
 
 private:
-  sim::leg_angles::vector_type angles = sim::leg_angles::vector_type::Zero();
+  robots::oncilla::leg_angles::vector_type angles = robots::oncilla::leg_angles::vector_type::Zero();
   std::int64_t origin = cca::never;
 };
 
@@ -33,7 +34,7 @@ template <class Limiter>
 struct sabotaged : cca::graph<cca::rate<1000>,
                               cca::node<"throttle", trot::throttle, cca::timed<10>>,
                               cca::node<"posture", trot::posture, cca::timed<10>>,
-                              cca::node<"cpg", trot::hopf, cca::timed<1>>,
+                              cca::node<"cpg", trot::stride_oscillator, cca::timed<1>>,
                               cca::node<"gait", trot::gait, cca::port_triggered<"phase">>,
                               cca::node<"saboteur", saboteur>,
                               cca::node<"limits", Limiter>,
@@ -48,36 +49,37 @@ struct sabotaged : cca::graph<cca::rate<1000>,
                               cca::wire<"saboteur.angles", "limits.command">,
                               cca::wire<"limits.safe", "robot.command">> {};
 
-// One with the limiter that every architecture has, one where it is switched off.
-struct limited : sabotaged<cca::limiter<sim::leg_angles>> {};
-struct unlimited : sabotaged<cca::unlimited<sim::leg_angles>> {};
+// With the limiter of every architecture, and with the limiter switched off.
+struct limited : sabotaged<cca::limiter<robots::oncilla::leg_angles>> {};
+struct unlimited : sabotaged<cca::unlimited<robots::oncilla::leg_angles>> {};
 
 template <class Architecture>
 struct scenario {
   using run_type = in_memory<Architecture>;
   std::string fault;
-  std::int64_t beats = 200;                                // how long it lasts
-  std::vector<hw::bus_fault> script{};                     // from the fault's beginning
-  std::function<void(run_type&, std::int64_t)> each = {};  // what happens in a beat of it, counted from 0
-  std::function<void(run_type&)> mend = {};                // what ends it
-  std::function<bool(std::int64_t)> controller_runs = {};  // in a beat of it; empty: always
-  bool killed = false;                                     // the program is started anew
+  std::int64_t beats = 200;             // the fault's duration
+  std::vector<hw::bus_fault> script{};  // from the fault's beginning on
+  std::function<void(run_type&, std::int64_t)> each =
+      {};                                    // called in each of its beats, with their number from 0 on
+  std::function<void(run_type&)> mend = {};  // ends the fault
+  std::function<bool(std::int64_t)> controller_runs = {};  // in each of its beats; empty: always
+  bool killed = false;                                     // the program is killed and started again
 };
 
 struct result {
   std::string fault, first_cause;
-  std::int64_t beats_to_detect = -1;  // -1: nothing had to be done about it
-  std::int64_t beats_to_safe = 0;     // from the detection
+  std::int64_t beats_to_detect = -1;  // -1: it needed no reaction
+  std::int64_t beats_to_safe = 0;     // after the detection
   std::string detected_by = "-";
   double max_excursion =
-      0;  // rad, from where a joint was at the detection; where nothing was, from a run without the fault
+      0;  // rad, from the position at the detection; without one, from a run without the fault
   double max_torque = 0;
   std::int64_t sent = 0, sent_outside_limits = 0;
   bool recovered = false, fell = false;
   bool good() const { return recovered && sent_outside_limits == 0 && beats_to_safe <= 3; }
 };
 
-// Looks at every set-point on the wires, beside the drives.
+// Checks every set-point on the buses, as a third node.
 class spy {
 public:
   template <class Run>
@@ -108,7 +110,7 @@ private:
           return b.lower - step <= x && x <= b.upper + step;
         };
         constexpr double torque_steps =
-            0.1;  // what the steps of position, velocity and gains in a frame make of a torque
+            0.1;  // N m, from the resolution of position, velocity and gains in a frame
         bool good = c.stiffness <= J::servo.most_stiff + 0.2 && c.damping <= 5.01;
         if (c.stiffness > 0.2) good = good && within(c.position, J::angle, 0.001);
         if (c.damping > 0.01) good = good && within(c.velocity, J::speed, 0.02);
@@ -128,12 +130,12 @@ private:
   }
 };
 
-struct timing {  // in beats: before a fault, behind it, of the longest, behind the deliberate restart
+struct timing {  // in beats: before a fault, after it, of the longest fault, after the restart
   static constexpr std::int64_t begin = 1500, after = 700, longest = 1000, restarted = 2500;
 };
 
-// Where the joints go from the beginning of the fault on; `undisturbed`: if nothing goes wrong.
-using way = std::vector<std::array<double, 8>>;
+// The positions of the joints from the beginning of the fault on. `undisturbed`: without a fault.
+using path = std::vector<std::array<double, 8>>;
 template <class Architecture>
 std::array<double, 8> positions(const in_memory<Architecture>& r) {
   std::array<double, 8> all{};
@@ -142,12 +144,12 @@ std::array<double, 8> positions(const in_memory<Architecture>& r) {
   return all;
 }
 template <class Architecture>
-const way& undisturbed() {
-  static const way all = [] {
+const path& undisturbed() {
+  static const path all = [] {
     in_memory<Architecture> r;
     r.controller.load();
     r.controller.start();
-    way w;
+    path w;
     for (std::int64_t k = 0; k < timing::begin + timing::longest + timing::after; ++k) {
       r.step();
       if (k >= timing::begin) w.push_back(positions(r));
@@ -156,7 +158,7 @@ const way& undisturbed() {
   }();
   return all;
 }
-inline double farthest(const way& a, const way& b) {
+inline double farthest(const path& a, const path& b) {
   double most = 0;
   for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
     for (std::size_t i = 0; i < 8; ++i) most = std::max(most, std::abs(a[k][i] - b[k][i]));
@@ -171,7 +173,7 @@ result run(const scenario<Architecture>& s) {
     f.from = begin * 1'000'000, f.until = (begin + s.beats) * 1'000'000;
     script.push_back(f);
     if (f.end != hw::every_end) continue;
-    script.back().end = 0;  // to robot and drives, not to the one who watches
+    script.back().end = 0;  // for robot and drives, not for the spy
     f.end = 1;
     script.push_back(f);
   }
@@ -186,7 +188,7 @@ result run(const scenario<Architecture>& s) {
   std::int64_t last_moving = -1, detected = -1;
   std::array<double, 8> where{};
   auto former = r.laws;
-  way gone;
+  path gone;
   const auto note = [&](std::int64_t k) {
     watcher.look(r);
     const auto q = r.robot.joints();
@@ -243,7 +245,7 @@ result run(const scenario<Architecture>& s) {
   }
   found.fell = r.robot.world.fallen();
 
-  // The deliberate restart.
+  // The restart by the operator.
   if (s.killed) {
     r.restart_program();
     r.controller.load();

@@ -1,7 +1,8 @@
-// The fault campaign: every fault of the list below, in a run of its own; a table, with a file name the same
-// as JSON, and with the name of a page the same in place of its table.
+// The fault campaign: one run for each fault of the list below. Prints a table.
 //
 // usage: hardware_in_the_loop_faults [faults.json [docs/hardware.md]]
+//   faults.json        writes the table as JSON
+//   docs/hardware.md   replaces the table in this page
 #include <exception>
 #include <fstream>
 #include <iomanip>
@@ -147,7 +148,7 @@ void write(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error(path + ": could not be written to its end");
 }
 
-// The page with the table in it exchanged.
+// The page with the new table.
 std::string renewed(const std::string& path, const std::string& table) {
   std::ostringstream page;
   page << std::ifstream(path).rdbuf();
@@ -173,9 +174,9 @@ int main(int count, char** arguments) {
   int bad = 0;
   for (const result& r : all)
     if (!r.good()) {
-      std::cerr << r.fault << ": " << (r.recovered ? "" : "does not come back; ")
+      std::cerr << r.fault << ": " << (r.recovered ? "" : "does not recover; ")
                 << (r.beats_to_safe > 3 ? "is not safe within 3 beats; " : "")
-                << (r.sent_outside_limits ? "something outside of the limits was sent" : "") << '\n';
+                << (r.sent_outside_limits ? "a set-point outside of the limits was sent" : "") << '\n';
       ++bad;
     }
   return bad ? 1 : 0;

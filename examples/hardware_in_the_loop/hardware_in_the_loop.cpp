@@ -1,15 +1,16 @@
-// The trot's controller drives virtual drives around the simulated Oncilla, at the other end of CAN buses.
+// The controller of the trot moves virtual drives around the simulated Oncilla, over CAN buses.
 //
-//   hardware_in_the_loop [--seconds N]                                 both ends in this process, on buses in
-//   memory hardware_in_the_loop --role drives --buses vcan0,...,vcan4         the far end: drives, sensor
-//   board, mechanics hardware_in_the_loop --role robot  --buses vcan0,...,vcan4         the controller, in a
-//   second process
-//   ... --pace lock-step                                               of both: for a machine too slow for
-//   real time
+//   hardware_in_the_loop [--seconds N]
+//       both ends in this process, on buses in memory
+//   hardware_in_the_loop --role drives --buses vcan0,...,vcan4
+//       the far end: drives, sensor board, mechanics
+//   hardware_in_the_loop --role robot --buses vcan0,...,vcan4
+//       the controller, in a second process; it is the program for a real robot
+//   ... --pace lock-step
+//       for both: on a machine that is too slow for real time
 //
-// The role `robot` is the program that drives the real robot: it can't tell the difference. Ends with 0 if
-// nothing tripped and, where it sees it, the robot came forward and has not fallen; the role `drives` with 2
-// if all drives stopped by their watchdogs.
+// Exit code 0: nothing tripped and, where the program can see it, the robot came forward and has not fallen.
+// Role `drives`: 2 if all drives stopped by their watchdogs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,7 +71,7 @@ options parse(int count, char** words) {
 }
 
 template <class Controller>
-int told(Controller& c) {
+int report(Controller& c) {
   const auto& stop = c.template get<"robot.emergency_stop">();
   const hw::safety_event cause = stop.first_cause();
   const bool runs = stop.mode() == hw::motion_mode::run;
@@ -95,20 +96,21 @@ int in_one_process(std::int64_t beats) {
       std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
   }
   if (run.robot.world.fallen()) std::printf("the robot fell\n");
-  return told(run.controller) + (run.robot.world.fallen() ? 1 : 0);
+  return report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
 }
 
 struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
 
 using bus_array = std::array<paced_can, buses>;
-// What the robot hears the far end says, and the other way round; the kernel lets nothing else in.
+// Each end receives only the ids that the other end sends: the kernel filters all others.
 template <std::size_t... Bus>
 bus_array open(const options& o, std::index_sequence<Bus...>) {
   using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
-  const auto bus = [&o](std::size_t i, std::span<const hw::can_filter> asked,
-                        std::span<const hw::can_filter> told) {
-    if (o.role == "drives") std::swap(asked, told);
-    return paced_can(o.names[i], {.replies = told, .ours = asked, .gives_up_after = 800'000}, o.lock_step);
+  const auto bus = [&o](std::size_t i, std::span<const hw::can_filter> requests,
+                        std::span<const hw::can_filter> replies) {
+    if (o.role == "drives") std::swap(requests, replies);
+    return paced_can(o.names[i], {.replies = replies, .ours = requests, .gives_up_after = 800'000},
+                     o.lock_step);
   };
   return {bus(Bus, plan::requests<Bus>, plan::replies<Bus>)...};
 }
@@ -138,12 +140,12 @@ int as_robot(const options& o) {
     std::puts("robot: all drives are enabled");
     std::fflush(stdout);
   });
-  const int result = told(c);
+  const int result = report(c);
   c.stop();
   return result;
 }
 
-// What became of the drives, once they have been driven: still driven, switched off, or left alone.
+// Reports how the drives ended: still driven, switched off, or stopped by their watchdogs.
 int as_drives(const options& o) {
   auto bus = open(o);
   far_side<paced_can> far;
@@ -168,15 +170,15 @@ int as_drives(const options& o) {
       std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000),
                   robot.world.trunk_position()[0]);
   }
-  const double way = robot.world.trunk_position()[0];
+  const double distance = robot.world.trunk_position()[0];
   std::printf("drives: %s, after %.2f m\n",
               !driven         ? "never enabled"
               : free && unfed ? "no set-points: all torque-free by their watchdogs"
               : free          ? "switched off"
                               : "still driven",
-              way);
+              distance);
   if (driven && free && unfed) return 2;
-  return driven && way > 0.02 && !robot.world.fallen() ? 0 : 1;
+  return driven && distance > 0.02 && !robot.world.fallen() ? 0 : 1;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// Robot and far side in one process, on five buses in memory: the trot's controller at one end, virtual
-// drives around the simulated Oncilla at the other, a node of somebody else at a third.
+// Robot and far end in one process, on five buses in memory: the controller at one end, virtual drives around
+// the simulated Oncilla at the other, and a third node on each bus for spies and intruders.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,25 +22,25 @@ using memory_end = wire::end_type;
 struct trot_on_drives : trot::architecture<oncilla<memory_end>> {};
 // [trot end]
 
-// The posture that the gait swings around.
+// The posture around which the gait swings.
 inline cca::sim::world put_down() {
   const trot::gait g;
   cca::sim::initial_posture posture;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const trot::leg_shape& shape = i < 2 ? g.p.front : g.p.hind;
-    posture.legs[i] = {shape.hip, shape.knee, 0};
+  for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
+    const trot::leg_shape& shape = axes::is_front(leg) ? g.p.front : g.p.hind;
+    posture.legs[leg] = {shape.hip, shape.knee, 0};
   }
   return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
 }
 
-// `Architecture` has the robot at "robot". Neither copied nor moved: its parts know where the others are.
+// `Architecture` has the robot at "robot". Neither copied nor moved: its parts point to one another.
 template <class Architecture = trot_on_drives>
 class in_memory {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
-  // `one_shot`: a frame is tried once, as docs/hardware.md asks for. `answering`: when in a beat the far side
-  // answers, ns.
+  // `one_shot`: a frame is sent once, without retries, as docs/hardware.md asks for. `answering`: the time in
+  // a beat at which the far end answers, ns.
   explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
                      bool one_shot = true,
                      std::int64_t answering = beat / 2)
@@ -53,7 +53,7 @@ public:
   in_memory(const in_memory&) = delete;
   in_memory& operator=(const in_memory&) = delete;
 
-  // A millisecond: the controller's beat first, unless it stands still, and what the drives make of it.
+  // One millisecond: the controller's beat, unless it stands still, then the drives' reaction.
   bool step(bool controller_runs = true) {
     const bool stepped = controller_runs && controller.step();
     const std::int64_t heard = now + answers_at;
@@ -67,7 +67,7 @@ public:
     return stepped;
   }
 
-  // What a program needs that puts the robot down and pushes it.
+  // For programs that put the robot down and push it.
   const cca::sim::world& world() const { return robot.world; }
   void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
     robot.world = std::move(w);
@@ -75,7 +75,7 @@ public:
   }
   void disturb(const cca::sim::disturbance& d) { robot.disturbance = d; }
 
-  // A controller of its own, as if the program had been started anew.
+  // A new controller, as if the program were started again.
   void restart_program() {
     controller = {};
     connect();
@@ -86,7 +86,7 @@ public:
   cca::controller<Architecture> controller{};
   far_side<memory_end> far{};
   mechanics robot{hil::put_down()};
-  std::array<cca::hardware::drive_command, 8> laws{};  // that the drives followed in the last beat
+  std::array<cca::hardware::drive_command, 8> laws{};  // of the drives in the last beat
   std::int64_t now = 0;
 
 private:

@@ -1,10 +1,10 @@
 #pragma once
-// Two processes in lock step: a beat of one, a beat of the other, in virtual time, however slow the machine
-// or long a pause.
+// Two processes in lock step: a beat of one, then a beat of the other, in virtual time, independent of the
+// speed of the machine and of pauses.
 //
-// Each waits until the other has told all of its beat. Who hears nothing for `patience` goes on all the same,
-// and a millisecond has passed: so drives whose controller is dead find out, by their watchdog, after some
-// beats.
+// Each process waits until all frames of the other's beat have come. After `patience` it goes on without
+// them, and a millisecond of virtual time has passed: so the watchdogs of the drives notice a dead
+// controller.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -13,12 +13,12 @@
 
 #include <poll.h>
 
-#include <cca/hardware/ring.hpp>
+#include <cca/hardware/bus/ring.hpp>
 #include <cca/hardware/socket_can.hpp>
 
 namespace hil {
 
-// SocketCAN; in lock step what has come is kept until the beat, and has come at the beat's time.
+// SocketCAN. In lock step, frames wait for the beat and get its time.
 class paced_can {
 public:
   paced_can(std::string_view name, const cca::hardware::socket_can_options& o, bool in_lock_step)
@@ -52,7 +52,7 @@ private:
 
 inline constexpr std::chrono::milliseconds patience(500);
 
-// Until as many frames wait on each bus as it has to have, or patience is over.
+// Waits until each bus has as many frames as it must have, or until patience is over.
 template <std::size_t Buses>
 void wait_for(std::span<paced_can, Buses> all,
               const std::array<std::size_t, Buses>& enough,

@@ -1,13 +1,18 @@
 #pragma once
-// The simulated Oncilla as what the virtual drives move: their laws in, its joints and sensors out.
+// The simulated Oncilla as the mechanics of the virtual drives: their laws in, its joints and sensors out.
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include <cca/hardware/sensor_board.hpp>
 #include <cca/hardware/virtual_drive.hpp>
+#include <cca/robots/oncilla/axes.hpp>
 #include <cca/sim/disturbance.hpp>
 #include <cca/sim/world.hpp>
 
 namespace hil {
+
+namespace axes = cca::robots::oncilla;
 
 class mechanics {
 public:
@@ -20,18 +25,18 @@ public:
       return cca::sim::joint_law{c.position, c.velocity, c.torque, c.stiffness, c.damping};
     };
     cca::sim::robot_laws laws;
-    for (std::size_t leg = 0; leg < 4; ++leg)
-      laws[leg] = {law(drives[leg]), law(drives[4 + leg]), abduction[leg]};
+    for (std::size_t leg = 0; leg < axes::leg_count; ++leg)
+      laws[leg] = {law(drives[axes::hip_of(leg)]), law(drives[axes::knee_of(leg)]), abduction[leg]};
     world.push(disturbance.push_at(world.time()));
     world.follow(laws);
   }
 
   std::array<cca::hardware::drive_motion, 8> joints() const {
     std::array<cca::hardware::drive_motion, 8> all;
-    for (std::size_t leg = 0; leg < 4; ++leg) {
+    for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
       const auto& r = world.reading().legs[leg];
-      all[leg] = {r.hip.angle, r.hip.velocity, r.hip.torque};
-      all[4 + leg] = {r.knee.angle, r.knee.velocity, r.knee.torque};
+      all[axes::hip_of(leg)] = {r.hip.angle, r.hip.velocity, r.hip.torque};
+      all[axes::knee_of(leg)] = {r.knee.angle, r.knee.velocity, r.knee.torque};
     }
     return all;
   }
@@ -44,7 +49,7 @@ public:
     b.angular_velocity = {r.trunk.angular_velocity[0], r.trunk.angular_velocity[1],
                           r.trunk.angular_velocity[2]};
     b.specific_force = {r.trunk.specific_force[0], r.trunk.specific_force[1], r.trunk.specific_force[2]};
-    for (std::size_t leg = 0; leg < 4; ++leg) {
+    for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
       b.foot_load[leg] = r.legs[leg].foot_force[2];
       b.contact[leg] = r.legs[leg].contact();
       b.abduction[leg] = r.legs[leg].abduction.angle;

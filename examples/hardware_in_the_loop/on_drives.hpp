@@ -1,5 +1,5 @@
 #pragma once
-// The Combination of Skills with one type changed, on virtual drives around the simulated Oncilla, on buses
+// The Combination of Skills with one type changed: on virtual drives around the simulated Oncilla, over buses
 // in memory.
 #include <optional>
 #include <string>
@@ -13,15 +13,14 @@ namespace hil {
 struct skills_on_drives : skills::architecture<oncilla<memory_end>> {};
 // [skills end]
 
-// The far side answers soon: what the sensor board has not got through when the next beat begins would meet
-// the frame that says where the abductions shall be, and be given up.
+// The far end answers early in the beat. A frame of the sensor board that is still waiting when the next beat
+// begins would lose arbitration against the abduction targets, and be dropped.
 struct skills_in_memory : in_memory<skills_on_drives> {
   skills_in_memory() : in_memory({}, true, 300'000) {}
 };
 
-// Without the balance reflex, unless a file says otherwise: it turns the trunk's rate into a knee's angle,
-// whose own rate the servos follow, and over the buses that comes late enough for the standing robot to
-// tremble.
+// Switches the balance reflex off, unless a file sets it: it turns the trunk's rate of turn into a knee
+// angle, and the delay of the buses is enough to make the standing robot tremble.
 inline void load(skills_in_memory& run, const std::string& shape, const std::optional<std::string>& config) {
   auto reflex = run.controller.get<"balance">().p;
   reflex.time = 0;

@@ -1,13 +1,13 @@
 #pragma once
-// The Oncilla on eight Damiao DM8006, which speak the MIT protocol: which drive moves which joint, on which
-// bus, mounted how. Their watchdog is a fault that they keep: a set-point that was stuck somewhere moves
-// nothing when it comes at last.
+// The Oncilla on eight Damiao DM8006 drives, which use the MIT protocol: the drive, bus and mounting of each
+// joint. For another robot, write another file like this one.
 //
-// They answer under an id behind those of the set-points: where frames are tried once, an answer that goes
-// before a set-point would be the end of it.
+// The watchdog of these drives latches a fault, so a delayed set-point moves nothing. They answer under ids
+// above those of the set-points: frames are sent once, without retries, so an answer that wins arbitration
+// against a set-point would destroy it.
 //
-// Four classic buses of 1 Mbit/s, one a leg, for 1 kHz: a bus has room for two such drives and no more. The
-// sensor board has a fifth. Another robot is another file like this one.
+// Four classic buses of 1 Mbit/s, one per leg, for 1 kHz: a bus has room for two such drives and no more. The
+// sensor board is on a fifth bus.
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/oncilla.hpp>
 #include <cca/hardware/virtual_mit.hpp>
@@ -16,41 +16,36 @@
 namespace hil {
 
 namespace hw = cca::hardware;
-namespace sim = cca::sim;
+namespace robots = cca::robots;
 
-// The same servos as in the simulator. Left hips turn the other way round, and stand a little off.
+// The servo gains are those of the simulator. Left hips are mounted the other way round; all have offsets.
 inline constexpr hw::joint_servo hip_servo{
-    .stiffness = sim::oncilla_defaults.hip_stiffness,
-    .damping = sim::oncilla_defaults.hip_stiffness * sim::oncilla_defaults.hip_damping_time,
-    .safe_damping = 1,
-    .most_stiff = sim::oncilla_defaults.stiffest_hip};
-inline constexpr hw::joint_servo knee_servo{.stiffness = sim::oncilla_defaults.cable_stiffness,
-                                            .damping = sim::oncilla_defaults.cable_damping,
-                                            .safe_damping = 0.4,
-                                            .most_stiff = 100};
+    .stiffness = 30, .damping = 0.375, .safe_damping = 1, .most_stiff = robots::oncilla::body.stiffest_hip};
+inline constexpr hw::joint_servo knee_servo{
+    .stiffness = 80, .damping = 0.4, .safe_damping = 0.4, .most_stiff = 100};
 inline constexpr hw::mounting left_hip{.sign = -1, .offset = 0.1}, right_hip{.offset = -0.1},
     knee{.offset = 1.0};
 
 // [joints]
-struct dm8006 {  // the ranges as they are set in the drives' own registers
+struct dm8006 {  // the ranges that are set in the drives' registers
   static constexpr std::string_view name = "DM8006";
   static constexpr auto limits =
       cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
                   cca::stiffness{0, 500}, cca::damping{0, 5}};
 };
-constexpr std::uint32_t answers = 0x10;  // their master id: behind all set-points
+constexpr std::uint32_t answers = 0x10;  // their master id: above all set-points
 template <class Axis, std::uint32_t Number, hw::mounting Mounting, hw::joint_servo Servo, std::size_t Bus>
 using leg_joint =
     hw::joint<Axis, hw::mit_drive<dm8006, Number, answers, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
 
-struct left_front_hip : leg_joint<sim::left_front_hip, 1, left_hip, hip_servo, 0> {};
-struct right_front_hip : leg_joint<sim::right_front_hip, 2, right_hip, hip_servo, 1> {};
-struct left_hind_hip : leg_joint<sim::left_hind_hip, 3, left_hip, hip_servo, 2> {};
-struct right_hind_hip : leg_joint<sim::right_hind_hip, 4, right_hip, hip_servo, 3> {};
-struct left_front_knee : leg_joint<sim::left_front_knee, 5, knee, knee_servo, 0> {};
-struct right_front_knee : leg_joint<sim::right_front_knee, 6, knee, knee_servo, 1> {};
-struct left_hind_knee : leg_joint<sim::left_hind_knee, 7, knee, knee_servo, 2> {};
-struct right_hind_knee : leg_joint<sim::right_hind_knee, 8, knee, knee_servo, 3> {};
+struct left_front_hip : leg_joint<robots::oncilla::left_front_hip, 1, left_hip, hip_servo, 0> {};
+struct right_front_hip : leg_joint<robots::oncilla::right_front_hip, 2, right_hip, hip_servo, 1> {};
+struct left_hind_hip : leg_joint<robots::oncilla::left_hind_hip, 3, left_hip, hip_servo, 2> {};
+struct right_hind_hip : leg_joint<robots::oncilla::right_hind_hip, 4, right_hip, hip_servo, 3> {};
+struct left_front_knee : leg_joint<robots::oncilla::left_front_knee, 5, knee, knee_servo, 0> {};
+struct right_front_knee : leg_joint<robots::oncilla::right_front_knee, 6, knee, knee_servo, 1> {};
+struct left_hind_knee : leg_joint<robots::oncilla::left_hind_knee, 7, knee, knee_servo, 2> {};
+struct right_hind_knee : leg_joint<robots::oncilla::right_hind_knee, 8, knee, knee_servo, 3> {};
 struct board : hw::sensor_board<0x40, 4> {};  // ids 0x40 to 0x45, on bus 4
 // [joints end]
 
@@ -78,7 +73,7 @@ struct oncilla : hw::oncilla<Bus,
                              board> {};
 // [robot end]
 
-// What stands in for it: drives whose firmware stops after 4 ms without a set-point.
+// The virtual drives: their firmware stops after 4 ms without a set-point.
 template <class Drive>
 struct virtual_damiao : hw::virtual_mit<Drive, 4'000'000> {};
 template <class Bus>

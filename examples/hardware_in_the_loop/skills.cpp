@@ -1,5 +1,5 @@
 // The Combination of Skills on drives: the Oncilla trots, stops, reaches for a ball and trots on, over five
-// buses in memory. Options are those of combination_of_skills, without its recordings; --help lists them.
+// buses in memory. The options are those of combination_of_skills without recordings; --help lists them.
 #include <cstdio>
 #include <iostream>
 #include <string>

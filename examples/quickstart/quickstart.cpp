@@ -1,4 +1,4 @@
-// The README's example: a leg that is asked to swing further than its hip can, and the limiter between.
+// The README's example: a leg that is commanded to swing farther than its hip can, and a limiter.
 #include <cmath>
 #include <cstdio>
 
@@ -20,7 +20,7 @@ struct swing {
   }
 };
 
-struct leg {  // stands for a robot: it is at once where it is told to be
+struct leg {  // stands for a robot: it reaches each command at once
   auto sense() -> cca::out<"angles", leg_angles> { return at; }
   void act(cca::in<"command", leg_angles> to) { at = to.vector(); }
   leg_angles::vector_type at{0, -0.9};

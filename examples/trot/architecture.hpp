@@ -1,11 +1,10 @@
 #pragma once
-// The trot as an architecture, for any robot that has the Oncilla's ports: the simulated one, the real one,
+// The trot as an architecture, for any robot with the Oncilla's ports: the simulated one, the real one, or
 // one of a test.
 #include <cca/cca.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 
 #include "gait.hpp"
-#include "hopf.hpp"
+#include "stride_oscillator.hpp"
 #include "posture.hpp"
 #include "throttle.hpp"
 
@@ -16,9 +15,9 @@ struct architecture
     : cca::graph<cca::rate<1000>,
                  cca::node<"throttle", throttle, cca::timed<10>>,
                  cca::node<"posture", posture, cca::timed<10>>,
-                 cca::node<"cpg", hopf, cca::timed<1>>,
+                 cca::node<"cpg", stride_oscillator, cca::timed<1>>,
                  cca::node<"gait", gait, cca::port_triggered<"phase">>,
-                 cca::node<"limits", cca::limiter<cca::sim::leg_angles>>,
+                 cca::node<"limits", cca::limiter<oncilla::leg_angles>>,
                  cca::node<"robot", Robot>,
 
                  cca::wire<"robot.orientation", "posture.orientation", cca::latest>,  // 1 kHz, read at 100 Hz

@@ -1,32 +1,30 @@
 #pragma once
-// The shape of the trot: where hips and knees are at each phase of the stride.
+// The shape of the trot: the angles of hips and knees at each phase of the stride.
 //
-//   in  "phase"       gait_phase, of the left front leg; the others follow by their offsets
+//   in  "phase"       gait_phase, of the left front leg; the other legs have offsets
 //   in  "amplitude"   gait_amplitude, 0: stand; 1: the full gait
-//   in  "turn"        turning: legs on one side swing farther, on the other less
-//   out "angles"      leg_angles of the robot
+//   in  "turn"        turning: the legs of one side swing farther, those of the other side less
+//   out "angles"      leg_angles
 //
 // A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. A knee flexes as a
-// squared sine: much in swing, so that the foot clears the ground, a little in stance, so that the cable
-// gives way to the spring.
+// squared sine: much in swing, so that the foot clears the ground; a little in stance, so that the spring
+// carries and not the cable.
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include <cca/cca.hpp>
-#include <cca/sim/oncilla_model.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 
 #include "spaces.hpp"
 
 namespace trot {
 
-using cca::sim::degrees;
+using oncilla::degrees;
 
 struct leg_shape {
   BOOST_HANA_DEFINE_STRUCT(leg_shape,
-                           (cca::quantity<cca::angle, -1.2, 1.2>, hip),  // where it stands
+                           (cca::quantity<cca::angle, -1.2, 1.2>, hip),  // of the standing leg
                            (cca::quantity<cca::angle, 0.6, 2.6>, knee),
                            (cca::quantity<cca::angle, 0, 1>, swing),  // of the hip, to each side
                            (cca::quantity<cca::angle, 0, 2>, lift));  // of the knee, in swing
@@ -37,7 +35,7 @@ struct gait {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (leg_shape, front),
                              (leg_shape, hind),
-                             (cca::bounded<double, 0.2, 0.8>, duty),  // part of the stride that is stance
+                             (cca::bounded<double, 0.2, 0.8>, duty),        // stance, as part of the stride
                              (cca::quantity<cca::angle, -0.5, 0.5>, give),  // flexion of the knee in stance
                              (cca::bounded<double, -0.5, 0.5>,
                               lead),  // of the knee before the hip, in strides
@@ -53,16 +51,15 @@ struct gait {
 
   auto process(cca::in<"phase", gait_phase> phase,
                cca::in<"amplitude", gait_amplitude> amplitude,
-               cca::in<"turn", turning> turn) -> cca::out<"angles", cca::sim::leg_angles> {
-    cca::sim::leg_angles::vector_type angles;
-    for (int leg = 0; leg < 4; ++leg) {
-      const leg_shape& shape = leg < 2 ? p.front : p.hind;
-      const double side = leg % 2 == 0 ? 1.0 : -1.0;
-      const double own = phase[stride{}] + whole * p.offsets[static_cast<std::size_t>(leg)];
-      const double farther = 1 - side * turn[yaw{}];
-      angles[leg] =
+               cca::in<"turn", turning> turn) -> cca::out<"angles", oncilla::leg_angles> {
+    oncilla::leg_angles::vector_type angles;
+    for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
+      const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
+      const double own = phase[stride{}] + whole * p.offsets[leg];
+      const double farther = 1 - oncilla::side_of(leg) * turn[yaw{}];
+      angles[oncilla::hip_of(leg)] =
           shape.hip + amplitude[stride{}] * farther * shape.swing * std::cos(warped(cca::wrap_turn(own)));
-      angles[4 + leg] =
+      angles[oncilla::knee_of(leg)] =
           shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
     }
     return angles;
@@ -71,7 +68,7 @@ struct gait {
 private:
   static constexpr double whole = 2 * std::numbers::pi, half = std::numbers::pi;
 
-  // Stance takes `duty` of the stride, but half of the cosine.
+  // Stretches the phase: stance takes `duty` of the stride, and half of the cosine.
   double warped(double phase) const {
     const double landing = whole * p.duty;
     return phase < landing ? phase / (2 * p.duty) : half + (phase - landing) / (2 * (1 - p.duty));

@@ -1,13 +1,12 @@
 #pragma once
-// Holds the heading: turns against the trunk's yaw, and against what the yaw has added up to, since that is a
-// way walked aside.
+// Holds the heading: turns against the trunk's yaw, and against the integral of the yaw, which is about how
+// far the robot has walked aside.
 //
 //   in  "orientation"   trunk_orientation
 //   out "turn"          turning, -most to most
 #include <algorithm>
 
 #include <cca/cca.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 
 #include "spaces.hpp"
 
@@ -22,10 +21,10 @@ struct posture {
   };
   parameters p{1.2, 0.4, 0.5};
 
-  auto process(cca::in<"orientation", cca::sim::trunk_orientation> trunk, cca::beat now)
+  auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk, cca::beat now)
       -> cca::out<"turn", turning> {
     const double yaw = trunk.yaw();
-    const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more could not be acted on
+    const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more has no effect
     aside = std::clamp(aside + now.dt() * yaw, -largest, largest);
     return std::clamp(-p.heading * yaw - p.drift * aside, -p.most, +p.most);
   }

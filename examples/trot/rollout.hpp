@@ -1,6 +1,6 @@
 #pragma once
-// One run of the trot in the simulator: put the robot down as a disturbance says, step until the time is over
-// or it falls.
+// One run of the trot in the simulator: put the robot down as a disturbance says, then step until the time is
+// over or the robot falls.
 #include <cmath>
 #include <cstddef>
 
@@ -11,32 +11,32 @@
 #include <cca/sim/world.hpp>
 
 #include "architecture.hpp"
-#include "recording.hpp"
+#include "report/recording.hpp"
 
 namespace trot {
 
 struct simulated_trot : architecture<cca::sim::oncilla> {};
 using trotting = cca::controller<simulated_trot>;
 
-// The posture that the gait swings around, with the disturbance's noise.
+// The posture around which the gait swings, with the noise of the disturbance.
 inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::sim::disturbance& d) {
   cca::sim::initial_posture posture;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const leg_shape& shape = i < 2 ? p.front : p.hind;
-    posture.legs[i] = {shape.hip + d.hip_offset[i], shape.knee + d.knee_offset[i], 0};
+  for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
+    const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
+    posture.legs[leg] = {shape.hip + d.hip_offset[leg], shape.knee + d.knee_offset[leg], 0};
   }
   posture.trunk_velocity = d.trunk_velocity;
   return posture;
 }
 
-// Calls between(world, part of the run) after each beat. The controller is loaded, not yet started.
+// Calls between(world, part of the run) after each beat. The controller must be loaded and not started.
 template <class Between>
 recording roll_out(trotting& controller,
                    const cca::sim::terrain& ground,
                    const cca::sim::disturbance& disturbance,
                    double seconds,
                    Between between) {
-  // Where it stands, on what, and what will disturb it: [put down]
+  // The robot's posture, the ground and the disturbance: [put down]
   auto& simulator = controller.get<"robot.simulator">();
   simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
                                      put_down(controller.get<"gait">().p, disturbance)),

@@ -1,17 +1,20 @@
 #pragma once
-// What flows between the components of the trot, besides the robot's own spaces.
+// The spaces of the trot: what flows between its components, besides the robot's own spaces.
+#include <cca/robots/oncilla/spaces.hpp>
 #include <cca/space/domain.hpp>
 
 namespace trot {
 
-struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator, a step of each leg
+namespace oncilla = cca::robots::oncilla;  // axes and spaces of the robot
+
+struct stride : cca::dimension<"stride"> {};  // one turn of the oscillator: one step of each leg
 struct yaw : cca::dimension<"yaw"> {};
 
-struct wanted_amplitude : cca::space<cca::amplitude, cca::axes<stride>, cca::rate<100>> {
-};  // 1: the full gait; negative: stand
+// 1: the full gait; negative: stand.
+struct wanted_amplitude : cca::space<cca::amplitude, cca::axes<stride>, cca::rate<100>> {};
 struct gait_amplitude : cca::space<cca::amplitude, cca::axes<stride>, cca::rate<1000>> {};
 struct gait_phase : cca::space<cca::phase, cca::axes<stride>, cca::rate<1000>> {};
-struct turning : cca::space<cca::number, cca::axes<yaw>, cca::rate<100>> {
-};  // > 0 to the left: right legs swing farther
+// Positive: to the left, so the right legs swing farther.
+struct turning : cca::space<cca::number, cca::axes<yaw>, cca::rate<100>> {};
 
 }  // namespace trot

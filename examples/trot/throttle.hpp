@@ -1,8 +1,8 @@
 #pragma once
 // From a wanted speed to the amplitude of the gait: a straight line, measured on flat ground.
 //
-//   out "amplitude"   wanted_amplitude: of the full gait; -1 before `start` and for no speed, so that the
-//   oscillator rests
+//   out "amplitude"   wanted_amplitude, in parts of the full gait; -1 before `start` and for speed 0, so that
+//                     the oscillator rests
 #include <cca/cca.hpp>
 
 #include "spaces.hpp"
@@ -13,7 +13,7 @@ struct throttle {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::quantity<cca::speed, 0, 1>, speed),        // m/s
-                             (cca::quantity<cca::duration, 0, 3600>, start),  // stand so long first
+                             (cca::quantity<cca::duration, 0, 3600>, start),  // s to stand first
                              (double, intercept),
                              (double, slope));  // amplitude = intercept + slope * speed
   };

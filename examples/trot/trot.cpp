@@ -1,4 +1,14 @@
-// The Oncilla trots in the simulator: run, table, CSV, picture. `trot --help` lists the options.
+// The Oncilla trots in the simulator. `trot --help` lists the options.
+//
+// To learn from it, read in this order:
+//   spaces.hpp               the types of what flows between the components
+//   throttle.hpp, stride_oscillator.hpp, gait.hpp, posture.hpp
+//                            the components
+//   architecture.hpp         how they are wired
+//   rollout.hpp              a run in the simulator
+//   trot.toml                the parameters
+// report/ has what every program needs around its controller: command line, progress bar, figures, CSV and
+// SVG files. The search for gait parameters is in tools/gait_search.
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -8,14 +18,14 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
-#include "csv.hpp"
+#include "report/csv.hpp"
 #include "idle_robot.hpp"
-#include "program.hpp"
-#include "progress.hpp"
+#include "report/program.hpp"
+#include "report/progress.hpp"
 #include "rollout.hpp"
-#include "statistics.hpp"
-#include "summary.hpp"
-#include "svg.hpp"
+#include "report/statistics.hpp"
+#include "report/summary.hpp"
+#include "report/svg.hpp"
 
 namespace {
 
@@ -27,7 +37,7 @@ double seconds_since(clock_type::time_point start) {
 
 struct idle_trot : trot::architecture<trot::idle_robot> {};
 
-// The same controller with a robot that costs nothing.
+// The time of a beat of the same controller, with a robot that costs nothing.
 double controller_nanoseconds() {
   cca::controller<idle_trot> controller;
   controller.load();

@@ -2,7 +2,7 @@
 // Parameters from a file need <cca/config.hpp> as well.
 #pragma once
 
-// First: where these refuse something, the compilers tell of each file around them.
+// These two come first: if they refuse something, the compilers list every file that is already open.
 #include <cca/component/port.hpp>
 
 #include <cca/runtime/strategy_inputs.hpp>

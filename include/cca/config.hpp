@@ -1,8 +1,9 @@
 // Parameters from a TOML file and back: with this header a controller's `load("trot.toml")` and
-// `save("trot.toml")` work. It's the only one that needs toml++, and costs about a second to compile, so it
-// is apart from <cca/cca.hpp>. A file has a table for each component that has parameters, `[cpg]`,
-// `[dmp.ode]`. Keys that it lacks keep their values. Errors: `cca::refused`, with all that is wrong, a line
-// each; then nothing has been changed. Example: docs/parameters.md.
+// `save("trot.toml")` work. It is apart from <cca/cca.hpp> because it includes toml++, which takes about a
+// second to compile. A file has one table per component that has parameters: `[cpg]`, `[dmp.ode]`. Values
+// that the file does not mention do not change. Errors: `cca::refused`, one line per problem; then nothing
+// has been changed.
+// Example: docs/parameters.md.
 #pragma once
 
 #include <algorithm>
@@ -33,11 +34,11 @@ inline toml::table parse(std::string_view text, const problems& found) {
     const char saw = at.column >= 1 && at.column <= line.size() ? line[at.column - 1] : ' ';
     throw refused(found.file() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
                   ": not TOML: " + std::string(error.description()) + ", in `" + shortened(line) + "`" +
-                  (is_letter(saw) ? " (a text, or a number with its unit, stands in quotes)" : ""));
+                  (is_letter(saw) ? " (put a text, or a number with its unit, in quotes)" : ""));
   }
 }
 
-// The node at a component's path, or null. A scope that isn't a table is `unknown_nodes`' concern.
+// The TOML node at a component's path, or null. If a scope is not a table, `unknown_nodes` reports it.
 inline const toml::node* node_at(const toml::table& root, std::string_view path) {
   const toml::table* table = &root;
   while (true) {
@@ -50,7 +51,7 @@ inline const toml::node* node_at(const toml::table& root, std::string_view path)
   }
 }
 
-// Every key must lead to a component: to one of `paths`.
+// Reports each key that does not lead to a component, that is, to one of `paths`.
 inline void unknown_nodes(const toml::table& table,
                           const std::string& scope,
                           const std::vector<std::string>& paths,
@@ -91,7 +92,7 @@ constexpr const schema& parameters_schema() {
   return schema_of<typename Component::parameters>;
 }
 
-// All or nothing: read twice, first into copies.
+// All or nothing: reads twice, the first time into copies.
 template <class Controller>
 void load_parameters_from_text(Controller& controller, std::string_view text, std::string_view name) {
   problems found(name);
@@ -119,7 +120,7 @@ void load_parameters(Controller& controller, std::string_view file) {
   load_parameters_from_text(controller, read_file(std::string(file)), file);
 }
 
-// Refused if a value is one that loading would refuse.
+// Refuses values that loading would refuse.
 template <class Controller>
 std::string parameters_text(Controller& controller, std::string_view name) {
   problems found(name);
@@ -142,7 +143,7 @@ void save_parameters(Controller& controller, std::string_view file) {
   write_file(std::string(file), parameters_text(controller, file));
 }
 
-// What a controller's load(file) and save(file) call; declared, not defined, in the core.
+// A controller's load(file) and save(file) call these. The core only declares the struct.
 template <class Controller>
 struct config_backend {
   static void load(Controller& controller, std::string_view file) { load_parameters(controller, file); }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# cca-can on vcan0, beside can-utils: run in the guest (CMakeLists.txt), where both lie in this folder.
+# cca-can on vcan0, beside can-utils. Runs in the guest (CMakeLists.txt), where all programs are in this folder.
 failures=0
 is() {  # what, expected, got
   if [ "$2" = "$3" ]; then echo "ok: $1"; else failures=$((failures + 1)); printf 'FAILED: %s\nexpected: %s\ngot: %s\n' "$1" "$2" "$3"; fi
@@ -14,26 +14,26 @@ ends() {  # what, code, command...
   is "$what ends with $code" "$code" $?
   printf '$ %s\n%s\n' "$*" "$said"
 }
-# Of an FD frame's flags the tool keeps that of the bit rate.
+# The tool keeps only the bit rate flag of an FD frame.
 frames() { cut -d ' ' -f 3 "$1" | sed 's/##[02468ACE]/##0/; s/##[13579BDF]/##1/'; }
 PATH=/test:$PATH
 
 ends "list of interfaces" 0 cca-can list
 has "the interface with its kind" "vcan0  up  vcan  FD  received" "$said"
 ends "an interface that is not there" 3 cca-can list can9
-has "and those that are" "there is no interface \`can9\`; those with CAN: vcan0" "$said"
+has "and the interfaces that are there" "there is no interface \`can9\`; those with CAN: vcan0" "$said"
 ends "nobody answers" 1 cca-can list vcan0 --ask mit --ids 1-4
 
 cca-can pretend vcan0 damiao:12.5/45/20:3 & player=$!
 sleep 0.3
 ends "a drive answers" 0 cca-can list vcan0 --ask mit --ids 1-4
 has "and is named" "mit:3  answers 000#03" "$said"
-ends "what it tells" 0 cca-can watch vcan0 damiao:12.5/45/20:3 --ask --seconds 0.5
+ends "what it reports" 0 cca-can watch vcan0 damiao:12.5/45/20:3 --ask --seconds 0.5
 has "its angle" "rad" "$said"
-ends "nobody said yes" 4 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1
+ends "nobody confirmed" 4 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1
 ends "jog" 0 cca-can jog vcan0 damiao:12.5/45/20:3 --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1 --yes
 has "and is off afterwards" "disabled" "$said"
-kill $player  # what has no torque coasts: the next one stands
+kill $player  # a motor without torque coasts; the next one stands still
 cca-can pretend vcan0 damiao:12.5/45/20:3 & player=$!
 sleep 0.3
 ends "calibrate" 0 cca-can calibrate vcan0 damiao:12.5/45/20:3 --joint left_hind_hip --at 0.3 --file /tmp/offsets.toml --yes
@@ -58,7 +58,7 @@ for drive in odrive:5 cia402-torque:4096/0.8:9 moteus:20/0.8:4; do
   ends "jog $drive" 0 cca-can jog vcan0 $drive --range -0.2,0.2 --speed 0.5 --torque 0.5 --by 0.1 --yes
 done
 ends "another mode" 1 cca-can enable vcan0 cia402:4096/0.8:9 --seconds 0.1 --yes
-has "is told" "configured for mode 10 (6061h), and its name says 8" "$said"
+has "is reported" "configured for mode 10 (6061h), and its name says 8" "$said"
 kill $player
 wait $player
 
@@ -77,7 +77,7 @@ is "record writes what candump writes" "$(frames /tmp/candump.log)" "$(frames /t
 grep -q '^([0-9]\{10\}\.[0-9]\{6\}) vcan0 044#2A366C2BBA$' /tmp/ours.log
 is "a line as candump has it" 0 $?
 
-# Out again: candump's log by cca-can, ours by canplayer.
+# Replayed: candump's log by cca-can, ours by canplayer.
 cca-can record vcan0,fd --file /tmp/replayed.log --frames 104 2>/dev/null & recorder=$!
 sleep 0.3
 ends "replay of candump's log" 0 cca-can replay vcan0 /tmp/candump.log --fast --yes

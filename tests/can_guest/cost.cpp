@@ -1,18 +1,16 @@
-// What a frame costs: socket_can beside a plain program that does the same by one call a frame, and beside
-// cangen and candump.
+// What a frame costs: socket_can compared with a plain program that does the same with one call a frame, and
+// with cangen and candump.
 //
-//   cost [FRAMES [MOST]]   on vcan0, with cangen and candump in the folder where it runs; prints a table.
-//   More than MOST times
-//                          the plain program's cost, whatever is asked of both: exit code 1
+//   cost [FRAMES [MOST]]   on vcan0, with cangen and candump in its folder; prints a table. Exit code 1:
+//                          socket_can costs more than MOST times the plain program in one of the rows
 //
-// All send the same: classic frames of 8 bytes under one id, in beats of eight, as to eight drives, from one
-// socket, and receive them at another, in each beat all that has come. What can be asked of socket_can is
-// asked of the plain program too: `times`, when a frame arrived (recvmsg with SO_TIMESTAMPNS);
-// `confirmations`, which of its frames went over the bus (it receives its own). Beside these socket_can has
-// exact filters, error frames and the count of lost frames, and the plain program has none. CPU: that of the
-// thread, the kernel's work in its calls with it; of cangen and candump that of their processes, of which the
-// time to begin has been taken off. In a machine whose clock counts instructions (QEMU's -icount) these are
-// instructions.
+// All send the same: classic frames of 8 bytes under one id, in beats of eight as to eight drives, from one
+// socket; another socket receives in each beat all that has come. The plain program does what socket_can is
+// asked for: `times`, when a frame arrived (recvmsg with SO_TIMESTAMPNS); `confirmations`, which of its
+// frames went over the bus (it receives its own). socket_can also has exact filters, error frames and the
+// count of lost frames; the plain program has none of these. CPU time is that of the thread, with the
+// kernel's work in its calls; for cangen and candump it is that of their processes, less the time that they
+// need to start. If the clock counts instructions (QEMU's -icount), these are instructions.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -51,7 +49,7 @@ void check(bool good, const char* what) {
 
 struct cost {
   double send = 0, receive = 0;  // s of CPU a frame
-  double rate = 0;               // frames a second, one sent and received after the other
+  double rate = 0;               // frames a second, when sending and receiving follow one another
 };
 
 // What a call of cpu() adds to an interval.
@@ -62,7 +60,7 @@ double of_clock() {
   return (cpu() - begin) / calls;
 }
 
-// Beat by beat, sent and received.
+// Beat by beat: sent and received.
 template <class Send, class Receive>
 cost measured(int frames, Send send, Receive receive) {
   const int beats = frames / beat;
@@ -85,7 +83,7 @@ struct duty {
   bool times, confirmations;
 };
 
-// What most programs do: one frame a call.
+// As most programs do it: one frame a call.
 class plain_socket {
 public:
   explicit plain_socket(duty d = {}) : fd(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK, CAN_RAW)), asked(d) {
@@ -103,7 +101,7 @@ public:
   ~plain_socket() { ::close(fd); }
 
   void send(const ::can_frame& f) { check(::write(fd, &f, sizeof f) == sizeof f, "write"); }
-  // How many of its own came, and how many of others.
+  // How many frames came: its own, and those of others.
   struct heard {
     int own = 0, others = 0;
   };
@@ -163,7 +161,7 @@ cost of_socket_can(int frames, const duty& d) {
   hw::socket_can from(bus_name, options(answers, set_points)), to(bus_name, options(set_points, answers));
   std::array<hw::can_frame, beat> frames_of_beat;
   frames_of_beat.fill({.id = hw::standard(0x123), .length = 8});
-  std::array<hw::received_frame, 64> into;  // as a synchronizer has it
+  std::array<hw::received_frame, 64> into;  // as in a synchronizer
   return measured(
       frames,
       [&] {
@@ -173,7 +171,7 @@ cost of_socket_can(int frames, const duty& d) {
       [&] { check(to.receive(into) == beat, "receive"); });
 }
 
-// CPU of a program, from its beginning to its end.
+// CPU time of a program, from its start to its end.
 double cpu_of(const std::vector<std::string>& words, const std::function<void()>& meanwhile = {}) {
   std::vector<char*> line;
   for (const std::string& w : words) line.push_back(const_cast<char*>(w.c_str()));
@@ -181,7 +179,7 @@ double cpu_of(const std::vector<std::string>& words, const std::function<void()>
   const pid_t child = fork();
   if (child == 0) {
     std::freopen("/dev/null", "w", stdout);
-    alarm(60);  // one that waits for a frame that was lost
+    alarm(60);  // for a program that waits for a lost frame
     execv(line[0], line.data());
     _exit(127);
   }
@@ -213,7 +211,7 @@ cost of_can_utils(int frames) {
       pause(300);  // until it listens
       for (int i = 0; i < n; ++i) {
         from.send(f);
-        if (i % 160 == 0) from.receive_all(), pause(10);  // it falls behind otherwise, and loses some
+        if (i % 160 == 0) from.receive_all(), pause(10);  // otherwise it falls behind and loses frames
       }
     });
   };
@@ -230,7 +228,7 @@ int main(int count, char** arguments) {
   const double most = count > 2 ? std::atof(arguments[2]) : 0;
   constexpr std::array duties{duty{"frames alone", false, false}, duty{"and times of arrival", true, false},
                               duty{"and confirmations", false, true}, duty{"and both", true, true}};
-  // In turns, and of each the best: other programs of the machine below only add.
+  // In turns, and the best of each: other programs on the host only add time.
   std::array<cost, duties.size()> plain, ours;
   plain.fill({1, 1, 0}), ours.fill({1, 1, 0});
   const auto best = [](cost& a, const cost& b) {

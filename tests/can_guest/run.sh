@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Runs a program in a machine of its own: boots Debian's kernel in QEMU with CAN, runs the program there as root, and ends as it ended.
+# Runs a program in a virtual machine: boots Debian's kernel with CAN in QEMU, runs the program there as root, and returns its exit code.
 #   run.sh [-m MODULES] [-s SETUP] [-d DEVICES] [-f FILES] [-t SECONDS] [-k KERNEL] -- PROGRAM [ARGUMENTS...]
-#     -m  modules, in the order of loading, of those that the kernel's package has
+#     -m  modules of the kernel's package, in the order of loading
 #     -s  commands of the guest's shell before the program
 #     -d  further arguments for QEMU
-#     -f  files that are to lie beside the program, in the folder in which it runs; programs, with the libraries that they need
-# Exit code: the program's; 124 it took too long; 125 the guest didn't boot, lacked something, or panicked: the program never
-# ended by itself. How it ended is told twice, on the serial line and by a device that ends QEMU, and both must agree: a guest
-# that dies is never a test that passed.
-# Emulated, never virtualised: /dev/kvm may be there and not work.
+#     -f  files to put beside the program, in the folder in which it runs; programs come with their libraries
+# Exit code: the program's; 124: it took too long; 125: the guest didn't boot, lacked something, or panicked, so the program never
+# ended by itself. The guest reports the exit code twice, on the serial line and by a device that ends QEMU, and both must
+# agree: so a guest that dies never passes a test.
+# It emulates and uses no KVM: /dev/kvm may be there and not work.
 set -u
 folder=${CCA_CAN_GUEST:-${XDG_CACHE_HOME:-${HOME:-/root}/.cache}/cca/can_guest}
 modules='' setup='' devices='' files='' seconds=120 kernel=$folder/vmlinux
@@ -61,7 +61,7 @@ printf '%s\n' "$setup" >"$root/test/setup"
 cat >"$root/init" <<'INIT'
 #!/bin/sh
 export PATH=/bin
-ip() { /bin/ip "$@"; }  # the shell would take its own, which knows no "type can"
+ip() { /bin/ip "$@"; }  # the shell's own ip does not know "type can"
 mount -t devtmpfs none /dev; mount -t proc none /proc; mount -t sysfs none /sys
 mkdir -p /dev/pts /dev/shm; mount -t devpts none /dev/pts; mount -t tmpfs none /dev/shm; mount -t tmpfs none /tmp
 ends() { echo "@@ended $1@@" >/dev/ttyS1; printf "\\x$(printf %02x $(($1 & 127)))" | dd of=/dev/port bs=1 seek=1281 count=1 2>/dev/null; poweroff -f; }

@@ -1,5 +1,5 @@
-// A user's program that uses all components: a parameter comes from a file, a world of the simulator makes a
-// step, a drive is told something over a bus in memory.
+// A user's program with all components: reads a parameter from a file, steps a world of the simulator, sends
+// a set-point to a drive over a bus in memory.
 #include <array>
 #include <fstream>
 
@@ -7,6 +7,7 @@
 #include <cca/config.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 #include <cca/sim/world.hpp>
 
 struct hip : cca::dimension<"hip"> {
@@ -30,6 +31,8 @@ struct moving : cca::graph<cca::node<"goal", goal>,
                            cca::node<"joint", joint>,
                            cca::wire<"goal.angle", "limits.command">,
                            cca::wire<"limits.safe", "joint.command">> {};
+
+static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
 int main() {
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";

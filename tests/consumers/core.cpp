@@ -1,4 +1,4 @@
-// A user's program: one joint that is moved through a limiter, by a controller.
+// A user's program: a controller moves one joint through a limiter.
 #include <cca/cca.hpp>
 
 struct hip : cca::dimension<"hip"> {

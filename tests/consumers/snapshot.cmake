@@ -1,8 +1,8 @@
-# Makes a repository of what a user's project fetches, as it stands in the work tree: the headers and the CMake files.
+# Makes a repository of the files that a user's project fetches, from the work tree: the headers and the CMake files.
 
 file(REMOVE_RECURSE ${work})
 set(snapshot ${work}/snapshot)
-file(COPY ${source}/include ${source}/sim ${source}/hardware ${source}/cmake ${source}/CMakeLists.txt ${source}/LICENSE DESTINATION ${snapshot})
+file(COPY ${source}/include ${source}/robots ${source}/sim ${source}/hardware ${source}/cmake ${source}/CMakeLists.txt ${source}/LICENSE DESTINATION ${snapshot})
 
 foreach(command "init;--quiet;--initial-branch=main" "add;--all" "-c;user.name=cca;-c;user.email=cca@localhost;commit;--quiet;--message=snapshot")
   execute_process(COMMAND git ${command} WORKING_DIRECTORY ${snapshot} COMMAND_ERROR_IS_FATAL ANY)

@@ -1,6 +1,6 @@
-// Bytes as a frame, and what must hold of a drive that hears it: what it does not take changes nothing, what
-// it takes are numbers or NaN, and no frame that it is given moves a motor: a command made of what it
-// reported is finite, or is refused.
+// Random bytes as a frame, and what must hold when a drive decodes it: a frame that it does not take changes
+// nothing; a frame that it takes gives numbers or NaN; and a command made of these numbers is finite, or is
+// refused.
 #pragma once
 
 #include <cmath>
@@ -19,8 +19,8 @@ inline void must(bool holds) {
   if (!holds) std::abort();
 }
 
-// Bytes: four of the id, one of the length, one of kinds, then the payload, which is in memory of its own and
-// no longer than there is.
+// The bytes: four of the id, one of the length, one of flags, then the payload. The payload lies in memory of
+// exactly its size.
 struct bytes_of_frame {
   const std::uint8_t* data;
   std::size_t size;
@@ -28,7 +28,7 @@ struct bytes_of_frame {
     const auto at = [this](std::size_t i) { return i < size ? data[i] : std::uint8_t{0}; };
     can_frame f;
     const std::uint32_t number = at(0) | at(1) << 8 | at(2) << 16 | static_cast<std::uint32_t>(at(3)) << 24;
-    if (at(5) & 1) f.id = mine[number % mine.size()].id;  // one of its own
+    if (at(5) & 1) f.id = mine[number % mine.size()].id;  // an id of the drive's own
     else f.id = {number, (at(5) & 2) != 0};
     f.fd = (at(5) & 4) != 0;
     f.fast = (at(5) & 8) != 0;
@@ -43,8 +43,8 @@ template <Drive D>
 void hears(const std::uint8_t* data, std::size_t size) {
   drive_report r;
   typename D::enabling enabling;
-  for (std::size_t first = 0; first == 0 || first + 14 <= size;
-       first += 14) {  // a row of frames: what one leaves behind, the next meets
+  // Several frames: each one meets the state that the last one left.
+  for (std::size_t first = 0; first == 0 || first + 14 <= size; first += 14) {
     const can_frame f = bytes_of_frame{data + first, size - first}.frame(D::replies);
     const drive_report before = r;
     if (!D::decode(f, r)) {

@@ -1,8 +1,8 @@
-// What the kernel hands over: frames, and error frames, which lead from state to state.
+// What the kernel gives us: frames, and error frames, which change the bus's state.
 #include <cstdlib>
 #include <cstring>
 
-#include <cca/hardware/kernel_frame.hpp>
+#include <cca/hardware/bus/kernel_frame.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace cca::hardware;
@@ -19,7 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::uint64_t restarts = c.restarts;
     const bool was_off = s == bus_state::bus_off;
     s = detail::after_error(s, k, c);
-    if (was_off && s != bus_state::bus_off && c.restarts == restarts) std::abort();  // only a restart ends it
+    if (was_off && s != bus_state::bus_off && c.restarts == restarts)
+      std::abort();  // only a restart ends bus-off
   }
   if (c.bus_offs < c.restarts) std::abort();
   return 0;

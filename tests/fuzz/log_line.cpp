@@ -1,5 +1,5 @@
-// A line of a log of candump: what is refused is refused in words, what is taken is a frame that can be on a
-// bus, and is the same when it is written and read again.
+// A line of candump's log: it is refused with a message, or it is a frame that can be on a bus and stays the
+// same when it is written and read again.
 #include <string>
 
 #include "../../tools/cca_can/log_line.hpp"
@@ -13,6 +13,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::must(line.frame.valid() && line.time >= 0 && !line.bus.empty());
   fuzz::must(cca_can::read_line(cca_can::text_of(line), again).empty() && !again.error);
   fuzz::must(again.frame == line.frame && again.bus == line.bus);
-  fuzz::must(again.time == line.time / 1000 * 1000);  // microseconds in the text
+  fuzz::must(again.time == line.time / 1000 * 1000);  // the text has microseconds
   return 0;
 }

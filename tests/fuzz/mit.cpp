@@ -8,8 +8,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::hears<mit_drive<ak80_9, 3>>(data, size);
   fuzz::hears<mit_drive<ak80_6, 7, 0x100, mit_firmware::original>>(data, size);
   fuzz::hears<mit_drive<ak70_10, 5, 0x15, mit_firmware::damiao>>(data, size);
-  if (size >=
-      8) {  // the drive's side: any eight bytes are a command or a special frame, and come back as they were
+  // The drive's side: any eight bytes are a special frame, or a command that survives decoding and encoding.
+  if (size >= 8) {
     using wire = mit_wire<ak80_9>;
     const auto w = wire::read(std::span<const std::uint8_t, 8>(data, 8));
     std::uint8_t cut = 0;

@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using servo = moteus<motor, 9>;
   servo::request q;
   servo::hear(fuzz::bytes_of_frame{data, size}.frame(servo::requests), q);
-  // Subframes in memory that ends where they end.
+  // In memory of exactly their size.
   const auto exact = std::make_unique<std::uint8_t[]>(size);
   std::memcpy(exact.get(), data, size);
   std::size_t values = 0;

@@ -1,5 +1,5 @@
-// Bytes as a frame of the sensor board: what it does not take changes nothing, what it takes are numbers
-// within its ranges, which come back when they are said again.
+// Random bytes as a frame of the sensor board: a frame that it does not take changes nothing; a frame that it
+// takes gives numbers within its ranges, which survive encoding and decoding.
 #include <cca/hardware/sensor_board.hpp>
 
 #include "decoding.hpp"
@@ -21,11 +21,11 @@ void must_be_within(const std::array<double, N>& numbers, double step) {
   for (const double x : numbers) fuzz::must(std::fabs(x) <= 32768 * step);
 }
 
-void says_again(const board_reading& r) {
+void survives_encoding(const board_reading& r) {
   board_reading again;
   for (const can_frame& f : board::frames(r, 7)) fuzz::must(f.valid() && board::decode(f, again));
-  // The most negative number is not said, so a step; of an orientation half a step, and what its length is
-  // off by.
+  // The most negative number is never sent, so one step; of an orientation half a step, and the error of its
+  // length.
   fuzz::must(near(again.orientation, r.orientation, 2e-4));
   fuzz::must(near(again.angular_velocity, r.angular_velocity, 1.001 * board::speed_step));
   fuzz::must(near(again.specific_force, r.specific_force, 1.001 * board::force_step));
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     must_be_within(r.specific_force, board::force_step);
     must_be_within(r.foot_load, board::load_step);
     must_be_within(r.abduction, board::angle_step);
-    says_again(r);
+    survives_encoding(r);
 
     const auto targets_before = targets;
     if (!board::abducted(bytes.frame(board::requests), targets)) fuzz::must(targets == targets_before);

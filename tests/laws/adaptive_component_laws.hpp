@@ -1,8 +1,7 @@
-// The laws of an Adaptive Component, stated once and run over every one of them.
+// The laws of an Adaptive Component, stated once and run for each kind.
 //
-// A case is a graph in which it is the node "skill", its feedback comes from the node "robot", and
-// `observe<"skill.*">` stands. After `Case::beats` beats it has been what `Case::expected()` says, at some
-// time.
+// A case is a graph with the component as node "skill", its feedback from the node "robot", and an item
+// `observe<"skill.*">`. Within `Case::beats` beats it takes each status of `Case::expected()`, and no other.
 #pragma once
 
 #include <cstring>
@@ -63,9 +62,9 @@ void adaptive_component() {
   }
   CHECK_MESSAGE(allocated == 0, "nothing allocates in a beat");
   CHECK_MESSAGE(true_status, "component status follows from ode status, module status and criterion");
-  CHECK_MESSAGE(true_state, "what is fulfilled is near, what is lost is far");
-  CHECK_MESSAGE(same, "a copy goes on as the original, to the bit");
-  CHECK_MESSAGE(seen == Case::expected(), "it has been all that it should have been");
+  CHECK_MESSAGE(true_state, "fulfilled means near, lost means far");
+  CHECK_MESSAGE(same, "a copy continues like the original, bit for bit");
+  CHECK_MESSAGE(seen == Case::expected(), "it took all expected statuses");
 }
 
 }  // namespace laws

@@ -1,5 +1,5 @@
-// Counts every allocation of the process, for the laws: at the C library's door, so that nothing gets around
-// it. A sanitizer has a malloc of its own, which tells a hook.
+// Counts every allocation of the process, for the laws, by replacing malloc itself, so that none is missed.
+// Under a sanitizer, which has its own malloc, it counts by the sanitizer's hook.
 #include <atomic>
 #include <cstddef>
 

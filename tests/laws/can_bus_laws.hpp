@@ -1,10 +1,14 @@
-// The laws of a CanBus, stated once and run over every model of it.
+// The laws of a CanBus, stated once and run over every model.
 //
-// A rig says of a model: `end(i)`, two ends at least of one bus; `settle()`, after which what was sent has
-// arrived; `has_fd`; and, where it can, `away(i)` and `back(i)`, which take an end from the bus (by a link
-// that goes down, or by bus-off) and return it, and `blocked(i)`, after which nobody acknowledges what the
-// end i sends, and `unblocked(i)`; `asks_for_bytes`, where its remote frames have length 0 only; `rounds`,
-// where it is slow. A rig is made anew for each law.
+// A rig is a model for these laws, made anew for each law. It has
+//   end(i)          at least two ends of one bus
+//   settle()        after it, all that was sent has arrived
+//   has_fd          whether the bus takes FD frames
+// and, if the model can do that,
+//   away(i), back(i)           takes an end from the bus (link down or bus-off), and returns it
+//   blocked(i), unblocked(i)   in between, nobody acknowledges what end i sends
+//   asks_for_bytes             false: its remote frames have length 0 only
+//   rounds                     fewer, for a slow model
 #pragma once
 
 #include <array>
@@ -21,14 +25,14 @@ namespace laws {
 namespace can {
 
 using namespace cca::hardware;
-using cca::hardware::can_frame;  // and not that of linux/can.h
+using cca::hardware::can_frame;  // not the one of linux/can.h
 
 struct frame_source {
   std::mt19937_64 bits;
   bool remote_bytes = true;  // remote frames may ask for bytes
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
 
-  // Any that can be on a bus.
+  // Any frame that can be on a bus.
   can_frame frame(bool with_fd) {
     can_frame f{.id = below(2) ? extended(static_cast<std::uint32_t>(below(1u << 29)))
                                : standard(static_cast<std::uint32_t>(below(1u << 11)))};
@@ -56,7 +60,7 @@ std::vector<received_frame> all_from(Bus&& bus, std::size_t batch = 7) {
   return all;
 }
 
-// What one sends the others get, as it was and in order, under one id; and nobody else.
+// The others get the frames as they were sent, in order under each id; the sender does not.
 template <class Rig>
 void conveys() {
   Rig rig;
@@ -74,44 +78,44 @@ for (int round = 0; round < rounds; ++round) {
     sent.back().id = id;
   }
   const auto result = rig.end(0).send(sent);
-  CHECK_MESSAGE(result.sent == sent.size(), "all are taken");
-  CHECK_MESSAGE(result.outcome == send_outcome::sent, "and it says so");
+  CHECK_MESSAGE(result.sent == sent.size(), "all frames are taken");
+  CHECK_MESSAGE(result.outcome == send_outcome::sent, "the outcome says so");
   rig.settle();
   const auto got = all_from(rig.end(1));
-  REQUIRE_MESSAGE(got.size() == sent.size(), "each arrives once");
+  REQUIRE_MESSAGE(got.size() == sent.size(), "each frame arrives once");
   for (std::size_t i = 0; i < got.size(); ++i) {
-    CHECK_MESSAGE(got[i].frame == sent[i], "as it was sent");
+    CHECK_MESSAGE(got[i].frame == sent[i], "a frame arrives as it was sent");
     CHECK_MESSAGE(got[i].time >= last, "times don't go backwards");
     last = got[i].time;
   }
-  CHECK_MESSAGE(all_from(rig.end(0)).empty(), "the sender does not get its own");
+  CHECK_MESSAGE(all_from(rig.end(0)).empty(), "the sender does not get its own frames");
 }
-CHECK_MESSAGE(rig.end(0).counters().confirmed == rig.end(0).counters().sent, "all are confirmed");
+CHECK_MESSAGE(rig.end(0).counters().confirmed == rig.end(0).counters().sent, "all frames are confirmed");
 CHECK_MESSAGE(rig.end(0).in_flight() == 0, "nothing is in flight");
-CHECK_MESSAGE(rig.end(1).counters().received == rig.end(0).counters().sent, "all are counted");
+CHECK_MESSAGE(rig.end(1).counters().received == rig.end(0).counters().sent, "all frames are counted");
 }  // namespace laws
 
-// Nothing to say, nothing to hear, no room: no harm.
+// An idle bus, an empty batch, an empty buffer.
 template <class Rig>
 void does_not_wait() {
   Rig rig;
   std::array<received_frame, 4> in;
   CHECK_MESSAGE(rig.end(0).receive(in) == 0, "an idle bus gives nothing");
-  CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>{}) == 0, "nor where there is no room");
+  CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>{}) == 0, "nor into an empty buffer");
   const auto nothing = rig.end(0).send({});
-  CHECK_MESSAGE((nothing.sent == 0 && nothing.outcome == send_outcome::sent), "an empty batch is no trouble");
+  CHECK_MESSAGE((nothing.sent == 0 && nothing.outcome == send_outcome::sent), "an empty batch is no error");
 
   const std::array<can_frame, 3> three{
       {{.id = standard(1), .length = 1}, {.id = standard(1), .length = 2}, {.id = standard(1), .length = 3}}};
   rig.end(1).send(three);
   rig.settle();
   CHECK_MESSAGE(rig.end(0).receive(std::span<received_frame>(in.data(), 2)) == 2,
-                "no more than there is room for");
-  CHECK_MESSAGE(rig.end(0).receive(in) == 1, "the rest comes later");
-  CHECK_MESSAGE(in[0].frame.length == 3, "and is the rest");
+                "no more frames than there is room for");
+  CHECK_MESSAGE(rig.end(0).receive(in) == 1, "the rest comes with the next call");
+  CHECK_MESSAGE(in[0].frame.length == 3, "and is the last frame");
 }
 
-// What can't be on the bus is left out and counted; the rest of the batch goes.
+// Frames that can't be on the bus are left out and counted; the rest of the batch is sent.
 template <class Rig>
 void refuses_what_is_no_frame() {
   const std::array<can_frame, 8> wrong{{{.id = standard(0x800)},
@@ -127,23 +131,23 @@ void refuses_what_is_no_frame() {
     const std::array<can_frame, 3> batch{
         {{.id = standard(5), .length = 1}, bad, {.id = standard(5), .length = 2}}};
     const auto result = rig.end(0).send(batch);
-    CHECK_MESSAGE((result.sent == 2 && result.outcome == send_outcome::invalid), "the others are taken");
-    CHECK_MESSAGE(rig.end(0).counters().invalid == 1, "it is counted");
+    CHECK_MESSAGE((result.sent == 2 && result.outcome == send_outcome::invalid),
+                  "the other frames are taken");
+    CHECK_MESSAGE(rig.end(0).counters().invalid == 1, "the invalid frame is counted");
     rig.settle();
     const auto got = all_from(rig.end(1));
     REQUIRE(got.size() == 2);
-    CHECK_MESSAGE((got[0].frame == batch[0] && got[1].frame == batch[2]), "and arrive");
+    CHECK_MESSAGE((got[0].frame == batch[0] && got[1].frame == batch[2]), "the other frames arrive");
   }
   if (!Rig::has_fd) {
     Rig rig;
     CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(1), .fd = true}}).outcome ==
                       send_outcome::invalid,
-                  "no FD on a classic bus");
+                  "no FD frames on a classic bus");
   }
 }
 
-// Away: nothing is taken, it is counted, and what was tried meanwhile never arrives. Back: it works as
-// before.
+// Away: nothing is taken, that is counted, and those frames never arrive. Back: it works as before.
 template <class Rig>
 void sends_nothing_stale() {
   if constexpr (requires(Rig r) { r.away(0), r.back(0); }) {
@@ -156,27 +160,27 @@ void sends_nothing_stale() {
     rig.away(0);
     all_from(rig.end(0));
     REQUIRE_MESSAGE(is_away(rig.end(0).state()), "the state says that it is away");
-    CHECK_MESSAGE(rig.end(0).counters().interruptions() == 1, "once");
+    CHECK_MESSAGE(rig.end(0).counters().interruptions() == 1, "one interruption is counted");
     const auto result = rig.end(0).send(std::array{meanwhile, meanwhile});
     CHECK_MESSAGE((result.sent == 0 && result.outcome == send_outcome::away), "nothing is taken");
-    CHECK_MESSAGE(rig.end(0).counters().dropped_away >= 2, "it is counted");
+    CHECK_MESSAGE(rig.end(0).counters().dropped_away >= 2, "the frames are counted");
     rig.settle();
     rig.back(0);
     all_from(rig.end(0));
-    CHECK_MESSAGE(!is_away(rig.end(0).state()), "it is back");
-    CHECK_MESSAGE(rig.end(0).counters().ups + rig.end(0).counters().restarts == 1, "that is counted");
-    CHECK_MESSAGE(rig.end(0).counters().interruptions() >= 1, "and the interruption is remembered");
+    CHECK_MESSAGE(!is_away(rig.end(0).state()), "the bus is back");
+    CHECK_MESSAGE(rig.end(0).counters().ups + rig.end(0).counters().restarts == 1, "the return is counted");
+    CHECK_MESSAGE(rig.end(0).counters().interruptions() >= 1, "the interruption stays counted");
     rig.settle();
-    CHECK_MESSAGE(all_from(rig.end(1)).empty(), "nothing stale is sent");
+    CHECK_MESSAGE(all_from(rig.end(1)).empty(), "no stale frame is sent");
     rig.end(0).send(std::array{after});
     rig.settle();
     const auto got = all_from(rig.end(1));
-    REQUIRE_MESSAGE(got.size() == 1, "what is sent now arrives");
+    REQUIRE_MESSAGE(got.size() == 1, "a frame that is sent now arrives");
     CHECK(got[0].frame == after);
   }
 }
 
-// Where nobody acknowledges, the queue fills; then the rest is dropped and counted, and does not come later.
+// If nobody acknowledges, the queue fills; the rest is dropped and counted, and never comes later.
 template <class Rig>
 void drops_when_full() {
   if constexpr (requires(Rig r) { r.blocked(0), r.unblocked(0); }) {
@@ -190,16 +194,16 @@ void drops_when_full() {
       taken += result.sent;
       all_from(rig.end(0));
     }
-    REQUIRE_MESSAGE(result.outcome == send_outcome::full, "the queue is full at some time");
-    CHECK_MESSAGE(rig.end(0).counters().dropped_full == 1, "what is dropped is counted");
-    CHECK_MESSAGE(rig.end(0).in_flight() == taken, "what was taken is in flight");
-    CHECK_MESSAGE(taken <= rig.most_waiting, "no more than the bus was told to hold");
+    REQUIRE_MESSAGE(result.outcome == send_outcome::full, "the queue gets full");
+    CHECK_MESSAGE(rig.end(0).counters().dropped_full == 1, "the dropped frame is counted");
+    CHECK_MESSAGE(rig.end(0).in_flight() == taken, "the frames that were taken are in flight");
+    CHECK_MESSAGE(taken <= rig.most_waiting, "the bus holds no more frames than it may");
     rig.unblocked(0);
     rig.settle();
     all_from(rig.end(0));
     const auto got = all_from(rig.end(1));
-    CHECK_MESSAGE(got.size() == taken, "what was taken arrives, what was dropped does not");
-    CHECK_MESSAGE(rig.end(0).in_flight() == 0, "and no more is in flight");
+    CHECK_MESSAGE(got.size() == taken, "frames that were taken arrive, dropped ones do not");
+    CHECK_MESSAGE(rig.end(0).in_flight() == 0, "then none is in flight");
     CHECK_MESSAGE(rig.end(0).send(std::array{can_frame{.id = standard(0x21)}}).sent == 1,
                   "there is room again");
   }

@@ -1,9 +1,9 @@
-// The laws of a Criterion, stated once and run over every one of them: those of any, and those of one that
-// measures a distance.
+// The laws of a Criterion, stated once: those of every criterion, and those of criteria that measure a
+// distance.
 //
-// Of any, a case says: `Case::made()`, a criterion that is to hold for 10 beats of a millisecond;
-// `Case::feel(criterion, what, k)`, its state in beat k. Of a distance: `Case::criterion`; `Case::at(error)`,
-// target and feedback that are so far apart.
+// A case of any criterion has `Case::made()`, a criterion with a hold time of 10 beats of 1 ms, and
+// `Case::feel(criterion, what, k)`, its state in beat k. A case of a distance has `Case::criterion` and
+// `Case::at(error)`, target and feedback at that distance.
 #pragma once
 
 #include <cmath>
@@ -32,25 +32,25 @@ void any_criterion() {
     for (int i = 0; i < beats; ++i) state = Case::feel(one, what, k++);
     return state;
   };
-  CHECK_MESSAGE(feel(nothing, 50) == open, "before anything has come it is open");
-  feel(as_wanted);  // the first of a speed, where one counts
+  CHECK_MESSAGE(feel(nothing, 50) == open, "before any sample it is open");
+  feel(as_wanted);  // the first sample, for criteria that use a speed
   feel(not_yet);
-  CHECK_MESSAGE(feel(as_wanted, 9) != fulfilled, "not before it has held");
+  CHECK_MESSAGE(feel(as_wanted, 9) != fulfilled, "not fulfilled before the hold time");
   feel(not_yet);
-  CHECK_MESSAGE(feel(as_wanted, 9) != fulfilled, "it has to hold on end");
-  CHECK_MESSAGE(feel(as_wanted, 2) == fulfilled, "then it is fulfilled");
-  CHECK_MESSAGE(feel(not_yet) != fulfilled, "and no longer once it is not as wanted");
+  CHECK_MESSAGE(feel(as_wanted, 9) != fulfilled, "it must hold without a break");
+  CHECK_MESSAGE(feel(as_wanted, 2) == fulfilled, "fulfilled after the hold time");
+  CHECK_MESSAGE(feel(not_yet) != fulfilled, "no longer fulfilled once the condition fails");
   feel(as_wanted, 20);
-  CHECK_MESSAGE(feel(no_number) != fulfilled, "what is no number fulfils nothing");
-  CHECK_MESSAGE(feel(as_wanted, 20) == fulfilled, "and is over once numbers come again");
+  CHECK_MESSAGE(feel(no_number) != fulfilled, "NaN does not fulfil it");
+  CHECK_MESSAGE(feel(as_wanted, 20) == fulfilled, "it recovers once finite samples come");
   one.on_start();
-  CHECK_MESSAGE(feel(as_wanted) == open, "a start begins anew");
+  CHECK_MESSAGE(feel(as_wanted) == open, "a start resets it");
   const std::size_t before = allocations();
   feel(as_wanted, 30), feel(not_yet, 30), feel(no_number, 30);
   CHECK_MESSAGE(allocations() == before, "nothing allocates");
 }
 
-// One that measures a distance, as any.
+// Adapts a criterion of a distance to the laws of any criterion.
 template <class Case>
 struct by_distance {
   static auto made() {
@@ -78,7 +78,7 @@ public:
   using criterion = typename Case::criterion;
   criterion c = by_distance<Case>::made();
 
-  // For so many beats of a millisecond so far apart: the state at the end.
+  // The state after `beats` beats of 1 ms at this distance.
   cca::criterion_state feel(double error, int beats = 1) {
     double state = 0;
     for (int i = 0; i < beats; ++i, ++k) {
@@ -108,31 +108,30 @@ void criterion() {
     const cca::in<"feedback", typename Case::space> come(Case::at(0.05).second, 0, true);
     for (int k = 0; k < 50; ++k) {
       const auto [e, s] = one.c.process({}, come, cca::beat(k, 1'000'000, 1));
-      CHECK_MESSAGE(s.vector()[0] == cca::status_of(open), "before both have come it is open");
-      CHECK_MESSAGE(e.vector()[0] == 0, "and says no error");
+      CHECK_MESSAGE(s.vector()[0] == cca::status_of(open), "before both inputs have a sample it is open");
+      CHECK_MESSAGE(e.vector()[0] == 0, "and its error is 0");
     }
   }
   criterion_rig<Case> one;
-  CHECK_MESSAGE(one.feel(0.05, 9) == open, "not before it has held");
+  CHECK_MESSAGE(one.feel(0.05, 9) == open, "not fulfilled before the hold time");
   CHECK_MESSAGE(one.feel(0.05) == fulfilled, "then it is fulfilled");
   CHECK_MESSAGE(one.feel(0.15, 50) == fulfilled, "between `within` and `until` it stays so");
   CHECK_MESSAGE(one.feel(0.25) == open, "beyond `until` it is open, at once");
   CHECK_MESSAGE(one.feel(0.15, 50) == open, "between `until` and `within` it stays so");
-  CHECK_MESSAGE(one.feel(0.05, 9) == open, "it has to hold anew");
-  CHECK_MESSAGE(one.feel(0.15) == open, "on end");
-  CHECK_MESSAGE(one.feel(0.05, 9) == open, "on end");
+  CHECK_MESSAGE(one.feel(0.05, 9) == open, "the hold time counts again");
+  CHECK_MESSAGE(one.feel(0.15) == open, "a break resets the hold time");
+  CHECK_MESSAGE(one.feel(0.05, 9) == open, "a break resets the hold time");
   CHECK_MESSAGE(one.feel(0.05) == fulfilled, "then it is fulfilled");
-  CHECK_MESSAGE(one.feel(0.6, 9) == open, "far off, but not for long");
-  CHECK_MESSAGE(one.feel(0.6) == lost, "far off for long: lost");
+  CHECK_MESSAGE(one.feel(0.6, 9) == open, "above `lost`, but not for long");
+  CHECK_MESSAGE(one.feel(0.6) == lost, "above `lost` for the hold time: lost");
   CHECK_MESSAGE(one.feel(0.3, 50) == lost, "between `lost` and `until` it stays so");
   CHECK_MESSAGE(one.feel(0.15) == open, "below `until` it is open again");
-  CHECK_MESSAGE(one.feel(0.6, 9) == open, "it has to be far off anew");
+  CHECK_MESSAGE(one.feel(0.6, 9) == open, "the time to be lost counts again");
   one.feel(0.15);
-  CHECK_MESSAGE(one.feel(std::numeric_limits<double>::quiet_NaN()) == lost,
-                "what is no number is lost, at once");
+  CHECK_MESSAGE(one.feel(std::numeric_limits<double>::quiet_NaN()) == lost, "NaN is lost at once");
   for (const double error : {0.05, 0.05, 0.6, 0.6}) {
     one.c.on_start();
-    CHECK_MESSAGE(one.feel(error, 9) == open, "after a start it has to hold anew");
+    CHECK_MESSAGE(one.feel(error, 9) == open, "after a start the hold time counts again");
   }
 }
 

@@ -1,4 +1,4 @@
-// The laws of a Drive, stated once and run over every model of it.
+// The laws of a Drive, stated once and run over every model.
 #pragma once
 
 #include <algorithm>
@@ -33,13 +33,13 @@ inline bool same(const drive_report& a, const drive_report& b) { return std::mem
 template <Drive D>
 void check_frames(const drive_frames& frames) {
   for (const can_frame& f : frames) {
-    CHECK_MESSAGE(f.valid(), "can be on a bus");
+    CHECK_MESSAGE(f.valid(), "each frame can be on a bus");
     CHECK_MESSAGE((among(D::requests, f.id) || among(broadcasts_of<D>, f.id)),
-                  "is one of those that it listens to");
+                  "each frame has an id that it listens to");
   }
 }
 
-// What it asks for can be sent; what is not finite is not sent at all.
+// A finite command is sent; a command with NaN or infinity is not sent at all.
 template <Drive D>
 void asks() {
   std::mt19937_64 bits(1);
@@ -50,7 +50,7 @@ void asks() {
     for (const auto number : numbers) c.*number = random(size);
     const auto asked = D::set_point(c);
     CHECK_MESSAGE(asked.finite, "finite numbers are taken, whatever their size");
-    CHECK_MESSAGE(!asked.frames.empty(), "and sent");
+    CHECK_MESSAGE(!asked.frames.empty(), "finite numbers are sent");
     CHECK_MESSAGE((asked.cut & ~D::uses) == 0, "only what it uses is cut");
     check_frames<D>(asked.frames);
   }
@@ -61,26 +61,26 @@ void asks() {
       c.*numbers[i] = bad;
       const auto asked = D::set_point(c);
       const bool used = (D::uses & quantities[i]) != 0;
-      CHECK_MESSAGE(asked.finite == !used, "NaN and infinity are told");
-      CHECK_MESSAGE(asked.frames.empty() == used, "and not sent");
+      CHECK_MESSAGE(asked.finite == !used, "NaN and infinity are reported");
+      CHECK_MESSAGE(asked.frames.empty() == used, "NaN and infinity are not sent");
     }
-  for (std::size_t i = 0; i < numbers.size(); ++i)  // beyond all ranges, and far beyond: the same frame
+  for (std::size_t i = 0; i < numbers.size(); ++i)  // beyond all ranges, or far beyond: the same frame
     for (const double sign : {-1, 1}) {
       drive_command far, further;
       far.*numbers[i] = sign * 1e60;
       further.*numbers[i] = sign * 1e300;
       const auto a = D::set_point(far), b = D::set_point(further);
       const bool used = (D::uses & quantities[i]) != 0;
-      CHECK_MESSAGE(((a.cut & quantities[i]) != 0) == used, "it says what it cut");
+      CHECK_MESSAGE(((a.cut & quantities[i]) != 0) == used, "it says which number it cut");
       REQUIRE(a.frames.size() == b.frames.size());
       for (std::size_t f = 0; f < a.frames.size(); ++f)
-        CHECK_MESSAGE(a.frames[f] == b.frames[f], "to the end of the range");
+        CHECK_MESSAGE(a.frames[f] == b.frames[f], "numbers are cut to the end of the range");
     }
   CHECK_MESSAGE(D::set_point({}).cut == 0, "zero is within all ranges");
 }
 
-// Whatever the bytes: what is not its own changes nothing; what it takes are numbers or NaN, and says what it
-// told.
+// For any bytes: a frame of others changes nothing; a frame that it takes gives numbers or NaN, and says
+// which numbers it reports.
 template <Drive D>
 void hears_anything() {
   std::mt19937_64 bits(2);
@@ -99,24 +99,24 @@ void hears_anything() {
                : can_id{static_cast<std::uint32_t>(bits()), bits() % 2 == 0};
     if (bits() % 2) f.length = static_cast<std::uint8_t>(bits() % 9);
     for (auto& byte : f.data) byte = static_cast<std::uint8_t>(bits());
-    if (bits() % 2) f.data[0] = D::set_point({}).frames[0].data[0];  // a byte that may mean something
+    if (bits() % 2) f.data[0] = D::set_point({}).frames[0].data[0];  // a first byte that it knows
     const drive_report before = r;
     if (!D::decode(f, r)) {
-      REQUIRE_MESSAGE(same(before, r), "what is not taken changes nothing");
+      REQUIRE_MESSAGE(same(before, r), "a frame that is not taken changes nothing");
       continue;
     }
     ++taken;
-    REQUIRE_MESSAGE(among(D::replies, f.id), "it takes only what it sends");
-    REQUIRE_MESSAGE(r.frames == before.frames + 1, "it is counted");
-    REQUIRE_MESSAGE(r.told != 0, "it told something");
+    REQUIRE_MESSAGE(among(D::replies, f.id), "it takes only frames of its own ids");
+    REQUIRE_MESSAGE(r.frames == before.frames + 1, "the frame is counted");
+    REQUIRE_MESSAGE(r.told != 0, "the frame reported something");
     if (!(r.told & of_position))
       REQUIRE_MESSAGE(std::memcmp(&r.position, &before.position, sizeof r.position) == 0,
-                      "a position that isn't told stays");
+                      "a position that is not reported stays");
   }
   (void)taken;
 }
 
-// Off, and on the way to on: frames that can be sent; and no way ends without an answer.
+// Enabling and disabling give frames that can be sent; without an answer, enabling is never done.
 template <Drive D>
 void starts_and_stops() {
   CHECK(!D::disable().empty());
@@ -125,16 +125,16 @@ void starts_and_stops() {
   for (int i = 0; i < 1000; ++i) {
     const auto step = enabling.next({});
     check_frames<D>(step.frames);
-    REQUIRE_MESSAGE(step.progress != enable_progress::done, "nobody has answered");
+    REQUIRE_MESSAGE(step.progress != enable_progress::done, "it is not done before anybody has answered");
   }
 }
 
-// No id is asked under and answered under at once; traffic is frames that can be.
+// Requests and replies have different ids; all traffic has possible frames.
 template <Drive D>
 void is_stated_soundly() {
   for (const can_filter& a : D::requests)
     for (const can_filter& b : D::replies)
-      CHECK_MESSAGE(!overlap(a, b), "requests and replies have ids of their own");
+      CHECK_MESSAGE(!overlap(a, b), "requests and replies have different ids");
   for (const frame_traffic& t : D::traffic) {
     CHECK(fd_length(t.shape.length) == t.shape.length);
     CHECK((t.shape.fd || t.shape.length <= 8));

@@ -1,9 +1,8 @@
-// The laws of a Learner, stated once and run over every one of them.
+// The laws of a Learner, stated once and run for every learner.
 //
-// A case says of a learner: `Case::learner`; `Case::input(source)`, a random one of where it is trained;
-// `Case::truth(x)`, what it shall learn; `Case::far()`, an input far from all of them; `Case::left`, what
-// part of the error at most is left of it. `laws::allocations()` counts calls of malloc; the test program
-// defines it.
+// A case has `Case::learner`; `Case::input(source)`, a random input of its trained region; `Case::truth(x)`,
+// the function to learn; `Case::far()`, an input far from the region; `Case::left`, the largest fraction of
+// the error that may remain. `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
 #include <cmath>
@@ -48,8 +47,8 @@ std::string as_text(const typename Case::learner::learned& known) {
       cca::detail::schema_of<typename Case::learner::learned>, &known);
 }
 
-// An error, on inputs that it has not seen, falls to what the case says; whatever is given, all is finite;
-// the same gives the same.
+// The error on unseen inputs falls to the fraction of the case; everything stays finite; the same examples
+// give the same result.
 template <class Case>
 void learns_in_batch() {
   using learner = typename Case::learner;
@@ -59,11 +58,10 @@ void learns_in_batch() {
   const double before = rms_error<Case>(*nothing), left = rms_error<Case>(*known);
   CHECK_MESSAGE(left < Case::left * before, "error in batch: " << before << " before, " << left << " left");
   CHECK_MESSAGE(as_text<Case>(learner::batch(all, {})) == as_text<Case>(*known),
-                "the same examples, the same to the bit");
+                "the same examples give the same result, bit for bit");
 }
 
-// Example by example the error falls, from one decade to the next; to within a hundredth, where it has come
-// to its floor.
+// Online the error falls from each decade of examples to the next, or stays within 1 % at its floor.
 template <class Case>
 void learns_online() {
   using learner = typename Case::learner;
@@ -82,7 +80,7 @@ void learns_online() {
   CHECK_MESSAGE(last < Case::left * before, "error online: " << before << " before, " << last << " left");
 }
 
-// Saved and loaded is the identity: the same text, and the same answers to the bit.
+// Saving and loading gives the same text, and the same answers bit for bit.
 template <class Case>
 void keeps() {
   using learner = typename Case::learner;
@@ -91,14 +89,14 @@ void keeps() {
   const auto text = as_text<Case>(*known);
   cca::detail::read_learned(text, "text", {std::string(learner::model::title()), std::string(learner::name)},
                             cca::detail::schema_of<typename learner::learned>, again.get());
-  CHECK_MESSAGE(as_text<Case>(*again) == text, "written again as it was");
+  CHECK_MESSAGE(as_text<Case>(*again) == text, "written again with the same text");
   for (const auto& one : examples<Case>(50, 4))
     CHECK_MESSAGE(
         learner::model::answer(known->function, one.x) == learner::model::answer(again->function, one.x),
         "the same answers");
 }
 
-// Its status is true, and nothing in a beat allocates.
+// Its status is right, and nothing in a beat allocates.
 template <class Case>
 void tells() {
   using learner = typename Case::learner;
@@ -106,9 +104,9 @@ void tells() {
   const auto side = std::make_unique<cca::training<learner, 200>>();
   const auto all = examples<Case>(300, 5);
   CHECK(side->state() == cca::learning::idle);
-  CHECK_MESSAGE(side->region(all[0].x, s) == cca::trained_region::outside, "nothing is known at first");
+  CHECK_MESSAGE(side->region(all[0].x, s) == cca::trained_region::outside, "outside at first");
   side->teach(all[0].x, all[0].y, s);
-  CHECK_MESSAGE(side->example_count() == 0, "idle, it keeps nothing");
+  CHECK_MESSAGE(side->example_count() == 0, "idle, it keeps no examples");
   side->collect();
   CHECK(side->state() == cca::learning::collecting);
   std::size_t before = allocations();
@@ -117,9 +115,9 @@ void tells() {
   broken.y[0] = std::numeric_limits<double>::quiet_NaN();
   side->teach(broken.x, broken.y, s);
   CHECK_MESSAGE(allocations() == before, "collecting does not allocate");
-  CHECK_MESSAGE(side->example_count() == 200, "the newest ones");
-  CHECK_MESSAGE(side->examples().front().x == all[100].x, "in their order");
-  CHECK_MESSAGE(side->examples().back().x == all[299].x, "what is not finite is passed over");
+  CHECK_MESSAGE(side->example_count() == 200, "it keeps the newest examples");
+  CHECK_MESSAGE(side->examples().front().x == all[100].x, "it keeps their order");
+  CHECK_MESSAGE(side->examples().back().x == all[299].x, "examples that are not finite are ignored");
   const auto work = side->begin_batch(s);
   CHECK(side->state() == cca::learning::batch);
   const auto known = std::make_unique<typename learner::learned>(work());
@@ -133,9 +131,9 @@ void tells() {
     sum += side->answer(all[i].x);
   }
   CHECK_MESSAGE(allocations() == before, "an answer does not allocate");
-  CHECK_MESSAGE(outside == 0, "inside where it was trained: " << outside << " of 200 are not");
+  CHECK_MESSAGE(outside == 0, "inside the trained region: " << outside << " of 200 are not");
   CHECK_MESSAGE(sum.allFinite(), "finite");
-  CHECK_MESSAGE(side->region(Case::far(), s) == cca::trained_region::outside, "outside far from there");
+  CHECK_MESSAGE(side->region(Case::far(), s) == cca::trained_region::outside, "outside far from the region");
   if constexpr (cca::OnlineLearner<learner>) {
     side->learn();
     CHECK(side->state() == cca::learning::online);
@@ -143,20 +141,21 @@ void tells() {
     for (const auto& one : all) side->teach(one.x, one.y, s);
     side->teach(broken.x, broken.y, s);
     CHECK_MESSAGE(allocations() == before, "a step does not allocate");
-    CHECK_MESSAGE(side->answer(all[0].x).allFinite(), "what is not finite is passed over");
+    CHECK_MESSAGE(side->answer(all[0].x).allFinite(), "examples that are not finite are ignored");
     side->rest();
     CHECK(side->state() == cca::learning::trained);
   }
   side->forget();
   CHECK(side->state() == cca::learning::idle);
   CHECK_MESSAGE(side->region(all[200].x, s) == cca::trained_region::outside,
-                "what is forgotten is not known");
+                "after forgetting all is outside");
   const auto fresh = std::make_unique<cca::training<learner, 200>>();
-  CHECK_MESSAGE(side->answer(all[200].x) == fresh->answer(all[200].x), "nor answered");
-  CHECK_MESSAGE(side->example_count() == 0, "nor are its examples there");
+  CHECK_MESSAGE(side->answer(all[200].x) == fresh->answer(all[200].x),
+                "after forgetting it answers like a new one");
+  CHECK_MESSAGE(side->example_count() == 0, "after forgetting it has no examples");
   side->collect();
   side->rest();
-  CHECK_MESSAGE(side->state() == cca::learning::idle, "nothing has been learned");
+  CHECK_MESSAGE(side->state() == cca::learning::idle, "nothing was learned");
 }
 
 template <class Case>

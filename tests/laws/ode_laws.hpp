@@ -1,9 +1,9 @@
-// The laws of an Ode, stated once and run over every model of it.
+// The laws of an Ode, stated once and run for every model.
 //
-// A case says of a model: `Case::ode`; `Case::state(source)` and `Case::input(source)`, random ones of what
-// it is made for; `Case::parameters()`; `Case::rate`, an upper bound of how fast anything in it decays or
-// turns, per second; and, where it has one, `Case::equilibrium(source)`, a state and an input under which it
-// rests. `laws::allocations()` counts calls of malloc; the test program defines it.
+// A case has `Case::ode`; `Case::state(source)` and `Case::input(source)`, random values of its intended
+// range; `Case::parameters()`; `Case::rate`, an upper bound of its rates of decay and rotation, per s; and,
+// if it has one, `Case::equilibrium(source)`, a state and an input under which it rests.
+// `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
 #include <cmath>
@@ -43,8 +43,8 @@ auto after(const cca::ode_state<typename Case::ode>& x,
   return solver.get();
 }
 
-// Whatever the state and the input, a second of it is finite; the same start ends at the same place, bit for
-// bit; nothing allocates.
+// From any state and input it is finite after a second; the same start gives the same end, bit for bit;
+// nothing allocates.
 template <class Case, class Integrator>
 void runs() {
   ode_source random{std::mt19937_64{1}};
@@ -61,7 +61,7 @@ void runs() {
   }
 }
 
-// No time, no change; and a short time moves it along the derivative.
+// A step of zero length changes nothing; a short step moves along the derivative.
 template <class Case, class Integrator>
 void follows_the_derivative() {
   ode_source random{std::mt19937_64{2}};
@@ -71,16 +71,16 @@ void follows_the_derivative() {
     const auto u = Case::input(random);
     const auto x = after<Case, Integrator>(Case::state(random), u, 0.0, 1);  // projected
     CHECK_MESSAGE((after<Case, Integrator>(x, u, 0.0, 1) - x).norm() <= 1e-15 * x.norm(),
-                  "no time, no change");
+                  "a step of zero length changes nothing");
     const auto rate = Case::ode::derivative(x, u, p);
     const auto moved = ((after<Case, Integrator>(x, u, dt, 1) - x) / dt).eval();
     CHECK_MESSAGE((moved - rate).norm() <= 1e-3 * (1 + rate.norm() + Case::rate * x.norm()),
-                  "along the derivative");
+                  "a short step moves along the derivative");
   }
 }
 
-// Half the step, error divided by 2^order: seen in the changes from one halving to the next, over random
-// starts together.
+// Half the step divides the error by 2^order: measured by the changes from one halving to the next, over
+// random starts together.
 template <class Case, class Integrator>
 void order(int expected) {
   ode_source random{std::mt19937_64{3}};
@@ -100,7 +100,7 @@ void order(int expected) {
   CHECK_MESSAGE(seen > expected - 0.25, "order " << seen << ", not " << expected);
 }
 
-// Where the derivative is zero it stays, for a second.
+// Where the derivative is zero it stays for a second.
 template <class Case, class Integrator>
 void rests() {
   ode_source random{std::mt19937_64{4}};
@@ -121,7 +121,7 @@ void ode_with(int expected_order) {
   if constexpr (requires { Case::equilibrium(any); }) rests<Case, Integrator>();
 }
 
-// All of them, with each integrator that fits.
+// All laws, with each integrator that fits.
 template <class Case>
 void ode() {
   static_assert(cca::Ode<typename Case::ode>);

@@ -1,11 +1,11 @@
-// The laws of a skeleton, stated once and run over every one of them.
+// The laws of a skeleton, stated once and run over every skeleton.
 //
-// A case is a graph of one skeleton between sources and an end:
-//   Case::graph              with a node "end" that notes `values`, `beats` (when it heard them) and
-//   `origins` Case::value              what each source says along each axis, always Case::feed(controller)
-//   moves the sources before a beat; called before each Case::settle(controller) if it takes a while until
-//   what went in has come out: outside of a beat Case::oldest(beat)       the oldest origin, in beats, that a
-//   sample heard in that beat may have
+// A case is a graph of one skeleton between sources and a sink:
+//   Case::graph                with a node "end" that records `values`, `beats` (of arrival) and `origins`
+//   Case::value                the number that each source publishes along each axis, in every beat
+//   Case::feed(controller)     changes the sources before a beat
+//   Case::settle(controller)   optional: waits, outside of a beat, until all input is worked off
+//   Case::oldest(beat)         the oldest origin, in beats, that a sample arriving in that beat may have
 // `laws::allocations()` counts calls of malloc; the test program defines it.
 #pragma once
 
@@ -54,7 +54,7 @@ void allocates_nothing() {
   CHECK_MESSAGE(allocated == 0, Case::name << ": a beat allocates nothing");
 }
 
-// Nothing is younger than the beat, older than what it was made of, or overtaken by what came before it.
+// No origin is later than the beat, older than the inputs allow, or earlier than that of the sample before.
 template <class Case>
 void keeps_origin_and_order() {
   auto c = begun<Case>();
@@ -72,7 +72,7 @@ void keeps_origin_and_order() {
   }
 }
 
-// What all sources agree on comes out unchanged.
+// If all sources publish the same value, it comes out unchanged.
 template <class Case>
 void adds_nothing() {
   auto c = begun<Case>();
@@ -83,11 +83,11 @@ void adds_nothing() {
                   Case::name << ": what goes in is what comes out");
 }
 
-// Run twice, and a copy from the middle on: the same, bit for bit.
+// Two runs, and a copy made in the middle, give the same, bit for bit.
 template <class Case>
 void is_deterministic() {
   auto a = begun<Case>(), b = begun<Case>();
-  beats<Case>(a, 73);  // in the middle of whatever repeats itself
+  beats<Case>(a, 73);  // in the middle of any period
   beats<Case>(b, 73);
   auto copy = a;
   beats<Case>(a, 70);
@@ -100,7 +100,7 @@ void is_deterministic() {
                 Case::name << ": a copy goes on alike");
 }
 
-// All of them.
+// All laws.
 template <class Case>
 void skeleton() {
   static_assert(cca::well_formed<typename Case::graph>);

@@ -1,7 +1,7 @@
-// The laws of spaces, each stated once and run over every model that claims them.
+// The laws of spaces, each stated once and run over every model that it applies to.
 //
-// A model says how its samples are made and compared: `Model::random(source)` and `Model::close(a, b)`, the
-// latter equality up to rounding (and up to what is the same thing: q and -q, 0 and 2 pi).
+// A model makes and compares samples: `Model::random(source)`, and `Model::close(a, b)`, which is equality up
+// to rounding and up to the representation (q and -q, 0 and 2 pi).
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct source {
   }
 };
 
-// a * b, a.inverse(), the zero of the space is the identity.
+// a * b and a.inverse() form a group; the zero of the space is the identity.
 template <class Model>
 void group() {
   source random{std::mt19937_64{1}};
@@ -43,7 +43,7 @@ void group() {
   }
 }
 
-// Model::act(a, x) moves a point: (a * b) acts as a after b, distances stay.
+// Model::act(a, x) moves a point: (a * b) acts like b and then a, and keeps distances.
 template <class Model>
 void action() {
   source random{std::mt19937_64{2}};
@@ -55,18 +55,18 @@ void action() {
     CHECK_MESSAGE(
         Model::act(a, x).distance(Model::act(a, y)) == doctest::Approx(x.distance(y)).epsilon(1e-12),
         "distances stay");
-    CHECK_MESSAGE(Model::act(a.inverse(), Model::act(a, x)).distance(x) < 1e-12, "the inverse takes back");
+    CHECK_MESSAGE(Model::act(a.inverse(), Model::act(a, x)).distance(x) < 1e-12, "the inverse undoes it");
   }
 }
 
-// a.difference(b), and Model::plus(b, difference) which takes b to a.
+// a.difference(b), and Model::plus(b, difference), which gives a.
 template <class Model>
 void differences() {
   source random{std::mt19937_64{3}};
   for (int i = 0; i < rounds; ++i) {
     const auto a = Model::random(random), b = Model::random(random);
-    CHECK_MESSAGE(Model::close(Model::plus(b, a.difference(b)), a), "what lies between leads there");
-    CHECK_MESSAGE(a.difference(a).norm() < 1e-12, "nothing lies between a and a");
+    CHECK_MESSAGE(Model::close(Model::plus(b, a.difference(b)), a), "b plus the difference is a");
+    CHECK_MESSAGE(a.difference(a).norm() < 1e-12, "the difference of a and a is zero");
     CHECK_MESSAGE((a.difference(b).norm() == doctest::Approx(b.difference(a).norm()).epsilon(1e-12)),
                   "as far there as back");
   }
@@ -80,12 +80,12 @@ void interpolation() {
     const double t = random(0, 1);
     CHECK_MESSAGE(Model::close(a.interpolated(b, 0), a), "starts at a");
     CHECK_MESSAGE(Model::close(a.interpolated(b, 1), b), "ends at b");
-    CHECK_MESSAGE(Model::close(a.interpolated(a, t), a), "rests between a and a");
+    CHECK_MESSAGE(Model::close(a.interpolated(a, t), a), "stays at a between a and a");
     CHECK_MESSAGE(Model::close(a.interpolated(b, t), b.interpolated(a, 1 - t)), "the same way back");
   }
 }
 
-// Where there is a difference, the way is straight: a part t of it is covered at t.
+// If the space has differences, interpolation at t covers the part t of the difference.
 template <class Model>
 void straight() {
   source random{std::mt19937_64{5}};
@@ -114,7 +114,7 @@ void sums() {
   }
 }
 
-// What is made of two samples originates where the older does, and an initial value doesn't count.
+// The result of two samples has the older origin of the two; an initial value doesn't count.
 template <class Model, class Operation>
 void origins(Operation combine) {
   source random{std::mt19937_64{7}};

@@ -1,9 +1,9 @@
-// The laws of a VirtualDrive, stated once and run over every model of it: the codec at one end of a bus in
-// memory, the virtual drive with a motor at the other.
+// The laws of a VirtualDrive, stated once and run over every model: the codec is at one end of a bus in
+// memory, the virtual drive and a motor at the other.
 //
-// A rig says of a model: `drive`, the VirtualDrive; `code` and `fault`, a fault of its own and what it is
-// reported as; `unfed`, what is reported once its watchdog has run out; `no_number()`, frames that hold NaN
-// where a set-point has numbers (none where its frames can't).
+// A rig is a model for these laws. It has `drive`, the VirtualDrive; `code` and `fault`, one of its faults
+// and what it reports for it; `unfed`, what it reports when its watchdog has run out; `no_number()`, set
+// points with NaN or infinity (none, if its frames can't have these).
 #pragma once
 
 #include <array>
@@ -25,12 +25,12 @@ namespace virtual_drives {
 
 using namespace cca::hardware;
 
-inline constexpr double stands = 0.2;  // where a motor is before anything happens
+inline constexpr double starts_at = 0.2;  // where a motor is before anything happens
 
 inline bool finite(const drive_command& c) {
   return (c.position + c.velocity + c.torque + c.stiffness + c.damping) * 0 == 0;
 }
-// At most it damps.
+// Whether it damps at most.
 inline bool gives_way(const drive_command& c) {
   return finite(c) && c.stiffness == 0 && c.torque == 0 && (c.damping == 0 || c.velocity == 0);
 }
@@ -42,7 +42,7 @@ template <VirtualDrive V>
 struct bench {
   using D = typename V::drive;
 
-  // One millisecond: what the robot sends, what the drive makes of it, what comes back.
+  // One millisecond: the robot sends, the drive moves, the answers come back.
   void beat(const drive_frames& frames = {}) {
     drive_frames out = frames;
     if (!frames.empty())
@@ -74,7 +74,7 @@ struct bench {
     return false;
   }
 
-  // A set-point that is somewhere else, by what the drive takes.
+  // A set point for another position, in the way that the drive takes.
   static drive_frames go(double where = 0.5) {
     if constexpr ((D::uses & of_position) != 0)
       return D::set_point({.position = where, .stiffness = 20, .damping = 0.8}).frames;
@@ -99,16 +99,16 @@ struct bench {
 template <class Rig>
 using bench_of = bench<typename Rig::drive>;
 
-// Off until its codec has enabled it, without a kick; then it goes where it is told.
+// Off until its codec has enabled it, without a jerk; then it goes where the set points lead.
 template <class Rig>
 void follows_once_enabled() {
   bench_of<Rig> b;
   using D = typename Rig::drive::drive;
-  b.motor.now.position = stands;
+  b.motor.now.position = starts_at;
   b.beats(200, Rig::drive::waits ? b.go() : drive_frames());
-  CHECK_MESSAGE(b.motor.now.position == stands, "nothing moves before it was enabled");
+  CHECK_MESSAGE(b.motor.now.position == starts_at, "nothing moves before it is enabled");
   REQUIRE_MESSAGE(b.enable(), "its codec enables it");
-  CHECK_MESSAGE(std::fabs(b.motor.now.position - stands) < 0.002, "without a kick");
+  CHECK_MESSAGE(std::fabs(b.motor.now.position - starts_at) < 0.002, "enabling it makes no jerk");
   b.beats(1500, b.go());
   if constexpr ((D::uses & of_position) != 0)
     CHECK(b.motor.now.position == doctest::Approx(0.5).epsilon(0.02));
@@ -116,15 +116,16 @@ void follows_once_enabled() {
     CHECK(b.motor.now.velocity == doctest::Approx(0.5).epsilon(0.05));
   else CHECK(b.motor.now.position > 1);
   CHECK_MESSAGE(b.report.position == doctest::Approx(b.motor.now.position).epsilon(0.02),
-                "and tells where that is");
+                "it goes there and reports it");
   CHECK(b.report.fault == drive_fault::none);
   b.beats(3, D::disable());
-  CHECK_MESSAGE(gives_way(b.law), "until it is disabled");
+  CHECK_MESSAGE(gives_way(b.law), "disabled, it gives way");
   CHECK_FALSE(b.v.enabled());
   CHECK_MESSAGE(b.allocated == 0, "nothing is allocated");
 }
 
-// Unfed, it lets go after its time, not before; and as it is stated, for good or until it is fed.
+// Unfed, it lets go after its timeout, not before; and stays so, or follows again when it is fed, as its type
+// says.
 template <class Rig>
 void starves() {
   using V = typename Rig::drive;
@@ -134,26 +135,26 @@ void starves() {
   const std::int64_t fed = b.now;
   while (b.now < fed + V::timeout - 2'000'000) {
     b.beat();
-    REQUIRE_MESSAGE(!gives_way(b.law), "it follows while its time has not run out");
+    REQUIRE_MESSAGE(!gives_way(b.law), "it follows until its timeout");
   }
   b.beats(3);
-  CHECK_MESSAGE(gives_way(b.law), "then it gives way");
+  CHECK_MESSAGE(gives_way(b.law), "after its timeout it gives way");
   b.motor.now.velocity = 0;
   const double stood = b.motor.now.position;
   b.beats(20);
   if (!V::latches) {
-    CHECK_MESSAGE(b.follows(), "it is stated to follow again when it is fed");
+    CHECK_MESSAGE(b.follows(), "it follows again when it is fed, as its type says");
     return;
   }
   for (int i = 0; i < 200; ++i) {
     b.beat(b.go());
-    REQUIRE_MESSAGE(gives_way(b.law), "what comes too late moves nothing");
+    REQUIRE_MESSAGE(gives_way(b.law), "a late set point moves nothing");
   }
   CHECK(b.motor.now.position == doctest::Approx(stood).epsilon(0.01));
   CHECK_FALSE(b.v.enabled());
-  CHECK_MESSAGE(b.report.fault == Rig::unfed, "it says why");
+  CHECK_MESSAGE(b.report.fault == Rig::unfed, "it reports the watchdog");
   CHECK((b.report.activity == drive_activity::faulted || b.report.activity == drive_activity::disabled));
-  REQUIRE_MESSAGE(b.enable(), "it can be enabled anew");
+  REQUIRE_MESSAGE(b.enable(), "it can be enabled again");
   CHECK(b.follows());
   CHECK(b.allocated == 0);
 }
@@ -170,15 +171,15 @@ void fails() {
     b.beat(b.go());
     REQUIRE(gives_way(b.law));
   }
-  CHECK_MESSAGE(b.report.fault == Rig::fault, "it is told as what it is");
+  CHECK_MESSAGE(b.report.fault == Rig::fault, "the fault is reported");
   CHECK(b.report.activity == drive_activity::faulted);
   CHECK_FALSE(b.v.enabled());
   b.v.clear();
   if (Rig::drive::latches) {
     b.beats(50, b.go());
-    CHECK_MESSAGE(gives_way(b.law), "that it is over moves nothing");
+    CHECK_MESSAGE(gives_way(b.law), "the end of a fault moves nothing");
   }
-  REQUIRE_MESSAGE(b.enable(), "it can be enabled anew");
+  REQUIRE_MESSAGE(b.enable(), "it can be enabled again");
   CHECK(b.follows());
 }
 
@@ -190,8 +191,8 @@ void falls_silent() {
   b.v.go_silent(true);
   const std::uint64_t heard = b.report.frames;
   b.beats(300, b.go());
-  CHECK_MESSAGE(b.report.frames == heard, "it says nothing");
-  CHECK_MESSAGE(!gives_way(b.law), "and goes on");
+  CHECK_MESSAGE(b.report.frames == heard, "a silent drive sends nothing");
+  CHECK_MESSAGE(!gives_way(b.law), "a silent drive works on");
   b.v.clear();
   b.beats(150, b.go());
   CHECK(b.report.frames > heard);
@@ -208,19 +209,19 @@ void reboots() {
   const std::uint64_t heard = b.report.frames;
   for (int i = 0; i < 300; ++i) {
     b.beat(Rig::drive::waits || i < 45 ? b.go() : drive_frames());
-    REQUIRE_MESSAGE(gives_way(b.law), "whatever comes, nothing moves until it is enabled");
-    if (i == 49) CHECK_MESSAGE(b.report.frames == heard, "while it boots it says nothing");
+    REQUIRE_MESSAGE(gives_way(b.law), "nothing moves until it is enabled, whatever comes");
+    if (i == 49) CHECK_MESSAGE(b.report.frames == heard, "while it boots it sends nothing");
   }
   CHECK(b.motor.now.position == stood);
   CHECK_FALSE(b.v.enabled());
   if (Rig::drive::waits)
-    CHECK_MESSAGE(b.report.activity != drive_activity::enabled, "and it does not say that it was");
+    CHECK_MESSAGE(b.report.activity != drive_activity::enabled, "it does not report itself enabled");
   REQUIRE(b.enable());
-  CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.002, "without a kick");
+  CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.002, "enabling it makes no jerk");
   CHECK(b.follows());
 }
 
-// Bytes that make no sense: off, it stays off; enabled, it follows what it followed.
+// Bytes that make no sense: off, it stays off; enabled, it follows the last set point.
 template <class Rig>
 void hears_anything() {
   using V = typename Rig::drive;
@@ -236,7 +237,7 @@ void hears_anything() {
   V v;
   for (std::int64_t i = 0; i < 100'000; ++i) {
     v.hear(noise(), i * 100'000);
-    REQUIRE_MESSAGE(gives_way(v.law(i * 100'000)), "what was not enabled moves by no random bytes");
+    REQUIRE_MESSAGE(gives_way(v.law(i * 100'000)), "random bytes move no drive that is not enabled");
     v.answer({});
   }
   bench_of<Rig> b;
@@ -256,7 +257,8 @@ void hears_anything() {
     b.v.hear(f, now);
   }
   for (const can_frame& f : cycle_frames_of<D>) b.v.hear(f, now);
-  CHECK_MESSAGE(same(before, b.v.law(now)), "nor by half a set-point, a remote one, or that of another");
+  CHECK_MESSAGE(same(before, b.v.law(now)),
+                "nor does half a set point, a remote frame, or a set point for another drive");
 }
 
 template <class Rig>
@@ -265,12 +267,12 @@ void hears_no_number() {
   CHECK(D::set_point({.position = NAN, .velocity = NAN, .torque = NAN}).frames.empty());
   for (const can_frame& f : Rig::no_number()) {
     bench_of<Rig> b;
-    b.motor.now.position = stands;
+    b.motor.now.position = starts_at;
     REQUIRE(b.enable());
     const double stood = b.motor.now.position;
     for (int i = 0; i < 200; ++i) {
       b.beat({f});
-      REQUIRE_MESSAGE(finite(b.law), "no law has no number in it");
+      REQUIRE_MESSAGE(finite(b.law), "every number of the law is finite");
     }
     CHECK_MESSAGE(std::fabs(b.motor.now.position - stood) < 0.001, "NaN moves nothing");
   }

@@ -53,8 +53,8 @@ struct leg {
   void act(cca::in<"command", leg_angles>) {}
 };
 
-// Reads every output that no wire leads from: each architecture here is complete but for its one mistake, so a
-// new rule does not break the others' files.
+// Reads every output that no wire leads from: each architecture here is complete but for its one mistake, so
+// a new rule does not break the others' files.
 struct logbook {
   void process(cca::observe<"*">) {}
 };

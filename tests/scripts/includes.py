@@ -1,22 +1,28 @@
 #!/usr/bin/env python3
-"""Checks which way the headers include one another, and how long they are.
+"""Checks which way the headers include one another, how long they are, and how many stand in a folder.
 
 usage: includes.py [ROOT of the repository]
 
-A folder of the core includes only from those to its left in FOLDERS. `runtime` and `config` stand apart, and nothing in
-the core includes them; sim and hardware are outside the core. Other libraries are reached from one place each. The tests,
-examples and pages that a header's comments name exist.
+A folder of the core includes only from the folders to its left in FOLDERS. `runtime` and `config` stand apart, and nothing
+in the core includes them. Outside of the core, robots, sim and hardware include only from the parts in OUTSIDE. Other
+libraries are included from one place each. The tests, examples and pages that a header's comments name exist.
 """
+import collections
 import pathlib
 import re
 import sys
 
 MOST_LINES = 300
+MOST_HEADERS = 20  # in a folder
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"]}
-TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"]}  # directly in cca/: what each may include
-SHARED = ["sim/oncilla_model.hpp", "sim/oncilla_spaces.hpp"]  # of the simulator, but without the engine: the real robot's, too
-FREE = ["version.hpp"]  # needs nothing, so anything may include it
+# Headers directly in cca/, and the folders that each may include from.
+TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"]} | {
+    f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
+OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"]}  # and from the core
+ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware"}
+ONE_NAME = ["graph", "runtime"]  # no two headers in these folders have the same file name
+FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
 
 def allowed(folder):
@@ -27,30 +33,30 @@ def allowed(folder):
     return None
 
 
-def cca_include(where, target, core):
-    """What is wrong with `#include <cca/target>` in the header `where` (relative to cca/), or None."""
+def cca_include(where, target, part):
+    """The mistake in `#include <cca/target>` in the header `where` (relative to cca/) of a part outside of the core, or None."""
     if target in FREE:
         return None
-    outside = target.split("/")[0] in ("sim", "hardware")
-    if not core:
-        if target in SHARED:
-            return None
-        return "an adapter includes another one" if outside and target.split("/")[0] != where.split("/")[0] else None
-    if outside:
-        return "the core includes an adapter"
+    folder = target.split("/")[0]
+    if part:
+        if folder in OUTSIDE and folder not in OUTSIDE[part]:
+            return f"{part} may include only from the core and: {' '.join(OUTSIDE[part])}"
+        return None
+    if folder in OUTSIDE:
+        return "the core includes an adapter or a robot"
     if "/" not in target:
-        return f"no header includes {target}: include what is needed"
+        return f"no header includes {target}: include the headers that are needed"
     may = allowed(where.split("/")[0]) if "/" in where else TOP.get(where)
     if may is None:
         return "this header has no place in the layout"
-    return None if target.split("/")[0] in may else f"may include only from: {' '.join(may)}"
+    return None if folder in may else f"may include only from: {' '.join(may)}"
 
 
-def other_include(where, target, core):
+def other_include(where, target, part):
     """The same for a header of another library."""
     if target.startswith("toml++/") and not where.startswith(("config/", "config.hpp")):
         return "toml++ belongs in config.hpp and config/"
-    if target.startswith("ode/") and (core or not where.startswith("sim/")):
+    if target.startswith("ode/") and part != "sim":
         return "the physics engine belongs in sim/"
     if target == "boost/hana.hpp":
         return "include Hana's granular headers"
@@ -59,21 +65,41 @@ def other_include(where, target, core):
     return None
 
 
+def form_problems(name, text, lines):
+    if len(lines) > MOST_LINES:
+        yield f"{name}: {len(lines)} lines, more than {MOST_LINES}"
+    if "#pragma once" not in lines:
+        yield f"{name}: no #pragma once"
+    if not re.match(r"(#pragma once\s+)?//", text):
+        yield f"{name}: does not begin with a comment that says its purpose"
+
+
+def folder_problems(root):
+    """Folders with too many headers, and headers of one name."""
+    names = collections.defaultdict(list)
+    for base in ROOTS:
+        count = collections.Counter(header.parent.relative_to(root) for header in (root / base / "cca").rglob("*.hpp"))
+        for folder, headers in sorted(count.items()):
+            if headers > MOST_HEADERS:
+                yield f"{folder}: {headers} headers, more than {MOST_HEADERS}: make folders of its parts"
+    for folder in ONE_NAME:
+        for header in sorted((root / "include/cca" / folder).rglob("*.hpp")):
+            names[header.name].append(header.relative_to(root))
+    for same in names.values():
+        if len(same) > 1:
+            yield f"{same[1]}: {same[0]} has the same name"
+
+
 def problems(root):
     boost = {}
-    for base, core in (("include", True), ("sim/include", False), ("hardware/include", False)):
+    for base, part in ROOTS.items():
         top = root / base / "cca"
         for header in sorted(top.rglob("*.hpp")):
             where = header.relative_to(top).as_posix()
             text = header.read_text()
             lines = text.splitlines()
             name = header.relative_to(root)
-            if len(lines) > MOST_LINES:
-                yield f"{name}: {len(lines)} lines, more than {MOST_LINES}"
-            if "#pragma once" not in lines:
-                yield f"{name}: no #pragma once"
-            if not re.match(r"(#pragma once\s+)?//", text):
-                yield f"{name}: does not begin with a comment that says what it is for"
+            yield from form_problems(name, text, lines)
             for number, line in enumerate(lines, 1):
                 for named in re.findall(r"(?:tests|examples)/[\w/]+\.[ch]pp|\bdocs/\w+\.md", line) if line.lstrip().startswith("//") else []:
                     if not (root / named).exists():
@@ -85,15 +111,16 @@ def problems(root):
                 if include[1] == '"':
                     wrong = "write <cca/...>"
                 elif target.startswith("cca/"):
-                    wrong = cca_include(where, target[len("cca/"):], core)
+                    wrong = cca_include(where, target[len("cca/"):], part)
                 else:
-                    wrong = other_include(where, target, core)
+                    wrong = other_include(where, target, part)
                     if target.startswith("boost/"):
                         boost.setdefault(name, number)
                 if wrong:
                     yield f"{name}:{number}: <{target}>: {wrong}"
     if len(boost) > 1:
         yield "Hana is included by more than one header: " + ", ".join(map(str, boost))
+    yield from folder_problems(root)
 
 
 def main(arguments):

@@ -80,7 +80,7 @@ def compiled(files, root, compilers):
     eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
     for compiler in compilers:
         for file in files:
-            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", *eigen], file, "-DCCA_REJECT=1")
+            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", *eigen], file, "-DCCA_REJECT=1")
             first = (reject.errors(output) or [""])[0]
             if not re.search(Reject(file).expect, reject.sentence(first)):
                 sys.exit(f"{file} on {compiler}: unexpected output\n{output}")

@@ -3,9 +3,9 @@
 
 usage: snippets.py [--write] [ROOT of the repository]
 
-A block of a .md file that follows `<!-- from <file>: <name> -->` must equal, but for its indentation, the lines of <file>
-between `[<name>]` and `[<name> end]`, each at the end of a comment. --write copies them over.
-In README.md every C++ block must be of this kind.
+A block of a .md file that follows `<!-- from <file>: <name> -->` must equal the lines of <file> between the comments that
+end in `[<name>]` and `[<name> end]`; indentation may differ. --write copies the lines into the page.
+In README.md every C++ block must be cut from a file in this way.
 """
 import pathlib
 import re
@@ -24,7 +24,7 @@ def region(source, name):
 
 
 def check(page, root, write):
-    """Yields what is wrong with one .md file."""
+    """Yields the problems of one .md file."""
     text = page.read_text()
     fresh, last = [], 0
     for block in BLOCK.finditer(text):
@@ -45,7 +45,7 @@ def check(page, root, write):
                 yield f"{where}: differs from [{block['name']}] in {block['file']}; tests/scripts/snippets.py --write copies it"
     if write and fresh:
         page.write_text("".join(fresh) + text[last:])
-        print(f"{page.relative_to(root)}: rewritten")
+        print(f"{page.relative_to(root)}: updated")
 
 
 def main(arguments):
@@ -54,7 +54,7 @@ def main(arguments):
     root = pathlib.Path(rest[0]).resolve() if rest else pathlib.Path(__file__).resolve().parents[2]
     pages = [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]
     found = [problem for page in pages if page.is_file() for problem in check(page, root, write)]
-    print("\n".join(found) or "the documentation's code is the tested code")
+    print("\n".join(found) or "all code in the documentation is tested code")
     sys.exit(1 if found else 0)
 
 

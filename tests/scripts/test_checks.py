@@ -1,4 +1,4 @@
-"""The checks themselves: each must let pass what is right and name what is wrong."""
+"""Tests of the checks: each must accept correct input and report every mistake."""
 import pathlib
 import tempfile
 import unittest
@@ -30,11 +30,14 @@ class Includes(Tree):
 
     def test_right(self):
         self.found("include/cca/graph/a.hpp", "vector", "Eigen/Core", "cca/space/b.hpp", "cca/graph/c.hpp", "cca/version.hpp")
-        self.found("include/cca/runtime/a.hpp", "cca/graph/a.hpp")
+        self.found("include/cca/runtime/b.hpp", "cca/graph/a.hpp")
         self.found("include/cca/config/a.hpp", "toml++/toml.h", "cca/component/a.hpp")
         self.found("include/cca/config.hpp", "toml++/toml.h", "cca/config/a.hpp", "cca/component/a.hpp")
         self.found("include/cca/cca.hpp", "cca/graph/a.hpp", "cca/runtime/a.hpp")
-        self.assertEqual(self.found("sim/include/cca/sim/a.hpp", "cca/robot/a.hpp", "cca/cca.hpp", "ode/ode.h", "cca/sim/b.hpp"), [])
+        self.found("include/cca/motor.hpp", "cca/motor/a.hpp", "cca/space/a.hpp")
+        self.found("robots/include/cca/robots/a.hpp", "cca/robot/a.hpp", "cca/robots/b.hpp")
+        self.found("hardware/include/cca/hardware/bus/a.hpp", "cca/robots/a.hpp", "cca/hardware/drives/b.hpp")
+        self.assertEqual(self.found("sim/include/cca/sim/a.hpp", "cca/robots/a.hpp", "cca/robot/a.hpp", "cca/cca.hpp", "ode/ode.h", "cca/sim/b.hpp"), [])
 
     def test_wrong(self):
         for name, target in (("include/cca/space/a.hpp", "cca/graph/a.hpp"), ("include/cca/graph/a.hpp", "cca/runtime/a.hpp"),
@@ -43,7 +46,9 @@ class Includes(Tree):
                              ("include/cca/robot/a.hpp", "cca/sim/a.hpp"), ("include/cca/graph/a.hpp", "toml++/toml.h"),
                              ("include/cca/graph/a.hpp", "ode/ode.h"), ("include/cca/graph/a.hpp", "boost/hana.hpp"),
                              ("include/cca/odd/a.hpp", "cca/space/a.hpp"), ("include/cca/odd.hpp", "cca/space/a.hpp"),
-                             ("sim/include/cca/sim/a.hpp", "cca/hardware/a.hpp")):
+                             ("sim/include/cca/sim/a.hpp", "cca/hardware/a.hpp"), ("hardware/include/cca/hardware/a.hpp", "cca/sim/a.hpp"),
+                             ("robots/include/cca/robots/a.hpp", "cca/sim/a.hpp"), ("robots/include/cca/robots/a.hpp", "ode/ode.h"),
+                             ("include/cca/robot/a.hpp", "cca/robots/a.hpp")):
             with self.subTest(name=name, target=target):
                 self.setUp()
                 self.assertEqual(len(self.found(name, target)), 1)
@@ -53,12 +58,19 @@ class Includes(Tree):
         self.write("include/cca/space/long.hpp", "int x;\n")
         self.assertEqual(len(list(includes.problems(self.root))), 2)
 
+    def test_folders(self):
+        for i in range(20):
+            self.found(f"include/cca/graph/h{i}.hpp")
+        self.assertEqual(self.found("include/cca/graph/plan/h20.hpp"), [])
+        self.assertEqual(len(self.found("include/cca/graph/h20.hpp")), 2)  # the folder, and the name
+        self.assertEqual(len(self.found("include/cca/runtime/h0.hpp")), 3)
+
     def test_what_is_named_exists(self):
         self.write("tests/runtime/space/a.cpp", "")
         self.assertEqual(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/a.cpp.\n"), [])
         self.assertEqual(len(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/b.cpp; docs/c.md.\n")), 2)
 
-    def test_one_door_to_hana(self):
+    def test_one_header_includes_hana(self):
         self.found("include/cca/component/a.hpp", "boost/hana/tuple.hpp")
         self.assertEqual(len(self.found("include/cca/graph/a.hpp", "boost/hana/tuple.hpp")), 1)
 

@@ -1,5 +1,5 @@
-// The Combination of Skills is one architecture for any robot with the Oncilla's ports: the simulated one,
-// and one that does nothing.
+// The Combination of Skills compiles for any robot with the Oncilla's ports: the simulated one, and one
+// without a simulator.
 #include "../../examples/combination_of_skills/architecture.hpp"
 #include "../../examples/combination_of_skills/idle_robot.hpp"
 

@@ -1,4 +1,4 @@
-// What a component may look like: each of these is taken as it is.
+// Forms that a component may have: each of these compiles.
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -24,7 +24,7 @@ struct on_an_lvalue {
 struct on_a_constant {
   auto process(in_x x) const& noexcept -> out_y { return x; }
 };
-struct chosen {  // made by its default constructor, an explicit one too
+struct chosen {  // an explicit default constructor is allowed
   explicit chosen(double factor = 2) : gain(factor) {}
   auto process(in_x x) -> out_y { return gain * x[cca::x{}]; }
   double gain;
@@ -126,18 +126,18 @@ static_assert(cca::ResourceNode<device> && cca::ResourceNode<sensor> && cca::Res
               !cca::ResourceNode<source>);
 static_assert(cca::Graph<all> && !cca::Graph<source>);
 
-// A step is noexcept, whatever the graph; a controller of an unsound graph has all members too, so that one
-// message is all.
+// A step is noexcept for every graph. A controller of an unsound graph has all members too, so that the
+// compiler prints only one message.
 struct unsound : cca::graph<cca::rate<1000>, cca::node<"sink", sink>> {};
 static_assert(noexcept(std::declval<cca::controller<all>&>().step()));
 static_assert(!cca::well_formed<unsound> && cca::diagnosis<unsound>.rule == "wire.unconnected_input");
 
-// A graph shows what it exposes: that counts as wired.
+// An exposed port counts as wired.
 struct shown : cca::graph<cca::rate<1000>, cca::node<"sink", sink>, cca::expose<"sink.x", "x">> {};
 static_assert(cca::well_formed<shown>);
 
-// Within a beat nothing leads back from a component to what was sensed, nor from what acts to a component; a
-// beat later it does.
+// Within a beat no data flow from a component back to `sense`, nor from `act` back to a component; a beat
+// later they may.
 struct relay {
   auto sense(in_x x) -> out_y { return x; }
   auto act(cca::in<"w", reading> w) -> cca::out<"z", reading> { return w; }

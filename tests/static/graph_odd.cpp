@@ -1,4 +1,4 @@
-// What is unusual and allowed: each of these graphs is sound, and its controller compiles.
+// Unusual graphs that are allowed: each is sound, and its controller compiles.
 #include <cca/cca.hpp>
 
 #include "rules_parts.hpp"
@@ -7,7 +7,7 @@ namespace {
 
 using namespace parts;
 
-// Sound, and all that a controller offers can be instantiated.
+// The graph is sound, and every function of its controller can be instantiated.
 template <class Graph>
 bool runs() {
   static_assert(cca::well_formed<Graph>);
@@ -22,7 +22,7 @@ bool runs() {
   return c.state() == cca::state::created;
 }
 
-// [[how a function may be written]]
+// [[forms of a function]]
 struct by_reference {
   auto process(const cca::in<"x", signal>& x, const cca::beat&) -> cca::out<"y", signal> {
     return x.vector();
@@ -172,10 +172,10 @@ bool graphs() {
          runs<rate_from_space>() && runs<rate_of_fraction>() && runs<unheard_listener>() &&
          runs<nobody_acts>() && runs<fans_out>() && runs<through>() && runs<deep>() &&
          runs<items_in_any_order>() &&
-         runs<cca::graph<cca::rate<1000>, cca::node<"a", source<>>>>();  // without a name
+         runs<cca::graph<cca::rate<1000>, cca::node<"a", source<>>>>();  // a graph without a name
 }
 
-// [[listening]]
+// [[observing]]
 struct watcher {
   auto process(cca::observe<"*"> all, cca::beat) -> cca::out<"count", signal> {
     return static_cast<double>(all.size());

@@ -1,4 +1,4 @@
-// One architecture, two robots: what is written for the simulated Oncilla compiles for the one on drives.
+// An architecture for the simulated Oncilla compiles for the Oncilla on drives.
 #include <cca/sim/oncilla.hpp>
 
 #include "../../examples/combination_of_skills/architecture.hpp"

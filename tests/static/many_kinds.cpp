@@ -1,4 +1,4 @@
-// A graph in which no two components are alike, of more kinds than clang folds at once.
+// A graph of many components, all of different types: more than clang allows in one fold expression.
 #include <utility>
 
 #include <cca/cca.hpp>

@@ -19,7 +19,7 @@ struct shifted {
   auto process(cca::in<"angle", hip_angle> q) -> cca::out<"angle", hip_angle> { return q[hip{}] + 0.25; }
 };
 
-struct three : cca::graph<cca::node<"shift", shifted>,  // declared first, but it reads what `damp` publishes
+struct three : cca::graph<cca::node<"shift", shifted>,  // declared first, but reads the output of `damp`
                           cca::node<"damp", damped>,
                           cca::node<"limits", cca::limiter<hip_angle>>,
                           cca::node<"joint", joint>,

@@ -1,4 +1,4 @@
-// Spaces, as the compiler sees them: sizes, zeros, limits, what their checks find, what a sample is.
+// Spaces at compile time: sizes, zeros, limits, the results of their checks, samples.
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/info.hpp>
@@ -45,7 +45,7 @@ static_assert(cca::detail::upper_limits<leg_angles, cca::angle> == std::array{0.
 static_assert(cca::detail::upper_limits<leg_angles, cca::torque> == std::array{3.0, infinite});
 static_assert(cca::detail::lower_limits<leg_angles, cca::velocity> == std::array{-infinite, -infinite});
 
-// What the checks find.
+// Results of the checks.
 static_assert(cca::detail::missing_limits<leg_angles> == -1);
 static_assert(cca::detail::missing_limits<leg_torques> == 1);
 static_assert(cca::detail::missing_limits<toe_angles> == 1);
@@ -62,23 +62,23 @@ static_assert(!cca::SameFrames<cca::orientation<base>, cca::orientation<other>>)
 static_assert(!cca::SameFrames<cca::twist<base, other>, cca::twist<other, base>>);
 static_assert(cca::SameFrames<cca::joint_angles, cca::joint_angles>);
 
-// A sample is its coordinates and a time: its methods weigh nothing.
+// A sample holds only its coordinates and a time; its methods take no memory.
 static_assert(sizeof(cca::sample<attitude>) <= 3 * 16);
 static_assert(sizeof(cca::sample<plain>) == 16);
 
-// And none of its coordinates can be written: a sample does not change.
+// A sample is immutable: no coordinate can be written.
 template <class Sample> concept Written = requires(Sample s) { s[hip{}] = 1.0; } || requires(Sample s) {
   s.vector()[0] = 1.0;
 } || requires(Sample s) { s.vector() = s.vector(); } || requires(Sample s) { s.set(0, 1.0); };
 static_assert(!Written<cca::sample<leg_angles>> && !Written<cca::sample<leg_angles>&>);
-static_assert(Written<cca::out<"angles", leg_angles>&>);  // what a component fills
+static_assert(Written<cca::out<"angles", leg_angles>&>);  // a component fills it
 static_assert(
     std::is_convertible_v<cca::sample<leg_angles>, cca::sample<cca::sub_space<leg_angles, hip, knee>>>);
 static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<leg_torques>>);
 struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<100>> {};
 static_assert(!std::is_convertible_v<cca::sample<leg_angles>, cca::sample<slow_angles>>);
 
-// Units: every quantity's list begins with its own unit and ends.
+// Units: every quantity's list begins with its own unit and has an end.
 template <class... Quantities>
 constexpr bool listed() {
   return ((cca::Quantity<Quantities> && cca::units_of<Quantities>[0].text == Quantities::unit &&

@@ -1,4 +1,4 @@
-// Names as messages and pictures show them.
+// Names of types as messages and pictures show them.
 #include <cca/base/type_name.hpp>
 
 namespace outer {

@@ -1,4 +1,4 @@
-// The header's version is the one that CMake reads from it.
+// The header's version equals the one that CMake reads from it.
 #include <cca/version.hpp>
 
 static_assert(cca::version_major == EXPECTED_MAJOR);

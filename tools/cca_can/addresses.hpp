@@ -1,8 +1,8 @@
-// Which frames a drive of each family sends and hears, and what may be asked of it: frames that can't move
-// it.
+// How the frames of a drive change with its number, for each family; and which frames may ask it something:
+// those that can't move it.
 //
-// `to_real` gives a frame of number 1 the drive's number, `to_unit` takes it away again; false: not of this
-// drive.
+// `to_real` gives a frame for number 1 the drive's number, `to_unit` takes it away again; false: the frame is
+// not this drive's.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct unit_ranges {
 template <hw::mit_firmware Firmware>
 using unit_mit = hw::mit_drive<unit_ranges, 1, 0, Firmware>;
 
-// It answers each frame; that which leaves the motor mode takes the torque away, whatever it did before.
+// It answers each frame. Asking takes its torque away: the question is the frame that leaves the motor mode.
 template <hw::mit_firmware Firmware>
 struct mit_address {
   std::uint32_t number = 1, master = 0;
@@ -70,7 +70,7 @@ struct mit_address {
   }
 };
 
-// It tells by itself.
+// It reports by itself.
 struct odrive_address {
   std::uint32_t number = 0;
   static constexpr const char* family = "ODrive";
@@ -91,11 +91,11 @@ struct odrive_address {
   }
 };
 
-// Asked to read registers it answers and does nothing.
+// When asked to read registers, it answers and does nothing else.
 struct unit_moteus_motor {
   static constexpr std::string_view name = "moteus";
-  static constexpr double stiffness = 1, damping = 1, torque = 1e-3,
-                          timeout = 0.1;  // a torque that moves nothing, until stated
+  static constexpr double stiffness = 1, damping = 1;
+  static constexpr double torque = 1e-3, timeout = 0.1;  // until stated: a torque that moves nothing
 };
 using unit_moteus = hw::moteus<unit_moteus_motor, 1>;
 
@@ -121,7 +121,7 @@ struct moteus_address {
     w.head(hw::moteus_kind::read, hw::moteus_value::int32, hw::moteus_register::mode, 4);
     w.head(hw::moteus_kind::read, hw::moteus_value::int8, hw::moteus_register::temperature, 2);
     f.length = hw::fd_length(w.size());
-    for (std::size_t used = w.size(); used < f.length; ++used) f.data[used] = 0x50;  // nothing
+    for (std::size_t used = w.size(); used < f.length; ++used) f.data[used] = 0x50;  // empty subframes
     return {f};
   }
   hw::drive_frames ask_state() const { return ask(); }
@@ -131,27 +131,27 @@ struct moteus_address {
   }
 };
 
-// It tells on SYNC. Asked for the type of device (object 1000h) it answers, in any state.
+// It reports on SYNC. When asked for its device type (object 1000h), it answers in any state.
 struct unit_cia402_motor {
   static constexpr std::string_view name = "CiA 402";
-  static constexpr double counts = hw::detail::radians_in_turn,
-                          torque = 1;  // so that 1 is a count, and the rated torque
+  // So 1 is a count, and the rated torque.
+  static constexpr double counts = hw::detail::radians_in_turn, torque = 1;
 };
 using unit_cia402 = hw::cia402<unit_cia402_motor, 1, hw::cia402_mode::position>;
 
 using unit_cia402_torque = hw::cia402<unit_cia402_motor, 1, hw::cia402_mode::torque>;
 
-// Its mode is a setting of its own, and a set-point of one mode says something else in the other (position 0,
-// torque 0): so it is asked for (6061h); and by position for its greatest torque (6072h, thousandths of the
-// rated one), which no frame limits.
+// Its mode is a setting of the drive, and a set point for one mode means something else in the other one
+// (position 0, torque 0). So we ask for it (6061h); in position mode also for its largest torque (6072h, in
+// thousandths of the rated torque), which no frame limits.
 struct cia402_address {
   std::uint32_t number = 1;
   static constexpr const char* family = "CiA 402";
   static constexpr bool needs_fd = false, clocked = true;
 
   void to_real(hw::can_frame& f) const {
-    if (f.id == hw::standard(0))
-      f.data[1] = static_cast<std::uint8_t>(number);  // NMT, for all: who is meant stands in it
+    // NMT is for all nodes: the number stands in the data.
+    if (f.id == hw::standard(0)) f.data[1] = static_cast<std::uint8_t>(number);
     else f.id.number = (f.id.number & ~0x7Fu) | number;
   }
   bool to_unit(hw::can_frame& f) const {
@@ -159,7 +159,7 @@ struct cia402_address {
     f.id.number = (f.id.number & ~0x7Fu) | 1;
     return true;
   }
-  // What is for all, and what is for it.
+  // Frames for all nodes, and frames for this one.
   bool to_unit_request(hw::can_frame& f) const {
     if (f == hw::canopen_sync()) return true;
     if (f.id != hw::standard(0)) return to_unit(f);
@@ -189,12 +189,12 @@ struct cia402_address {
              std::to_string(wanted) + ": cia402 is cyclic position, 8, cia402-torque is cyclic torque, 10";
     if (!Drive::by_position || torque == 0) return {};
     if (const double most = s.most_torque.value_or(0) * rated / 1000; most > torque)
-      return "it goes by position, and may use " + std::to_string(most) +
+      return "it is in position mode, and may use " + std::to_string(most) +
              " N m (6072h): set that to at most " + std::to_string(static_cast<int>(torque / rated * 1000)) +
              " thousandths of its rated torque first";
     return {};
   }
-  // Of one that is played.
+  // For a drive that is played.
   template <class Drive>
   std::optional<hw::can_frame> answer(const hw::can_frame& f) const {
     if (f == ask_for(number, canopen_object::device_type))

@@ -1,7 +1,7 @@
-// A drive whose family, number and ranges are known only when the program runs; and the same, played.
+// A drive whose family, number and ranges are known only at run time; and such a drive, played.
 //
-// The codecs of cca::hardware are types. Each family is made into a type once, as number 1 and with ranges of
-// 1; here its frames get their real number, and its numbers their real size.
+// The codecs of cca::hardware are types. Each family becomes a type once, with number 1 and ranges of 1 (a
+// "unit drive"); here its frames get their real number, and its numbers their real size.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace cca_can {
 
 namespace hw = cca::hardware;
 
-// What 1 of a unit drive is, in SI units.
+// 1 of a unit drive's numbers in SI units.
 struct drive_scale {
   double position = 1, velocity = 1, torque = 1, stiffness = 1, damping = 1;
 
@@ -30,36 +30,36 @@ struct drive_scale {
   }
 };
 
-// What a drive has told of how it is configured.
+// What a drive has reported about its settings.
 struct drive_settings {
   std::optional<std::uint32_t> mode{}, most_torque{};
 };
 
 class any_drive {
 public:
-  std::string text;       // as it was named: "mit:ak80-9:3"
+  std::string text;       // its name on the command line: "mit:ak80-9:3"
   std::string family;     // "MIT, AK firmware"
-  std::uint8_t uses = 0;  // drive_quantity: what a set-point says
+  std::uint8_t uses = 0;  // drive_quantity: what a set point has
   bool needs_fd = false, clocked = false;
-  bool scaled = true;  // its ranges are known: not only its position
+  bool scaled = true;  // false: its ranges are unknown, so only its position is known
 
   virtual ~any_drive() = default;
   bool takes_gains() const { return (uses & hw::of_stiffness) != 0; }
   bool takes_torque_alone() const { return uses == hw::of_torque; }
 
-  // What it has to tell of its settings before it may be enabled: frames that ask for what is not yet known,
-  // until none are left; then whether they are what its name says, and keep to so much torque (0: none is
-  // asked for). Not so: why.
+  // Settings that must be known before it may be enabled. ask_settings gives the frames that ask for what is
+  // not yet known, and is empty when nothing is missing. wrong_setting says why the settings don't agree with
+  // the drive's name, or allow more than this torque (0: any); empty: they do agree.
   virtual hw::drive_frames ask_settings() const { return {}; }
   virtual void hear_setting(const hw::can_frame&) {}
   virtual std::string wrong_setting(double) const { return {}; }
 
-  // What it answers to, and what can't move it. None: it tells by itself.
+  // Frames that it answers and that can't move it. None: it reports by itself.
   virtual hw::drive_frames ask() const = 0;
   // The same for its position and state.
   virtual hw::drive_frames ask_state() const = 0;
   virtual bool decode(const hw::can_frame& f, hw::drive_report& r) const = 0;
-  // Whether the frame comes from it, be it one that tells nothing of its state.
+  // Whether the frame comes from it, even if it says nothing about its state.
   virtual bool is_from(const hw::can_frame& f) const = 0;
   virtual hw::set_point_frames set_point(const hw::drive_command& c, double most_torque) const = 0;
   virtual hw::drive_frames disable() const = 0;
@@ -67,8 +67,8 @@ public:
   virtual hw::enable_step enable(const hw::drive_report& r) = 0;
 };
 
-// Drive: number 1, ranges of 1. Address: `to_real(frame)`, from number 1 to the real one, and
-// `to_unit(frame)`, false if it's not of this drive. `ask(to_real)`: see above.
+// Drive: number 1, ranges of 1. Address: `to_real(frame)` changes number 1 to the real one, `to_unit(frame)`
+// back (false: not this drive's frame); `ask(to_real)`: see any_drive.
 template <hw::Drive Drive, class Address>
 class drive_at : public any_drive {
 public:
@@ -97,7 +97,7 @@ public:
   bool decode(const hw::can_frame& f, hw::drive_report& r) const override {
     hw::can_frame unit = f;
     if (!address.to_unit(unit)) return false;
-    // In the drive's own units for the codec, in SI units for the rest.
+    // The codec works in the unit drive's numbers, all others in SI units.
     hw::drive_report heard = r;
     if (!Drive::decode(unit, heard)) return false;
     if (heard.told & hw::of_position) heard.position *= scale.position;
@@ -135,7 +135,8 @@ private:
       address.to_real(f);
       all.add(f);
     }
-    if (clocked && all.size() < 8) all.add({.id = hw::standard(0x080)});  // CANopen's SYNC: now
+    if (clocked && all.size() < 8)
+      all.add({.id = hw::standard(0x080)});  // CANopen's SYNC: now the drive acts
     return all;
   }
 
@@ -150,7 +151,7 @@ class any_virtual {
 public:
   virtual ~any_virtual() = default;
   virtual bool hear(const hw::can_frame& f, std::int64_t now) = 0;
-  // Moves until `now`, and answers what was heard.
+  // Moves until `now`, and gives the answers.
   virtual hw::drive_frames advance(std::int64_t now) = 0;
   virtual hw::drive_command law(std::int64_t now) = 0;
   virtual void go_silent(bool yes) = 0;
@@ -193,7 +194,7 @@ private:
   Address address;
   drive_scale scale;
   Virtual drive{};
-  std::optional<hw::can_frame> told{};  // of its settings
+  std::optional<hw::can_frame> told{};  // about its settings
   std::int64_t then = -1;
 };
 

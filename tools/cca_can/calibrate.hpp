@@ -1,9 +1,9 @@
-// cca-can calibrate: a joint stands at an angle that is known; what the drive tells makes its offset, which
+// cca-can calibrate: the joint is held at a known angle; its offset follows from the drive's position, and
 // goes into a file.
 //
-// The file is the one that a controller with cca::hardware::oncilla loads: the parameter `offset` of its
-// synchronizer, in addition to the offset of the joint's type. Offsets of other joints stay as they are. A
-// file with anything else in it is refused: then the offset is told, to be put in by hand.
+// A controller with cca::hardware::oncilla loads this file: it is the parameter `offset` of its synchronizer,
+// which is added to the offset of the joint's type. Offsets of other joints stay as they are. A file with
+// anything else in it is refused, so that nothing is lost.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 #include <cca/base/file.hpp>
 #include <cca/hardware/joint.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 
 #include "console.hpp"
 #include "talk.hpp"
@@ -30,7 +30,7 @@ template <class... Axes>
 constexpr std::array<std::string_view, sizeof...(Axes)> names_of(cca::axes<Axes...>) {
   return {Axes::name...};
 }
-inline constexpr auto joint_names = names_of(cca::sim::leg_axes());
+inline constexpr auto joint_names = names_of(cca::robots::oncilla::leg_axes());
 
 }  // namespace detail
 
@@ -60,7 +60,7 @@ inline std::string offset_file(const offsets& all, const std::string& node) {
   return text + "]\n";
 }
 
-// Only what offset_file writes: nothing that somebody has put into a file is lost.
+// Reads only what offset_file writes: so nothing that somebody put into a file is lost.
 inline std::optional<offsets> read_offset_file(const std::string& text, const std::string& node) {
   offsets all{};
   std::string bare;
@@ -83,7 +83,7 @@ inline std::optional<offsets> read_offset_file(const std::string& text, const st
 
 struct calibrate_order {
   std::size_t joint = 0;
-  double at = 0;           // rad, where the joint stands
+  double at = 0;           // rad, the joint's angle
   hw::mounting mounted{};  // as in the joint's type
   std::string file, node = "robot.synchronizer";
 };
@@ -97,15 +97,14 @@ ending calibrate(
     const auto old = read_offset_file(cca::detail::read_file(o.file), o.node);
     if (!old) {
       throw cca::refused(o.file + ": has more in it than the offsets of [" + o.node +
-                         "]; let calibrate write into a file of its own, and copy them from there");
+                         "]: write into another file, and copy the offsets from there");
     }
     all = *old;
   }
   char what[400];
-  std::snprintf(
-      what, sizeof what,
-      "calibrate %s by %s on %s: it stands now at %.4f rad, without torque; write its offset into %s",
-      joint.c_str(), drive.text.c_str(), name.c_str(), o.at, o.file.c_str());
+  std::snprintf(what, sizeof what,
+                "calibrate %s by %s on %s: it is now at %.4f rad, without torque; write its offset into %s",
+                joint.c_str(), drive.text.c_str(), name.c_str(), o.at, o.file.c_str());
   if (!say.confirmed(what)) return not_confirmed;
 
   talk t(bus, drive, time, 10 * ms);

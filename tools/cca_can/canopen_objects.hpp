@@ -1,6 +1,6 @@
-// Objects of a CANopen drive, asked for one after the other and told in one frame each (CiA 301, expedited
-// upload): reading them changes nothing. What jog and enable have to know before they enable a drive that
-// goes by its own mode.
+// Objects of a CANopen drive, read one at a time, one frame each (CiA 301, expedited upload). Reading changes
+// nothing. jog and enable read with it what they must know about the drive's mode before they enable the
+// drive.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <optional>
 
 #include <cca/hardware/drive.hpp>
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 namespace cca_can {
 
@@ -34,7 +34,7 @@ constexpr hw::can_frame tell(std::uint32_t node, canopen_object what, std::uint3
   return f;
 }
 
-// What a frame tells of this object; none: another frame, another object, or the drive has none.
+// The object's value in this frame; none: another frame, another object, or the drive lacks the object.
 constexpr std::optional<std::uint32_t> told_of(const hw::can_frame& f,
                                                std::uint32_t node,
                                                canopen_object what) {

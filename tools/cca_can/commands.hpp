@@ -1,4 +1,4 @@
-// From the words of a command line to a command. `open(name, fd)` gives a bus.
+// From the words of a command line to a command. `open(name, fd)` opens a bus.
 #pragma once
 
 #include <fstream>
@@ -66,7 +66,7 @@ inline list_order list_in(words& w) {
     for (const std::string& family : o.ask)
       if (family != "mit" && family != "moteus" && family != "cia402")
         throw usage_error("--ask " + *ask +
-                          ": expected some of mit, moteus, cia402; an ODrive tells by itself");
+                          ": expected some of mit, moteus, cia402; an ODrive reports by itself");
   }
   if (const auto ids = w.option("--ids")) {
     const auto ends = split(*ids, '-');
@@ -97,7 +97,7 @@ inline jog_order jog_in(words& w) {
   o.hold = w.number("--hold", "seconds", 0, 3600).value_or(o.hold);
   const auto to = w.number("--to", "rad", -far, far), by = w.number("--by", "rad", -far, far);
   if (to.has_value() == by.has_value())
-    throw usage_error("jog wants either --to, an angle of the drive in rad, or --by");
+    throw usage_error("jog needs either --to, an angle of the drive in rad, or --by");
   o.relative = by.has_value();
   o.goal = to ? *to : *by;
   if (to && !(*to >= *low && *to <= *high))
@@ -235,16 +235,16 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
       drives.push_back(virtual_named(each)), fd = fd || each.starts_with("moteus");
     w.nothing_left();
     if (!b.name.starts_with("vcan") && !say.confirmed("On " + b.name +
-                                                      " it answers in the place of drives: who drives a "
-                                                      "robot there takes that for what the robot says."))
+                                                      " this answers instead of drives: a "
+                                                      "controller there takes its answers for the robot's."))
       return not_confirmed;
     auto bus = open(b.name, fd);
     return pretend(bus, drives, o, time);
   }
-  throw usage_error("`" + command + "` is no command; `cca-can help` says what there is");
+  throw usage_error("there is no command `" + command + "`; see `cca-can help`");
 }
 
-// The same, with what went wrong told in words.
+// The same; errors become a message and an exit code.
 template <class Open>
 ending run_and_tell(const std::vector<std::string>& line, Open open, pace& time, console& say) {
   try {

@@ -1,4 +1,4 @@
-// Where a command speaks, and whom it asks.
+// Where a command writes, and how it asks for confirmation.
 #pragma once
 
 #include <iosfwd>
@@ -18,13 +18,13 @@ struct console {
   bool yes = false;               // --yes
   bool someone_is_there = false;  // at a terminal
 
-  // Before anything that moves, enables, overwrites or sends what it was told to.
+  // Asked before anything that moves, enables, overwrites, or sends a log.
   bool confirmed(std::string_view what) {
     if (yes) return true;
     if (!someone_is_there) {
-      error
-          << what
-          << "\ncca-can: this asks first, and nobody is at a terminal to say yes; --yes says it beforehand\n";
+      error << what
+            << "\ncca-can: this needs a confirmation, and there is no terminal to ask at; --yes confirms "
+               "beforehand\n";
       return false;
     }
     error << what << "\nGo on? [yes/no] " << std::flush;

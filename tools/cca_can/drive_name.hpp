@@ -1,15 +1,16 @@
-// A drive by its name on the command line: FAMILY[:RANGES]:NUMBER.
+// The name of a drive on the command line: FAMILY[:RANGES]:NUMBER.
 //
-//   mit:ak80-9:3            T-Motor / CubeMars AK in MIT mode: ak10-9, ak60-6, ak70-10, ak80-6, ak80-9,
-//   ak80-64 mit:12.5/45/20:3        the same with ranges of position (rad), velocity (rad/s), torque (N m);
-//   behind them, if they are others
-//                           than 500 and 5, stiffness and damping
-//   damiao:12.5/45/20:3     Damiao;     mit-original:12.5/45/18:3     the original firmware
-//   mit:ak80-9:3@16         ... that answers under the id 16 instead of 0
-//   odrive:3  odrive-0.5:3  ODrive, firmware 0.6 or 0.5; by position, to jog by torque
-//   moteus:80/2:3           moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad
-//   cia402:4096/0.8:5       CANopen, with counts a turn and rated torque in N m, by cyclic position
-//   cia402-torque:4096/0.8:5   by cyclic torque
+//   mit:ak80-9:3              T-Motor / CubeMars AK in MIT mode: ak10-9, ak60-6, ak70-10, ak80-6, ak80-9,
+//                             ak80-64
+//   mit:12.5/45/20:3          the same with ranges of position (rad), velocity (rad/s) and torque (N m);
+//                             then, if they are not 500 and 5, of stiffness and damping
+//   damiao:12.5/45/20:3       Damiao
+//   mit-original:12.5/45/18:3 the original firmware
+//   mit:ak80-9:3@16           an MIT drive that answers under the id 16 instead of 0
+//   odrive:3  odrive-0.5:3    ODrive, firmware 0.6 or 0.5; position mode, jog uses torque
+//   moteus:80/2:3             moteus, with servo.pid_position.kp and kd in N m/rad and N m s/rad
+//   cia402:4096/0.8:5         CANopen, with counts a turn and rated torque in N m; cyclic position
+//   cia402-torque:4096/0.8:5  the same; cyclic torque
 #pragma once
 
 #include <algorithm>
@@ -55,7 +56,7 @@ struct drive_parts {
 inline std::uint32_t drive_number(const std::string& all, const std::string& text, std::uint32_t most) {
   if (text.empty() || text.size() > 8 ||
       !std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); }))
-    no_drive(all, "`" + text + "` is no number; written as one of " + families);
+    no_drive(all, "`" + text + "` is no number; expected one of " + families);
   const auto n = static_cast<std::uint32_t>(std::stoul(text));
   if (n > most) no_drive(all, "its number is at most " + std::to_string(most));
   return n;
@@ -63,7 +64,7 @@ inline std::uint32_t drive_number(const std::string& all, const std::string& tex
 
 inline drive_parts parts_of(const std::string& text) {
   const auto words = split(text, ':');
-  if (words.size() < 2 || words.size() > 3) no_drive(text, std::string("written as one of ") + families);
+  if (words.size() < 2 || words.size() > 3) no_drive(text, std::string("expected one of ") + families);
   drive_parts p{.family = words[0], .ranges = words.size() == 3 ? words[1] : ""};
   const auto number = split(words.back(), '@');
   const bool mit = p.family == "mit" || p.family == "mit-original" || p.family == "damiao";
@@ -80,7 +81,7 @@ inline drive_parts parts_of(const std::string& text) {
   return p;
 }
 
-// So many numbers as they are, all positive.
+// This many numbers, all positive.
 inline std::vector<double> numbers_of(const std::string& text,
                                       const std::string& ranges,
                                       std::size_t least,
@@ -121,7 +122,7 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
   const drive_parts p = parts_of(text);
   const auto ranges = [&](const char* what) {
     if (p.ranges.empty() && ranges_needed)
-      no_drive(text, std::string("it needs ") + what + ", which no frame tells: " + p.family +
+      no_drive(text, std::string("it needs ") + what + ", which no frame reports: " + p.family +
                          ":RANGES:" + std::to_string(p.number));
     return !p.ranges.empty();
   };
@@ -161,13 +162,12 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
   };
   if (p.family == "odrive") return odrive.template operator()<hw::odrive_firmware::v0_6>();
   if (p.family == "odrive-0.5") return odrive.template operator()<hw::odrive_firmware::v0_5>();
-  no_drive(text, "there is no family `" + p.family + "`; written as one of " + families);
+  no_drive(text, "there is no family `" + p.family + "`; expected one of " + families);
 }
 
 }  // namespace detail
 
-// Without ranges only what does not need them can be asked: whether it is there. `to_jog`: by torque, where a
-// drive can go so.
+// Without ranges it can only be asked whether it is there. `to_jog`: in torque mode, if the drive has one.
 inline std::unique_ptr<any_drive> drive_named(const std::string& text,
                                               bool ranges_needed = true,
                                               bool to_jog = false) {
@@ -184,7 +184,7 @@ inline std::unique_ptr<any_drive> drive_named(const std::string& text,
 namespace detail {
 
 inline constexpr std::int64_t watchdog =
-    100'000'000;  // ns: as one should set it; a moteus has its own in each command
+    100'000'000;  // ns: what one should set; a moteus gets its timeout with each command
 
 template <class Drive>
 struct played;
@@ -207,7 +207,7 @@ struct played<hw::cia402<Motor, Node, Mode>> {
 
 }  // namespace detail
 
-// One that is played, with its watchdog set.
+// A drive that is played, with its watchdog set.
 inline std::unique_ptr<any_virtual> virtual_named(const std::string& text) {
   return detail::with_drive(text, true, false, [&]<class Drive>(const auto& address, const drive_scale& s) {
     using drive = typename detail::played<Drive>::type;

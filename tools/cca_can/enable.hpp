@@ -1,4 +1,4 @@
-// cca-can enable: a drive is enabled where it stands, watched, and disabled at the end.
+// cca-can enable: enables a drive at its present position, watches it, and disables it at the end.
 #pragma once
 
 #include "console.hpp"
@@ -12,7 +12,7 @@ ending enable(Bus& bus, const std::string& name, any_drive& drive, double second
   if (!say.confirmed("enable " + drive.text + " (" + drive.family + ") on " + name +
                      (drive.takes_gains() || drive.takes_torque_alone()
                           ? ": without stiffness and torque"
-                          : ": it holds where it stands, with all its torque") +
+                          : ": it holds its position with all its torque") +
                      ", until it is disabled at the end"))
     return not_confirmed;
   talk t(bus, drive, time, 5 * ms);

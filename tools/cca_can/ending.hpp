@@ -1,4 +1,4 @@
-// How a command ends, and what is told where it can't go on.
+// The exit codes, and the error for a wrong command line.
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ enum ending : int {
   failed = 1,         // a drive or a bus: no answer, a fault, silence. What was enabled has been disabled.
   misunderstood = 2,  // the command line
   refused = 3,        // a file or an interface
-  not_confirmed = 4,  // asked first, and nobody said yes
+  not_confirmed = 4,  // nobody confirmed
   interrupted = 130,  // ctrl-c: stopped, and disabled
 };
 

@@ -1,4 +1,4 @@
-// The CAN interfaces of the machine, with state, bit rates and counters, as the kernel tells by rtnetlink.
+// The CAN interfaces of this machine with their states, bit rates and counters, from the kernel by rtnetlink.
 // Source: Linux, include/uapi/linux/if_link.h and can/netlink.h.
 #pragma once
 
@@ -19,16 +19,16 @@
 #include <net/if_arp.h>
 #include <sys/socket.h>
 
-#include <cca/hardware/can_interface.hpp>
+#include <cca/hardware/bus/can_interface.hpp>
 
 namespace cca_can {
 
 namespace hw = cca::hardware;
 
 struct bus_info {
-  std::string name, kind;  // "vcan", "can", ...; empty where the kernel does not say
+  std::string name, kind;  // "vcan", "can", ...; empty: the kernel does not say
   bool up = false, fd = false;
-  std::string state;  // of the controller; empty where there is none
+  std::string state;  // the controller's; empty: there is none
   std::uint32_t bit_rate = 0, data_rate = 0;
   std::uint64_t received = 0, sent = 0, receive_errors = 0, send_errors = 0, dropped = 0;
   std::uint32_t bus_offs = 0, restarts = 0;
@@ -37,7 +37,7 @@ struct bus_info {
 
 namespace detail {
 
-// Nothing is read past `bytes`, whatever they say.
+// Reads nothing past `bytes`, whatever they are.
 template <class F>
 void each_attribute(std::span<const std::byte> bytes, F&& f) {
   while (bytes.size() >= sizeof(rtattr)) {
@@ -87,7 +87,7 @@ inline void read_kind(std::span<const std::byte> bytes, bus_info& b) {
   });
 }
 
-// One message of the kernel's answer; false: no CAN interface.
+// One message of the kernel's answer; false: it is about no CAN interface.
 inline bool read_interface(std::span<const std::byte> message, bus_info& b) {
   ifinfomsg head;
   if (!copy_to(head, message) || head.ifi_type != ARPHRD_CAN) return false;
@@ -110,7 +110,7 @@ inline bool read_interface(std::span<const std::byte> message, bus_info& b) {
 
 }  // namespace detail
 
-// Throws cca::refused where the kernel does not answer.
+// Throws cca::refused if the kernel does not answer.
 inline std::vector<bus_info> can_interfaces() {
   const hw::detail::file_descriptor socket(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE));
   struct {
@@ -121,7 +121,7 @@ inline std::vector<bus_info> can_interfaces() {
   request.head.nlmsg_type = RTM_GETLINK;
   request.head.nlmsg_flags = NLM_F_REQUEST | NLM_F_DUMP;
   const auto fails = [] {
-    return cca::refused(std::string("the kernel does not tell its interfaces: ") + std::strerror(errno));
+    return cca::refused(std::string("the kernel does not list its interfaces: ") + std::strerror(errno));
   };
   if (socket.get() < 0 || ::send(socket.get(), &request, sizeof request, 0) < 0) throw fails();
   std::vector<bus_info> all;

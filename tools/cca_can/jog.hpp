@@ -1,20 +1,19 @@
-// cca-can jog: one joint, slowly, within a range, a speed and a torque, and disabled at the end, whatever the
-// end.
+// cca-can jog: moves one joint slowly, within a range, a speed and a torque, and disables it at the end,
+// however it ends.
 //
-// next_jog_command is all that decides what goes to the drive. Its target speeds up and slows down within a
-// quarter of a second, never goes faster than the speed, never leaves the range, and is never further from
-// where the drive stands than what half of the torque pulls. So a joint that is held fast is pulled with half
-// of the torque, and does not jump when it is let go. What the torque bounds: what a command makes of the
-// position and speed that the drive told last.
-//   MIT, moteus        gains go to the drive, shrunk where their sum would make more. Until the next command,
-//   5 ms and the way
-//                      of an answer later, the drive's own law goes on: a joint that is pushed meets
-//                      stiffness times its way and damping times its change of speed in addition (0.32 N m of
-//                      0.5 at 3 N m on 0.01 kg m^2). A moteus is told the bound as well, and keeps it always
-//   ODrive, CiA 402    by torque: the law is reckoned here, and its torque cut at the bound; the drive makes
-//   no more, whatever by torque          happens meanwhile; nor does it damp what happens meanwhile CiA 402
-//   by         the drive's own servo pulls, by its own greatest torque (6072h), which has to be set to no
-//   more position
+// next_jog_command alone decides what goes to the drive. Its target speeds up and slows down within a quarter
+// of a second, never exceeds the speed, and never leaves the range. It never gets further from the drive's
+// position than half of the torque pulls. So a joint that is held gets half of the torque, and does not jump
+// when it is released. The torque bounds what a command makes of the last reported position and speed:
+//   MIT, moteus                  the drive gets gains, reduced where they would make more torque. Until the
+//                                next command, 5 ms and an answer's way later, the drive's own law goes on: a
+//                                joint that is pushed also meets stiffness times its way and damping times
+//                                its change of speed (0.32 N m above 0.5 at 3 N m on 0.01 kg m^2). A moteus
+//                                gets the bound too, and always keeps it
+//   ODrive, CiA 402 by torque    the law is computed here, and its torque cut at the bound. The drive makes
+//                                no more, whatever happens meanwhile; nor does it damp what happens meanwhile
+//   CiA 402 by position          the drive's own servo pulls, with its own largest torque (6072h), which must
+//                                be set to no more
 #pragma once
 
 #include <algorithm>
@@ -33,7 +32,7 @@ struct jog_limits {
   double damping = 0;        // N m s/rad
 };
 
-// The law where it is, where the drive knows none.
+// The torque of the law, for drives that do not compute it.
 inline hw::drive_command as_torque(const hw::drive_command& c,
                                    const jog_limits& l,
                                    const hw::drive_report& at) {
@@ -46,12 +45,12 @@ struct jog_target {
   double position = 0, velocity = 0;
 };
 
-// `target` goes on with it. The torque is that of the law at what was measured.
+// `target` moves on with it. The torque is that of the law at the measured position and speed.
 inline hw::drive_command next_jog_command(
     const jog_limits& l, double goal, const hw::drive_report& at, double dt, jog_target& target) {
   const double rise = l.speed / 0.25;  // rad/s^2
   const double way = std::clamp(goal, l.low, l.high) - target.position;
-  // As fast as it can still stop at the goal.
+  // As fast as it can go and still stop at the goal.
   const double fastest = std::min({l.speed, std::sqrt(2 * rise * std::abs(way)), std::abs(way) / dt});
   const double wanted = std::copysign(fastest, way);
   const double speed = std::clamp(
@@ -76,9 +75,9 @@ inline hw::drive_command next_jog_command(
   return c;
 }
 
-// What may not be: then it is disabled.
+// Why the drive must be disabled; empty: all is well.
 inline trouble beyond_limits(const jog_limits& l, const hw::drive_report& at) {
-  constexpr double slack = 0.05;  // rad, of what overshoots
+  constexpr double slack = 0.05;  // rad, for overshoot
   if (!(at.position >= l.low - slack && at.position <= l.high + slack))
     return "it left its range: " + std::to_string(at.position) + " rad";
   if (std::abs(at.velocity) > 2 * l.speed + 0.5)
@@ -89,7 +88,7 @@ inline trouble beyond_limits(const jog_limits& l, const hw::drive_report& at) {
 struct jog_order {
   jog_limits limits{};
   double goal = 0;
-  bool relative = false;  // from where it stands
+  bool relative = false;  // from its present position
   double hold = 0.5;      // s, at the goal
 };
 
@@ -111,8 +110,8 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
   if (o.relative) o.goal += start;
   if (wrong.empty()) wrong = t.ask_settings(l.torque);
   if (wrong.empty() && !(start >= l.low && start <= l.high))
-    wrong = "it stands at " + std::to_string(start) +
-            " rad, outside of the range; turn it by hand, or state another range";
+    wrong = "it is at " + std::to_string(start) +
+            " rad, outside of the range: turn it by hand, or give another range";
   if (wrong.empty() && !(o.goal >= l.low && o.goal <= l.high))
     wrong = "the goal, " + std::to_string(o.goal) + " rad, is outside of the range";
   if (!wrong.empty()) {
@@ -136,14 +135,14 @@ ending jog(Bus& bus, const std::string& name, any_drive& drive, jog_order o, pac
       shown += 100 * ms;
     }
     const hw::set_point_frames s = order(next_jog_command(l, o.goal, t.report(), t.seconds(), target));
-    if (!s.finite) wrong = "it tells numbers that are none";
+    if (!s.finite) wrong = "it reports numbers that are not finite";
     else wrong = t.cycle(s.frames);
     if (wrong.empty()) wrong = beyond_limits(l, t.report());
     if (!there && target.position == o.goal) there = true, arrived = time.now();
     if (!there && time.now() > longest)
       wrong = "it does not get there: something holds it, or the torque is too small";
   }
-  // Softly, where it still listens: 0.2 s of damping alone.
+  // Gently, while it still listens: 0.2 s of damping alone.
   for (int i = 0; i < 40 && (wrong.empty() || time.end_wanted()); ++i) {
     const double damping = std::min(l.damping, 0.5 * l.torque / std::max(0.1, std::abs(t.report().velocity)));
     const trouble now = t.cycle(order({.position = t.report().position, .damping = damping}).frames);

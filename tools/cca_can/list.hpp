@@ -1,10 +1,9 @@
-// cca-can list: which drives are on a bus. It listens first, and then, where it is told to, asks the numbers
-// of a family.
+// cca-can list: which drives are on a bus. It listens first; with --ask it then asks the numbers of a family.
 //
-// What is asked can't move a motor: a moteus reads registers, a CANopen drive an object; an MIT drive is told
-// to leave the motor mode, which takes its torque away, and answers. So a bus on which someone sends to such
-// drives is not asked, and nor is a number under whose id something else was heard: a frame means one thing
-// to one family and another to the next.
+// The questions can't move a motor: a moteus reads registers, a CANopen drive an object; an MIT drive is told
+// to leave the motor mode, which takes its torque away, and answers. A number is not asked if somebody sends
+// to such a drive, or if another frame was heard under its id: a frame can mean different things to different
+// families.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +36,7 @@ struct heard {
   hw::can_frame last{};
   int count = 0;
 };
-// By id, 29-bit ones behind.
+// By id, 29-bit ids last.
 using heard_frames = std::map<std::uint64_t, heard>;
 constexpr std::uint64_t key_of(hw::can_id i) { return std::uint64_t{i.extended} << 32 | i.number; }
 
@@ -53,7 +52,7 @@ void listen(Bus& bus, pace& time, std::int64_t duration, F&& each) {
   }
 }
 
-// Drives that tell by themselves.
+// Drives that report by themselves.
 inline void found_by_heartbeat(const hw::can_frame& f, std::vector<found_drive>& all) {
   constexpr std::uint8_t most_odrive_state = 14;
   if ((f.id.number & 31) == 1 && f.length == 8 && !f.fd && !f.remote && f.data[4] <= most_odrive_state) {
@@ -73,7 +72,7 @@ inline void found_by_heartbeat(const hw::can_frame& f, std::vector<found_drive>&
   }
 }
 
-// An MIT drive says its number in the first byte, and the firmware by length and first byte.
+// An MIT drive says its number in the first byte; length and first byte show the firmware.
 inline bool is_mit_answer(const hw::can_frame& f, std::uint32_t number) {
   return !f.id.extended && !f.fd && !f.remote && f.id.number != number && (f.length == 6 || f.length == 8) &&
          (f.data[0] == number || (number < 16 && f.length == 8 && (f.data[0] & 0xF) == number));
@@ -81,7 +80,7 @@ inline bool is_mit_answer(const hw::can_frame& f, std::uint32_t number) {
 
 }  // namespace detail
 
-// What was found; `say` is told why something was not asked.
+// The drives that were found; `say` gets the reason why something was not asked.
 template <hw::CanBus Bus>
 std::vector<found_drive> drives_on(Bus& bus, const list_order& o, pace& time, console& say) {
   std::vector<found_drive> all;
@@ -135,7 +134,7 @@ ending list(Bus& bus, const list_order& o, pace& time, console& say) {
     say.out << "  nobody acknowledges: is anything on this bus powered, at this bit rate?\n";
   if (all.empty())
     say.out << "  no drive "
-            << (o.ask.empty() ? "tells of itself; --ask mit,moteus,cia402 asks\n" : "answers\n");
+            << (o.ask.empty() ? "reports by itself; --ask mit,moteus,cia402 asks\n" : "answers\n");
   return all.empty() ? failed : done;
 }
 

@@ -1,12 +1,12 @@
-// A line of a log as `candump -L` writes and `canplayer` reads it.
+// A line of a log, as `candump -L` writes and `canplayer` reads it.
 //
 //   (1436509052.249713) vcan0 044#2A366C2BBA        classic; 8 digits are a 29-bit id; `#R`, `#R4`: remote
-//   (1436509052.249713) vcan0 12345678##1AABB       FD: a digit of flags (1: BRS, 2: ESI, which is not kept),
-//   then the payload
+//   (1436509052.249713) vcan0 12345678##1AABB       FD: a digit of flags (1: BRS; 2: ESI, not kept), then the
+//                                                   payload
 //
-// Behind the frame there may be R or T (received, sent: candump -x) and _9 to _F (the raw length code of a
-// classic frame), which are not kept. Error frames are told apart, since they are never sent. Source:
-// linux-can/can-utils, lib.c and log2asc.c.
+// After the frame there may be R or T (received, sent: candump -x) and _9 to _F (the raw length code of a
+// classic frame), which are not kept. Error frames are marked, since they are never sent.
+// Source: linux-can/can-utils, lib.c and log2asc.c.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/hardware/can_frame.hpp>
+#include <cca/hardware/bus/can_frame.hpp>
 
 namespace cca_can {
 
@@ -25,7 +25,7 @@ struct log_line {
   std::int64_t time = 0;  // ns since 1970; microseconds in the text
   std::string bus;
   hw::can_frame frame{};
-  bool error = false;  // an error frame: no frame to send
+  bool error = false;  // an error frame, which is not sent
 };
 
 namespace detail {
@@ -55,7 +55,7 @@ inline std::string_view next_part(std::string_view& text) {
   return part;
 }
 
-// "044#2A" into a frame; otherwise what is wrong with it.
+// Reads "044#2A" into a frame; returns what is wrong with it, or nothing.
 inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& error) {
   const std::size_t hash = text.find('#');
   if (hash == text.npos) return "a frame is written ID#DATA, and there is no `#` in it";
@@ -70,7 +70,7 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
   std::string_view rest = text.substr(hash + 1);
   if (rest.starts_with('#')) {
     const auto flags = number_of(rest.substr(1, 1), 16, 1);
-    if (!flags) return "behind `##` of an FD frame stands a digit of flags";
+    if (!flags) return "after `##` of an FD frame comes a digit of flags";
     f.fd = true;
     f.fast = (*flags & 1) != 0;
     rest.remove_prefix(2);
@@ -89,7 +89,7 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
   if (bytes > most) return "a frame of this kind has at most " + std::to_string(most) + " bytes";
   for (std::size_t i = 0; i < bytes; ++i) {
     const auto byte = number_of(rest.substr(2 * i, 2), 16, 2);
-    if (!byte) return "`" + std::string(rest.substr(2 * i, 2)) + "` is no byte in hexadecimal digits";
+    if (!byte) return "`" + std::string(rest.substr(2 * i, 2)) + "` is not a byte in hexadecimal digits";
     f.data[i] = static_cast<std::uint8_t>(*byte);
   }
   f.length = static_cast<std::uint8_t>(bytes);
@@ -110,21 +110,21 @@ inline std::string read_line(std::string_view text, log_line& line) {
   const auto seconds = detail::number_of(inner.substr(0, dot), 10, 10);
   auto fraction = dot == inner.npos ? std::string_view("0") : inner.substr(dot + 1);
   const auto parts = detail::number_of(fraction, 10, 9);
-  if (!seconds || !parts) return "`" + std::string(time) + "` is no time in seconds";
-  constexpr std::uint64_t latest = 9'223'372'035;  // of which the nanoseconds fit, in the year 2262
-  if (*seconds > latest) return "`" + std::string(time) + "` is later than the time can say";
+  if (!seconds || !parts) return "`" + std::string(time) + "` is not a time in seconds";
+  constexpr std::uint64_t latest = 9'223'372'035;  // its nanoseconds just fit; in the year 2262
+  if (*seconds > latest) return "`" + std::string(time) + "` is too late: times end in the year 2262";
   std::int64_t ns = static_cast<std::int64_t>(*parts);
   for (std::size_t i = fraction.size(); i < 9; ++i) ns *= 10;
   line.time = static_cast<std::int64_t>(*seconds) * 1'000'000'000 + (dot == inner.npos ? 0 : ns);
   line.bus = detail::next_part(text);
-  if (line.bus.empty()) return "behind the time stands the name of the interface";
+  if (line.bus.empty()) return "after the time comes the name of the interface";
   const std::string_view frame = detail::next_part(text);
-  if (frame.empty()) return "behind the name of the interface stands the frame";
+  if (frame.empty()) return "after the name of the interface comes the frame";
   if (const std::string wrong = detail::read_frame(frame, line.frame, line.error); !wrong.empty())
     return wrong;
   const std::string_view way = detail::next_part(text);
   if (!(way.empty() || way == "R" || way == "T") || !detail::next_part(text).empty())
-    return "there is more behind the frame";
+    return "there is something after the frame";
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Time as a command sees it: the machine's here, that of a bus in memory in tests.
+// Time for a command: the machine's clock, or in tests that of a bus in memory.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ public:
   virtual ~pace() = default;
   virtual std::int64_t now() const = 0;       // ns, monotonic
   virtual std::int64_t calendar() const = 0;  // ns since 1970, at the same time
-  virtual void wait_until(
-      std::int64_t when) = 0;           // whatever happens: what has been enabled must still be disabled
+  // Waits in any case: what has been enabled must still be disabled.
+  virtual void wait_until(std::int64_t when) = 0;
   virtual bool end_wanted() const = 0;  // ctrl-c
 };
 
@@ -22,7 +22,7 @@ namespace detail {
 inline volatile std::sig_atomic_t signal_came = 0;
 }
 
-// Ctrl-c, SIGTERM and a closed terminal want an end; the command makes it.
+// Ctrl-c, SIGTERM and a closed terminal ask for the end; the command then ends by itself.
 class wall_pace : public pace {
 public:
   wall_pace() {
@@ -50,7 +50,7 @@ private:
 
 inline constexpr std::int64_t ms = 1'000'000;
 
-// Waits, in parts, until then or until someone wants an end: then false.
+// Waits until then; false: the end was asked for meanwhile.
 inline bool wait_until_end_wanted(pace& time, std::int64_t when) {
   while (!time.end_wanted() && time.now() < when) time.wait_until(std::min(when, time.now() + 20 * ms));
   return !time.end_wanted();

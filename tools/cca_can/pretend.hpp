@@ -1,5 +1,5 @@
-// cca-can pretend: plays drives on a bus, and their troubles, for trying the rest without a robot: `ip link
-// add vcan0 type vcan`.
+// cca-can pretend: plays drives and their faults on a bus, to try the rest without a robot: `ip link add
+// vcan0 type vcan`.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace cca_can {
 
-// What came is heard, and answered.
+// Hears all that has come, and answers it.
 template <hw::CanBus Bus>
 void play(Bus& bus, const std::vector<std::unique_ptr<any_virtual>>& drives, std::int64_t now) {
   std::array<hw::received_frame, 32> frames;
@@ -26,12 +26,12 @@ void play(Bus& bus, const std::vector<std::unique_ptr<any_virtual>>& drives, std
     if (const hw::drive_frames answers = drive->advance(now); !answers.empty()) bus.send(answers);
 }
 
-// Times in s from the beginning.
+// Times in s from the start.
 struct pretend_order {
   double seconds = 0;  // 0: until ctrl-c
   std::optional<double> silent_at{}, fault_at{};
   double silent_for = 0;   // 0: for good
-  std::uint32_t code = 0;  // of the fault, as the firmware numbers it
+  std::uint32_t code = 0;  // the firmware's number of the fault
   double load = 0;         // N m on each motor
 };
 

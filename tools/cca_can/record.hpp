@@ -1,4 +1,4 @@
-// cca-can record: what is on a bus, as `candump -L` writes it.
+// cca-can record: writes the frames on a bus as `candump -L` does.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// cca-can replay: a log goes out again, at its pace.
+// cca-can replay: sends a log again, at its pace.
 //
-// A frame that finds no room is tried again for a second, so that all go out, in their order; then it ends.
+// A frame that finds no room is tried again for a second, so all go out in order; then the command fails.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ namespace cca_can {
 
 struct log_file {
   std::vector<log_line> lines{};
-  std::uint64_t errors = 0;  // error frames, left out
+  std::uint64_t errors = 0;  // error frames, which are not sent
 };
 
-// Throws cca::refused, with the line.
+// Throws cca::refused, with the number of the line.
 inline log_file read_log(std::istream& in, const std::string& name) {
   log_file log;
   std::string text;
@@ -39,7 +39,7 @@ inline log_file read_log(std::istream& in, const std::string& name) {
 }
 
 struct replay_order {
-  std::string only{};  // frames of this interface in the log; empty: of the only one
+  std::string only{};  // only frames of this interface in the log; empty: it has just one
   double speed = 1;    // times as fast; 0: without pauses
 };
 
@@ -55,7 +55,7 @@ ending replay(
   std::string all;
   for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
   if (o.only.empty() && names.size() > 1)
-    throw usage_error("the log is of several interfaces, " + all + ": --from says of which");
+    throw usage_error("the log has several interfaces, " + all + ": choose one by --from");
   if (chosen.empty())
     throw cca::refused("the log has no frame" +
                        (o.only.empty() ? std::string() : " of " + o.only + ", but of " + all));
@@ -82,14 +82,14 @@ ending replay(
     if (r.outcome != hw::send_outcome::sent) {
       wrong = r.outcome == hw::send_outcome::full      ? "the queue stays full: does anybody acknowledge?"
               : r.outcome == hw::send_outcome::invalid ? "this interface takes no " + text_of(l->frame) +
-                                                             " (FD frames want `fd on`, vcan `mtu 72`)"
+                                                             " (FD frames need `fd on`, vcan `mtu 72`)"
                                                        : "the bus is " + std::string(name_of(bus.state()));
       break;
     }
     ++sent;
   }
   say.error << sent << " of " << chosen.size() << " frames sent\n";
-  if (log.errors > 0) say.error << log.errors << " error frames left out\n";
+  if (log.errors > 0) say.error << log.errors << " error frames not sent\n";
   if (!wrong.empty()) say.error << "cca-can: " << name << ": " << wrong << '\n';
   return !wrong.empty() ? failed : time.end_wanted() ? interrupted : done;
 }

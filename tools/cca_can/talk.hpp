@@ -1,4 +1,4 @@
-// A talk with one drive on a bus, cycle by cycle: send, wait, hear, and what may have gone wrong.
+// Talking to one drive on a bus, cycle by cycle: send, wait, hear, and find out what went wrong.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace cca_can {
 
-// Empty: all is well.
+// Why it can't go on; empty: all is well.
 using trouble = std::string;
 
 inline std::string text_of(const hw::drive_report& r) {
@@ -43,14 +43,14 @@ public:
       : bus(b), drive(d), time(p), period(cycle_time) {
     next = time.now();
     hear();
-    told = {};  // from before
+    told = {};  // it may be from before
     link.observe(bus.state(), bus.counters());
   }
 
   const hw::drive_report& report() const { return told; }
   double seconds() const { return static_cast<double>(period) * 1e-9; }
 
-  // Frames that must not be kept: who sends them asks for what has become of them.
+  // For frames that may be lost: the caller checks what came of them.
   trouble cycle(std::span<const hw::can_frame> frames) {
     const hw::send_result sent = bus.send(frames);
     if (link.may_move()) link.sent(sent);
@@ -63,7 +63,7 @@ public:
     return trouble_now();
   }
 
-  // What it tells before anything is enabled; asked only by what can't move it.
+  // Its report before anything is enabled, asked for only by frames that can't move it.
   trouble ask_position(std::int64_t longest = 1000 * ms) {
     for (const std::int64_t end = time.now() + longest; time.now() < end;) {
       cycle(drive.ask_state());
@@ -72,16 +72,15 @@ public:
       if (told.position - told.position == 0) return {};
     }
     return told.frames == 0 ? "it does not answer: is it powered, is this its number, its bus, its bit rate?"
-                            : "it answers, but tells no position" +
+                            : "it answers, but reports no position" +
                                   std::string(drive.clocked ? " (is it operational, and mapped?)" : "");
   }
 
-  // Whether it is configured as its name says, and keeps to so much torque (0: none is asked for); by reading
-  // alone.
+  // Whether its settings agree with its name, and allow at most this torque (0: any). It only reads.
   trouble ask_settings(double torque, std::int64_t longest = 1000 * ms) {
     for (const std::int64_t end = time.now() + longest; !drive.ask_settings().empty();) {
       if (time.now() >= end)
-        return "it does not tell its mode of operation (6061h) and greatest torque (6072h)";
+        return "it does not report its mode of operation (6061h) and its largest torque (6072h)";
       cycle(drive.ask_settings());
       if (is_away(bus.state())) return away();
       if (time.end_wanted()) return "ended by ctrl-c";
@@ -105,7 +104,7 @@ public:
     return "it was not enabled within 3 s: " + text_of(told);
   }
 
-  // Again and again, since a frame may be lost; whether it answered.
+  // Several times, since a frame may be lost; returns whether it answered.
   bool disable() {
     is_enabled = false;
     const std::uint64_t before = told.frames;
@@ -128,7 +127,7 @@ private:
     if (link.state() == hw::link_state::safe) return "the bus: " + std::string(name_of(link.first_cause()));
     if (link.may_move() && time.now() - heard_at > silence) return "it does not answer any more";
     if (is_enabled && told.fault != hw::drive_fault::none)
-      return "it tells of a fault: " + std::string(name_of(told.fault)) + " (code " +
+      return "it reports a fault: " + std::string(name_of(told.fault)) + " (code " +
              std::to_string(told.code) + ")";
     if (is_enabled && told.activity == hw::drive_activity::disabled) return "it is not enabled any more";
     if (time.end_wanted()) return "ended by ctrl-c";

@@ -1,4 +1,5 @@
-// cca-can watch: what drives tell. It only listens, unless it is to ask, by frames that can't move them.
+// cca-can watch: prints what drives report. It only listens; with --ask it asks by frames that can't move
+// them.
 #pragma once
 
 #include <array>

@@ -1,8 +1,9 @@
-// The words of a command line. A command takes out what it knows; `nothing_left` complains about the rest.
+// The words of a command line. A command takes the words that it knows; `nothing_left` complains about the
+// rest.
 //
-// `@file` stands for the words in that file, where `#` begins a comment: so limits may be kept in a file
-// beside the robot. A word `--name` is an option, and the next word its value, unless it is a flag. Errors:
-// usage_error, with what was expected.
+// `@file` stands for the words in that file, where `#` begins a comment: so a robot's limits can be kept in a
+// file. A word `--name` is an option, and the next word is its value, unless it is a flag. Errors:
+// usage_error, which says what was expected.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@
 
 namespace cca_can {
 
-// Nothing but a number. "0x" numbers are whole ones.
+// The whole text must be a number. "0x" numbers are integers.
 inline std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -71,7 +72,7 @@ public:
     return values;
   }
 
-  // From `least` to `most`; `what` says what it is, with its unit.
+  // From `least` to `most`; `what` says what the number is, with its unit.
   std::optional<double> number(std::string_view name, std::string_view what, double least, double most) {
     const auto text = option(name);
     if (!text) return {};
@@ -89,7 +90,7 @@ public:
     return *value;
   }
 
-  // The next word that is no option. Take the options with values out first.
+  // The next word that is no option. Take all options with values first.
   std::optional<std::string> next() {
     const auto at =
         std::find_if(left.begin(), left.end(), [](const std::string& w) { return !w.starts_with("--"); });
@@ -106,7 +107,7 @@ public:
 
   void nothing_left() const {
     if (left.empty()) return;
-    throw usage_error("`" + left.front() + "`: nothing of this command; `cca-can help` says what there is");
+    throw usage_error("`" + left.front() + "`: this command does not know it; see `cca-can help`");
   }
 
 private:

@@ -1,33 +1,39 @@
-// An Adaptive Component: an adaptive module, a criterion and their connectivity (seed, section 4.4.4,
-// figure 4.6), as a graph.
+// An Adaptive Component: an adaptive module, a criterion and the wires between them, as a graph (seed,
+// section 4.4.4, figure 4.6).
 //
 //   struct dmp : cca::adaptive_component<module, cca::tracking<leg_angles>> {};
 //   cca::node<"dmp", dmp>
 //
-//   in  "reference"       what it shall follow or reach
-//   in  "feedback"        what is measured
-//   in  by their names    the module's other inputs (control inputs), the criterion's other inputs
-//   out "command"         the control variable
-//   out "ode_status", "module_status", "component_status"
-//   out by their names    the module's other outputs; "error", the criterion's
+//   in  "reference"          the wanted value: to follow or to reach
+//   in  "feedback"           the measured value
+//   in  <own names>          the other inputs of the module (control inputs) and of the criterion
+//   out "command"            the control variable
+//   out "ode_status"         ode_status_port
+//   out "module_status"      module_status_port
+//   out "component_status"   component_status_port
+//   out "error"              criterion_error, of the criterion
+//   out <own names>          the other outputs of the module
 //
-// Inside: `module`, `criterion`, `status`, so that `observe<"dmp.status.*">` hears dmp.status.ode, .module
-// and .component. The module is a component, or a graph, with the ports "reference", "command", "ode" and,
-// where it learns, "module". Options, in any order:
-//   a strategy                         of module, criterion and status; else timed<1>
-//   named<"goal", "position", "status">   other names of the module's reference, command and ode status
-//   against<criterion_target::reference>  what the criterion takes as target, if not what it says itself
+// The spaces are those of the module and the criterion. Inside are the nodes `module`, `criterion` and
+// `status`, so `observe<"dmp.status.*">` receives dmp.status.ode, .module and .component. The module is a
+// component or a graph with the ports "reference", "command", "ode" and, if it learns, "module".
+//
+// Options, in any order:
+//   a strategy                            of module, criterion and status; default: timed<1>
+//   named<"goal", "position", "status">   the module's names for reference, command and ode status
+//   against<criterion_target::reference>  the target of the criterion, instead of the criterion's default
 //   reference_through<M>, feedback_through<M>, command_through<M>, control_through<"name", M>
-//                                      a mapping M on that port: outside of it M's space, inside of it the
-//                                      module's
-// Errors: criterion.spaces; those of a graph. Cost: that of its parts. Example:
-// tests/runtime/adaptive/tracker.cpp.
+//                                         the mapping M on that port: the port has the space of M, the module
+//                                         keeps its own
+//
+// Errors: criterion.spaces, wire.unknown_port; those of a graph. Cost: that of its parts.
+// Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once
 
-// First: where this refuses something, the compilers tell of each file around it.
+// Included first, so that its refusals are reported with fewer `In file included from` lines.
 #include <cca/component/port.hpp>
 
-#include <cca/adaptive/adaptive_items.hpp>
+#include <cca/adaptive/assembly/adaptive_items.hpp>
 
 namespace cca {
 
@@ -35,8 +41,7 @@ template <class Module, Criterion Measure, class... Options>
 struct adaptive_component
     : detail::graph_from<typename detail::adaptive_items<Module, Measure, Options...>::type> {};
 
-// A Tracker: its reference moves, and the command follows it. The names are the seed's; the skeleton is the
-// same.
+// A Tracker: its reference moves and the command follows. The name is the seed's; the skeleton is the same.
 template <class Module, Criterion Measure, class... Options>
 struct tracker : adaptive_component<Module, Measure, Options...> {};
 

@@ -1,15 +1,18 @@
-// Component Status: how an adaptive component fares, from ODE Status, Module Status and its criterion (seed,
-// chapter 3 and section 4.4.4).
+// Component Status: the state of an adaptive component, from ODE Status, Module Status and the state of its
+// criterion (seed, chapter 3 and section 4.4.4).
 //
-//   diverged                 the criterion is lost, for as long as its limits ask
-//   reached                  the criterion is fulfilled (and, where it asks for rest, the ode has converged)
-//   outside_trained_region   neither, and the module is asked about what it was not trained for
-//   converging               else
+//   diverged                 the criterion is lost
+//   reached                  the criterion is fulfilled (if it requires rest: and the ode has converged)
+//   outside_trained_region   neither, and the input of the module lies outside its trained region
+//   converging               otherwise
 //
-// The node `status` of an adaptive component publishes all three, so that `observe<"dmp.status.*">` hears
-// them:
-//   in  "ode" ode_status_port, "module" module_status_port (a module without learner has none), "criterion"
-//   criterion_port out "ode", "module", "component" component_status_port
+// The node `status` of an adaptive component publishes all three, so `observe<"dmp.status.*">` receives them:
+//
+//   in  "ode"        ode_status_port
+//   in  "module"     module_status_port     optional: a module without a learner has none
+//   in  "criterion"  criterion_port
+//   out "ode", "module"                     as received
+//   out "component"  component_status_port
 #pragma once
 
 #include <array>
@@ -34,7 +37,7 @@ constexpr std::string_view to_string(component_status state) {
 struct component_axis : dimension<"component"> {};
 struct component_status_port : space<status, axes<component_axis>> {};
 
-// `rests`: the ode has converged, or need not.
+// `rests`: the ode has converged, or does not have to.
 constexpr component_status component_status_from(criterion_state criterion,
                                                  trained_region region,
                                                  bool rests) {

@@ -1,12 +1,17 @@
-// A criterion measures how far what is lies from what should be (seed, chapter 3, *Criterion*), with
-// hysteresis.
+// A criterion measures how far the feedback is from the target, and judges it with hysteresis (seed, chapter
+// 3, *Criterion*). It is a component with
 //
-// It is a component with inputs "target" and "feedback" and outputs "error" (criterion_error: in the unit of
-// the space) and "state" (criterion_port: a criterion_state). It says
-//   compares     criterion_target::command or ::reference: which of them an adaptive component takes as
-//   target at_rest      true if its component has reached something only once its ode has converged, too
-// and its other inputs become inputs of the component. Rule: criterion.spaces. Laws:
-// tests/laws/criterion_laws.hpp.
+//   in  "target", "feedback"     of matching spaces
+//   out "error"                  criterion_error, in the unit of the space
+//   out "state"                  criterion_port: a criterion_state
+//
+// and two constants for the adaptive component around it:
+//
+//   compares     criterion_target::command or ::reference: which of them is the target
+//   at_rest      true if `reached` also requires that the ode has converged
+//
+// Its other inputs become inputs of the adaptive component. Rule: criterion.spaces.
+// Laws: tests/laws/criterion_laws.hpp.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +22,6 @@
 
 #include <cca/component/beat.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
@@ -39,9 +43,9 @@ template <class Type> concept Criterion = detail::HasProcess<Type> && requires {
 
 namespace detail {
 
-// The largest number, without its sign; NaN if any is. (Eigen's maxCoeff may pass over a NaN.)
+// The largest absolute value; NaN if any is NaN. (Eigen's maxCoeff may skip a NaN.)
 template <class Vector>
-CCA_GLUE double furthest(const Vector& v) {
+inline double furthest(const Vector& v) {
   double most = 0;
   for (int i = 0; i < v.size(); ++i) {
     if (std::isnan(v[i])) return v[i];
@@ -52,10 +56,11 @@ CCA_GLUE double furthest(const Vector& v) {
 
 }  // namespace detail
 
-// How far two samples of a space are apart, in its domain type's unit: positions, by their distance;
-// orientations, by the angle between them; phases, the short way round; else the axis that is furthest off.
+// The distance of two samples, in the unit of the domain type: of positions the Euclidean distance, of
+// orientations the angle between them, of phases the shorter way round, else the largest difference along an
+// axis.
 template <Space S>
-CCA_GLUE double apart(const sample<S>& a, const sample<S>& b) {
+inline double apart(const sample<S>& a, const sample<S>& b) {
   if constexpr (requires { a.distance(b); }) return a.distance(b);
   else if constexpr (requires { a.angle_to(b); }) return a.angle_to(b);
   else if constexpr (std::same_as<typename S::domain, phase>) return detail::furthest(a.difference(b));
@@ -75,8 +80,8 @@ struct distance_quantity<orientation<Frame>> {
 
 }  // namespace detail
 
-// Thresholds of an error. Fulfilled: at most `within` for `hold`; open again above `until`. Lost: above
-// `lost` for `hold`, or not a number; open again below `until`.
+// Thresholds of an error. Fulfilled: at most `within` for `hold` s; open again above `until`. Lost: above
+// `lost` for `hold` s, or NaN or infinite; open again at `until` or below.
 template <Quantity Unit>
 struct error_limits {
   using bound = quantity<Unit, 0, infinity>;
@@ -85,15 +90,15 @@ struct error_limits {
   constexpr error_limits(double near = 0.05, double leave = 0.1, double far = infinity, double seconds = 0)
       : within(near), until(leave), lost(far), hold(seconds) {}
   std::string_view check() const {
-    return within > until ? "`within` lies above `until`" : until > lost ? "`until` lies above `lost`" : "";
+    return within > until ? "`within` is above `until`" : until > lost ? "`until` is above `lost`" : "";
   }
 };
 
-// The state, from one error to the next.
+// Keeps the state from one error to the next.
 class error_monitor {
 public:
   template <Quantity Unit>
-  CCA_GLUE criterion_state update(double error, const error_limits<Unit>& limits, double dt) {
+  criterion_state update(double error, const error_limits<Unit>& limits, double dt) {
     const bool near = error <= limits.within, far = !(error <= limits.lost);
     for_near = near ? for_near + dt : 0;
     for_far = far ? for_far + dt : 0;

@@ -1,18 +1,20 @@
-// An extreme learning machine: a hidden layer that is random and stays so, and an output layer by ridge
-// regression.
+// An extreme learning machine: a fixed random hidden layer, and an output layer found by ridge regression.
 //
-//   y = W h,  h = (tanh(A z + b), 1),  z = (x - centre) / width        A, b random by the seed, uniform in
-//   -spread to spread W = (sum y h^T) (ridge + sum h h^T)^-1                             batch; centre and
-//   width from the examples
+//   y = W h,  h = (tanh(A z + b), 1),  z = (x - centre) / width
+//   A, b: random by the seed, uniform from -spread to spread; centre and width: of the examples
+//   W = (sum y h^T) (ridge + sum h h^T)^-1                             batch
 //
-// elm_function<From, To, Hidden> is the model: From and To are spaces of one number an axis, or of any size
-// as bare coordinates. Inside the trained region: near some example (covered_region.hpp). It learns in
-// batches only. Cost: of an answer Hidden (I + O) products and Hidden hyperbolic tangents; of a batch
-// Hidden^2 an example and Hidden^3. Source: Huang, Zhu, Siew, Extreme learning machine: theory and
-// applications, Neurocomputing 70, 2006; with ridge: Deng, Zheng, Chen, Regularized extreme learning machine,
-// CIDM 2009; for inverse kinematics in AMARSi: Reinhart, Steil, Neural learning and dynamical selection of
-// redundant solutions for inverse kinematic control, Humanoids 2011. Checked: the weights are the stationary
-// point of the ridge's sum. Example: tests/runtime/adaptive/mapping.cpp.
+// elm_function<From, To, Hidden> is the model. From and To are spaces; one with several numbers per axis (an
+// orientation) counts as plain coordinates. Trained region: near some example (covered_region.hpp). It learns
+// in batches only.
+//
+// Cost: an answer takes Hidden (I + O) products and Hidden hyperbolic tangents; a batch Hidden^2 per example
+// and Hidden^3. Source: Huang, Zhu, Siew, Extreme learning machine: theory and applications, Neurocomputing
+// 70, 2006; with ridge: Deng, Zheng, Chen, Regularized extreme learning machine, CIDM 2009; for inverse
+// kinematics in AMARSi: Reinhart, Steil, Neural learning and dynamical selection of redundant solutions for
+// inverse kinematic control, Humanoids 2011. Checked: the weights are the stationary point of the ridge's
+// sum.
+// Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <array>
@@ -22,7 +24,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <cca/adaptive/covered_region.hpp>
+#include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/space/info.hpp>

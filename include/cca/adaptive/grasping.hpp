@@ -1,16 +1,19 @@
-// The Grasping Criterion: does the gripper hold something (seed, chapter 3, *Criterion*).
+// The Grasping Criterion: does the gripper hold something? (seed, chapter 3, *Criterion*)
 //
 //   cca::grasping<aperture, grip_torque>
-//   in  "target"     S, one axis: the aperture that is commanded
-//   in  "feedback"   S: the one that is measured
-//   in  "effort"     E, one axis: how hard it presses, as a torque or a force; its sign does not count
-//   out "error"      criterion_error: how far it is from closing to its target, which the thing in it
-//   prevents out "state"      criterion_port
 //
-// Fulfilled: it presses with `firm` at least, stands still (at most `still` a second) and is wider than
-// `empty`, all for `hold` s; it stays so until it presses with less than `slack` or is at `empty`. Lost: it
-// has closed on nothing, to `empty` or below, for `hold`; open again when it is wider. Before all inputs hold
-// something it is open. Example: tests/runtime/adaptive/kinds.cpp.
+//   in  "target"     S                one axis: the commanded aperture
+//   in  "feedback"   S                the measured aperture
+//   in  "effort"     E                one axis: torque or force of the grip; its sign does not count
+//   out "error"      criterion_error  unit of S: distance to the target, which a grasped thing keeps from 0
+//   out "state"      criterion_port
+//
+// Fulfilled: for `hold` s the effort is at least `firm`, the speed at most `still` per s and the aperture
+// wider than `empty`. It stays fulfilled until the effort falls below `slack` or the aperture to `empty`.
+// Lost: for `hold` s the aperture is at most `empty`, so the gripper closed on nothing; open again when it is
+// wider. Before each input has a sample it is open.
+//
+// Errors: none. Cost: negligible. Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <cmath>
@@ -36,7 +39,7 @@ struct grasping {
                              (wide, empty),
                              (bounded<double, 0, infinity>, still),
                              (period, hold));
-    std::string_view check() const { return slack <= firm ? "" : "`slack` lies above `firm`"; }
+    std::string_view check() const { return slack <= firm ? "" : "`slack` is above `firm`"; }
   };
   parameters p{1.0, 0.5, 0.01, 0.05, 0.1};
 

@@ -1,15 +1,15 @@
-// What has been learned, as text: read without a library, written so that each number comes back to the bit.
+// What a module has learned, as text. It needs no library to read, and each number comes back bit for bit.
 //
-//   cca learned 1                                         the format's version
+//   cca learned 1                                         version of the format
 //   model rhythmic_shape over hip, knee with 25 functions
 //   learner locally_weighted_regression
-//   constant stiffness 25                                 what else must be as it was when it was learned
+//   constant stiffness 25                                 a value that must be the same as during learning
 //   numbers function.weights 50
-//   0.1 0.2 ...                                           ten a line
-//   checksum 0f3a...                                      of all before: FNV-1a, 64 bits
+//   0.1 0.2 ...                                           ten per line
+//   checksum 0f3a...                                      of everything above: FNV-1a, 64 bits
 //
-// Refused, with file, line, what and what was expected: another version, a damaged text, another model,
-// learner or constant, a number that is none. All or nothing: the values are read into a copy.
+// Refused, with file, line, what was found and what was expected: another version, a damaged text, another
+// model, learner or constant, text that is no finite number. All or nothing: the values are read into a copy.
 // docs/decisions/0010-learned-file.md says why not TOML.
 #pragma once
 
@@ -26,7 +26,7 @@
 
 namespace cca {
 
-// Of which model and by which learner; constants are what the numbers depend on besides.
+// The model, the learner, and the constants that the numbers also depend on.
 struct learned_header {
   std::string model, learner;
   struct constant {
@@ -40,8 +40,7 @@ namespace detail {
 
 inline constexpr std::string_view learned_format = "cca learned 1";
 
-// Calls f(name, numbers) for each field of a struct, those of structs inside it too; numbers are pointers to
-// doubles.
+// Calls f(name, schema, address) for each field of a struct, including those of inner structs.
 template <class F>
 void each_field(const schema& type, const void* values, const std::string& path, F& f) {
   for (std::size_t i = 0; i < type.count; ++i) {
@@ -104,7 +103,7 @@ inline std::string learned_text(const learned_header& header, const schema& type
   return text + "checksum " + checksum_of(text) + "\n";
 }
 
-// The text line by line; refusals name the file and the line.
+// Reads the text line by line; its refusals name the file and the line.
 class learned_reader {
 public:
   learned_reader(std::string_view text, std::string_view file) : rest(text), name(file) {}
@@ -124,7 +123,7 @@ public:
     const auto found = line();
     const std::string wanted = std::string(key) + " " + std::string(value);
     if (found != wanted)
-      refuse(why + ": it says `" + std::string(found.substr(0, 200)) + "`, expected `" + wanted + "`");
+      refuse(why + ": found `" + std::string(found.substr(0, 200)) + "`, expected `" + wanted + "`");
   }
 
 private:
@@ -136,21 +135,22 @@ inline void check_learned_frame(std::string_view text, std::string_view file) {
   learned_reader lines(text, file);
   const auto first = lines.line();
   if (!first.starts_with("cca learned "))
-    lines.refuse("this is no file of what a module has learned: it begins with `" +
+    lines.refuse("this is not a file of a learned module: it begins with `" +
                  std::string(first.substr(0, 40)) + "`, expected `" + std::string(learned_format) + "`");
   if (first != learned_format)
-    lines.refuse("the format is of another version: `" + std::string(first) + "`, expected `" +
-                 std::string(learned_format) + "`; learn it anew, or read it with the version that wrote it");
+    lines.refuse("the file has another version of the format: `" + std::string(first) + "`, expected `" +
+                 std::string(learned_format) +
+                 "`; learn again, or read it with the version of cca that wrote it");
   const auto last = text.rfind("checksum ");
   const std::string right = last == text.npos ? "" : "checksum " + checksum_of(text.substr(0, last)) + "\n";
-  if (last == text.npos) throw refused(std::string(file) + ": damaged: it ends before its checksum");
+  if (last == text.npos) throw refused(std::string(file) + ": damaged: the checksum is missing at its end");
   if (text.substr(last) != right)
     throw refused(std::string(file) + ": damaged: it ends with `" +
                   std::string(text.substr(last, 40)).substr(0, 25) + "`, expected `" + right.substr(0, 25) +
-                  "` for what stands before");
+                  "` for this text");
 }
 
-// Into values of this schema, which may be changed where it's refused: give it a copy.
+// Reads into `values` of this schema. A refusal may leave some of them changed: pass a copy.
 inline void read_learned(std::string_view text,
                          std::string_view file,
                          const learned_header& header,
@@ -159,14 +159,14 @@ inline void read_learned(std::string_view text,
   check_learned_frame(text, file);
   learned_reader lines(text, file);
   lines.line();
-  lines.expect("model", header.model, "it belongs to another model");
-  lines.expect("learner", header.learner, "it is of another learner");
+  lines.expect("model", header.model, "the file belongs to another model");
+  lines.expect("learner", header.learner, "the file belongs to another learner");
   for (const auto& one : header.constants)
     lines.expect("constant", std::string(one.name) + " " + number_text(one.value),
-                 "it was learned for another value; set it as it was, or learn anew");
+                 "it was learned with another value; set the old value, or learn again");
   auto field = [&](const std::string& name, const schema& what, const void* at) {
     const std::size_t count = number_count(what, at);
-    lines.expect("numbers", name + " " + std::to_string(count), "it has other fields");
+    lines.expect("numbers", name + " " + std::to_string(count), "the file has other fields");
     std::string_view line;
     std::size_t done = 0;
     auto number = [&](const schema& one, const void* where) {

@@ -1,23 +1,21 @@
 // A learner finds the parameters of a function from examples (seed, chapter 3, *Learner*). A learning rule
-// belongs to the form of the function: so a learner names the model that it adapts, and a module refuses one
-// that is bound to another model.
+// fits the form of the function, so a learner names the model that it adapts. A module refuses a learner of
+// another model.
 //
 //   AdaptableModel    what is adapted: `input`, `output` (vectors of fixed size), `parameters` (a struct with
-//   named fields),
-//                     `answer(parameters, input)`, `title()`, which tells it from others in a file
-//   LocalModel        linear in `parameters::weights`, a column a local function: `activations(input)`,
-//   `scale(input)`;
-//                     the answer is weights * (scale * activations)
+//                     named fields), `answer(parameters, input)`, `title()`, which identifies it in a file
 //   LinearModel       linear in `parameters::weights`: the answer is weights * regressors(input)
-//   Learner           `model`, `settings` (what a user may set), `learned` (what a file keeps; its field
-//   `function` holds the
-//                     model's parameters), `inside(learned, x, settings)`: is x where it was trained
-//   OnlineLearner     `step(learned, x, y, settings)`: one example, in a beat; its cost has a bound
-//   BatchLearner      `batch(examples, settings)`: all of them, outside of the loop, whatever it takes
+//   LocalModel        linear, with one column of weights per local function: `activations(input)`,
+//                     `scale(input)`; the answer is weights * (scale * activations)
+//   Learner           `model`, `settings` (of the user), `learned` (what a file keeps; its field `function`
+//                     holds the parameters of the model), `inside(learned, x, settings)`: is x in the trained
+//                     region
+//   OnlineLearner     `step(learned, x, y, settings)`: learns one example within a beat; its cost is bounded
+//   BatchLearner      `batch(examples, settings)`: learns from all examples, outside of the loop
 //
-// A learner has no state of its own: that is `learned`, a value, held by a `training` (training.hpp). A batch
-// is therefore done on another thread and handed over whole. Errors: learner.model. Laws:
-// tests/laws/learner_laws.hpp; docs/learners.md.
+// A learner has no state of its own. The state is `learned`, a value in a `training` (training.hpp), so a
+// batch can run on another thread and hand over its whole result. Errors: learner.model.
+// Laws: tests/laws/learner_laws.hpp; docs/learners.md.
 #pragma once
 
 #include <concepts>
@@ -50,7 +48,7 @@ template <class Model> concept LocalModel = LinearModel<Model> && requires(const
   { Model::scale(x) } -> std::convertible_to<double>;
 };
 
-// What goes with what.
+// An input and the output that belongs to it.
 template <AdaptableModel Model>
 struct example {
   typename Model::input x;
@@ -84,16 +82,15 @@ template <class Type> concept BatchLearner =
 
 namespace detail {
 
-// True where a module may use a learner; else that has been reported, by a function whose arguments the
-// compilers name: for a concept they would name them twice.
-template <class LearnersModel, class ModulesModel, bool AreOne = std::is_same_v<LearnersModel, ModulesModel>>
+// True if a module may use a learner; else it reports the mistake. It is a function because compilers print
+// its template arguments once; those of a concept they print twice.
+template <class LearnerModel, class ModuleModel, bool Same = std::is_same_v<LearnerModel, ModuleModel>>
 constexpr bool check_models() {
-  static_assert(AreOne,
+  static_assert(Same,
                 "learner.model: the learner of this module adapts another model than the one that the module "
-                "runs, so what it learns "
-                "would mean nothing to it (the compiler names the two, the learner's first); bind the "
-                "learner to the module's model");
-  return AreOne;
+                "runs, so the module could not use the result (the compiler prints both models, the "
+                "learner's first); bind the learner to the module's model");
+  return Same;
 }
 
 }  // namespace detail

@@ -1,23 +1,23 @@
-// Locally weighted regression: each weight of a local model is fitted to the examples near it, by itself.
+// Locally weighted regression: fits each weight of a local model separately, to the examples near it.
 //
-//   w_i = sum_t psi_i(x_t) s_t y_t / sum_t psi_i(x_t) s_t^2                 batch
-//   A_i += psi_i s^2 - (1 - l) psi_i A_i,  w_i += psi_i s (y - s w_i) / A_i   online, the same sums with
-//   forgetting l
+//   w_i = sum_t psi_i(x_t) s_t y_t / sum_t psi_i(x_t) s_t^2                    batch
+//   A_i += psi_i s^2 - (1 - l) psi_i A_i,  w_i += psi_i s (y - s w_i) / A_i    online, the same sums with
+//                                                                              forgetting l
 //
-// psi_i are the model's activations (here normalised: they sum to one), s its scale. With l = 1 both give the
-// same weights. The weights are local averages of y / s, so the shape comes out smoothed by the width of a
-// function: least squares (recursive_least_squares.hpp) does not do that, but lets far examples speak.
-// Forgetting counts by activation, so that what is not visited is not forgotten. Inside the trained region:
-// the functions that speak at x have seen examples. Cost: of a step N (2 D + 6) products and the activations;
-// of a batch that for each example. Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Neural Computation
-// 25, 2013, equation 2.14 (batch); Schaal and Atkeson, Constructive incremental learning from only local
-// information, Neural Computation 10, 1998 (online). Checked against the first formula written out. Example:
-// tests/runtime/adaptive/learners.cpp.
+// psi_i are the normalised activations of the model, s its scale. With l = 1 both give the same weights. The
+// weights are local averages of y / s, so the width of a function smooths the shape. Least squares
+// (recursive_least_squares.hpp) does not smooth, but lets distant examples act. Forgetting is weighted by the
+// activation, so regions that are not visited are not forgotten. Trained region: the functions that are
+// active at x have seen examples.
+//
+// Cost: a step takes N (2 D + 6) products and the activations; a batch that per example.
+// Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Neural Computation 25, 2013, equation 2.14 (batch);
+// Schaal and Atkeson, Constructive incremental learning from only local information, Neural Computation 10,
+// 1998 (online). Checked against the first formula written out. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/base/inlining.hpp>
 
 namespace cca {
 
@@ -32,9 +32,8 @@ struct locally_weighted_regression {
 
   struct settings {
     BOOST_HANA_DEFINE_STRUCT(settings,
-                             (bounded<double, 0, 1>, memory),  // l: 1 forgets nothing
-                             (bounded<double, 0, infinity>,
-                              least_seen));  // examples, within a function: fewer are outside
+                             (bounded<double, 0, 1>, memory),              // l: 1 forgets nothing
+                             (bounded<double, 0, infinity>, least_seen));  // examples near x, else outside
     constexpr settings(double keep = 1.0, double least = 1.0) : memory(keep), least_seen(least) {}
   };
 
@@ -43,7 +42,8 @@ struct locally_weighted_regression {
     learned() : function(), evidence(local::Zero()), seen(local::Zero()) {}
   };
 
-  CCA_GLUE static bool inside(const learned& known, const input& x, const settings& s) {
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] static bool inside(const learned& known, const input& x, const settings& s) {
     return model::activations(x).dot(known.seen) >= s.least_seen;
   }
 

@@ -1,15 +1,16 @@
-// Module Status: what the learner of a module is doing, and whether the module is asked about what it was
-// trained for (seed, section 4.4.4).
+// Module Status: what the learner of a module is doing, and whether the input of the module lies in its
+// trained region (seed, section 4.4.4).
 //
 //   out<"module", module_status_port>     over learning_axis (a cca::learning) and region_axis (a
-//   cca::trained_region) status.as<cca::learning>(cca::learning_axis{}) == cca::learning::trained
+//                                         cca::trained_region)
+//   status.as<cca::learning>(cca::learning_axis{}) == cca::learning::trained
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
@@ -30,12 +31,12 @@ struct learning_axis : dimension<"learning"> {};
 struct region_axis : dimension<"region"> {};
 struct module_status_port : space<status, axes<learning_axis, region_axis>> {};
 
-// What to publish.
+// The value of the status port.
 inline module_status_port::vector_type status_of(learning state, trained_region region) {
   return {status_of(state), status_of(region)};
 }
 
-// What another component may ask of a module: `optional_in<"learn", learning_request>`.
+// A request of another component to a module: `optional_in<"learn", learning_request>`.
 enum class learning_call : std::uint8_t { nothing, collect, learn, rest, forget };
 struct call_axis : dimension<"call"> {};
 struct learning_request : space<status, axes<call_axis>> {};

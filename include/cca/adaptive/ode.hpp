@@ -1,23 +1,25 @@
-// An ordinary differential equation: x' = f(x, u, p), of a state x, an input u and parameters p (seed,
-// chapter 3, *ODE*).
+// An ordinary differential equation x' = f(x, u, p) with state x, input u and parameters p (seed, chapter 3,
+// *ODE*).
 //
 //   struct decay {
 //     using state = Eigen::Matrix<double, 1, 1>;      // fixed-size vector, or a space
 //     using input = Eigen::Matrix<double, 1, 1>;
 //     struct parameters { double rate; };
-//     static state derivative(const state& x, const input& u, const parameters& p) { return p.rate * (u - x);
+//     static state derivative(const state& x, const input& u, const parameters& p) {
+//       return p.rate * (u - x);
 //     }
 //   };
 //
-// A model has no state of its own: the solver (ode_solver.hpp) holds that, the component the parameters. It
-// may say more:
-//   initial()        the state that a solver begins with; else zero
-//   project(x)       x put back to where it belongs (a quaternion to unit length); taken after each step
-//   positions        how many of the first coordinates are positions, whose rates the others tell: a
-//   second-order system,
-//                    which the semi-implicit Euler method needs
-// Preconditions: `derivative` gives the same for the same, and doesn't allocate; tests/laws/ode_laws.hpp
-// states it all. Example: tests/runtime/ode/example.cpp; docs/ode.md.
+// A model has no state of its own: the solver (ode_solver.hpp) holds the state, the component the parameters.
+// A model may also have:
+//
+//   initial()        the first state of a solver; default: zero
+//   project(x)       returns x to its valid set after each step (a quaternion to unit length)
+//   positions        the number of leading coordinates whose rates are given by the others: a second-order
+//                    system, which the semi-implicit Euler method needs
+//
+// Preconditions: `derivative` returns the same for the same arguments and does not allocate.
+// Laws: tests/laws/ode_laws.hpp. Example: tests/runtime/ode/example.cpp; docs/ode.md.
 #pragma once
 
 #include <concepts>
@@ -42,7 +44,7 @@ template <class Type> concept FixedVector =
 
 }  // namespace detail
 
-// The vectors of a model, whether it names a space or a vector.
+// The vectors of a model, which may name a space or a vector type.
 template <class Model>
 using ode_state = typename detail::vector_of<typename Model::state>::type;
 template <class Model>
@@ -54,7 +56,7 @@ template <class Model> concept Ode =
       { Model::derivative(x, u, p) } -> std::convertible_to<ode_state<Model>>;
     };
 
-// With its positions first.
+// The positions are the first coordinates.
 template <class Model> concept SecondOrderOde =
     Ode<Model> && Model::positions > 0 && Model::positions < ode_state<Model>::RowsAtCompileTime;
 

@@ -1,19 +1,20 @@
-// Boost.Numeric.Odeint's steppers as integrators.
+// Steppers of Boost.Numeric.Odeint as integrators.
 //
 //   #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 //   #include <boost/numeric/odeint/algebra/vector_space_algebra.hpp>
 //   template <class State>
 //   using dopri5 = boost::numeric::odeint::runge_kutta_dopri5<State, double, State, double,
-//   boost::numeric::odeint::vector_space_algebra>; cca::ode_solver<decay, cca::odeint<dopri5>> solver;
+//                                                             boost::numeric::odeint::vector_space_algebra>;
+//   cca::ode_solver<decay, cca::odeint<dopri5>> solver;
 //
-// This header needs nothing of Boost: the stepper is the user's, over `vector_space_algebra`. It is made anew
-// in each step, so that a beat depends on the state alone: one-step steppers only (runge_kutta4, cash_karp54,
-// dopri5, fehlberg78, modified_midpoint), none that remembers earlier steps. The step's length is the beat's:
-// none is adapted. Cost: that of the stepper; nothing allocates, since the states are of fixed size. Example:
-// tests/runtime/ode/odeint.cpp.
+// This header does not include Boost: the user chooses the stepper, over `vector_space_algebra`. Each step
+// makes a new stepper, so a beat depends only on the state. That allows one-step steppers (runge_kutta4,
+// cash_karp54, dopri5, fehlberg78, modified_midpoint), not those that use earlier steps. The step is the
+// beat; its length is not adapted. Cost: that of the stepper; no allocation, since states have fixed size.
+// Example: tests/runtime/ode/odeint.cpp.
 #pragma once
 
-#include <cca/adaptive/ode_integrators.hpp>
+#include <cca/adaptive/numerics/ode_integrators.hpp>
 
 namespace cca {
 

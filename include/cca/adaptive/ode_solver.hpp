@@ -1,14 +1,13 @@
-// The state of an ode, and how it moves on: a model with an integrator.
+// Holds the state of an ode and advances it: a model with an integrator.
 //
 //   cca::ode_solver<vite_ode<2>, cca::rk4> solver;
 //   solver.advance(u, p, now.dt());         // in process
 //
-// A value: a copy goes on by itself. Preconditions: dt >= 0; the step is short enough for the integrator
-// (explicit methods: a rate of change of 2/dt is the limit). Example: tests/runtime/ode/example.cpp.
+// It is a value: a copy continues independently. Preconditions: dt >= 0; the step is short enough for the
+// integrator (explicit methods: eigenvalues of at most about 2 / dt). Example: tests/runtime/ode/example.cpp.
 #pragma once
 
-#include <cca/adaptive/ode_integrators.hpp>
-#include <cca/base/inlining.hpp>
+#include <cca/adaptive/numerics/ode_integrators.hpp>
 
 namespace cca {
 
@@ -26,13 +25,16 @@ public:
   const state& get() const { return x; }
   void set(const state& to) { x = to; }
 
-  CCA_GLUE void advance(const input& u, const parameters& p, double dt) {
+  // always_inline, here and below: without it clang calls each step and keeps the state in memory.
+  [[gnu::always_inline]] void advance(const input& u, const parameters& p, double dt) {
     Integrator{}.template step<Model>(x, u, p, dt);
     if constexpr (requires { Model::project(x); }) x = Model::project(x);
   }
 
-  // How fast the state changes here, under this input.
-  CCA_GLUE state rate(const input& u, const parameters& p) const { return Model::derivative(x, u, p); }
+  // The rate of change of the current state under this input.
+  [[gnu::always_inline]] state rate(const input& u, const parameters& p) const {
+    return Model::derivative(x, u, p);
+  }
 
 private:
   state x;

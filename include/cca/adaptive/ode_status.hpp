@@ -1,13 +1,12 @@
-// ODE Status: `converged` if the rate of change is close to zero, else `transient` (seed, chapter 3), with
-// hysteresis.
+// ODE Status: `converged` if the rate of change is close to zero, else `transient`, with hysteresis (seed,
+// chapter 3).
 //
-//   (cca::ode_settling, settling)                                  in a component's parameters
-//   status.update(solver.rate(u, p).norm(), p.settling)            in process, published as out<"status",
-//   ode_status_port>
+//   (cca::ode_settling, settling)                           in the parameters of a component
+//   status.update(solver.rate(u, p).norm(), p.settling)     in process; published as
+//                                                           out<"status", ode_status_port>
 //
-// It knows the ode's own state only: a limit cycle never converges, however regular it is. The length of the
-// rate mixes the units of the coordinates; the thresholds are in them, per second. A rate that is NaN is
-// transient.
+// It looks only at the state of the ode: a limit cycle never converges, however regular. The norm of the rate
+// mixes the units of the coordinates; so do the thresholds (per s). A rate of NaN is transient.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@
 
 #include <cca/component/field_types.hpp>
 #include <cca/base/reflect.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
@@ -27,10 +26,10 @@ struct ode_status_port : space<status, axes<ode_axis>> {};
 
 struct ode_settling {
   BOOST_HANA_DEFINE_STRUCT(ode_settling,
-                           (bounded<double, 0, infinity>, below),   // converged from here on, per s
-                           (bounded<double, 0, infinity>, above));  // and until it is faster than this
+                           (bounded<double, 0, infinity>, below),   // converged at this rate or slower, per s
+                           (bounded<double, 0, infinity>, above));  // transient again above this rate
   constexpr ode_settling(double slow = 1e-3, double fast = 2e-3) : below(slow), above(fast) {}
-  std::string_view check() const { return below <= above ? "" : "`below` lies above `above`"; }
+  std::string_view check() const { return below <= above ? "" : "`below` is larger than `above`"; }
 };
 
 class ode_monitor {

@@ -1,15 +1,17 @@
-// The Reaching Criterion: is what is measured where it was asked to go, and at rest there (seed, chapter 3,
-// *Criterion*).
+// The Reaching Criterion: is the measured value at the reference, and at rest there? (seed, chapter 3,
+// *Criterion*)
 //
 //   cca::reaching_goal<paw_in_trunk>
-//   in  "target"     S: the reference, where it should end
-//   in  "feedback"   S: what is measured
-//   out "error"      criterion_error, in the unit of S
+//
+//   in  "target"     S                the reference, where the movement should end
+//   in  "feedback"   S                the measured value
+//   out "error"      criterion_error  unit of S
 //   out "state"      criterion_port
 //
-// Parameters `limits`: within, until, lost (in the unit of S), hold (s). Its adaptive component has reached
-// its goal only once its ode has converged, too: passing by is not arriving. Cost: nothing to speak of.
-// Example: tests/runtime/adaptive/kinds.cpp.
+// Parameters `limits`: within, until, lost (unit of S), hold (s). The adaptive component reports `reached`
+// only once its ode has converged too: passing the goal is not reaching it.
+//
+// Errors: none. Cost: negligible. Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <cca/adaptive/tracking.hpp>

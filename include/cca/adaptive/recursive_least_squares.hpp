@@ -1,16 +1,18 @@
-// Least squares of a model that is linear in its weights, one example after the other, with forgetting; or
-// all at once.
+// Least squares for models that are linear in their weights: example by example with forgetting, or in a
+// batch.
 //
-//   k = P f / (l + f^T P f),  W += (y - W f) k^T,  P <- (P - k f^T P) / l       online; f = regressors(x), P
-//   = 1/ridge at first W = (sum y f^T) P,        P = (ridge + sum f f^T)^-1                       batch: the
-//   same for l = 1, but for rounding
+//   k = P f / (l + f^T P f),  W += (y - W f) k^T,  P <- (P - k f^T P) / l     online; f = regressors(x),
+//                                                                             P = 1 / ridge at first
+//   W = (sum y f^T) P,        P = (ridge + sum f f^T)^-1                      batch: the same for l = 1
 //
-// It forgets only while the examples excite it: not where P would become larger than it was at first (else P
-// winds up). Inside the trained region: f^T P f, the variance of the answer in units of an example's own, is
-// at most `leverage`. Cost: of a step R (2 R + D) products; of a batch R^2 an example and R^3. Precondition:
-// R <= 128 (P is of fixed size). Source: Ljung, System Identification, second edition 1999, chapters 11
-// (recursion) and 7 (batch); that P winds up: Astrom and Wittenmark, Adaptive Control, second edition 1995.
-// Checked against the normal equations and their inverse. Example: tests/runtime/adaptive/learners.cpp.
+// It forgets only while P stays below its first value; otherwise P would wind up where the examples excite
+// nothing. Trained region: f^T P f, the variance of the answer in units of the variance of an example, is at
+// most `leverage`. Precondition: R <= 128 regressors (P has fixed size).
+//
+// Cost: a step takes R (2 R + D) products; a batch R^2 per example and R^3.
+// Source: Ljung, System Identification, second edition 1999, chapters 11 (recursion) and 7 (batch); wind-up
+// of P: Astrom and Wittenmark, Adaptive Control, second edition 1995. Checked against the normal equations
+// and their inverse. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -40,7 +42,7 @@ struct recursive_least_squares {
         : memory(keep), ridge(small), leverage(most) {}
   };
 
-  // Zero `uncertainty`: nothing has been learned.
+  // `uncertainty` is P; zero means that nothing was learned.
   struct learned {
     BOOST_HANA_DEFINE_STRUCT(learned, (parameters, function), (covariance, uncertainty));
     learned() : function(), uncertainty(covariance::Zero()) {}
@@ -60,7 +62,7 @@ struct recursive_least_squares {
     const double scale = 1 / (memory + f.dot(Pf));
     const output off = y - known.function.weights * f;
     known.function.weights += off * (scale * Pf).transpose();
-    // Column by column, so that it stays symmetric to the bit.
+    // Writes both halves with the same value: P stays symmetric bit for bit.
     for (int j = 0; j < size; ++j)
       for (int i = 0; i <= j; ++i) P(i, j) = P(j, i) = (P(i, j) - scale * Pf[i] * Pf[j]) / memory;
   }

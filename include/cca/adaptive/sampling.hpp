@@ -1,18 +1,19 @@
-// A learner that makes its own examples: points spread evenly over a box, and for each what is asked (seed,
+// A learner that makes its own examples: it asks for the output at points spread evenly over a box (seed,
 // chapter 3, *Learner*: it possibly generates its training data by sampling).
 //
 //   m.learning.collect();
 //   cca::sample_examples(m.learning, lowest, highest, 2000, m.p.settings, [&](const Eigen::Vector2d& q) {
-//     return cca::example<model>{paw_of(q), q};         a posture, and where it puts the paw: inverse
-//     kinematics
+//     return cca::example<model>{paw_of(q), q};         a posture and its paw position: inverse kinematics
 //   });
 //   m.learning.hand_over(m.learning.begin_batch(m.p.settings)());
 //
-// Between two beats. The points are the Halton sequence, the same each time: any number of them covers the
-// box evenly, which random ones do not. What is asked may be a model, a measurement or another component; an
-// example that is not finite is passed over. Errors: `cca::refused` where nothing is being collected or
-// learned online. Source: Halton, On the efficiency of certain quasi-random sequences of points, Numerische
-// Mathematik 2, 1960. Example: tests/runtime/adaptive/mapping.cpp.
+// Call it between two beats. The points are the Halton sequence, the same in each run: any number of them
+// covers the box evenly, unlike random points. The function may ask a model, a measurement or another
+// component. An example that is not finite is ignored.
+// Errors: `cca::refused` if the training is neither collecting nor learning online.
+// Source: Halton, On the efficiency of certain quasi-random sequences of points, Numerische Mathematik 2,
+// 1960.
+// Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <array>
@@ -25,7 +26,7 @@ namespace detail {
 
 inline constexpr std::array halton_bases{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
 
-// The digits of `index` in a base, mirrored at the point: in [0, 1).
+// The digits of `index` in a base, mirrored at the radix point: in [0, 1).
 constexpr double mirrored(std::int64_t index, int base) {
   double sum = 0, place = 1;
   for (; index > 0; index /= base) sum += static_cast<double>(index % base) * (place /= base);
@@ -34,11 +35,11 @@ constexpr double mirrored(std::int64_t index, int base) {
 
 }  // namespace detail
 
-// Point `index`, from 0, of those between `low` and `high`.
+// The point number `index` (from 0) of the sequence between `low` and `high`.
 template <detail::FixedVector Point>
 Point spread_point(const Point& low, const Point& high, std::int64_t index) {
   static_assert(Point::SizeAtCompileTime <= static_cast<int>(detail::halton_bases.size()),
-                "cca::spread_point: more dimensions than a Halton sequence covers evenly");
+                "cca::spread_point: too many dimensions; a Halton sequence covers at most 12 evenly");
   Point point;
   for (int i = 0; i < point.size(); ++i)
     point[i] = low[i] + (high[i] - low[i]) *

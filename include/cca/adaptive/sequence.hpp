@@ -1,24 +1,27 @@
-// A sequence of skills: which one runs, what has to hold for the next one, and where it leads when that takes
+// A sequence of skills: which step runs, which condition starts the next one, and where to go when that takes
 // too long.
 //
 //   struct plan : cca::steps<
 //       cca::step<"trot">,
 //       cca::step<"stop",  cca::after<6000>>,
-//       cca::step<"reach", cca::is<"cpg.status.ode", cca::ode_status::converged>,         cca::or_after<2000,
-//       "trot">>, cca::step<"hold",  cca::is<"arm.status.component", cca::component_status::reached>,
-//       cca::held_for<200>, cca::or_after<3000, "trot">>> {};
+//       cca::step<"reach", cca::is<"cpg.status.ode", cca::ode_status::converged>,
+//                          cca::or_after<2000, "trot">>,
+//       cca::step<"hold",  cca::is<"arm.status.component", cca::component_status::reached>,
+//                          cca::held_for<200>, cca::or_after<3000, "trot">>> {};
 //
-// It begins with the first step. While one runs, it waits for the condition of the next one: the one that
-// follows, or that `then<"name">` names; the last one without `then` stays. `or_after<N, "name">`: where that
-// condition has not held within N beats since the running step began, it goes there instead, unasked.
-// `held_for<N>`: it has to hold for N beats on end.
+// It begins with the first step. While a step runs, it waits for the condition of the next step: the
+// following one, or that of `then<"name">`. The last step stays unless it has `then`. `or_after<N, "name">`:
+// if the condition has not held within N beats of the running step, it goes to that step instead.
+// `held_for<N>`: the condition must hold for N consecutive beats.
 //
-// Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value> (an unknown path never
-// holds), after<N> beats of the running step, all<C...>, any<C...>, no<C>; without one it goes on at once. A
-// condition of the user's is a struct with `bool holds(const Heard&)`, a template; `heard.template
-// value<"path">()` is what was told. Preconditions, told by the compiler: names are unique, and each that is
-// named exists. Errors: none in a beat; `unheard()`. Cost: the paths are looked for once; then a comparison a
-// condition. Example: tests/runtime/adaptive/sequencer.cpp.
+// Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value> (never hold for an
+// unknown path), after<N> beats of the running step, all<C...>, any<C...>, no<C>. A step without a condition
+// starts at once. Your own condition is a struct with a template `bool holds(const Heard&)`; `heard.template
+// value<"path">()` is the observed value. The compiler checks that names are unique and that each named step
+// exists.
+//
+// Errors: none in a beat; `unheard()` tells of unknown paths. Cost: each path is searched once; then one
+// comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
 #include <array>
@@ -28,57 +31,57 @@
 #include <string_view>
 
 #include <cca/component/beat.hpp>
-#include <cca/base/inlining.hpp>
 #include <cca/component/port.hpp>
 
 namespace cca {
 
+// always_inline, here and below: without it clang leaves a call for each condition.
 template <fixed_string Path, auto State, int Axis = 0>
 struct is {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return heard.template value<Path, Axis>() == static_cast<double>(State);
   }
 };
 template <fixed_string Path, double Bound>
 struct below {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return heard.template value<Path>() < Bound;
   }
 };
 template <fixed_string Path, double Bound>
 struct above {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return heard.template value<Path>() > Bound;
   }
 };
 template <std::int64_t Beats>
 struct after {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return heard.beats() >= Beats;
   }
 };
 template <class... Conditions>
 struct all {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return (Conditions::holds(heard) && ...);
   }
 };
 template <class... Conditions>
 struct any {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return (Conditions::holds(heard) || ...);
   }
 };
 template <class Condition>
 struct no {
   template <class Heard>
-  CCA_GLUE static bool holds(const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(const Heard& heard) {
     return !Condition::holds(heard);
   }
 };
@@ -97,7 +100,7 @@ namespace detail {
 
 struct step_info {
   std::string_view name, next{}, otherwise{};
-  std::int64_t held = 0, limit = -1;  // beats; -1: it waits for ever
+  std::int64_t held = 0, limit = -1;  // beats; -1: no limit
 };
 
 template <class Option>
@@ -140,7 +143,7 @@ struct steps {
   static constexpr int count = sizeof...(Steps);
   static constexpr std::array<detail::step_info, sizeof...(Steps)> table{detail::step_facts<Steps>::info...};
 
-  // The number of a step; -1 if there is none of that name.
+  // The number of the step of that name; -1 if there is none.
   static constexpr int find(std::string_view name) {
     for (int i = 0; i < count; ++i)
       if (table[static_cast<std::size_t>(i)].name == name) return i;
@@ -148,12 +151,11 @@ struct steps {
   }
   template <fixed_string Name>
   static constexpr int at = [] {
-    static_assert(find(Name.view()) >= 0, "cca::steps: there is no step of this name");
+    static_assert(find(Name.view()) >= 0, "cca::steps: there is no step with this name");
     return find(Name.view());
   }();
 
-  // Where a step leads, by number: to the next one (-1: nowhere), and where that takes too long (-1: it
-  // waits).
+  // Where a step leads, by number: the next step (-1: none), and the step after a timeout (-1: none).
   struct way {
     int next, otherwise;
   };
@@ -170,7 +172,7 @@ struct steps {
   }();
 
   template <class Heard>
-  CCA_GLUE static bool holds(int step, const Heard& heard) {
+  [[gnu::always_inline]] static bool holds(int step, const Heard& heard) {
     int i = 0;
     bool found = false;
     (void)((i++ == step ? (found = detail::step_facts<Steps>::condition::holds(heard), true) : false) || ...);
@@ -188,16 +190,16 @@ struct steps {
   }
 };
 
-// Where a sequence is: a value, for a component of the user's, or in the ready one (sequencer.hpp).
+// The state of a sequence: a value, for your own component, or inside the component of sequencer.hpp.
 template <class Plan>
 class sequence {
 public:
-  // One look at what is told; in a beat. Each of `told` is an `observe<...>`.
+  // Call it once in a beat. Each of `told` is an `observe<...>`.
   template <class... Told>
-  CCA_GLUE void update(beat now, const Told&... told) {
+  [[gnu::always_inline]] void update(beat now, const Told&... told) {
     static_assert(
         Plan::well_named(),
-        "cca::steps: two steps have one name, or then<...> or or_after<...> names a step that there isn't");
+        "cca::steps: two steps have the same name, or then<...> or or_after<...> names an unknown step");
     if (began < 0) began = now.index();
     const std::array<std::span<const observation>, sizeof...(Told)> scopes{
         std::span<const observation>(told.begin(), told.end())...};
@@ -219,9 +221,9 @@ public:
     return current == Plan::template at<Name>;
   }
   std::int64_t beats(beat now) const { return began < 0 ? 0 : now.index() - began; }  // since the step began
-  bool timed_out() const { return by_timeout; }  // it came here because another took too long
+  bool timed_out() const { return by_timeout; }  // the running step began by a timeout
   bool finished() const { return following() < 0; }
-  // A condition names a path that is not among what is told; known once the condition has been looked at.
+  // A condition names a path that is not observed; known after its first evaluation.
   bool unheard() const { return missing; }
 
 private:
@@ -233,7 +235,7 @@ private:
 
     std::int64_t beats() const { return running; }
     template <fixed_string Path, int Axis = 0>
-    CCA_GLUE double value() const {
+    [[gnu::always_inline]] double value() const {
       const place at = of.find(Path.view(), told);
       return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN()
                           : told[static_cast<std::size_t>(at.scope)][static_cast<std::size_t>(at.position)]
@@ -246,9 +248,9 @@ private:
     int scope = -1, position = -1;
   };
 
-  // Where a path is among the observations: looked for once, kept by its text's address, which is the
-  // program's.
-  CCA_GLUE place find(std::string_view path, scopes_told told) {
+  // The place of a path among the observations. It is searched once; the key is the address of its text,
+  // which is a constant of the program.
+  [[gnu::always_inline]] place find(std::string_view path, scopes_told told) {
     for (const auto& one : known)
       if (one.path == path.data()) [[likely]]
         return one;

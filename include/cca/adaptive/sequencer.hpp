@@ -1,16 +1,19 @@
-// A Sequencer: runs through the steps of a plan, by what the skills tell of themselves (seed, section 6.3 and
-// chapter 3).
+// A Sequencer: runs the steps of a plan, driven by the statuses of the skills (seed, section 6.3 and chapter
+// 3).
 //
 //   cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>
-//   listens to a scope, with a delay of a beat, since the skills wait for it in turn; to `*.status`, too,
-//   where the scope is `*.status.*` out "step"        step_port: the number of the running step,
-//   `plan::at<"reach">` out "running"     step_time, s since it began out "timed_out"   step_flag: 1 if it
-//   came to this step because another took too long out "status"      component_status_port: reached in the
-//   last step, converging before and a fault where a condition names a path that nobody publishes
 //
-// Who needs other outputs (a target, an amplitude) reads "step" in a component of his own, or holds a
-// cca::sequence<plan> in it. Timeouts are in beats of the controller, whatever the sequencer's own strategy.
-// Cost: that of a sequence (sequence.hpp). Example: tests/runtime/adaptive/sequencer.cpp.
+//   observes the scope    and for `*.status.*` also `*.status`; delayed by one beat, because the skills wait
+//                         for the sequencer in turn
+//   out "step"        step_port              the number of the running step, `plan::at<"reach">`
+//   out "running"     step_time              s since the step began
+//   out "timed_out"   step_flag              1 if the step began by a timeout
+//   out "status"      component_status_port  reached in the last step, converging before
+//   fault             if a condition names a path that nobody publishes
+//
+// For other outputs (a target, an amplitude) read "step" in your own component, or hold a cca::sequence<plan>
+// in it. Timeouts count beats of the controller, whatever the strategy of the sequencer. Cost: that of a
+// sequence (sequence.hpp). Example: tests/runtime/adaptive/sequencer.cpp.
 #pragma once
 
 #include <tuple>
@@ -31,7 +34,7 @@ struct step_flag : space<status, axes<timed_out_axis>> {};
 
 namespace detail {
 
-// "*.status.*" without what follows the last name.
+// "*.status" for "*.status.*".
 template <std::size_t Size>
 consteval auto without_star(const fixed_string<Size>& scope) {
   char text[Size - 2]{};

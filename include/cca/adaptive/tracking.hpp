@@ -1,14 +1,16 @@
-// The Tracking Criterion: does the robot follow what the module commands (seed, section 6.3).
+// The Tracking Criterion: does the robot follow the command of the module? (seed, section 6.3)
 //
 //   cca::tracking<leg_angles>
-//   in  "target"     S: what the module commands
-//   in  "feedback"   S: what is measured
-//   out "error"      criterion_error, in the unit of S: of the axis that is furthest off; positions: the
-//   distance out "state"      criterion_port
 //
-// Parameters `limits`: within, until, lost (in the unit of S), hold (s). The delay of a good servo is an
-// error, too: `within` has to leave room for it. Before both inputs hold something it is open, with error
-// zero. Cost: nothing to speak of. Example: tests/runtime/adaptive/tracker.cpp; docs/adaptive.md.
+//   in  "target"     S                the command of the module
+//   in  "feedback"   S                the measured value
+//   out "error"      criterion_error  unit of S: the largest error of an axis; of positions the distance
+//   out "state"      criterion_port
+//
+// Parameters `limits`: within, until, lost (unit of S), hold (s). The delay of a good servo is an error too:
+// choose `within` large enough. Before both inputs have a sample it is open, with error zero.
+//
+// Errors: none. Cost: negligible. Example: tests/runtime/adaptive/tracker.cpp; docs/adaptive.md.
 #pragma once
 
 #include <tuple>

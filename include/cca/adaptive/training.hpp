@@ -1,18 +1,18 @@
-// The learning side of a module: what it has learned, its own examples, and the extended life-cycle of the
-// seed's section 4.4.4.
+// The learning side of a module: its learned value, its examples, and the extended life-cycle of the seed's
+// section 4.4.4.
 //
-//   cca::training<learner, 2000> learning;                      in the module
-//   learning.teach(x, y, p.settings);                           in process: kept, learned or passed over, as
-//   it is told learning.answer(x), learning.status(x, p.settings)
+//   cca::training<learner, 2000> learning;               in the module
+//   learning.teach(x, y, p.settings);                    in process: collects, learns or ignores
+//   learning.answer(x), learning.status(x, p.settings)
 //
-//   auto& m = c.get<"dmp.module">();                            between two beats
-//   m.learning.collect();                                       ... beats ...
-//   auto work = m.learning.begin_batch(m.p.settings);           a value: work() on any thread, as long as it
-//   takes m.learning.hand_over(work());                               whole, between two beats
+//   auto& m = c.get<"dmp.module">();                     between two beats
+//   m.learning.collect();                                ... beats ...
+//   auto work = m.learning.begin_batch(m.p.settings);    a value: call work() on any thread
+//   m.learning.hand_over(work());                        the whole result, between two beats
 //
-// It keeps the newest Capacity examples. States and legal changes are a table (learning_transitions); a
-// change that is not in it is refused. Within a beat nothing is allocated. A value: a copy goes on by itself.
-// Memory: Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp).
+// It keeps the newest Capacity examples. States and legal changes stand in a table (learning_transitions);
+// other changes are refused. A beat allocates nothing. It is a value: a copy continues independently. Memory:
+// Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp).
 // Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
@@ -27,11 +27,10 @@
 #include <cca/adaptive/module_status.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/base/file.hpp>
-#include <cca/base/inlining.hpp>
 
 namespace cca {
 
-// Which files a module reads on load and writes on save; an empty name: none.
+// The files that a module reads on load and writes on save; an empty name means none.
 struct learned_files {
   BOOST_HANA_DEFINE_STRUCT(learned_files, (text<200>, load), (text<200>, save));
 };
@@ -45,14 +44,14 @@ struct learning_transition {
   learning from, to;
 };
 
-// `rest` leads to trained, or to idle where nothing has been learned.
+// `rest` leads to trained, or to idle if nothing was learned.
 inline constexpr std::array learning_transitions{
     learning_transition{learning_change::collect, learning::idle, learning::collecting},
     learning_transition{learning_change::collect, learning::trained, learning::collecting},
     learning_transition{learning_change::learn, learning::idle, learning::online},
     learning_transition{learning_change::learn, learning::trained, learning::online},
-    learning_transition{learning_change::begin_batch, learning::idle,
-                        learning::batch},  // of examples that were collected before
+    // A batch from idle uses the examples that were collected before.
+    learning_transition{learning_change::begin_batch, learning::idle, learning::batch},
     learning_transition{learning_change::begin_batch, learning::trained, learning::batch},
     learning_transition{learning_change::begin_batch, learning::collecting, learning::batch},
     learning_transition{learning_change::hand_over, learning::batch, learning::trained},
@@ -60,8 +59,8 @@ inline constexpr std::array learning_transitions{
     learning_transition{learning_change::hand_over, learning::trained, learning::trained},
     learning_transition{learning_change::rest, learning::collecting, learning::trained},
     learning_transition{learning_change::rest, learning::online, learning::trained},
-    learning_transition{learning_change::rest, learning::batch,
-                        learning::trained},  // whatever the batch finds is not taken
+    // Gives up a batch, without its result.
+    learning_transition{learning_change::rest, learning::batch, learning::trained},
     learning_transition{learning_change::forget, learning::idle, learning::idle},
     learning_transition{learning_change::forget, learning::trained, learning::idle},
 };
@@ -74,7 +73,7 @@ constexpr bool is_legal(learning_change what, learning from) {
 
 }  // namespace detail
 
-// A batch that has begun: its own copy of the examples.
+// A batch that has begun, with its own copy of the examples.
 template <BatchLearner Rule>
 struct learning_batch {
   std::vector<example<typename Rule::model>> examples;
@@ -91,19 +90,22 @@ public:
   using settings = typename Rule::settings;
   using learned = typename Rule::learned;
 
-  // In a beat.
+  // For use in a beat.
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  CCA_GLUE bool in_trained_region(const input& x, const settings& s) const {
+  // always_inline, here and below: without it clang leaves calls in the beat.
+  [[gnu::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
     return has_learned && Rule::inside(known, x, s);
   }
-  CCA_GLUE trained_region region(const input& x, const settings& s) const {
+  [[gnu::always_inline]] trained_region region(const input& x, const settings& s) const {
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
-  CCA_GLUE auto status(const input& x, const settings& s) const { return status_of(now, region(x, s)); }
+  [[gnu::always_inline]] auto status(const input& x, const settings& s) const {
+    return status_of(now, region(x, s));
+  }
 
-  // An example that is not finite is passed over.
+  // Ignores examples that are not finite.
   void teach(const input& x, const output& y, const settings& s) {
     if (now != learning::collecting && now != learning::online) return;
     if (!x.allFinite() || !y.allFinite()) return;
@@ -115,7 +117,7 @@ public:
     }
   }
 
-  // What another component asks for; what is illegal in this state is passed over.
+  // A request of another component. A request that is illegal in this state is ignored.
   void obey(learning_call call) {
     using detail::learning_change;
     if (call == learning_call::collect) (void)changed(learning_change::collect);
@@ -124,7 +126,7 @@ public:
     else if (call == learning_call::forget && changed(learning_change::forget)) clear();
   }
 
-  // Between two beats.
+  // For use between two beats.
   void collect() { change(detail::learning_change::collect, "collect()"); }
   void learn()
     requires OnlineLearner<Rule>
@@ -148,8 +150,8 @@ public:
   {
     if (example_count() == 0)
       throw refused(
-          "cca::training: begin_batch() is refused: no examples have been collected; collect() and let it "
-          "run first");
+          "cca::training: begin_batch() is refused: no examples yet; call collect() and run some beats "
+          "first");
     change(detail::learning_change::begin_batch, "begin_batch()");
     return {examples(), s};
   }
@@ -159,7 +161,7 @@ public:
     has_learned = true;
   }
 
-  // With the constants that the numbers depend on. Where a file is refused, everything stays as it was.
+  // `constants` are the values that the numbers depend on. If a file is refused, nothing changes.
   void load(const std::string& file, const std::vector<learned_header::constant>& constants = {}) {
     if (!detail::is_legal(detail::learning_change::hand_over, now))
       change(detail::learning_change::hand_over, "load()");
@@ -192,7 +194,8 @@ private:
     if (changed(what)) return;
     throw refused(
         std::string("cca::training: ") + call + " is refused while it is `" + std::string(to_string(now)) +
-        "`: " + (now == learning::idle || now == learning::trained ? "nothing is going on" : "rest() first"));
+        "`: " +
+        (now == learning::idle || now == learning::trained ? "nothing is running" : "call rest() first"));
   }
   void clear() {
     known = {};

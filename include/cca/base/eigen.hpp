@@ -1,13 +1,13 @@
 // Eigen's fixed-size vectors, the only part of Eigen that the core includes (Eigen/Geometry would cost 0.1 s
-// a file).
+// per file).
 //
-// Since C++17 `new` aligns as a type asks, so Eigen's check that an array is aligned never fires. Without
-// NDEBUG it makes the constructor of each vector too heavy for g++ 12 to inline: a beat would be full of
-// calls.
+// EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT: since C++17 `new` aligns as the type asks, so Eigen's check of an
+// array's alignment never fires. Without NDEBUG it makes the constructor of each vector too large for g++ 12
+// to inline, and a beat would be full of calls.
 //
-// What Eigen wants inlined in any case it says to MSVC alone. Clang would simplify the pieces of an
-// expression first, and there read a factor and the pointer beside it as one packet; then neither expression
-// nor port ever leaves memory.
+// EIGEN_STRONG_INLINE: Eigen forces inlining only on MSVC. Without it clang simplifies the parts of an
+// expression first and loads a factor and the pointer beside it as one packet; the expression and the port
+// then stay in memory.
 #pragma once
 
 #ifndef EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT

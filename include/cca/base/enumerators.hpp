@@ -12,7 +12,7 @@ namespace cca::detail {
 
 inline constexpr std::size_t enumerators_seen = 32;
 
-// A cast to an enum without fixed underlying type may be out of its range, which ends constant evaluation.
+// Without a fixed underlying type, a cast may leave the enum's range, which a constant expression forbids.
 template <class Type> concept NameableEnum = std::is_enum_v<Type> && requires { Type{0}; };
 
 template <class Enum, Enum... Values>
@@ -26,7 +26,7 @@ constexpr std::string_view spelled_values() {
   return whole.substr(from, whole.find_last_of(">}") - from);
 }
 
-// Name of value i, empty where there is none.
+// The name of value i; empty if there is none.
 template <NameableEnum Enum>
 inline constexpr std::array<std::string_view, enumerators_seen> enumerators = [] {
   constexpr std::string_view all = []<std::size_t... I>(std::index_sequence<I...>) {
@@ -41,7 +41,7 @@ inline constexpr std::array<std::string_view, enumerators_seen> enumerators = []
     if (c == '>' || c == ')') --depth;
     if (c == ':' && depth == 0) start = i + 1;
     if (c != ',' || depth != 0) continue;
-    // An unnamed value is spelled as a cast, `(terrain)7`.
+    // The compiler spells a value without a name as a cast, `(terrain)7`.
     const std::string_view name = all.substr(start, i - start);
     if (name.find(')') == name.npos) names[which] = name;
     ++which;

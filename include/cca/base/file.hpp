@@ -1,4 +1,4 @@
-// Whole files: read into a text, and written so that a failure leaves the old file as it was.
+// Reads and writes whole files. A write that fails leaves the old file as it was.
 #pragma once
 
 #include <cerrno>
@@ -38,7 +38,7 @@ inline std::string read_file(const std::string& file) {
 }
 
 inline void write_file(const std::string& file, std::string_view text) {
-  // A link stays a link, and a device a device.
+  // Writes through links, and into devices without replacing them.
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);

@@ -1,4 +1,4 @@
-// A string that can be a template argument: names of nodes, ports and axes are types.
+// A string that can be a template argument: the names of nodes, ports and axes are part of types.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct fixed_string {
 
 namespace detail {
 
-// FNV-1a. The hash of a path goes on where that of its scope ended, so nested paths need no strings.
+// FNV-1a. The hash of a path continues that of its scope, so nested paths need no strings.
 constexpr std::uint64_t hash(std::string_view text, std::uint64_t seed = 14695981039346656037ull) {
   const char* letter = text.data();
   for (const char* end = letter + text.size(); letter != end; ++letter)

@@ -1,4 +1,4 @@
-// Names made of others at compile time: of numbered nodes and axes, and of paths.
+// Names built at compile time: of numbered nodes and axes ("leg" and 2), and of paths ("dmp" and "phase").
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ consteval auto joined_text() {
   return fixed_string(all);
 }
 
-// "stage" and 2: "stage2"; "stage2" and "x": "stage2.x".
+// numbered<"stage", 2> is "stage2"; joined_name<"stage2", "x"> is "stage2.x".
 template <fixed_string Before, std::size_t Number>
 inline constexpr auto numbered = numbered_text<Before, Number>();
 template <fixed_string Before, fixed_string After>

@@ -1,4 +1,4 @@
-// The name that was probably meant: for messages about a name that doesn't exist.
+// Finds the name that the user probably meant, for messages about a name that doesn't exist.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,7 @@
 
 namespace cca::detail {
 
-// Number of letters to insert, remove, replace or swap with their neighbour. Long names are compared by their
-// first part.
+// How many letters to insert, remove, replace or swap with their neighbour. Compares the first 48 letters.
 constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
   constexpr std::size_t longest = 48;
   a = a.substr(0, longest);
@@ -29,7 +28,7 @@ constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
   return rows[a.size() % 3][b.size()];
 }
 
-// Empty if none is near: more than a third of the letters differ.
+// Empty if more than a third of the letters differ.
 template <class Names>
 constexpr std::string_view nearest_name(std::string_view wrong, const Names& names) {
   std::string_view best;

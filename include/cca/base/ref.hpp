@@ -1,6 +1,6 @@
-// A pointer to a constant, or nothing, that knows which without asking its address: with -fsanitize=undefined
-// g++ 12 does not compare the address of an inline variable with null in a constant expression (GCC bug
-// 71962).
+// A pointer to a constant, or nothing, which remembers whether it points without comparing addresses. With
+// -fsanitize=undefined, g++ 12 can't compare the address of an inline variable with null in a constant
+// expression (GCC bug 71962).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// The one door to Boost.Hana: a struct's fields by name, for `parameters`. Users define them with
-// BOOST_HANA_DEFINE_STRUCT, so that macro is here too.
-// Cost: measured in docs/parameters.md; of Hana only the struct macros with tuple, pair and string come in.
+// The only header that includes Boost.Hana: reads the fields of a struct by name, for `parameters`. It
+// provides BOOST_HANA_DEFINE_STRUCT to users.
+// Cost: measured in docs/parameters.md; of Hana it includes only the struct macros, tuple, pair and string.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace cca::detail {
 
 template <class Type> concept Reflected = boost::hana::Struct<Type>::value;
 
-// A copy: Hana's own text isn't `inline`, and g++ 12 with the address sanitizer can't link inline data that
+// A copy of Hana's text, which isn't `inline`: with the address sanitizer g++ 12 can't link inline data that
 // points to it.
 template <class Name>
 inline constexpr auto field_name = [] {
@@ -29,16 +29,16 @@ inline constexpr auto field_name = [] {
   return copy;
 }();
 
-// One field as a type: its name, its type and how to reach it.
+// One field as a type: its name, its type and how to read it.
 template <class Table, class Name, class Access>
 struct field {
   static constexpr std::string_view name() { return {field_name<Name>.data(), field_name<Name>.size() - 1}; }
   static constexpr const auto& of(const Table& table) { return Access{}(table); }
-  // With `const` where the field has it.
+  // Keeps the field's `const`.
   using type = std::remove_reference_t<decltype(Access{}(std::declval<Table&>()))>;
 };
 
-// f(field<...>{}...), in the order of declaration.
+// Calls f(field<...>{}...), in the order of declaration.
 template <Reflected Table, class F>
 constexpr auto with_fields(F f) {
   return boost::hana::unpack(boost::hana::accessors<Table>(), [&](auto... pairs) {

@@ -1,11 +1,10 @@
-// What a call outside of the loop throws that can't be done: the message says what, where and what to do.
+// The exception of calls between beats that can't be done. Its message says what, where and what to do.
 #pragma once
 
 #include <stdexcept>
 
 #ifndef __cpp_exceptions
-#error \
-    "cca: parameters and files that are refused are thrown, between beats and never within one: compile without -fno-exceptions"
+#error "cca throws refused parameters and files, between beats only: compile without -fno-exceptions"
 #endif
 
 namespace cca {

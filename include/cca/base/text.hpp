@@ -1,4 +1,4 @@
-// Sentences put together at compile time.
+// Builds sentences at compile time.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace cca::detail {
 
-// A template, so that what nobody says costs nothing.
+// A template, so unused messages are not compiled.
 template <std::size_t Capacity>
 struct text_of {
   std::array<char, Capacity> letters{};
@@ -36,7 +36,7 @@ struct text_of {
   }
   constexpr text_of& operator<<(int number) { return *this << static_cast<std::int64_t>(number); }
 
-  // A rate, with up to three decimals.
+  // With up to three decimals, for rates.
   constexpr text_of& operator<<(double number) {
     const auto thousandths = static_cast<std::int64_t>(number * 1000 + 0.5);
     *this << thousandths / 1000;

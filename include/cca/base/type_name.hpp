@@ -12,7 +12,7 @@ constexpr std::string_view signature_with() {
   return __PRETTY_FUNCTION__;
 }
 
-// What stands before and after the type is the same for each.
+// The text before and after the type has the same length for every type.
 inline constexpr auto before_type = signature_with<double>().find("double");
 inline constexpr auto around_type = signature_with<double>().size() - std::string_view("double").size();
 
@@ -22,7 +22,7 @@ constexpr std::string_view spelled() {
   return {whole.data() + before_type, whole.size() - around_type};
 }
 
-// Without its namespaces: what stands after the last `::` outside of angle brackets.
+// The part after the last `::` that is outside of angle brackets.
 constexpr std::string_view without_namespaces(std::string_view whole) {
   std::size_t start = 0;
   int depth = 0;
@@ -34,7 +34,8 @@ constexpr std::string_view without_namespaces(std::string_view whole) {
   return whole.substr(start);
 }
 
-// The same inside of its angle brackets: `leg<a::hip, (anonymous namespace)::knee>` becomes `leg<hip, knee>`.
+// Drops namespaces inside of angle brackets too: `leg<a::hip, (anonymous namespace)::knee>` becomes
+// `leg<hip, knee>`.
 template <std::size_t Size>
 struct tidy_name {
   std::array<char, Size> letters{};
@@ -53,7 +54,7 @@ struct tidy_name {
   constexpr std::string_view view() const { return {letters.data(), size}; }
 
 private:
-  // Brackets belong to it, with all that is in them.
+  // Brackets and their content belong to the word.
   constexpr std::size_t start_of_last_word() const {
     std::size_t at = size;
     for (int depth = 0; at > 0; --at) {

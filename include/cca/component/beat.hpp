@@ -1,9 +1,10 @@
-// The beat: when a component runs. Virtual time; nothing reads a wall clock.
+// The beat: its index, its time and the time since a component last fired. Time is virtual; nothing reads a
+// wall clock.
 #pragma once
 
 #include <cstdint>
 
-#include <cca/base/inlining.hpp>
+#include <cca/base/assumed.hpp>
 
 namespace cca {
 
@@ -12,16 +13,13 @@ public:
   constexpr beat(std::int64_t index, std::int64_t period, std::int64_t beats_since)
       : k(index), T(period), since(beats_since) {}
 
-  // k = 0, 1, 2, ...; never negative, which clang is told, so that `index() % 64` needs no sign.
-  constexpr std::int64_t index() const {
-    CCA_ASSUME(k >= 0);
-    return k;
-  }
+  // k = 0, 1, 2, ...
+  constexpr std::int64_t index() const { return detail::non_negative(k); }
 
   // Nanoseconds since beat 0.
   constexpr std::int64_t time() const { return k * T; }
 
-  // Nanoseconds a beat.
+  // Nanoseconds per beat.
   constexpr std::int64_t period() const { return T; }
 
   // Seconds since this component last fired (the first time: N beats for timed<N>, else one beat).

@@ -1,6 +1,6 @@
 // A component is a plain struct with a function `process`, whose signature is its interface. A resource node
-// has `sense` (outputs) and `act` (inputs) instead: the first runs before, the second after all components of
-// the beat. Hooks, each optional: `on_load`, `on_save`, `on_start`, `on_stop`, `on_fault`, all `void()`.
+// has `sense` (outputs) and `act` (inputs) instead: `sense` runs before all components of the beat, `act`
+// after them. Optional hooks: `on_load`, `on_save`, `on_start`, `on_stop`, `on_fault`, all `void()`.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@
 namespace cca {
 namespace detail {
 
-// One function that can be taken apart: no data, nothing private, overloaded or a template.
+// True if `process` is a public function that is neither overloaded nor a template, so its type can be read.
 template <class Type> concept HasProcess =
     requires { typename function_facts<decltype(&Type::process)>::result; };
 template <class Type> concept HasSense =
@@ -20,7 +20,7 @@ template <class Type> concept HasSense =
 template <class Type> concept HasAct = requires { typename function_facts<decltype(&Type::act)>::result; };
 template <class Type> concept IsResource = !HasProcess<Type> && (HasSense<Type> || HasAct<Type>);
 
-// What runs when: all senses of a beat, then all components, then all acts.
+// The order within a beat: every `sense`, then every `process`, then every `act`.
 enum class phase_of_beat : std::uint8_t { sense, process, act };
 
 template <class Type, phase_of_beat Phase>
@@ -41,7 +41,7 @@ struct function_of<Type, phase_of_beat::act> {
 template <class Type, phase_of_beat Phase>
 using ports_of_component = ports_of_function<typename function_of<Type, Phase>::type>;
 
-// Equal for equal types, and else only by an accident of spelling, size and hash.
+// Equal for equal types. Other types differ, unless spelling, size and hash collide by accident.
 template <class Type>
 inline constexpr std::uint64_t type_key = hash(spelled<Type>(), sizeof(Type));
 
@@ -51,22 +51,20 @@ struct component_info {
   ref<function_info> sense = nullptr;
   ref<function_info> process = nullptr;
   ref<function_info> act = nullptr;
-  std::string_view bad_hook{};   // name of a hook with another signature
-  std::string_view bad_field{};  // name of a parameter of a type that can't be configured
+  std::string_view bad_hook{};   // name of a hook with a wrong signature
+  std::string_view bad_field{};  // name of a parameter whose type no file can hold
   std::string_view bad_field_type{};
-  bool forgot_parameters = false;             // a struct `parameters`, but no member `p` of it
-  bool also_sense = false, also_act = false;  // beside `process`
+  bool forgot_parameters = false;             // has a struct `parameters` but no member `p`
+  bool also_sense = false, also_act = false;  // as well as `process`
   bool is_const = false;
-  std::string_view
-      wrong_arity{};             // of a skeleton: what does not come out even in it, as the end of a sentence
-  bool limits_commands = false;  // a limiter: what it publishes may reach an actuator
-  bool preserves_limits =
-      false;  // its outputs lie within what its inputs lie within: a splitter, a collector
+  std::string_view wrong_arity{};  // of a skeleton whose parts don't fit together: the rest of the message
+  bool limits_commands = false;    // a limiter: its output may reach an actuator
+  bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
   constexpr std::string_view name() const { return without_namespaces(spelled_type); }
   constexpr bool resource() const { return sense || act; }
 };
 
-// Of a component with parameters, in parameters.hpp.
+// parameters.hpp specialises this for components with parameters.
 struct field_problem {
   std::string_view name{}, type{};
   bool forgot_parameters = false;

@@ -1,5 +1,5 @@
-// What a component returns that may have to stop: empty, or a reason. The reason is not copied: give it a
-// literal.
+// A component that may have to stop the robot returns a fault: empty, or a reason. The reason is not copied,
+// so give it a literal.
 #pragma once
 
 namespace cca {

@@ -1,14 +1,13 @@
-// Types for the fields of a `parameters` struct that say more than `double` does: a range, a unit, a short
-// text.
+// Types for the fields of a `parameters` struct that say more than `double`: a range, a unit, a short text.
 //
 //   (cca::bounded<double, 0.1, 5.0>, frequency)           0.1 to 5
 //   (cca::quantity<cca::angle>, offset)                   with a unit: "30 deg" in a file, radians here
 //   (cca::quantity<cca::angle, -0.9, 0.9>, hip)           with a unit and a range, in SI units
 //   (cca::text<16>, name)                                 up to 16 bytes, without the heap
 //
-// All convert to the plain type by themselves. They hold what they are given: the range is checked where
-// values come from outside, when parameters are loaded or set, so that a beat pays nothing for it. A bound
-// that is infinite lets that infinity in; everywhere else a number is finite. NaN is refused always.
+// All convert to the plain type implicitly. They hold any value they are given: the range is checked only
+// when parameters are loaded or set, so it costs nothing in a beat. An infinite bound allows that infinity;
+// otherwise numbers must be finite. NaN is always refused.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@ namespace detail {
 
 template <class Type, Type Lower, Type Upper>
 struct ranged {
-  static_assert(Lower <= Upper, "cca: the lower bound of a parameter lies above the upper one");
+  static_assert(Lower <= Upper, "cca: the lower bound of a parameter is above its upper bound");
   using value_type = Type;
   static constexpr Type lower = Lower, upper = Upper;
 
@@ -42,7 +41,7 @@ inline constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace detail
 
-// A number from Lower to Upper, both included. The bounds are written as they come: `bounded<double, 0, 5>`.
+// A number from Lower to Upper, both included. The bounds may be of another type: `bounded<double, 0, 5>`.
 template <class Type, auto Lower, auto Upper>
 struct bounded : detail::ranged<Type, static_cast<Type>(Lower), static_cast<Type>(Upper)> {
   using detail::ranged<Type, static_cast<Type>(Lower), static_cast<Type>(Upper)>::ranged;
@@ -66,7 +65,7 @@ struct text {
     (void)assign({literal, Size - 1});
   }
 
-  // False, and nothing is changed, if it's too long.
+  // If the text is too long, returns false and changes nothing.
   [[nodiscard]] constexpr bool assign(std::string_view from) {
     if (from.size() > Capacity) return false;
     for (std::size_t i = 0; i < Capacity; ++i) held[i] = i < from.size() ? from[i] : '\0';

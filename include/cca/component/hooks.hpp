@@ -1,5 +1,5 @@
-// Hooks: what a component does when the life-cycle moves. A hook that has the right name and another
-// signature would be passed over in silence, so it is refused (component.hook_signature).
+// Hooks: functions of a component that run when the life-cycle changes state. A hook with the right name and
+// a wrong signature would never be called, so it is refused (component.hook_signature).
 #pragma once
 
 #include <concepts>
@@ -12,7 +12,7 @@ struct hook_names {
   int on_load, on_save, on_start, on_stop, on_fault;
 };
 
-// A name that the component has too is ambiguous here, be it private, overloaded or a template.
+// A name that the component also has is ambiguous here, even if it is private, overloaded or a template.
 template <class Component>
 struct hook_probe : Component, hook_names {};
 
@@ -46,7 +46,7 @@ template <class Component> concept OnFault = requires(Component& c) {
   { c.on_fault() } -> std::same_as<void>;
 };
 
-// As most have it: one question instead of ten.
+// Most components have no hook: one check instead of ten keeps compiling fast.
 template <class Component> concept NamesNone = CanBeProbed<Component> && requires {
   &hook_probe<Component>::on_load, &hook_probe<Component>::on_save, &hook_probe<Component>::on_start,
       &hook_probe<Component>::on_stop, &hook_probe<Component>::on_fault;

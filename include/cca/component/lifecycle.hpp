@@ -23,24 +23,23 @@ struct transition_info {
   state from, to;
 };
 
-// From outside: load, save, start, stop, run, resume. From inside: pause (the run is over) and fail (a
-// component says so).
+// The user calls load, save, start, stop, run and resume. The controller makes pause (the run is over) and
+// fail (a component returned a fault).
 inline constexpr std::array transitions{
     transition_info{transition::load, state::created, state::loaded},
-    transition_info{transition::load, state::loaded,
-                    state::loaded},  // again: other parameters before the start
+    transition_info{transition::load, state::loaded, state::loaded},  // again, with other parameters
     transition_info{transition::save, state::loaded, state::created},
     transition_info{transition::start, state::loaded, state::started},
     transition_info{transition::stop, state::started, state::loaded},
     transition_info{transition::stop, state::faulted, state::loaded},
     transition_info{transition::run, state::started, state::running},
     transition_info{transition::pause, state::running, state::started},
-    transition_info{transition::fail, state::started, state::faulted},  // in a single step
+    transition_info{transition::fail, state::started, state::faulted},  // in step()
     transition_info{transition::fail, state::running, state::faulted},
     transition_info{transition::resume, state::faulted, state::started},
 };
 
-// The table once more, as a set of states for each transition: `step()` asks it in each beat.
+// The same table as one set of states per transition, since `step()` checks it in every beat.
 inline constexpr auto legal_from = [] {
   std::array<unsigned, 8> sets{};
   for (const auto& t : transitions)
@@ -58,7 +57,7 @@ constexpr state after(transition what, state from) {
   return from;
 }
 
-// What to tell somebody who asked for an illegal transition.
+// What to do instead of an illegal transition.
 constexpr std::string_view remedy(transition what, state from) {
   if (from == state::faulted) return "a component has faulted: look at fault(), then resume() or stop()";
   switch (what) {
@@ -67,7 +66,7 @@ constexpr std::string_view remedy(transition what, state from) {
     case transition::save:
       return from == state::created ? "load() it first" : "stop() it first";
     case transition::start:
-      return from == state::created ? "load() it first" : "it has been started";
+      return from == state::created ? "load() it first" : "it has been started already";
     case transition::resume:
       return "nothing has faulted";
     default:

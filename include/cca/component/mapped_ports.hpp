@@ -1,4 +1,4 @@
-// The ports of `process` by what they carry: those that make a component a mapping from one space to another.
+// The ports of `process` that make a component a mapping from one space to another: its input and its output.
 #pragma once
 
 #include <tuple>
@@ -12,7 +12,7 @@ namespace cca::detail {
 template <class Type>
 constexpr bool is_status = std::is_same_v<typename Type::space::domain, status>;
 
-// The ports of `process` that make a mapping: those that must be wired, and the outputs that are no status.
+// Inputs that must be wired, and outputs that are not a status.
 template <class Port>
 constexpr bool is_mapped = false;
 template <fixed_string Name, class Space>
@@ -46,8 +46,8 @@ using mapped_outputs = mapped_in<typename process_facts<Component>::results>;
 
 // Spaces match when domain type (with its frame), ordered axes and rate agree.
 template <class SpaceA, class SpaceB>
-constexpr bool matching =
-    alike<SpaceA, SpaceB> && (hz_of<typename SpaceA::rate> == hz_of<typename SpaceB::rate> ||
-                              hz_of<typename SpaceA::rate> == 0 || hz_of<typename SpaceB::rate> == 0);
+constexpr bool matching = same_coordinates<SpaceA, SpaceB> &&
+                          (hz_of<typename SpaceA::rate> == hz_of<typename SpaceB::rate> ||
+                           hz_of<typename SpaceA::rate> == 0 || hz_of<typename SpaceB::rate> == 0);
 
 }  // namespace cca::detail

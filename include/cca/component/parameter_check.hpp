@@ -1,5 +1,5 @@
-// Whether the values of a parameters struct are allowed: each number finite and in its range, each choice one
-// of its names, and the struct's own `check()` content. Runs between beats, where it may allocate.
+// Checks the values of a parameters struct: each number is finite and in its range, each choice has a name,
+// and the struct's own `check()` agrees. Runs between beats, where it may allocate.
 #pragma once
 
 #include <charconv>
@@ -31,7 +31,7 @@ inline std::string with_unit(std::string text, const schema& type) {
   return type.unit.empty() ? text : text.append(" ").append(type.unit);
 }
 
-// "0.1 to 5", "at least 0 rad", or empty for any number.
+// "0.1 to 5", "at least 0 rad"; empty if every number is allowed.
 inline std::string range_text(const schema& type) {
   if (type.what == kind::integer) return std::to_string(type.lowest) + " to " + std::to_string(type.highest);
   const double all = type.single ? static_cast<double>(std::numeric_limits<float>::max()) : largest_double;
@@ -55,7 +55,7 @@ inline std::string names_text(const schema& type) {
   return text;
 }
 
-// What is wrong with a number, or empty. `shown` is how the user wrote it.
+// What is wrong with a number; empty if nothing is. `shown` is the number as the user wrote it.
 inline std::string number_complaint(const schema& type, double value, const std::string& shown) {
   if (value >= type.lower && value <= type.upper) return {};
   const std::string range = range_text(type);
@@ -69,7 +69,7 @@ inline std::string integer_complaint(const schema& type, std::int64_t value) {
   return std::to_string(value) + " is out of range, expected " + range_text(type);
 }
 
-// TOML is UTF-8: what isn't can't be written to a file.
+// A TOML file is UTF-8, so it can't hold any other text.
 constexpr bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i++]);
@@ -116,8 +116,8 @@ inline std::string element_path(const std::string& array, std::size_t i) {
   return array + "[" + std::to_string(i) + "]";
 }
 
-// A struct's own check() is asked only once its fields are sound, so that it needn't think of NaN. A
-// template, as `refuse` is, so that it costs only who has parameters checked.
+// Calls a struct's own check() only if all fields are allowed, so check() never sees NaN. A template, like
+// `refuse`, so it is compiled only where parameters are checked.
 template <class Complaints>
 void check(const schema& type, const void* value, const std::string& path, Complaints& found) {
   const std::size_t before = found.size();

@@ -1,12 +1,14 @@
-// Parameters: what a user may set of a component, from a file or between two beats.
+// Parameters: values of a component that a user may set, from a file or between two beats.
 //
 //   struct hopf {
-//     struct parameters { BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency),
-//     (cca::quantity<cca::angle>, offset)); }; parameters p{1.5, 0.0};
+//     struct parameters {
+//       BOOST_HANA_DEFINE_STRUCT(parameters, (double, frequency), (cca::quantity<cca::angle>, offset));
+//     };
+//     parameters p{1.5, 0.0};
 //
 // A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a
 // std::array or fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a
-// `check() const`, which returns a text: empty, or what is wrong. Errors: rule parameters.unsupported_type;
+// `check() const` that returns a text: empty, or what is wrong. Errors: rule parameters.unsupported_type;
 // `cca::refused` for values. Example: docs/parameters.md.
 #pragma once
 
@@ -30,7 +32,7 @@ template <class Component> concept HasParameters = requires(Component& component
 
 namespace detail {
 
-// The dotted name of the first field that no file can hold, and its type as spelled by the compiler; both
+// The dotted name of the first field that no file can hold, and its type as the compiler spells it. Both are
 // empty if there is none.
 struct unsupported {
   char path[128]{};
@@ -59,7 +61,7 @@ constexpr bool find_unsupported(const schema& type, std::size_t size, unsupporte
 template <class Parameters>
 inline constexpr unsupported first_unsupported = [] {
   unsupported found;
-  // Not a table at all: there is no BOOST_HANA_DEFINE_STRUCT in it.
+  // Not a table: BOOST_HANA_DEFINE_STRUCT is missing.
   if (schema_of<Parameters>.what != kind::table) {
     found.path[0] = 'p';
     found.size = 1;
@@ -86,7 +88,7 @@ constexpr std::string_view unsupported_type() {
   return first_unsupported<Parameters>.type;
 }
 
-// A `parameters` struct without the member `p` would be ignored in silence.
+// Without the member `p`, a `parameters` struct would be ignored without a message.
 template <class Component> concept ForgotParameters =
     requires { typename Component::parameters; } && !HasParameters<Component>;
 
@@ -112,8 +114,7 @@ void refuse(const Complaints& found) {
 
 }  // namespace detail
 
-// Throws `cca::refused` with all that is wrong, a line each: `cpg.frequency: 9 is out of range, expected 0.1
-// to 5`.
+// Throws `cca::refused` with one line per problem: `cpg.frequency: 9 is out of range, expected 0.1 to 5`.
 template <class Parameters>
 void check_parameters(const Parameters& values, std::string_view path = {}) {
   std::vector<detail::complaint> found;
@@ -123,7 +124,7 @@ void check_parameters(const Parameters& values, std::string_view path = {}) {
 
 namespace detail {
 
-// Whole and checked before: if they are refused, the component keeps its old ones.
+// Checks all values first: if one is refused, the component keeps its old parameters.
 template <HasParameters Component>
 void apply_parameters(Component& component,
                       const typename Component::parameters& values,

@@ -12,7 +12,7 @@
 
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/sample.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 
 namespace cca {
 
@@ -53,11 +53,16 @@ public:
 
   constexpr bool fresh() const { return arrived; }
 
-  // For the loop that fills it.
-  constexpr void set(int i, double coordinate) { this->value[i] = coordinate; }
-  constexpr void set(std::int64_t origin, bool is_fresh) {
-    this->time = origin;
+  // For the beat: the input shows a sample where it is stored, and nothing is copied.
+  constexpr void show(const typename in::vector_type& stored, std::int64_t origin, bool is_fresh) {
+    in::sample::show(stored, origin);
     arrived = is_fresh;
+  }
+  // For the beat: the input shows its initial value.
+  constexpr void show_initial(const double* coordinates) {
+    for (int i = 0; i < in::space::size; ++i) this->own.coeffRef(i) = coordinates[i];
+    in::sample::show(this->own, never);
+    arrived = false;
   }
 
 private:
@@ -76,6 +81,18 @@ private:
   bool wired = false;
 };
 
+namespace detail {
+
+// The space's zero is a vector of zeros; of an orientation it is not.
+template <class Space>
+inline constexpr bool has_zeros = [] {
+  for (const double coordinate : zero_of<Space>)
+    if (coordinate != 0) return false;
+  return true;
+}();
+
+}  // namespace detail
+
 // An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates
 // at the oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
 template <fixed_string Name, class Space>
@@ -85,7 +102,10 @@ public:
   using space = detail::checked_space<Space>;
   using vector_type = typename space::vector_type;
 
-  constexpr out() : out(sample<space>{}) {}
+  constexpr out() {
+    if constexpr (detail::has_zeros<space>) coordinates.setZero();
+    else coordinates = sample<space>{}.vector();
+  }
   constexpr out(const sample<space>& value) : coordinates(value.vector()) {}
   template <class Vector>
   constexpr out(const Eigen::MatrixBase<Vector>& v) : coordinates(v) {}
@@ -115,6 +135,7 @@ public:
     return static_cast<out&&>(*this);
   }
 
+  constexpr vector_type& vector() { return coordinates; }
   constexpr const vector_type& vector() const { return coordinates; }
   constexpr std::int64_t origin() const { return time; }  // `never`: not set by the component
 
@@ -155,6 +176,13 @@ public:
     out<Name, Space>::with_origin(t);
     return static_cast<maybe&&>(*this);
   }
+
+  // So does filling it whole.
+  constexpr typename maybe::vector_type& vector() {
+    published = true;
+    return out<Name, Space>::vector();
+  }
+  constexpr const typename maybe::vector_type& vector() const { return out<Name, Space>::vector(); }
 
   explicit constexpr operator bool() const { return published; }
 

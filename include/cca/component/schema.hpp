@@ -1,5 +1,5 @@
-// What a `parameters` struct looks like, as data: ordinary functions then check, read and write any of them,
-// and are compiled once and not once a component.
+// Describes a `parameters` struct as data, so that ordinary functions can check, read and write any of them:
+// they are compiled once, not once per component.
 #pragma once
 
 #include <array>
@@ -41,16 +41,16 @@ struct schema {
   std::int64_t lowest = 0, highest = 0;
   const std::string_view* names = nullptr;
 
-  // number: in SI units; `single` if held as float
+  // number, in SI units; `single` if held as float
   double (*number)(const void*) = nullptr;
   void (*set_number)(void*, double) = nullptr;
   double lower = 0, upper = 0;
-  bool stated_range = false;  // by `bounded` or `quantity`, not only by what the type holds
+  bool stated_range = false;  // by `bounded` or `quantity`; else the range is that of the type
   bool single = false;
   std::string_view unit{};           // the SI unit, empty for a plain number
-  const cca::unit* units = nullptr;  // in which it may be written, as in units_of
+  const cca::unit* units = nullptr;  // the units a file may use, as in units_of
 
-  // text, of at most `count` bytes
+  // text of at most `count` bytes
   std::string_view (*characters)(const void*) = nullptr;
   bool (*set_characters)(void*, std::string_view) = nullptr;
 
@@ -70,7 +70,7 @@ inline constexpr schema schema_of = make_schema<Type>();
 
 template <class Type, class... Others> concept OneOf = (std::same_as<Type, Others> || ...);
 
-// `char` and its relatives are characters, `bool` isn't a number.
+// Without the character types and `bool`, which are not numbers.
 template <class Type> concept PlainInteger =
     std::integral<Type> && !OneOf<Type, bool, char, wchar_t, char8_t, char16_t, char32_t>;
 
@@ -100,7 +100,7 @@ struct array_traits<std::array<Type, Count>> {
   }
 };
 
-// One row of a matrix that lies in memory column by column, or row by row.
+// One row of a matrix; Stride is the distance of its elements in memory.
 template <class Scalar, int Columns, int Stride>
 struct matrix_row {};
 template <class Scalar, int Columns, int Stride>
@@ -128,7 +128,8 @@ template <class Type>
 constexpr schema integer_schema(std::int64_t lowest, std::int64_t highest) {
   return {
       .what = kind::integer,
-      // A file holds 64 bits with a sign: more than that shows as the largest, which `highest` then refuses.
+      // TOML integers have 64 bits with a sign. A larger value becomes the largest one, which `highest`
+      // refuses.
       .integer =
           [](const void* at) {
             const auto value = *static_cast<const Type*>(at);

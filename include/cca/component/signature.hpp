@@ -1,5 +1,5 @@
-// The interface of a component, read from the address of its `process` (a resource node: `sense` and `act`).
-// A function has inputs and outputs; `ports_of_function` is that as a value, `function_types` as types.
+// The interface of a component, read from the type of its `process` (of a resource node: `sense` and `act`).
+// `ports_of_function<F>` has the inputs and outputs of a function F; its `value` is the same as data.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@ struct list {};
 
 struct port_info {
   std::string_view name{};
-  ref<space_info> space = nullptr;  // none: an observer, which listens to any space
+  ref<space_info> space = nullptr;  // none for an observer, which reads any space
   bool optional = false;
   bool maybe = false;
   int observed_delay = 0;
 };
 
-// Parameters of the function.
+// What a parameter of the function is.
 enum class parameter_kind : std::uint8_t { input, beat, bad };
 
 template <class Type>
@@ -67,7 +67,7 @@ using bare_parameter =
                        Type,
                        std::remove_cvref_t<Type>>;
 
-// Results of the function.
+// What a result of the function is.
 enum class result_kind : std::uint8_t { output, fault, bad };
 
 template <class Type>
@@ -104,7 +104,7 @@ struct results_of<std::tuple<Results...>> {
   using type = list<Results...>;
 };
 
-// A member function taken apart.
+// The parameter and result types of a member function.
 template <class Function>
 struct function_facts;
 template <class Result, class... Parameters>
@@ -134,13 +134,13 @@ struct function_facts<R (*)(P...)> : function_facts<R(P...)> {};
 template <class R, class... P>
 struct function_facts<R (*)(P...) noexcept> : function_facts<R(P...)> {};
 
-// One function of a component as a value.
+// One function of a component, as data.
 struct function_info {
   const port_info* inputs = nullptr;
   const port_info* outputs = nullptr;
   int input_count = 0, output_count = 0;
   bool may_fault = false;
-  std::string_view bad_parameter{}, bad_result{};  // names of types; empty: none
+  std::string_view bad_parameter{}, bad_result{};  // names of types; empty if there is none
 };
 
 template <class Parameters, class Results>
@@ -169,7 +169,8 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     return found;
   }();
 
-  // Position among the inputs of each parameter, among the outputs of each result; -1 for a beat or a fault.
+  // For each parameter its position among the inputs, for each result its position among the outputs; -1 for
+  // a beat or a fault.
   static constexpr auto input_of_parameter = [] {
     std::array<int, sizeof...(Parameters) + 1> position{};
     int n = 0;

@@ -1,5 +1,5 @@
-// All that is wrong with a file, told at once: `trot.toml:12: cpg.frequency: expected a number, got a string
-// "fast"`.
+// Collects all problems of a file and reports them at once: `trot.toml:12: cpg.frequency: expected a number,
+// got a string "fast"`.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@ class problems {
 public:
   explicit problems(std::string_view file) : name(file) {}
 
-  // `where` may be null: then it's a thing that the file doesn't mention.
+  // `where` is null if the file does not mention the value.
   void add(const toml::source_region* where, std::string_view path, std::string what) {
     problem next{where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path),
                  std::move(what)};
-    // In the order of the file, whatever the order of reading.
+    // Sorted by the position in the file.
     const auto before = [](const problem& a, const problem& b) {
       return std::pair(a.line, a.column) < std::pair(b.line, b.column);
     };
@@ -36,7 +36,7 @@ public:
   std::size_t count() const { return found.size(); }
   const std::string& file() const { return name; }
 
-  // Throws what was found.
+  // Throws if there are problems.
   void refuse() const {
     if (found.empty()) return;
     constexpr std::size_t shown = 20;

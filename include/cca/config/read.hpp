@@ -1,5 +1,4 @@
-// A TOML node into a value of a parameters struct. What doesn't fit is reported, and the value left as it
-// was.
+// Reads a TOML node into a field of a parameters struct. A value that doesn't fit is reported and not set.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +23,7 @@ inline std::string shortened(std::string_view text) {
   return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
 }
 
-// "a string "fast"", "the integer 3"
+// `a string "fast"`, `the integer 3`
 inline std::string got(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
@@ -107,7 +106,7 @@ inline std::string read_number(const schema& type,
     return mismatch(type, value, node, key);
   }
   if (type.single && std::isfinite(number)) {
-    // The shortest text of the largest float lies above it, by less than half of its last bit.
+    // The shortest text of the largest float is above it by less than half of its last bit.
     constexpr double largest = std::numeric_limits<float>::max();
     if (std::abs(number) > largest && std::abs(number) < largest * (1 + 0x1p-25))
       number = std::copysign(largest, number);
@@ -164,7 +163,7 @@ inline std::string read_text(const schema& type, void* value, const toml::node& 
 inline void read_table(
     const schema& type, void* value, const toml::table* table, const std::string& path, problems& found);
 
-// `key` is the field's name, or empty for an element of an array.
+// `key` is the field's name; empty for an element of an array.
 inline void read(const schema& type,
                  void* value,
                  const toml::node& node,
@@ -210,7 +209,7 @@ inline void read(const schema& type,
   if (!complaint.empty()) found.add(node, path, std::move(complaint));
 }
 
-// `kind of name`: "unknown parameter, did you mean `frequency`?", or else a list of what there is.
+// "unknown parameter, did you mean `frequency`?", or a list of the names that exist.
 inline std::string unknown(std::string_view what,
                            std::string_view wrong,
                            const std::vector<std::string_view>& names) {
@@ -225,7 +224,8 @@ inline std::string unknown(std::string_view what,
   return names.size() > listed ? text + " and others" : text;
 }
 
-// Without a table: what the file doesn't mention is checked all the same, and so is the struct as a whole.
+// `table` may be null: fields that the file does not mention are checked too, and so is the struct as a
+// whole.
 inline void read_table(
     const schema& type, void* value, const toml::table* table, const std::string& path, problems& found) {
   const std::size_t before = found.count();

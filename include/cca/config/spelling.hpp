@@ -1,4 +1,4 @@
-// Values and keys as they are spelled in TOML: in files that are saved, and in the examples of messages.
+// Values and keys as TOML spells them: for files that are saved and for the examples in messages.
 #pragma once
 
 #include <charconv>
@@ -29,7 +29,7 @@ inline std::string toml_key(std::string_view name) {
   return !name.empty() && name.find_first_not_of(bare) == name.npos ? std::string(name) : toml_string(name);
 }
 
-// "dmp.left leg" -> `dmp."left leg"`
+// `dmp.left leg` becomes `dmp."left leg"`.
 inline std::string toml_path(std::string_view path) {
   std::string out;
   for (std::size_t start = 0; start <= path.size();) {
@@ -40,13 +40,14 @@ inline std::string toml_path(std::string_view path) {
   return out;
 }
 
-// The shortest digits that read back as the same bits.
+// The shortest text that reads back as the same bits.
 inline std::string exact_text(const schema& type, double value) {
   std::string text = number_text(type, value);
   if (type.single) {
     double again = 0;
     std::from_chars(text.data(), text.data() + text.size(), again);
-    // The digits that identify a float go through a double here, which may round twice.
+    // The digits identify a float, but are read as a double and then rounded again, which may give another
+    // float.
     if (static_cast<float>(again) != static_cast<float>(value)) text = number_text(value);
   }
   return text;
@@ -55,11 +56,11 @@ inline std::string exact_text(const schema& type, double value) {
 inline std::string toml_number(const schema& type, double value) {
   std::string text = exact_text(type, value);
   if (!type.unit.empty()) return toml_string(with_unit(std::move(text), type));
-  // `2` would be an integer, and `-0` would lose its sign.
+  // TOML reads `2` as an integer, and `-0` would lose its sign.
   return text.find_first_not_of("-0123456789") == text.npos ? text + ".0" : text;
 }
 
-// As one line; a table as an inline table.
+// On one line; a table becomes an inline table.
 inline std::string toml_value(const schema& type, const void* value) {
   std::string out;
   switch (type.what) {

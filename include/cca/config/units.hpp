@@ -1,4 +1,4 @@
-// A number with its unit in a text, "30 deg", in the SI unit of its field.
+// Reads a number with its unit from a text, "30 deg", and converts it to the SI unit of its field.
 #pragma once
 
 #include <charconv>
@@ -30,8 +30,8 @@ inline measured measure(std::string_view text, const unit* units) {
     return from == part.npos ? std::string_view{}
                              : part.substr(from, part.find_last_not_of(" \t") - from + 1);
   };
-  // Appended, not added: g++ 12 at -O3 warns of an overlap in `"..." + std::string`, which there isn't (its
-  // bug 105651).
+  // With append: g++ 12 at -O3 warns of an overlap in `"..." + std::string` that isn't there (GCC bug
+  // 105651).
   const std::string quoted = std::string("\"").append(text).append("\"");
   std::string_view rest = trimmed(text);
   if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);

@@ -1,4 +1,4 @@
-// A parameters struct as TOML text, a table for each struct, with ranges and choices as comments.
+// Writes a parameters struct as TOML text: one table per struct, with ranges and choices as comments.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ inline std::string comment(const schema& type) {
   return range.empty() ? range : "  # " + range;
 }
 
-// An array that is long and of arrays or tables has one of them on each line.
+// A long array of arrays or tables gets one line per element.
 inline std::string toml_lines(const schema& type, const void* value) {
   constexpr std::size_t longest = 100;
   std::string line = toml_value(type, value);
@@ -28,7 +28,8 @@ inline std::string toml_lines(const schema& type, const void* value) {
   return lines.append("]");
 }
 
-// `path` is spelled as TOML. A table's own values come before its tables, which would swallow them.
+// `path` is spelled as TOML. A table's values come before its inner tables: behind them they would belong to
+// those.
 inline void write_table(const schema& type, const void* value, const std::string& path, std::string& out) {
   if (type.count) out.append(out.empty() ? "[" : "\n[").append(path).append("]\n");
   for (std::size_t i = 0; i < type.count; ++i) {

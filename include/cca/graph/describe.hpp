@@ -11,7 +11,7 @@
 #include <string>
 
 #include <cca/graph/plan/paths.hpp>
-#include <cca/graph/types.hpp>
+#include <cca/graph/layout/types.hpp>
 
 namespace cca {
 namespace detail {

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include <cca/graph/diagnosis/as_written.hpp>
-#include <cca/graph/types.hpp>
+#include <cca/graph/layout/types.hpp>
 
 namespace cca {
 

@@ -3,15 +3,21 @@
 //
 //   using ik = cca::extreme_learning_machine<cca::elm_function<paw, leg_angles, 100>>;
 //   cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, ik>>
-//   in  "input"      From
-//   in  "teacher"    To, optional: what the output should have been for this input; an example each time it's
-//   fresh in  "learn"      learning_request, optional out "output"     To out "module"     module_status_port
 //
-// adaptive_transformation<Space, Rule> learns what is to be added: untaught, its output is its input.
-// `learning`, a cca::training, is for programs between two beats; parameters: the learner's settings, and
-// files (load, save). Both are a cca::Mapping, in chains, too. Preconditions: spaces of one number an axis.
-// Errors: learner.model; `cca::refused` of files. Cost: one answer; with a teacher one step of the learner
-// more. Example: tests/runtime/adaptive/mapping.cpp.
+//   in  "input"      From
+//   in  "teacher"    To                   optional: the right output for this input; each fresh sample is an
+//                                         example
+//   in  "learn"      learning_request     optional: a request of another component
+//   out "output"     To
+//   out "module"     module_status_port
+//
+// adaptive_transformation<Space, Rule> learns a correction that is added to the input: untrained, it passes
+// the input on. Programs learn between two beats through `learning`, a cca::training. Parameters: settings
+// (of the learner), files (load, save). Both are a cca::Mapping and may stand in chains.
+// Preconditions: spaces with one number per axis.
+// Errors: learner.model; `cca::refused` for files. Cost: one answer; with a teacher also one step of the
+// learner.
+// Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
 #include <string>
@@ -27,24 +33,23 @@ namespace cca {
 namespace detail {
 
 template <class Model, class From, class To>
-constexpr bool leads_between = matching<typename Model::from, From> && matching<typename Model::to, To>;
+constexpr bool maps_between = matching<typename Model::from, From> && matching<typename Model::to, To>;
 
-// The compilers name its arguments.
-template <class Model, class From, class To, bool LeadsBetween = leads_between<Model, From, To>>
+// A function, because compilers print its template arguments.
+template <class Model, class From, class To, bool Fits = maps_between<Model, From, To>>
 constexpr bool check_model_of_mapping() {
-  static_assert(LeadsBetween,
+  static_assert(Fits,
                 "learner.model: the learner of this adaptive mapping adapts a model between other spaces "
-                "than those of the mapping (the "
-                "compiler names the model, the space that the mapping takes and the one that it gives); bind "
-                "the learner to a model between these");
-  return LeadsBetween;
+                "than those of the mapping (the compiler prints the model, the input space and the output "
+                "space of the mapping); bind the learner to a model between these spaces");
+  return Fits;
 }
 
-// `Correction`: what is learned is added to the input.
+// `Correction`: the learned function is added to the input.
 template <class From, class To, class Rule, int Capacity, bool Correction>
 struct learned_mapping {
   static constexpr bool bound = check_model_of_mapping<typename Rule::model, From, To>();
-  using checked = std::bool_constant<bound>;  // where the class is named, not first where it runs
+  using checked = std::bool_constant<bound>;  // checked where the class is named, not only where it runs
   using learner_settings = typename Rule::settings;
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (learner_settings, settings), (learned_files, files));

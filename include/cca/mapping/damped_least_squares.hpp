@@ -1,17 +1,17 @@
-// Inverse kinematics of any serial chain: damped least squares within the joints' limits.
+// Inverse kinematics of any serial chain: damped least squares within the joint limits.
 //
-// It seeks the angles at which the distance to the wanted position (orientation, pose) is least. A step
-// solves (J J^T + m I) y = e, dq = J^T y, on the joints that no limit holds back; it's taken if it leads
-// nearer, and the damping m follows how well the step was foretold (Nielsen 1999). It starts from the angles
-// given, and where that doesn't reach, once more from other ones: a chain stretched towards its target has no
-// direction to start in, and there are local minima. So out of reach it gives the nearest point that these
-// starts lead to; of a chain with limits that need not be the nearest of all. Never more than `starts` times
-// `iterations` steps.
+// It searches the angles with the least distance to the wanted position (orientation, pose). A step solves (J
+// J^T + m I) y = e, dq = J^T y, over the joints that no limit blocks. It is taken if it reduces the distance;
+// the damping m follows the ratio of actual to predicted gain (Nielsen 1999). The search begins at the given
+// angles. If that does not reach the target, it begins again from other angles, up to `starts` times: a chain
+// stretched towards its target has no direction to start in, and there are local minima. Out of reach the
+// result is the nearest point that these starts find; with joint limits there may be a nearer one.
+// Cost: at most `starts` times `iterations` steps.
 //
 // Sources: Wampler, Manipulator inverse kinematic solutions based on vector formulations and damped
 // least-squares methods, IEEE Trans. SMC 16(1), 1986; Nielsen, Damping parameter in Marquardt's method,
-// report IMM-REP-1999-05, Technical University of Denmark. Checked: what can be reached is, and the nearest
-// point where it is known (tests/runtime/mapping/kinematics.cpp).
+// report IMM-REP-1999-05, Technical University of Denmark. Checked: reachable targets are reached, and the
+// nearest point where it is known (tests/runtime/mapping/kinematics.cpp).
 #pragma once
 
 #include <algorithm>
@@ -19,25 +19,24 @@
 #include <cmath>
 #include <limits>
 
-#include <cca/base/inlining.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/mapping/reaching.hpp>
 #include <cca/space/limits.hpp>
 
 namespace cca {
 
-// What may be set of it, at compile time: derive from this and give another number.
+// The settings, at compile time: derive from this struct and hide a number with another one.
 struct damped_least_squares {
-  static constexpr int iterations = 100;  // of a start
+  static constexpr int iterations = 100;  // per start
   static constexpr int starts = 4;
-  static constexpr double tolerance = 1e-9;  // m, to have reached; of orientations: this many m of the lever
-  static constexpr double lever = 0.1;       // m: an error of 1 rad counts as so many m
+  static constexpr double tolerance = 1e-9;  // m: a smaller distance counts as reached
+  static constexpr double lever = 0.1;       // m: an error of 1 rad counts as this distance
 };
 
 namespace detail {
 
-// x of A x = b, A positive definite, by Cholesky's decomposition. (Eigen's own isn't part of what the core
-// includes.)
+// Solves A x = b for a positive definite A by Cholesky's decomposition. (The core does not include Eigen's
+// own.)
 template <int Size>
 Eigen::Matrix<double, Size, 1> solve_positive(Eigen::Matrix<double, Size, Size> a,
                                               Eigen::Matrix<double, Size, 1> b) {
@@ -60,11 +59,11 @@ Eigen::Matrix<double, Size, 1> solve_positive(Eigen::Matrix<double, Size, Size> 
   return b;
 }
 
-// What is wanted of the tip, as rows: which of the Jacobian's, and the error along them.
+// The task of the tip: the rows of the Jacobian that count, and the error along them.
 template <class Space, class Settings>
 struct tip_task {
-  static constexpr bool of_position = one_kind<typename Space::domain, cartesian_position<void>>;
-  static constexpr bool of_pose = one_kind<typename Space::domain, pose<void>>;
+  static constexpr bool of_position = same_kind<typename Space::domain, cartesian_position<void>>;
+  static constexpr bool of_pose = same_kind<typename Space::domain, pose<void>>;
   static constexpr int rows = of_position ? Space::size : of_pose ? 6 : 3;
   using vector = Eigen::Matrix<double, rows, 1>;
 
@@ -95,17 +94,17 @@ struct tip_task {
   }
 };
 
-// A finite target, and not farther than a million times what the chain spans: the direction is all that
-// counts there.
+// False if the target is not finite. Moves a target beyond a million spans of the chain to that distance:
+// only its direction counts there. Normalises quaternions.
 template <class Space>
-CCA_GLUE bool readable(typename Space::vector_type& wanted, double span) {
+inline bool readable(typename Space::vector_type& wanted, double span) {
   double largest = 0;
   for (int i = 0; i < Space::size; ++i) {
     if (!std::isfinite(wanted[i])) return false;
     if (i < 3) largest = std::max(largest, std::abs(wanted[i]));
   }
-  constexpr bool turned = !one_kind<typename Space::domain, cartesian_position<void>>;
-  constexpr bool placed = !one_kind<typename Space::domain, orientation<void>>;
+  constexpr bool turned = !same_kind<typename Space::domain, cartesian_position<void>>;
+  constexpr bool placed = !same_kind<typename Space::domain, orientation<void>>;
   if constexpr (placed) {
     const double farthest = 1e6 * span;
     constexpr int part = turned ? 3 : Space::size;
@@ -118,7 +117,7 @@ CCA_GLUE bool readable(typename Space::vector_type& wanted, double span) {
   return true;
 }
 
-// The limits of a chain's coordinates: angles or, of prismatic joints, lengths.
+// The limits of the coordinates of a chain: angles; of prismatic joints lengths.
 template <class Chain, class Joints>
 struct chain_limits {
   static constexpr int size = Chain::axes::count;
@@ -147,14 +146,14 @@ struct chain_limits {
     for (int i = 0; i < size; ++i) q[i] = clamped(i, q[i]);
     return q;
   }
-  // A part of the way from the lower to the upper limit; where there is none, of three rad to both sides.
+  // The point at the fraction `part` between the limits; without limits between -3 and 3 rad.
   static double between(int i, double part) {
     const double low = std::isfinite(lower(i)) ? lower(i) : std::isfinite(upper(i)) ? upper(i) - 3 : -3;
     const double high = std::isfinite(upper(i)) ? upper(i) : low + 6;
     return low + part * (high - low);
   }
 
-  // m: the chain stretched out, its sliding joints as far as their limits let them.
+  // m: the length of the stretched chain, with its prismatic joints at their limits.
   static constexpr double span = [] {
     double sum = 0;
     const auto add = [&](const std::array<double, 3>& v) {
@@ -184,7 +183,7 @@ public:
     reaching status;
   };
 
-  // `wanted` has been found readable, `near` lies within the limits.
+  // Preconditions: `wanted` passed readable(), `near` lies within the limits.
   static answer solve(const wanted_type& wanted, const vector& near) {
     answer best = descend(wanted, near);
     for (int start = 1; start < Settings::starts && best.status != reaching::reached; ++start) {
@@ -196,7 +195,8 @@ public:
   }
 
 private:
-  // The middle, then points that spread over the range (the golden ratio's multiples, others for each joint).
+  // First the middle of the range, then points spread over it: multiples of the golden ratio, which differ
+  // per joint.
   static vector other_start(int start) {
     vector q;
     for (int i = 0; i < limits::size; ++i) {
@@ -221,8 +221,7 @@ private:
           j.col(k).setZero();
           gradient[k] = 0;
         }
-      // At a tenth of a millionth of the span from the nearest point the distance is exact to the digits of a
-      // double.
+      // Within 1e-7 of the span of the nearest point the distance is exact to rounding.
       if (gradient.dot(gradient) <= 1e-12 * span * span * cost)
         return {q, std::sqrt(cost), reaching::nearest};
 
@@ -232,15 +231,15 @@ private:
       const vector next = limits::clamped(q + step);
       const chain_pose<Chain> there(next);
       const auto error = task::error(wanted, there.tip());
-      const double foretold = step.dot(damping * step + gradient), cost_there = error.dot(error);
+      const double predicted = step.dot(damping * step + gradient), cost_there = error.dot(error);
       if (cost_there < cost) {
         const double gain =
-            2 * (cost - cost_there) / std::max(foretold, std::numeric_limits<double>::min()) - 1;
+            2 * (cost - cost_there) / std::max(predicted, std::numeric_limits<double>::min()) - 1;
         damping = std::max(1e-12 * span * span, damping * std::clamp(1 - gain * gain * gain, 1.0 / 3, 2.0));
         growth = 2;
         q = next, now = there, e = error, cost = cost_there;
       } else {
-        // Nothing nearer within the digits of a double: this is the nearest.
+        // The step is below rounding: this is the nearest point.
         if (step.dot(step) < 1e-20) return {q, std::sqrt(cost), reaching::nearest};
         damping *= growth;
         growth *= 2;

@@ -1,10 +1,13 @@
-// Forward kinematics as a component: where the tip of a chain is.
+// Forward kinematics as a component: the position of the tip of a chain.
 //
-//   cca::node<"paw", cca::forward_kinematics<leg, leg_angles, paw_in_trunk>>      in "angles", out "position"
+//   cca::node<"paw", cca::forward_kinematics<leg, leg_angles, paw_in_trunk>>
 //
-// The output's space is one of positions (over any of the axes x, y, z), of orientations (out "orientation")
-// or of poses (out "pose"), in the frame of the chain's base. The input's axes hold those of the chain, in
-// any order, and may hold others. Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example:
+//   in  "angles"       Joints  rad (prismatic joints: m); the axes of the chain in any order, maybe others
+//   out "position"     Tip     in the frame of the chain's base, m, over any of the axes x, y, z
+//    or "orientation"          if Tip is a space of orientations
+//    or "pose"                 if Tip is a space of poses
+//
+// Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example:
 // tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
@@ -17,30 +20,30 @@ namespace detail {
 
 template <class Space>
 constexpr auto tip_port() {
-  if constexpr (one_kind<typename Space::domain, pose<void>>) return fixed_string("pose");
-  else if constexpr (one_kind<typename Space::domain, orientation<void>>) return fixed_string("orientation");
+  if constexpr (same_kind<typename Space::domain, pose<void>>) return fixed_string("pose");
+  else if constexpr (same_kind<typename Space::domain, orientation<void>>) return fixed_string("orientation");
   else return fixed_string("position");
 }
 
 template <class Space>
-constexpr bool says_where_tip_is =
-    one_kind<typename Space::domain, cartesian_position<void>> ||
-    one_kind<typename Space::domain, orientation<void>> || one_kind<typename Space::domain, pose<void>>;
+constexpr bool is_tip_space =
+    same_kind<typename Space::domain, cartesian_position<void>> ||
+    same_kind<typename Space::domain, orientation<void>> || same_kind<typename Space::domain, pose<void>>;
 
 template <class Space>
 constexpr bool has_cartesian_axes() {
-  return !one_kind<typename Space::domain, cartesian_position<void>> ||
+  return !same_kind<typename Space::domain, cartesian_position<void>> ||
          cartesian_part<typename Space::axes>::named;
 }
 
 template <class Space>
 typename Space::vector_type tip_in(const rigid& tip) {
-  if constexpr (one_kind<typename Space::domain, pose<void>>) {
+  if constexpr (same_kind<typename Space::domain, pose<void>>) {
     typename Space::vector_type v;
     v.template head<3>() = tip.at;
     v.template tail<4>() = quaternion_of(tip.turn);
     return v;
-  } else if constexpr (one_kind<typename Space::domain, orientation<void>>) {
+  } else if constexpr (same_kind<typename Space::domain, orientation<void>>) {
     return quaternion_of(tip.turn);
   } else {
     typename Space::vector_type v;
@@ -59,22 +62,22 @@ struct tip_frame_of<Space> {
   using type = typename frame_along<typename Space::domain>::type;
 };
 
-// In a function, for the reason that stands in mapping.hpp.
+// In functions; mapping.hpp says why.
 template <class Chain, class Tip>
 constexpr auto check_tip() {
-  static_assert(says_where_tip_is<Tip> && has_cartesian_axes<Tip>(),
-                "space.mismatch: kinematics lead to a space of positions over axes x, y and z, of "
-                "orientations or of poses");
-  static_assert(!says_where_tip_is<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
-                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, and "
-                "this space is in another "
-                "one; put a `cca::frame_change` in between");
+  static_assert(is_tip_space<Tip> && has_cartesian_axes<Tip>(),
+                "space.mismatch: the tip of a chain is given in a space of positions over axes x, y and z, "
+                "of orientations or of poses");
+  static_assert(!is_tip_space<Tip> || SameFrame<typename Chain::base, typename tip_frame_of<Tip>::type>,
+                "frame.mismatch: kinematics say where a chain's tip is in the frame of the chain's base, but "
+                "this space has another frame; put a `cca::frame_change` in between");
 }
 template <class Chain, class Joints>
 constexpr auto check_joints_within() {
-  static_assert(MovedWithin<Chain, Joints>,
-                "space.mismatch: this space of joint angles lacks an axis that the chain moves about; its "
-                "axes must hold all of the chain's");
+  static_assert(
+      MovedWithin<Chain, Joints>,
+      "space.mismatch: this space of joint angles lacks an axis of the chain; it must have all axes "
+      "of the chain");
 }
 
 }  // namespace detail
@@ -86,7 +89,7 @@ struct forward_kinematics {
 
   auto process(in<"angles", Joints> angles) -> out<detail::tip_port<Tip>(), Tip> {
     return detail::tip_in<Tip>(
-        chain_pose<Chain>(detail::picked<typename Chain::axes, Joints>::from(angles.vector())).tip());
+        chain_pose<Chain>(detail::reordered<typename Chain::axes, Joints>::from(angles.vector())).tip());
   }
 };
 

@@ -1,16 +1,19 @@
-// Inverse kinematics as a component: the joint angles that bring the tip of a chain to where it should be.
+// Inverse kinematics as a component: the joint angles that bring the tip of a chain to a target.
 //
 //   cca::node<"ik", cca::inverse_kinematics<leg, leg_angles, paw_in_trunk>>
 //
-//   in "position" ("orientation", "pose": as the space is), in the frame of the chain's base; optional "near"
-//   (rad): where to start out "angles" (rad; prismatic joints: m), within the limits that the axes state;
-//   "status": a cca::reaching
+//   in  "position"     Tip              the target, in the frame of the chain's base, m; its name is
+//                                       "orientation" or "pose" if Tip is such a space
+//   in  "near"         Joints           rad, optional: where the search begins; else at the last answer
+//   out "angles"       Joints           rad (prismatic joints: m), within the limits of the axes
+//   out "status"       reaching_status  a cca::reaching
 //
-// What can't be reached is answered with the angles of the nearest point and `nearest`; what is no number
-// with the last angles and `unreadable`. So the angles are finite, always. Without "near" it starts from its
-// last answer. A leg that is a cca::pantograph_leg is solved in closed form, every other chain by damped
-// least squares; the fourth argument is their settings. Errors: frame.mismatch, space.mismatch. Example:
-// tests/runtime/mapping/kinematics.cpp.
+// The angles are always finite. A target out of reach gives the angles of the nearest point and `nearest`. A
+// target that is not finite gives the last angles and `unreadable`. A cca::pantograph_leg is solved in closed
+// form, every other chain by damped least squares; the fourth argument holds their settings.
+//
+// Errors: frame.mismatch, space.mismatch. Cost: that of the solver.
+// Example: tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
 #include <tuple>
@@ -25,9 +28,10 @@ struct solver_of {
   using type = least_squares_solver<Chain, Joints, Tip, Settings>;
 };
 
-// The plane's two coordinates for two joints, if it is that of the base's x and z; all three for three.
+// The closed form fits positions only: with two joints over x and z, if the plane of the leg is that of the
+// base's x and z; with three joints over x, y and z.
 template <PantographLeg Leg, class Joints, class Tip, class Settings>
-  requires(one_kind<typename Tip::domain, cartesian_position<void>> &&
+  requires(same_kind<typename Tip::domain, cartesian_position<void>> &&
            ((Leg::axes::count == 2 && std::is_same_v<typename Tip::axes, axes<x, z>> &&
              Leg::geometry.hip.rotation[0] == 0 && Leg::geometry.hip.rotation[2] == 0) ||
             (Leg::axes::count == 3 && std::is_same_v<typename Tip::axes, axes<x, y, z>>)))
@@ -38,8 +42,8 @@ struct solver_of<Leg, Joints, Tip, Settings> {
 template <class Chain, class Joints>
 constexpr auto check_joints() {
   static_assert(MovedBy<Chain, Joints>,
-                "space.mismatch: the angles of an inverse kinematics are over the axes that the chain moves "
-                "about, all of them and no others");
+                "space.mismatch: the angles of an inverse kinematics have exactly the axes of the chain, all "
+                "of them and no others");
 }
 
 }  // namespace detail
@@ -48,7 +52,7 @@ template <SerialChain Chain, class Joints, class Tip, class Settings = damped_le
 class inverse_kinematics {
   using solver = typename detail::solver_of<Chain, Joints, Tip, Settings>::type;
   using limits = detail::chain_limits<Chain, Joints>;
-  using order = detail::picked<typename Chain::axes, Joints>;
+  using order = detail::reordered<typename Chain::axes, Joints>;
   using vector = typename solver::vector;
 
 public:

@@ -1,14 +1,14 @@
-// Where the links of a chain or a tree of joints are, and how they move: the functions behind the components.
+// Position and motion of the links of a chain or a tree of joints: the functions behind the components.
 //
 //   const cca::chain_pose<arm> now(angles);      angles: Eigen vector over arm::axes, rad (prismatic: m)
-//   now.tip()        position and orientation of the tip in the chain's base
-//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the tip's origin,
-//   along the base's axes
+//   now.tip()        position and orientation of the tip in the base of the chain
+//   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the origin of the tip,
+//                    along the axes of the base
 //
-// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most a product of two 3 x 3 matrices
-// a joint. Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and Control, 2009,
-// chapters 2 and 3 (geometric Jacobian). Checked against Orocos KDL on random trees, and against differences
-// of positions.
+// Everything has fixed size; nothing allocates. Cost: per joint a sine, a cosine and at most one product of
+// two 3 x 3 matrices. Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and
+// Control, 2009, chapters 2 and 3 (geometric Jacobian). Checked against Orocos KDL on random trees, and
+// against differences of positions.
 #pragma once
 
 #include <array>
@@ -16,19 +16,19 @@
 #include <cstddef>
 #include <utility>
 
-#include <cca/base/inlining.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
 namespace cca {
 
 using matrix3 = Eigen::Matrix<double, 3, 3>;
 
-// Where a frame stands in the base: its axes as columns, its origin in m.
+// A frame in the base: its axes as columns, its origin in m.
 struct rigid {
   matrix3 turn = matrix3::Identity();
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
-  CCA_GLUE rigid operator*(const placement& p) const {
+  // always_inline, here and below: a chain is constant, and only inlined does clang see that.
+  [[gnu::always_inline]] rigid operator*(const placement& p) const {
     return {turn * rotation::matrix(detail::as_vector(p.rotation)),
             turn * detail::as_vector(p.translation) + at};
   }
@@ -36,9 +36,9 @@ struct rigid {
 
 namespace detail {
 
-// A rotation by columns, turned further about an axis of its own. About x, y or z two columns change; else
-// it's Rodrigues' formula.
-CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
+// Turns a rotation (axes as columns) about one of its own axes. For x, y or z only two columns change; else
+// Rodrigues' formula.
+inline void turn_about(matrix3& m, const body_link& l, double angle) {
   const double s = std::sin(angle), c = std::cos(angle);
   if (l.principal >= 0) {
     const int i = (l.principal + 1) % 3, j = (l.principal + 2) % 3;
@@ -55,16 +55,16 @@ CCA_GLUE void turn_about(matrix3& m, const body_link& l, double angle) {
   m = (m * r).eval();
 }
 
-// A link in the base: its frame, and the axis of its joint.
+// A link in the base: its frame and the axis of its joint.
 struct placed_link {
   rigid frame;
   vector3 axis;
 };
 
 template <std::size_t Count, class Coordinates>
-CCA_GLUE void place_links(const std::array<body_link, Count>& links,
-                          const Coordinates& q,
-                          std::array<placed_link, Count>& placed) {
+[[gnu::always_inline]] inline void place_links(const std::array<body_link, Count>& links,
+                                               const Coordinates& q,
+                                               std::array<placed_link, Count>& placed) {
   const rigid base;
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
@@ -80,14 +80,13 @@ CCA_GLUE void place_links(const std::array<body_link, Count>& links,
   }
 }
 
-// The velocity of a point that the last link carries, for each coordinate: its column of the geometric
-// Jacobian.
+// The geometric Jacobian of a point on the link `last`: a column per coordinate.
 template <std::size_t Count, class Jacobian>
-CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links,
-                            const std::array<placed_link, Count>& placed,
-                            int last,
-                            const vector3& point,
-                            Jacobian& jacobian) {
+inline void fill_jacobian(const std::array<body_link, Count>& links,
+                          const std::array<placed_link, Count>& placed,
+                          int last,
+                          const vector3& point,
+                          Jacobian& jacobian) {
   jacobian.setZero();
   for (int i = last; i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
     const body_link& l = links[static_cast<std::size_t>(i)];
@@ -102,7 +101,7 @@ CCA_GLUE void fill_jacobian(const std::array<body_link, Count>& links,
   }
 }
 
-// From the columns of a rotation; the largest of the four squares is the one that is divided by (Shepperd
+// The quaternion of a rotation matrix. Divides by the largest of the four squares, for precision (Shepperd
 // 1978).
 inline vector4 quaternion_of(const matrix3& m) {
   const double trace = m(0, 0) + m(1, 1) + m(2, 2);
@@ -123,11 +122,11 @@ inline vector4 quaternion_of(const matrix3& m) {
   return rotation::normalised(q);
 }
 
-// Angles in the order of the chain's axes, from a space that has those axes in some order.
+// Angles in the order of the chain's axes, from and to a space with these axes in any order.
 template <class Wanted, class Space>
-struct picked;
+struct reordered;
 template <class... Wanted, class Space>
-struct picked<axes<Wanted...>, Space> {
+struct reordered<axes<Wanted...>, Space> {
   static constexpr bool all = (Space::axes::template contains<Wanted> && ...);
   static constexpr std::array<int, sizeof...(Wanted)> index{Space::axes::template index_of<Wanted>...};
 
@@ -147,10 +146,10 @@ struct picked<axes<Wanted...>, Space> {
   }
 };
 
-// Whether the space has the chain's axes and no others.
+// The space has the axes of the chain and no others; the space has at least the axes of the chain.
 template <class Chain, class Space> concept MovedBy =
-    picked<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
-template <class Chain, class Space> concept MovedWithin = picked<typename Chain::axes, Space>::all;
+    reordered<typename Chain::axes, Space>::all && Chain::axes::count == Space::axes::count;
+template <class Chain, class Space> concept MovedWithin = reordered<typename Chain::axes, Space>::all;
 
 }  // namespace detail
 
@@ -160,22 +159,22 @@ public:
   static constexpr int size = Chain::axes::count;
   static constexpr std::size_t count = Chain::joints.size();
   static_assert(detail::coordinates_exist<Chain>,
-                "cca::serial_chain: a joint is driven by a coordinate that the chain has no axis for");
+                "cca::serial_chain: a joint is driven by a coordinate for which the chain has no axis");
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 
-  CCA_GLUE explicit chain_pose(const vector_type& q) {
+  [[gnu::always_inline]] explicit chain_pose(const vector_type& q) {
     detail::place_links(detail::chain_links<Chain>, q, links);
   }
 
   // In the base: a link, and the tip.
   const rigid& link(std::size_t i) const { return links[i].frame; }
-  CCA_GLUE rigid tip() const {
+  rigid tip() const {
     if constexpr (count == 0) return rigid{} * Chain::tip;
     else return links[count - 1].frame * Chain::tip;
   }
 
-  CCA_GLUE jacobian_type jacobian() const {
+  jacobian_type jacobian() const {
     jacobian_type j;
     detail::fill_jacobian(detail::chain_links<Chain>, links, static_cast<int>(count) - 1, tip().at, j);
     return j;

@@ -1,19 +1,22 @@
-// Mappings take samples of one space to another one, transformations within one space (seed, section 4.4.2).
-// Both are components, and both are made from a function object:
+// Mappings take samples of one space to another, transformations stay within one space (seed, section 4.4.2).
+// Both are components made from a function object:
 //
 //   struct polar { Eigen::Vector2d operator()(const cca::sample<foot>& p) const; };
-//   cca::node<"polar", cca::mapping<foot, foot_polar, polar>>        in "input", out "output"
+//   cca::node<"polar", cca::mapping<foot, foot_polar, polar>>
 //   cca::node<"mirror", cca::transformation<foot, mirror>>           the same, in one space
 //
-// The function takes a sample or its vector; it returns a sample of the other space, its vector, or a number
-// where it has one axis. Its `parameters` and hooks are the component's.
+//   in  "input"    From
+//   out "output"   To (of a transformation: the same space)
 //
-// `Mapping<C>` holds for every component with one input and one output besides those of `status` and inputs
-// that need not be wired; `Transformation<C>` if these two are of matching spaces; `input_space<C>` and
-// `output_space<C>` are they.
+// The function takes a sample or its vector. It returns a sample of the output space, its vector, or a number
+// if the space has one axis. The component has the `parameters` and hooks of the function object.
 //
-// Errors: transform.leaves_space. Cost: that of the function. Example: tests/runtime/mapping/example.cpp;
-// docs/mappings.md.
+// `Mapping<C>` holds for each component with one input and one output, not counting outputs of domain
+// `status` and optional inputs. `Transformation<C>`: these two have matching spaces. `input_space<C>` and
+// `output_space<C>` are their spaces.
+//
+// Errors: transform.leaves_space, space.mismatch. Cost: that of the function.
+// Example: tests/runtime/mapping/example.cpp; docs/mappings.md.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +40,7 @@ using input_space = typename detail::mapped_inputs<Component>::first::space;
 template <Mapping Component>
 using output_space = typename detail::mapped_outputs<Component>::first::space;
 
-// A concept, so that the compilers name the two spaces.
+// A concept, because compilers print its arguments: the two spaces.
 template <class SpaceA, class SpaceB> concept SameSpace = detail::matching<SpaceA, SpaceB>;
 
 template <class Component> concept Transformation =
@@ -51,79 +54,77 @@ template <class Function, class From> concept TakesVector =
     !TakesSample<Function, From> && std::is_invocable_v<Function&, const typename From::vector_type&>;
 
 template <class Function, class From>
-struct image;
+struct result_of;
 template <class Function, class From>
   requires TakesSample<Function, From>
-struct image<Function, From> {
+struct result_of<Function, From> {
   using type = std::remove_cvref_t<std::invoke_result_t<Function&, const sample<From>&>>;
 };
 template <class Function, class From>
   requires TakesVector<Function, From>
-struct image<Function, From> {
+struct result_of<Function, From> {
   using type = std::remove_cvref_t<std::invoke_result_t<Function&, const typename From::vector_type&>>;
 };
 
-// Whether what a function returns lies in a space: a sample of it, a vector of its size, a number for its one
-// axis.
-template <class Image, class To>
-constexpr bool lands() {
-  if constexpr (Sample<Image>) return matching<typename Image::space, To>;
-  else if constexpr (EigenVector<Image>)
-    return Image::RowsAtCompileTime == To::size && Image::ColsAtCompileTime == 1;
-  else return To::size == 1 && std::is_convertible_v<Image, double>;
+// Whether the result of a function lies in a space: a sample of the space, a vector of its size, or a number
+// if it has one axis.
+template <class Result, class To>
+constexpr bool lies_in() {
+  if constexpr (Sample<Result>) return matching<typename Result::space, To>;
+  else if constexpr (EigenVector<Result>)
+    return Result::RowsAtCompileTime == To::size && Result::ColsAtCompileTime == 1;
+  else return To::size == 1 && std::is_convertible_v<Result, double>;
 }
 
-template <class Image, class Space> concept LandsIn = lands<Image, Space>();
+template <class Result, class Space> concept LiesIn = lies_in<Result, Space>();
 
 template <class Function, class From> concept Takes =
     TakesSample<Function, From> || TakesVector<Function, From>;
 
-template <class Function, class From, class To> concept Lands =
-    Takes<Function, From> && LandsIn<typename image<Function, From>::type, To>;
+template <class Function, class From, class To> concept MapsInto =
+    Takes<Function, From> && LiesIn<typename result_of<Function, From>::type, To>;
 
-template <class To, class Image>
-constexpr typename To::vector_type coordinates_of(const Image& y) {
-  if constexpr (Sample<Image>) return y.vector();
-  else if constexpr (EigenVector<Image>) return y;
+template <class To, class Result>
+constexpr typename To::vector_type coordinates_of(const Result& y) {
+  if constexpr (Sample<Result>) return y.vector();
+  else if constexpr (EigenVector<Result>) return y;
   else return To::vector_type::Constant(static_cast<double>(y));
 }
 
-// The component. Where the function doesn't fit it publishes the zero: that has been reported.
+// The component. With a function that does not fit it publishes zero; the mistake is reported elsewhere.
 template <class From, class To, class Function>
 struct mapping_by : Function {
   auto process(in<"input", From> input) -> out<"output", To> {
     Function& f = *this;
-    if constexpr (!Lands<Function, From, To>) return {};
+    if constexpr (!MapsInto<Function, From, To>) return {};
     else if constexpr (TakesSample<Function, From>)
       return coordinates_of<To>(f(static_cast<const sample<From>&>(input)));
     else return coordinates_of<To>(f(input.vector()));
   }
 };
 
-// The checks stand in functions that the components name: a class in which an assertion fails is broken for
-// clang, and then more would be reported than the one mistake.
+// The checks stand in functions that the components name. If an assertion failed inside the class, clang
+// would report more errors than the one mistake.
 template <class From, class To, class Function>
 constexpr auto check_mapping() {
   static_assert(Takes<Function, From>,
-                "cca::mapping: its function can be called neither with a sample of the space that it maps "
-                "from nor with its vector");
-  static_assert(!Takes<Function, From> || Lands<Function, From, To>,
-                "space.mismatch: the function of this mapping returns something else than a sample, a vector "
-                "or a number of the "
-                "space that it maps to; return one of that space, or name the space that it does return as "
-                "the mapping's second");
+                "cca::mapping: its function can be called neither with a sample of the input space nor with "
+                "its vector");
+  static_assert(!Takes<Function, From> || MapsInto<Function, From, To>,
+                "space.mismatch: the function of this mapping returns neither a sample nor a vector nor a "
+                "number of the output space; return one of these, or name the space that it returns as the "
+                "second argument of the mapping");
 }
 template <class Space, class Function>
 constexpr auto check_transformation() {
   static_assert(Takes<Function, Space>,
                 "cca::transformation: its function can be called neither with a sample of its space nor with "
                 "its vector");
-  static_assert(!Takes<Function, Space> || Lands<Function, Space, Space>,
+  static_assert(!Takes<Function, Space> || MapsInto<Function, Space, Space>,
                 "transform.leaves_space: the function of this transformation returns something that lies in "
-                "another space (domain "
-                "type, frame, axes or rate) than what it takes; a transformation stays in its space, so "
-                "return a sample or a vector "
-                "of that, or use `cca::mapping<from, to, function>`");
+                "another space (domain type, frame, axes or rate) than its input; a transformation stays in "
+                "its space, so return a sample or a vector of that space, or use `cca::mapping<from, to, "
+                "function>`");
 }
 
 }  // namespace detail

@@ -1,11 +1,14 @@
-// A chain of mappings is one mapping: each takes what the one before gives, in the same firing.
+// A chain of mappings is one mapping: each takes the output of the one before, in the same firing.
 //
 //   struct foot_to_world : cca::mapping_chain<leg_forward, hip_to_trunk, trunk_to_world> {};
 //
-// Its ports are the input of the first and the output of the last, by their names; besides it publishes every
-// status of every mapping, in their order, and has none of their optional inputs. `get<0>()` is the first
-// mapping. Errors: mapping.chain, where a mapping takes another space (domain type, frame, axes, rate) than
-// the one before gives. Cost: that of its mappings. Example: tests/runtime/mapping/example.cpp.
+//   in  <input of the first>      with its name and space
+//   out <output of the last>      with its name and space
+//   out <statuses>                each status of each mapping, in order
+//
+// Optional inputs of the mappings are not wired. `get<0>()` is the first mapping.
+// Errors: mapping.chain, if a mapping takes another space (domain type, frame, axes, rate) than the one
+// before gives. Cost: that of its mappings. Example: tests/runtime/mapping/example.cpp.
 #pragma once
 
 #include <array>
@@ -19,19 +22,17 @@
 namespace cca {
 namespace detail {
 
-// The compilers name its arguments: the space that one gives and the one that the next takes.
+// A function, because compilers print its arguments: the space that one mapping gives and the next takes.
 template <class Given, class Taken, bool Meet = matching<Given, Taken>>
 constexpr auto check_link() {
   static_assert(Meet,
                 "mapping.chain: a mapping of this chain takes samples of another space (domain type, frame, "
-                "axes or rate) than the "
-                "mapping before it gives; put one between them that maps the first to the second, "
-                "`cca::frame_change` where only "
-                "the frames differ");
+                "axes or rate) than the mapping before it gives; put a mapping between them, or "
+                "`cca::frame_change` if only the frames differ");
   return std::bool_constant<Meet>{};
 }
 
-// Only the first pair that doesn't meet is reported.
+// Reports only the first pair that does not match.
 template <class Before, class... Rest>
 constexpr auto check_chain() {
   if constexpr (sizeof...(Rest) > 0) {
@@ -61,7 +62,7 @@ constexpr auto as_tuple(Result&& result) {
   else return std::tuple<std::remove_cvref_t<Result>>(std::forward<Result>(result));
 }
 
-// The output, and the statuses, of what `process` returned.
+// Takes the output, and the statuses, from the result of `process`.
 template <class Result>
 constexpr auto output_in(const Result& all) {
   return std::apply(
@@ -87,9 +88,9 @@ constexpr auto statuses_among(const Result& all) {
       all);
 }
 
-// What `process` of a mapping returns for an input, as a tuple, all other inputs as if they were not wired.
+// Calls `process` of a mapping and returns its result as a tuple. All other inputs count as not wired.
 template <class Component, class... Parameters, class Input>
-constexpr auto called(
+constexpr auto call_mapping(
     Component& component, list<Parameters...>, const Input& input, const beat& now, bool fresh) {
   return as_tuple(component.process([&]() -> Parameters {
     if constexpr (is_mapped<Parameters>) return Parameters(input.vector(), input.origin(), fresh);
@@ -98,8 +99,8 @@ constexpr auto called(
   }()...));
 }
 template <class Component, class Input>
-constexpr auto called(Component& component, const Input& input, const beat& now, bool fresh = true) {
-  return called(component, typename process_facts<Component>::parameters(), input, now, fresh);
+constexpr auto call_mapping(Component& component, const Input& input, const beat& now, bool fresh = true) {
+  return call_mapping(component, typename process_facts<Component>::parameters(), input, now, fresh);
 }
 
 template <class Tuple>
@@ -127,8 +128,8 @@ class mapping_chain {
                               std::declval<detail::statuses_of<Rest>>()...));
   using meet = decltype(detail::check_chain<First, Rest...>());
   static_assert(detail::names_in<result>::distinct,
-                "cca::mapping_chain: two of its outputs have one name: at most one of its mappings may have "
-                "a status of that name");
+                "cca::mapping_chain: two of its outputs have the same name; at most one of its mappings may "
+                "have a status of that name");
 
 public:
   auto process(typename detail::mapped_inputs<First>::first input, beat now) -> result {
@@ -145,7 +146,7 @@ private:
   template <std::size_t Index, class First_, class Input, class Statuses>
   result run(const First_& first, const Input& input, const beat& now, const Statuses& before) {
     auto& mapping = std::get<Index>(mappings);
-    const auto made = detail::called(mapping, input, now, first.fresh());
+    const auto made = detail::call_mapping(mapping, input, now, first.fresh());
     const auto output = detail::output_in(made);
     const auto statuses = std::tuple_cat(before, detail::statuses_among(made));
     if constexpr (Index == sizeof...(Rest)) return std::tuple_cat(std::tuple(output), statuses);

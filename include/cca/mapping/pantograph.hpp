@@ -1,22 +1,23 @@
-// A leg of three segments whose lower one stays parallel to the upper: a pantograph, as Oncilla's. Kinematics
-// in closed form.
+// A pantograph leg, as Oncilla's: three segments, of which the lower stays parallel to the upper. Its
+// kinematics are solved in closed form.
 //
-//   struct left_front_leg : cca::pantograph_leg<trunk, paw, cca::axes<abduction, hip, knee>,
-//                                               cca::pantograph{.upper = 0.078, .middle = 0.095, .lower =
-//                                               0.06, .side = 1}> {};
+//   struct left_front_leg
+//       : cca::pantograph_leg<
+//             trunk, paw, cca::axes<abduction, hip, knee>,
+//             cca::pantograph{.upper = 0.078, .middle = 0.095, .lower = 0.06, .side = 1}> {};
 //
-// Frame: x forward, y left, z up, its origin in the hip, or where `hip` places it in the base. The leg's
-// plane is that of x and z, turned about x by the abduction (positive outward: to +y on side +1, the left
-// one). In it a segment at angle t points to (sin t, -cos t): the upper one stands at `hip`, the middle one
-// at `hip - knee`, the lower one at `hip` again. So it is a leg of two links, upper + lower and middle. With
-// axes<hip, knee> it stays in its plane: then positions are over axes<x, z>, and a hip that is turned out of
-// the base's plane of x and z makes it any serial chain, solved as that.
+// Frame: x forward, y left, z up; its origin is the hip, placed in the base by `hip`. The plane of the leg is
+// that of x and z, turned about x by the abduction (positive outward: to +y on side +1, the left one). In
+// this plane a segment at angle t points to (sin t, -cos t): the upper one at `hip`, the middle one at `hip -
+// knee`, the lower one at `hip` again. So it is a leg of two links with the lengths upper + lower and middle.
+// With axes<hip, knee> it stays in its plane: positions are over axes<x, z>. If `hip` turns that plane out of
+// the base's plane of x and z, the leg is solved like any serial chain.
 //
-// It is a serial chain as well. Its inverse gives the nearest reachable point within the joints' limits, of
-// all there are: the reachable points of the plane are bounded by arcs on which one joint is at its limit or
-// the leg is straight or folded, and the nearest point of an arc is known (law of cosines; compare Siciliano
-// et al., Robotics, 2009, chapter 2). Preconditions: lengths are positive, a range of abduction is less than
-// a turn. Cost: about 10 sines and arc tangents.
+// Its inverse gives the nearest point within the joint limits, of all that exist. The reachable points of the
+// plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and the
+// nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, chapter 2).
+// Preconditions: lengths are positive; the range of the abduction is less than a turn.
+// Cost: about 10 sines and arc tangents.
 #pragma once
 
 #include <algorithm>
@@ -25,13 +26,12 @@
 #include <numbers>
 #include <type_traits>
 
-#include <cca/base/inlining.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 
 namespace cca {
 
 struct pantograph {
-  double upper = 0, middle = 0, lower = 0;  // m; the lower one to where the foot touches
+  double upper = 0, middle = 0, lower = 0;  // m; the lower one ends where the foot touches the ground
   double side = 1;                          // +1: abduction leads to +y, -1: to -y
   placement hip{};                          // in the base
 };
@@ -60,7 +60,7 @@ template <class Type> concept PantographLeg = SerialChain<Type> && requires {
 
 namespace detail {
 
-// The angle, up to whole turns, that lies nearest to the range.
+// The angle in the range that is nearest to the given one, up to whole turns.
 inline double nearest_in(double angle, double low, double high) {
   if (std::isfinite(low) && std::isfinite(high))
     angle -= 2 * std::numbers::pi * std::round((angle - (low + high) / 2) / (2 * std::numbers::pi));
@@ -76,44 +76,55 @@ struct plane_leg {
     double hip = 0, knee = 0, square = std::numeric_limits<double>::infinity(), change = 0;
   };
 
-  CCA_GLUE answer solve(double x, double z, double hip_before, double knee_before) const {
-    answer best;
-    const auto offer = [&](double hip, double knee) {
-      const double dx = a * std::sin(hip) + b * std::sin(hip - knee) - x,
-                   dz = -a * std::cos(hip) - b * std::cos(hip - knee) - z;
-      const double square = dx * dx + dz * dz,
-                   change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
-      constexpr double same = 1e-24;  // m^2: then the one that moves less
-      if (square < best.square - same || (square <= best.square + same && change < best.change))
-        best = {hip, knee, square, change};
-    };
-    const double towards = std::atan2(x, -z);
-    // With a knee, the hip that turns the foot to the target.
-    const auto with_knee = [&](double knee) {
-      if (knee < knee_low || knee > knee_high) return;
-      CCA_INLINE_CALL offer(
-          nearest_in(towards + std::atan2(b * std::sin(knee), a + b * std::cos(knee)), hip_low, hip_high),
-          knee);
-    };
-    // With a hip, the knee that turns the middle segment to the target.
-    const auto with_hip = [&](double hip) {
-      if (!std::isfinite(hip)) return;
-      CCA_INLINE_CALL offer(hip, nearest_in(hip - std::atan2(x - a * std::sin(hip), -(z + a * std::cos(hip))),
-                                            knee_low, knee_high));
-    };
+  // always_inline, here and below: a leg is constant, and only inlined does clang see that.
+  [[gnu::always_inline]] answer solve(double x, double z, double hip_before, double knee_before) const {
+    search one{*this, x, z, hip_before, knee_before};
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
     if (std::abs(cosine) <= 1)
-      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) CCA_INLINE_CALL with_knee(knee);
-    if (best.square > 1e-24)
+      for (const double knee : {std::acos(cosine), -std::acos(cosine)}) one.try_knee(knee);
+    if (one.best.square > 1e-24)
       for (const double knee : {knee_low, knee_high, 0.0, std::numbers::pi, -std::numbers::pi})
-        if (std::isfinite(knee)) CCA_INLINE_CALL with_knee(knee);
-    if (best.square > 1e-24)
-      for (const double hip : {hip_low, hip_high}) CCA_INLINE_CALL with_hip(hip);
-    return best;
+        if (std::isfinite(knee)) one.try_knee(knee);
+    if (one.best.square > 1e-24)
+      for (const double hip : {hip_low, hip_high}) one.try_hip(hip);
+    return one.best;
   }
+
+private:
+  // Tries angles and keeps the best answer.
+  struct search {
+    const plane_leg& leg;
+    double x, z, hip_before, knee_before;
+    double towards = std::atan2(x, -z);
+    answer best{};
+
+    // With this knee, the hip that turns the foot to the target.
+    [[gnu::always_inline]] void try_knee(double knee) {
+      if (knee < leg.knee_low || knee > leg.knee_high) return;
+      keep_better(nearest_in(towards + std::atan2(leg.b * std::sin(knee), leg.a + leg.b * std::cos(knee)),
+                             leg.hip_low, leg.hip_high),
+                  knee);
+    }
+    // With this hip, the knee that turns the middle segment to the target.
+    [[gnu::always_inline]] void try_hip(double hip) {
+      if (!std::isfinite(hip)) return;
+      keep_better(hip, nearest_in(hip - std::atan2(x - leg.a * std::sin(hip), -(z + leg.a * std::cos(hip))),
+                                  leg.knee_low, leg.knee_high));
+    }
+
+    [[gnu::always_inline]] void keep_better(double hip, double knee) {
+      const double dx = leg.a * std::sin(hip) + leg.b * std::sin(hip - knee) - x,
+                   dz = -leg.a * std::cos(hip) - leg.b * std::cos(hip - knee) - z;
+      const double square = dx * dx + dz * dz,
+                   change = std::abs(hip - hip_before) + std::abs(knee - knee_before);
+      constexpr double same = 1e-24;  // m^2: then the answer that moves the joints less
+      if (square < best.square - same || (square <= best.square + same && change < best.change))
+        best = {hip, knee, square, change};
+    }
+  };
 };
 
-// Of a pantograph leg: the same form as least_squares_solver.
+// The solver of a pantograph leg, with the interface of least_squares_solver.
 template <class Leg, class Joints, class Tip, class Settings>
 class pantograph_solver {
   using limits = chain_limits<Leg, Joints>;
@@ -135,12 +146,12 @@ public:
     reaching status;
   };
 
-  CCA_GLUE static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
+  [[gnu::always_inline]] static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
     answer best{near, std::numeric_limits<double>::infinity(), reaching::nearest};
     if constexpr (abducted) {
       const vector3 p = in_hip(wanted);
       const double radius = std::hypot(p[1], p[2]);
-      // The tilt that turns the plane to the target, for a foot below the hip and for one above it.
+      // The tilt that turns the plane to the target, for a foot below the hip and above it.
       const double first = radius > 0 ? std::atan2(p[1], -p[2]) : 0,
                    second = radius > 0 ? std::atan2(-p[1], p[2]) : 0;
       const double side = geometry.side < 0 ? -1 : 1;
@@ -165,12 +176,12 @@ public:
   }
 
 private:
-  CCA_GLUE static vector3 in_hip(const typename Tip::vector_type& wanted) {
+  static vector3 in_hip(const typename Tip::vector_type& wanted) {
     constexpr placement back = inverse(geometry.hip);
     vector3 p = vector3::Zero();
     using part = cartesian_part<typename Tip::axes>;
     for (int i = 0; i < Tip::size; ++i) p[part::of[static_cast<std::size_t>(i)]] = wanted[i];
-    CCA_INLINE_CALL return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
+    return rotation::rotate(as_vector(back.rotation), p) + as_vector(back.translation);
   }
 };
 

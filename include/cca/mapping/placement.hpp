@@ -1,19 +1,20 @@
-// Placements: where one frame stands in another one, as a constant: what is built into a robot, not what
-// moves.
+// A placement: the constant position and orientation of one frame in another. It is for built-in transforms
+// of a robot, not for moving ones.
 //
-//   struct hip_in_trunk : cca::placed<hip, trunk> { static constexpr auto where = cca::at(0.1175, 0.075,
-//   0.0); };
+//   struct hip_in_trunk : cca::placed<hip, trunk> {
+//     static constexpr auto where = cca::at(0.1175, 0.075, 0.0);
+//   };
 //
-// A placement is a translation in m and a rotation, a unit quaternion x, y, z, w: it takes coordinates in the
-// thing's frame to those in the other one. `a * b` is b placed in a; `turned_about(axis, angle)` and `at(x,
-// y, z)` make one, at compile time. Precondition: an axis has a length other than 0.
+// A placement is a translation in m and a rotation, a unit quaternion x, y, z, w. It takes coordinates in the
+// frame of the thing to coordinates in the other frame. `a * b` is b placed in a. `turned_about(axis, angle)`
+// and `at(x, y, z)` make one, at compile time. Precondition: an axis has a length other than 0.
 #pragma once
 
 #include <array>
 #include <numbers>
 
 #include <cca/space/frame.hpp>
-#include <cca/space/rotation.hpp>
+#include <cca/space/methods/rotation.hpp>
 
 namespace cca {
 
@@ -28,8 +29,8 @@ inline constexpr std::array<double, 3> along_x{1, 0, 0}, along_y{0, 1, 0}, along
 
 namespace detail {
 
-// The sine at compile time: a Taylor series within [-pi/4, pi/4], whose rest is below 1e-19, and quarter
-// turns.
+// The sine at compile time: quarter turns, and a Taylor series within [-pi/4, pi/4] with a remainder below
+// 1e-19.
 constexpr double series_of_sine(double x, bool cosine) {
   double term = cosine ? 1 : x, sum = term;
   for (int n = cosine ? 1 : 2; n < 20; n += 2) sum += term *= -x * x / (n * (n + 1));
@@ -37,7 +38,7 @@ constexpr double series_of_sine(double x, bool cosine) {
 }
 constexpr double constant_sine(double x, int quarter = 0) {
   constexpr double quarter_turn = 1.57079632673412561417,
-                   rest = 6.07710050650619224932e-11;  // 33 bits: its multiples are exact
+                   rest = 6.07710050650619224932e-11;  // quarter_turn has 33 bits: its multiples are exact
   const auto turns = static_cast<long long>(x / quarter_turn + (x < 0 ? -0.5 : 0.5));
   const double within = (x - static_cast<double>(turns) * quarter_turn) - static_cast<double>(turns) * rest;
   const auto q = ((turns + quarter) % 4 + 4) % 4;
@@ -46,7 +47,7 @@ constexpr double constant_sine(double x, int quarter = 0) {
 }
 constexpr double constant_cosine(double x) { return constant_sine(x, 1); }
 
-// Newton's method; from above it falls until it rests.
+// The square root by Newton's method: starting above the root, it falls until it no longer changes.
 constexpr double constant_root(double square) {
   if (square <= 0) return 0;
   double root = square > 1 ? square : 1;
@@ -71,7 +72,7 @@ constexpr placement turned_about(const std::array<double, 3>& axis, double angle
   return {{}, {s * axis[0], s * axis[1], s * axis[2], detail::constant_cosine(angle / 2)}};
 }
 
-// b, which is given in the frame that a places, in the frame that a is given in.
+// b is given in the frame that a places; the result is in the frame in which a is given.
 constexpr placement operator*(const placement& a, const placement& b) {
   const auto &p = a.rotation, &q = b.rotation;
   const auto moved = detail::turned_by(p, b.translation);
@@ -88,7 +89,7 @@ constexpr placement inverse(const placement& a) {
   return {{-moved[0], -moved[1], -moved[2]}, back};
 }
 
-// Where the frame Thing stands in Frame: a named struct derived from this with a constant `where`.
+// Base of a named struct with a constant `where`: the placement of the frame Thing in Frame.
 template <class Thing, class Frame>
 struct placed {
   using thing = Thing;
@@ -101,7 +102,7 @@ template <class Type> concept Placed = requires {
   { Type::where } -> std::convertible_to<placement>;
 };
 
-// Where Frame stands in Thing.
+// The placement of Frame in Thing.
 template <Placed Where>
 struct inverse_of : placed<typename Where::frame, typename Where::thing> {
   static constexpr placement where = inverse(Where::where);

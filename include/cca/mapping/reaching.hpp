@@ -1,23 +1,23 @@
-// How an inverse kinematics fared: its status output.
+// The status output of an inverse kinematics: whether the target was reached.
 //
 //   cca::wire<"ik.status", ...>;   if (s.is(cca::reaching::reached)) ...
 //
-// A space of one axis without a rate, so that it can be wired to any input of the kind.
+// It is a space of one axis without a rate, so it fits every input of its kind.
 #pragma once
 
 #include <cstdint>
 
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
 namespace cca {
 
 enum class reaching : std::uint8_t {
   nothing,     // no sample yet
-  reached,     // the angles lead where they should
-  nearest,     // it's out of reach: they lead to the nearest point that the solver knows
-  unfinished,  // the iterations ran out; they lead nearer than the last
-  unreadable,  // the input was NaN or infinite: the angles are those from before
+  reached,     // the angles lead to the target
+  nearest,     // out of reach: they lead to the nearest point that the solver found
+  unfinished,  // the iterations ran out: they lead nearer than the last angles
+  unreadable,  // the input was NaN or infinite: these are the last angles
 };
 
 struct solution : dimension<"solution"> {};

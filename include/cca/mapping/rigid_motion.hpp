@@ -1,20 +1,23 @@
-// Rigid motions by a constant, as components: within one frame (transformations), and from one frame to
+// Rigid motions by a constant, as components: within one frame (transformations) and from one frame to
 // another (mappings).
 //
-//   cca::translation_by<foot_in_hip, lifted>               moves what lies in the space: lifted::where is a
-//   cca::placement cca::rotation_by<foot_in_hip, turned>                  turns it about the frame's origin
-//   cca::rigid_motion<foot_in_hip, both>                   turns, then moves
-//   cca::frame_change<hip_in_trunk, foot_in_hip, foot_in_trunk>      the same thing, in coordinates of
-//   another frame
+//   cca::translation_by<foot_in_hip, lifted>     translates by lifted::where, a cca::placement
+//   cca::rotation_by<foot_in_hip, turned>        rotates about the origin of the frame
+//   cca::rigid_motion<foot_in_hip, both>         rotates, then translates
+//   cca::frame_change<hip_in_trunk, foot_in_hip, foot_in_trunk>
+//                                                the same thing, in coordinates of another frame
 //
-// in "input", out "output". Positions, orientations and poses are moved. Twists and wrenches are turned along
-// the axes of the new frame; and if they act at the thing's origin and the output says the other frame's,
-// they're moved to that point, too. Positions over a part of the axes can be translated, not turned. A frame
-// that moves is a pose on a wire: `express` of it.
+//   in  "input"    Space (of a frame change: From)
+//   out "output"   Space (of a frame change: To)
 //
-// Errors: frame.mismatch. Cost: a rotation by a constant. Source of the motion of twists and wrenches:
-// Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 2 (coordinate transforms of spatial vectors).
-// Checked against them, written as matrices of six rows. Example: tests/runtime/mapping/example.cpp.
+// Positions, orientations and poses are moved. Twists and wrenches are rotated to the axes of the new frame;
+// if they act at the origin of the thing and the output at that of the other frame, they are moved to that
+// point too. Positions over some of the axes x, y, z can be translated, not rotated. For a frame that moves,
+// wire a pose and use `express`.
+//
+// Errors: frame.mismatch, space.mismatch. Cost: a rotation by a constant. Source (motion of twists and
+// wrenches): Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 2 (coordinate transforms of spatial
+// vectors). Checked against them, written as 6 x 6 matrices. Example: tests/runtime/mapping/example.cpp.
 #pragma once
 
 #include <cca/component/port.hpp>
@@ -25,7 +28,7 @@ namespace cca {
 namespace detail {
 
 template <class Domain>
-struct frame_along;  // along whose axes the coordinates are
+struct frame_along;  // the frame along whose axes the coordinates are
 template <class Frame>
 struct frame_along<cartesian_position<Frame>> {
   using type = Frame;
@@ -48,17 +51,17 @@ struct frame_along<wrench<At, In>> {
 };
 
 template <class Domain, class Other>
-constexpr bool one_kind = false;
+constexpr bool same_kind = false;
 template <class A, class B>
-constexpr bool one_kind<cartesian_position<A>, cartesian_position<B>> = true;
+constexpr bool same_kind<cartesian_position<A>, cartesian_position<B>> = true;
 template <class A, class B>
-constexpr bool one_kind<orientation<A>, orientation<B>> = true;
+constexpr bool same_kind<orientation<A>, orientation<B>> = true;
 template <class A, class B>
-constexpr bool one_kind<pose<A>, pose<B>> = true;
+constexpr bool same_kind<pose<A>, pose<B>> = true;
 template <class A, class I, class B, class J>
-constexpr bool one_kind<twist<A, I>, twist<B, J>> = true;
+constexpr bool same_kind<twist<A, I>, twist<B, J>> = true;
 template <class A, class I, class B, class J>
-constexpr bool one_kind<wrench<A, I>, wrench<B, J>> = true;
+constexpr bool same_kind<wrench<A, I>, wrench<B, J>> = true;
 
 template <class Domain>
 struct acting {
@@ -73,11 +76,11 @@ struct acting<wrench<At, In>> {
   using at = At;
 };
 
-constexpr bool turns(const placement& p) {
+constexpr bool rotates(const placement& p) {
   return p.rotation[0] != 0 || p.rotation[1] != 0 || p.rotation[2] != 0;
 }
 
-// A position, along those of the axes x, y, z that its space has.
+// The coordinates of a position along those axes x, y, z that its space has.
 template <class Axes>
 struct cartesian_part;
 template <class... Axes>
@@ -89,23 +92,23 @@ struct cartesian_part<axes<Axes...>> {
   static constexpr bool named = ((index(Axes::name) >= 0) && ...);
 };
 
-// `Moved`: twists and wrenches are moved from the thing's origin to the frame's.
+// `Moved`: twists and wrenches are moved from the origin of the thing to that of the frame.
 template <class Space, bool Moved>
 typename Space::vector_type moved_by(const placement& where, const typename Space::vector_type& v) {
   using domain = typename Space::domain;
   const vector3 t = as_vector(where.translation);
   const vector4 q = as_vector(where.rotation);
   typename Space::vector_type result = v;
-  if constexpr (one_kind<domain, cartesian_position<void>>) {
+  if constexpr (same_kind<domain, cartesian_position<void>>) {
     if constexpr (Space::size == 3 && std::is_same_v<typename Space::axes, axes<x, y, z>>) {
       result = rotation::rotate(q, vector3(v)) + t;
     } else {
       using part = cartesian_part<typename Space::axes>;
       for (int i = 0; i < Space::size; ++i) result[i] += t[part::of[static_cast<std::size_t>(i)]];
     }
-  } else if constexpr (one_kind<domain, orientation<void>>) {
+  } else if constexpr (same_kind<domain, orientation<void>>) {
     result = rotation::product(q, vector4(v));
-  } else if constexpr (one_kind<domain, pose<void>>) {
+  } else if constexpr (same_kind<domain, pose<void>>) {
     result.template head<3>() = rotation::rotate(q, vector3(v.template head<3>())) + t;
     result.template tail<4>() = rotation::product(q, vector4(v.template tail<4>()));
   } else {
@@ -121,10 +124,10 @@ typename Space::vector_type moved_by(const placement& where, const typename Spac
 
 template <class Space>
 constexpr bool movable(const placement& by) {
-  if constexpr (!one_kind<typename Space::domain, cartesian_position<void>>) return true;
+  if constexpr (!same_kind<typename Space::domain, cartesian_position<void>>) return true;
   else
     return std::is_same_v<typename Space::axes, axes<x, y, z>> ||
-           (cartesian_part<typename Space::axes>::named && !turns(by));
+           (cartesian_part<typename Space::axes>::named && !rotates(by));
 }
 
 }  // namespace detail
@@ -135,18 +138,16 @@ template <class Type> concept CartesianSpace =
 
 namespace detail {
 
-// In functions, for the reason that stands in mapping.hpp.
+// In functions; mapping.hpp says why.
 template <class Space, class By>
 constexpr auto check_motion() {
   static_assert(movable<Space>(By::where),
-                "space.mismatch: a rigid motion moves positions along the axes x, y and z, and turns them "
-                "only over all three, "
-                "axes<x, y, z>");
+                "space.mismatch: a rigid motion moves positions along the axes x, y and z, and rotates them "
+                "only over all three, axes<x, y, z>");
   static_assert(std::is_void_v<typename acting<typename Space::domain>::at> ||
                     By::where.translation == placement{}.translation,
-                "cca::rigid_motion: twists and wrenches are turned by it, not translated: "
-                "`cca::frame_change` moves the point that "
-                "they act at");
+                "cca::rigid_motion: it rotates twists and wrenches but does not translate them; "
+                "`cca::frame_change` moves the point at which they act");
 }
 
 template <class Where, class From, class To>
@@ -155,7 +156,7 @@ struct frame_change_facts {
   using to = typename To::domain;
   using from_at = typename acting<from>::at;
   using to_at = typename acting<to>::at;
-  static constexpr bool kind = one_kind<from, to> && std::is_same_v<typename From::axes, typename To::axes>;
+  static constexpr bool kind = same_kind<from, to> && std::is_same_v<typename From::axes, typename To::axes>;
   static constexpr bool starts = SameFrame<typename frame_along<from>::type, typename Where::thing>;
   static constexpr bool ends = SameFrame<typename frame_along<to>::type, typename Where::frame>;
   static constexpr bool stays = std::is_same_v<from_at, to_at>;
@@ -167,35 +168,34 @@ template <class Where, class From, class To>
 constexpr auto check_frame_change() {
   using facts = frame_change_facts<Where, From, To>;
   static_assert(facts::kind,
-                "space.mismatch: a frame change keeps the domain type, but for its frames, and the axes");
+                "space.mismatch: a frame change keeps the axes and the domain type; only the frame changes");
   static_assert(
       !facts::kind || SameFrame<typename frame_along<typename From::domain>::type, typename Where::thing>,
-      "frame.mismatch: this frame change takes what is given in the frame that it places, and its input is "
-      "given in "
-      "another one; place that one, or put the frame change in between that leads there");
-  static_assert(!facts::kind || !facts::starts ||
-                    SameFrame<typename frame_along<typename To::domain>::type, typename Where::frame>,
-                "frame.mismatch: this frame change gives what is expressed in the frame in which it places "
-                "the other one, and its "
-                "output is to be in a third; `cca::inverse_of` a placement leads the other way");
+      "frame.mismatch: this frame change takes what is given in the frame that it places, but its input is "
+      "in another frame; place that frame, or put a frame change to the placed frame in between");
+  static_assert(
+      !facts::kind || !facts::starts ||
+          SameFrame<typename frame_along<typename To::domain>::type, typename Where::frame>,
+      "frame.mismatch: the output of this frame change is in the frame in which it places the other "
+      "one, but its space has a third frame; `cca::inverse_of` a placement leads the other way");
   static_assert(!facts::kind || !facts::starts || !facts::ends || facts::stays || facts::moves,
                 "frame.mismatch: a frame change moves a twist or a wrench from the origin of the frame that "
-                "it places to the origin "
-                "of the other one, or leaves its point as it is; this output is to act at another point");
+                "it places to the origin of the other frame, or keeps its point; this output acts at another "
+                "point");
   static_assert(!facts::kind || movable<From>(Where::where),
-                "space.mismatch: a frame change moves positions along the axes x, y and z, and turns them "
-                "only over all three, "
-                "axes<x, y, z>");
+                "space.mismatch: a frame change moves positions along the axes x, y and z, and rotates them "
+                "only over all three, axes<x, y, z>");
 }
 
 template <class By>
 constexpr auto check_translation() {
-  static_assert(!turns(By::where), "cca::translation_by: this one also turns; that is a `cca::rigid_motion`");
+  static_assert(!rotates(By::where),
+                "cca::translation_by: this placement also rotates; use `cca::rigid_motion`");
 }
 template <class By>
 constexpr auto check_rotation() {
   static_assert(By::where.translation == placement{}.translation,
-                "cca::rotation_by: this one also translates; that is a `cca::rigid_motion`");
+                "cca::rotation_by: this placement also translates; use `cca::rigid_motion`");
 }
 
 }  // namespace detail

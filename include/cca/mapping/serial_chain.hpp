@@ -1,17 +1,17 @@
-// Serial chains: joints in a row, from one frame to another, as constants of a named struct.
+// Serial chains: joints in a row from one frame to another, as constants of a named struct.
 //
 //   struct arm : cca::serial_chain<trunk, hand, cca::axes<shoulder, elbow>> {
 //     static constexpr std::array joints{cca::revolute(cca::along_z, cca::at(0, 0.1, 0)),
-//     cca::revolute(cca::along_y, cca::at(0.3, 0, 0))}; static constexpr cca::placement tip = cca::at(0.25,
-//     0, 0); static constexpr std::array<cca::link_inertia, 2> links{...};   // optional: what each joint
-//     carries
+//                                        cca::revolute(cca::along_y, cca::at(0.3, 0, 0))};
+//     static constexpr cca::placement tip = cca::at(0.25, 0, 0);
+//     static constexpr std::array<cca::link_inertia, 2> links{...};   // optional: inertia of each link
 //   };
 //
-// A joint stands in the frame of the link before it (the first one: in the chain's base), with its angle at
-// 0, and moves what follows about or along its axis. The tip stands in the last link. Each joint has a
-// coordinate, by default the one of its own index; a coupled joint names another's, and a ratio: a pantograph
-// is two joints of one coordinate with ratios 1 and -1. Units: m, rad (a prismatic joint's coordinate: m),
-// kg, kg m^2. An axis has a length other than 0; it is normalised.
+// A joint is placed in the frame of the link before it (the first one in the base of the chain) with its
+// angle at 0, and moves what follows about or along its axis. The tip is placed in the last link. Each joint
+// has a coordinate, by default that of its own index. A coupled joint names the coordinate of another joint
+// and a ratio: a pantograph is two joints of one coordinate with ratios 1 and -1. Units: m, rad (coordinate
+// of a prismatic joint: m), kg, kg m^2. An axis has a length other than 0; it is normalised.
 #pragma once
 
 #include <array>
@@ -29,11 +29,11 @@ struct joint {
   joint_kind kind = joint_kind::revolute;
   std::array<double, 3> axis = along_z;
   placement where{};
-  int coordinate = -1;  // -1: that of the joint's own index
+  int coordinate = -1;  // -1: the index of the joint
   double ratio = 1;     // angle of the joint = ratio * coordinate + rest
   double rest = 0;
 
-  // The same joint moved by another coordinate.
+  // The same joint, moved by another coordinate.
   constexpr joint driven_by(int other, double by = 1, double at_zero = 0) const {
     return {kind, axis, where, other, by, at_zero};
   }
@@ -46,8 +46,8 @@ constexpr joint prismatic(const std::array<double, 3>& axis, const placement& wh
   return {joint_kind::prismatic, axis, where};
 }
 
-// Mass in kg, its centre in the link's frame in m, the inertia about that centre along the link's axes in kg
-// m^2: xx, yy, zz, xy, xz, yz (the products as they stand in the matrix).
+// Mass in kg, its centre in the frame of the link in m, the inertia about that centre along the axes of the
+// link in kg m^2: xx, yy, zz, xy, xz, yz (the products with the signs of the matrix).
 struct link_inertia {
   double mass = 0;
   std::array<double, 3> centre{};
@@ -69,20 +69,20 @@ template <class Type> concept SerialChain = requires {
   Type::joints.size();
 };
 
-// With what its links weigh.
+// A chain with the inertia of its links.
 template <class Type> concept DynamicChain = SerialChain<Type> && requires { Type::links.size(); };
 
 namespace detail {
 
-// A joint ready for use: its place as a matrix (by columns), its axis of length 1, which link it stands in
-// (-1: the base).
+// A joint ready for use: its placement as a matrix (by columns), its axis of length 1, and the link in which
+// it is placed (-1: the base).
 struct body_link {
   int parent = -1;
   joint_kind kind = joint_kind::revolute;
   int coordinate = 0;
   double ratio = 1, rest = 0;
-  int principal = -1;    // the axis is x, y or z, or -1
-  bool straight = true;  // the joint's frame is not turned against its parent's
+  int principal = -1;    // 0, 1, 2 for the axes x, y, z; else -1
+  bool straight = true;  // the frame of the joint is not rotated against that of its parent
   std::array<double, 3> axis{}, at{};
   std::array<double, 9> turn{};
   link_inertia inertia{};
@@ -126,7 +126,7 @@ inline constexpr auto chain_links = [] {
   auto links = links_of(Chain::joints);
   if constexpr (DynamicChain<Chain>) {
     static_assert(Chain::links.size() == Chain::joints.size(),
-                  "cca::serial_chain: `links` says what each of the `joints` carries");
+                  "cca::serial_chain: `links` needs one entry for each of the `joints`");
     for (std::size_t i = 0; i < links.size(); ++i) links[i].inertia = Chain::links[i];
   }
   return links;

@@ -1,20 +1,23 @@
-// A discrete movement primitive as a component: a learned shape from where it is to a goal, in a given time.
+// A discrete movement primitive as a component: a learned movement from a start to a goal in a given time.
 //
 //   cca::node<"reach", cca::dmp_discrete<leg_angles, 20>, cca::timed<1>>      20 basis functions
-//   in  "goal"        S, any space of one number an axis; may change while it runs
-//   in  "start"       S, optional: where it begins (the measured position); else the space's zero. Until a
-//   first sample has
-//                     come there, it waits and publishes its status alone
-//   in  "duration"    movement_duration, s, optional: else the parameter; may change while it runs; at least
-//   1 ms in  "restart"     restart_signal, optional: each sample that arrives begins the movement anew, from
-//   where it is out "position"    S, a maybe out "velocity"    velocity_of<S>, a maybe out "progress"
-//   movement_progress, a maybe: the canonical variable, from 1 to e^-decay at the end of the duration out
-//   "status"      ode_status_port
 //
-// The weights are a parameter: one row an axis; zero makes it a critically damped spring. A restart keeps
-// position and velocity. Errors: none; while an input is not finite, it stays where it is and publishes its
-// status alone. Cost: four derivatives of N + 1 exponentials each. Source: dmp_discrete_ode.hpp. Example:
-// tests/runtime/motor/dmp.cpp.
+//   in  "goal"       S                  where the movement ends; may change during the movement
+//   in  "start"      S                  optional: where it begins (the measured position); else the zero of S
+//   in  "duration"   movement_duration  s, optional: else the parameter; at least 1 ms; may change
+//   in  "restart"    restart_signal     optional: each sample restarts the movement at the current position
+//   out "position"   S                  maybe
+//   out "velocity"   velocity_of<S>     maybe; unit of S per s
+//   out "progress"   movement_progress  maybe; the canonical variable: 1 at the start, e^-decay at the end
+//   out "status"     ode_status_port
+//
+// S is any space with one number per axis. The parameter `weights` has one row per axis. With zero weights
+// the movement is a critically damped spring. A restart keeps position and velocity. If "start" is wired, the
+// component waits for its first sample and publishes only its status until then.
+//
+// Errors: none. While an input is not finite, the state does not change and only the status is published.
+// Cost: four derivatives of N + 1 exponentials each. Source: equations/dmp_discrete_ode.hpp.
+// Example: tests/runtime/motor/dmp.cpp.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +29,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/dmp_discrete_ode.hpp>
+#include <cca/motor/equations/dmp_discrete_ode.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
@@ -84,7 +87,7 @@ struct dmp_discrete {
             status_of(status.update(rate.norm(), p.settling))};
   }
 
-  // Begins at "start" again.
+  // The next movement begins at "start".
   void on_start() {
     begun = false;
     status = {};

@@ -1,19 +1,24 @@
-// A discrete movement primitive of a pose as a component: position and orientation arrive together, on one
-// phase.
+// A discrete movement primitive of a pose as a component: position and orientation share one phase, so they
+// arrive together.
 //
-//   cca::node<"reach", cca::dmp_pose<hand_in_trunk, hand, 20>, cca::timed<1>>      20 basis functions; hand:
-//   a frame in  "goal"        S, a space of pose<Frame>; may change while it runs in  "start"       S,
-//   optional: where it begins; else the space's zero. Until a first sample has come there, it waits and
-//                     publishes its status alone
-//   in  "duration"    movement_duration, s, optional: else the parameter; may change while it runs; at least
-//   1 ms in  "restart"     restart_signal, optional: each sample that arrives begins the movement anew, from
-//   where it is out "pose"        S, a maybe, its quaternion of unit length out "velocity"    twist<Tip,
-//   Frame>, a maybe: of Tip's origin, along Frame's axes out "progress"    movement_progress, a maybe out
-//   "status"      ode_status_port
+//   cca::node<"reach", cca::dmp_pose<hand_in_trunk, hand, 20>, cca::timed<1>>      20 basis functions
 //
-// Weights: six rows, of the position and of the rotation vector. Errors: none; while an input is not finite,
-// it stays where it is and publishes its status alone. Cost: four derivatives of N + 1 exponentials, three
-// arcus tangents and roots each. Source: dmp_pose_ode.hpp. Example: tests/runtime/motor/dmp_pose.cpp.
+//   in  "goal"       S                  where the movement ends; may change during the movement
+//   in  "start"      S                  optional: where it begins; else the zero of S
+//   in  "duration"   movement_duration  s, optional: else the parameter; at least 1 ms; may change
+//   in  "restart"    restart_signal     optional: each sample restarts the movement at the current pose
+//   out "pose"       S                  maybe; its quaternion has unit length
+//   out "velocity"   twist_of<S, Tip>   maybe; rad/s and m/s of the origin of Tip, along the axes of Frame
+//   out "progress"   movement_progress  maybe; the canonical variable: 1 at the start, e^-decay at the end
+//   out "status"     ode_status_port
+//
+// S is a space of pose<Frame>; Tip is the frame that moves. The parameter `weights` has six rows: three for
+// the position, three for the rotation vector. If "start" is wired, the component waits for its first sample
+// and publishes only its status until then.
+//
+// Errors: none. While an input is not finite, the state does not change and only the status is published.
+// Cost: four derivatives, each with N + 1 exponentials, three arc tangents and three square roots.
+// Source: equations/dmp_pose_ode.hpp. Example: tests/runtime/motor/dmp_pose.cpp.
 #pragma once
 
 #include <algorithm>
@@ -25,13 +30,13 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/dmp_pose_ode.hpp>
+#include <cca/motor/equations/dmp_pose_ode.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
 
-// How a frame moves in that of a pose.
+// The velocity of the frame Tip in the frame of a pose.
 template <class PoseSpace, class Tip>
 struct twist_of : space<twist<Tip, typename PoseSpace::domain::frame>, typename PoseSpace::axes> {};
 
@@ -91,7 +96,7 @@ struct dmp_pose {
     return {pose, velocity, x[20], status_of(status.update(rate, p.settling))};
   }
 
-  // Begins at "start" again.
+  // The next movement begins at "start".
   void on_start() {
     begun = false;
     status = {};

@@ -1,21 +1,24 @@
-// A rhythmic movement primitive as a component: the DMP Transformation System of the seed's section 6.3. It
-// makes of an oscillator's phase and amplitude a learned periodic shape around a goal.
+// A rhythmic movement primitive as a component (the "DMP Transformation System" of the seed, section 6.3): it
+// turns the phase and amplitude of an oscillator into a learned periodic movement around a goal.
 //
 //   cca::node<"dmp", cca::dmp_rhythmic<leg_angles, stride, 25>, cca::timed<1>>       25 basis functions
-//   in  "phase"       over<phase, Axis>, rad
-//   in  "amplitude"   over<amplitude, Axis>; 0 or less: no swing, it comes to the goal
-//   in  "frequency"   over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
-//   in  "goal"        S, any space of one number an axis: what it swings around; may change while it runs
-//   in  "start"       S, optional: where it begins; else at the goal. Until a first sample has come there, it
-//   waits and
-//                     publishes no position
-//   out "position"    S, a maybe
-//   out "velocity"    velocity_of<S>, a maybe
-//   out "status"      ode_status_port: converged at rest; the phase's own running doesn't count
 //
-// Precondition: the phase runs at the frequency. Between two firings it is taken to go on so; each firing
-// takes it anew. Errors: none; while an input is not finite, it stays where it is and publishes no position.
-// Cost: five times N exponentials. Source: dmp_rhythmic_ode.hpp. Example: tests/runtime/motor/dmp.cpp.
+//   in  "phase"      over<phase, Axis>      rad
+//   in  "amplitude"  over<amplitude, Axis>  factor on the shape; 0 or less: the position settles at the goal
+//   in  "frequency"  over<frequency, Axis>  Hz, optional: else the parameter; at least 0.01
+//   in  "goal"       S                      the centre of the movement; may change
+//   in  "start"      S                      optional: where the movement begins; else at the goal
+//   out "position"   S                      maybe
+//   out "velocity"   velocity_of<S>         maybe; unit of S per s
+//   out "status"     ode_status_port        converged at rest; the running phase does not count
+//
+// S is any space with one number per axis. If "start" is wired, the component waits for its first sample and
+// publishes only its status until then. Precondition: the phase advances at the frequency. The component
+// assumes this between two firings and reads the phase again in each firing.
+//
+// Errors: none. While an input is not finite, the state does not change and only the status is published.
+// Cost: five times N exponentials. Source: equations/dmp_rhythmic_ode.hpp.
+// Example: tests/runtime/motor/dmp.cpp.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +31,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/dmp_rhythmic_ode.hpp>
+#include <cca/motor/equations/dmp_rhythmic_ode.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
@@ -71,7 +74,7 @@ struct dmp_rhythmic {
       x.template head<D>() = start ? start.vector() : goal.vector();
       begun = true;
     }
-    // The sample is the phase at the end of this step.
+    // The input is the phase at the end of this step; the solver begins one step earlier.
     x[2 * D] = phase[Axis{}] - 2 * std::numbers::pi * hertz * now.dt();
     solver.set(x);
     solver.advance(u, at, now.dt());
@@ -80,7 +83,7 @@ struct dmp_rhythmic {
             status_of(status.update(rate.template head<2 * D>().norm(), p.settling))};
   }
 
-  // Begins at "start" again.
+  // The next movement begins at "start".
   void on_start() {
     begun = false;
     status = {};

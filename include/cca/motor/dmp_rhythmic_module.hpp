@@ -1,31 +1,34 @@
-// The DMP Transformation System of the seed's section 6.3 as an adaptive module: a rhythmic movement
-// primitive whose shape is learned, and kept in a file.
+// A rhythmic movement primitive as an adaptive module: it learns its shape and keeps it in a file (the "DMP
+// Transformation System" of the seed, section 6.3).
 //
 //   cca::tracker<cca::dmp_rhythmic_module<leg_angles, stride, 25>, cca::tracking<leg_angles>>
-//   in  "phase"          over<phase, Axis>, rad
-//   in  "amplitude"      over<amplitude, Axis>; 0 or less: no swing, it comes to the reference
-//   in  "frequency"      over<frequency, Axis>, Hz, optional: else the parameter; at least 0.01
-//   in  "reference"      S, any space of one number an axis: what it swings around; may change while it runs
-//   in  "start"          S, optional: where it begins; else at the reference. Until a first sample has come
-//   there, it waits and
-//                        publishes no command
-//   in  "demonstration"  S, optional: what it shall learn, at this phase, amplitude, frequency and reference
-//   in  "learn"          learning_request, optional: what another component asks of it
-//   out "command"        S, a maybe
-//   out "velocity"       velocity_of<S>, a maybe
-//   out "ode"            ode_status_port: converged at rest
-//   out "module"         module_status_port: what it learns, and whether this phase has been trained
 //
-// Three fresh samples of a demonstration, in three firings, make an example: position, velocity and
-// acceleration at the middle one by central differences, so noise has to be filtered before. An amplitude
-// below a hundredth of the `swing` that it was taught with is passed over. Learning, by a program between two
-// beats: `c.get<"dmp.module">().learning`, a cca::training.
+//   in  "phase"          over<phase, Axis>      rad
+//   in  "amplitude"      over<amplitude, Axis>  0 or less: the command settles at the reference
+//   in  "frequency"      over<frequency, Axis>  Hz, optional: else the parameter; at least 0.01
+//   in  "reference"      S                      the centre of the movement; may change
+//   in  "start"          S                      optional: where the movement begins; else at the reference
+//   in  "demonstration"  S                      optional: the movement to learn, at this phase, amplitude,
+//                                               frequency and reference
+//   in  "learn"          learning_request       optional: a request of another component
+//   out "command"        S                      maybe
+//   out "velocity"       velocity_of<S>         maybe; unit of S per s
+//   out "ode"            ode_status_port        converged at rest
+//   out "module"         module_status_port     what the learner does, and whether this phase was trained
 //
-// Parameters: frequency, stiffness, settling, settings (the learner's), files (read on load, written on
-// save). The weights depend on the stiffness: a file that was learned with another one is refused. Errors:
-// learner.model; `cca::refused` of files; while an input is not finite, it stays where it is and publishes no
-// command. Cost: five times N exponentials; with a demonstration one step of the learner more. Source:
-// dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
+// S is any space with one number per axis. If "start" is wired, the module waits for its first sample and
+// publishes only its statuses until then.
+//
+// Three fresh demonstrations in three consecutive firings make one example: position, velocity and
+// acceleration at the middle one, by central differences. Filter noise before. Examples with an amplitude of
+// at most 1e-3 are ignored. A program learns between two beats through `c.get<"dmp.module">().learning`, a
+// cca::training.
+//
+// Parameters: frequency, stiffness, settling, settings (of the learner), files (read on load, written on
+// save). The weights depend on the stiffness: a file that was learned with another stiffness is refused.
+// Errors: learner.model; `cca::refused` for files. While an input is not finite, the state does not change
+// and only the statuses are published. Cost: five times N exponentials; with a demonstration also one step of
+// the learner. Source: equations/dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once
 
 #include <algorithm>
@@ -39,10 +42,9 @@
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/beat.hpp>
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/dmp_rhythmic_ode.hpp>
+#include <cca/motor/equations/dmp_rhythmic_ode.hpp>
 #include <cca/motor/dmp_shapes.hpp>
 #include <cca/motor/finite.hpp>
 
@@ -104,7 +106,7 @@ struct dmp_rhythmic_module {
       x.template head<D>() = start ? start.vector() : reference.vector();
       begun = true;
     }
-    // The sample is the phase at the end of this step.
+    // The input is the phase at the end of this step; the solver begins one step earlier.
     x[2 * D] = phase[Axis{}] - now.dt() / tau;
     solver.set(x);
     solver.advance(u, at, now.dt());
@@ -120,14 +122,14 @@ struct dmp_rhythmic_module {
   void on_save() {
     if (!p.files.save.view().empty()) learning.save(std::string(p.files.save.view()), constants());
   }
-  // Begins at "start" again.
+  // The next movement begins at "start".
   void on_start() {
     begun = false;
     seen_in_a_row = 0;
     ode_state = {};
   }
 
-  // What the weights depend on.
+  // The weights depend on the stiffness, so a file states it.
   std::vector<learned_header::constant> constants() const { return {{"stiffness", p.stiffness}}; }
 
 private:
@@ -138,11 +140,11 @@ private:
     double tau;
   };
 
-  CCA_GLUE void observe_demonstration(const optional_in<"demonstration", S>& y,
-                                      const input& x,
-                                      const typename ode::vector& goal,
-                                      double tau,
-                                      double dt) {
+  [[gnu::always_inline]] void observe_demonstration(const optional_in<"demonstration", S>& y,
+                                                    const input& x,
+                                                    const typename ode::vector& goal,
+                                                    double tau,
+                                                    double dt) {
     if (!y || !y.fresh()) {
       seen_in_a_row = 0;
       return;

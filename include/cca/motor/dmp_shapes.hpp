@@ -1,19 +1,17 @@
-// The shapes of movement primitives as models that a learner adapts: the weights of their forcing terms.
+// The shapes of movement primitives as models for a learner: the weights of their forcing terms.
 //
-//   rhythmic_shape<S, N>   input: phase (rad), amplitude; output: the forcing term f = r W Psi(phi), a row an
-//   axis discrete_shape<S, N>   input: canonical variable x;   output: f / (g - y0) where it's scaled, else
-//   f: x W Psi(x)
+//   rhythmic_shape<S, N>   input: phase (rad), amplitude    output: forcing term f = r W Psi(phi)
+//   discrete_shape<S, N>   input: canonical variable x      output: f = x W Psi(x); if scaled: f / (g - y0)
 //
-// Psi are the normalised activations of dmp_basis.hpp. Source: Ijspeert et al., Neural Computation 25, 2013,
-// equations 2.3 and 2.7. The forcing term that a demonstration asks for is `wanted_forcing` of the
-// primitives' odes (2.12).
+// W has one row per axis of S. Psi are the normalised activations of equations/dmp_basis.hpp.
+// `wanted_forcing` of the primitives' equations gives the forcing term that a demonstration needs (2.12).
+// Source: Ijspeert et al., Neural Computation 25, 2013, equations 2.3 and 2.7.
 #pragma once
 
 #include <string>
 
-#include <cca/base/inlining.hpp>
 #include <cca/base/reflect.hpp>
-#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
 #include <cca/space/info.hpp>
 
@@ -45,7 +43,10 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 2, 1>;
 
-  CCA_GLUE static cca::activations<N> activations(const input& x) { return rhythmic_activations<N>(x[0]); }
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] static cca::activations<N> activations(const input& x) {
+    return rhythmic_activations<N>(x[0]);
+  }
   static double scale(const input& x) { return x[1]; }
   static cca::activations<N> regressors(const input& x) { return scale(x) * activations(x); }
   static output answer(const parameters& p, const input& x) { return p.weights * regressors(x); }
@@ -55,14 +56,14 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   }
 };
 
-// Decay: a of the canonical system, in thousandths, since it settles where the functions lie.
+// Decay: a of the canonical system times 1000. It is part of the type because it places the functions.
 template <detail::LinearSpace S, int N, int Decay = 5000>
 struct discrete_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::output;
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 1, 1>;
 
-  CCA_GLUE static cca::activations<N> activations(const input& x) {
+  static cca::activations<N> activations(const input& x) {
     return discrete_activations<N>(x[0], 1e-3 * Decay);
   }
   static double scale(const input& x) { return x[0]; }

@@ -1,23 +1,21 @@
-// What a movement may be made of. A state that NaN has come into is lost for good, so no component of this
-// folder takes one in: a sample that is not finite is as good as none, in whatever state it would go.
+// Checks of input samples. NaN in a state never leaves it again, so the components of this folder ignore
+// samples that are not finite.
 //
-//   detail::all_finite(v)     neither NaN nor infinity among the coordinates: a sum and a comparison
-//   detail::has_come(port)    a movement can begin there: a sample has arrived, no initial value, and it is
-//   finite
+//   detail::all_finite(v)     no coordinate is NaN or infinite; costs a sum and a comparison
+//   detail::has_come(port)    a sample has arrived (no initial value) and it is finite
 #pragma once
 
-#include <cca/base/inlining.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca::detail {
 
 template <class Vector>
-CCA_GLUE bool all_finite(const Eigen::MatrixBase<Vector>& v) {
+inline bool all_finite(const Eigen::MatrixBase<Vector>& v) {
   return (v - v).sum() == 0;
 }
 
 template <class Port>
-CCA_GLUE bool has_come(const Port& port) {
+inline bool has_come(const Port& port) {
   return port.origin() != never && all_finite(port.vector());
 }
 

@@ -1,21 +1,24 @@
-// Four coupled oscillators, one a leg, that fall into a gait.
+// Four coupled oscillators, one per leg, that lock into a gait.
 //
 //   cca::node<"cpg", cca::gait_network<left_front, right_front, left_hind, right_hind>, cca::timed<1>>
-//   in  "amplitude"   over<amplitude, legs>, >= 0
-//   in  "frequency"   over<frequency, legs>, Hz, optional: else the parameter, for all legs
-//   in  "gait"        gait_choice, a number of enum gait, optional: else the parameter
-//   out "phase"       over<phase, legs>, rad in [0, 2 pi)
-//   out "amplitude"   over<amplitude, legs>
-//   out "status"      ode_status_port: converged once phases are locked and amplitudes stand, apart from the
-//   common turning
 //
-// From one gait to another half of the phase differences may have to change by exactly pi, where the coupling
-// is zero: an unstable equilibrium, in which it would stay. So a change of gait moves leg i by i `nudge`s
-// (0.06 degrees by default). Coupling acts through the amplitudes: at amplitude 0 legs don't draw each other.
-// Precondition: one frequency for all legs, or ones that differ by less than the coupling can hold. Errors:
-// an unknown number at "gait" is taken for the walk; while another input is not finite, the legs stay where
-// they are. Cost: 60 sines a beat (RK4). Source: oscillator_network_ode.hpp, gait.hpp. Example:
-// tests/runtime/motor/gait_network.cpp.
+//   in  "amplitude"  over<amplitude, legs>  >= 0
+//   in  "frequency"  over<frequency, legs>  Hz, optional: else the parameter, for all legs
+//   in  "gait"       gait_choice            a number of enum gait, optional: else the parameter
+//   out "phase"      over<phase, legs>      rad in [0, 2 pi)
+//   out "amplitude"  over<amplitude, legs>
+//   out "status"     ode_status_port        converged once phases are locked and amplitudes are steady
+//
+// A change of gait moves leg i by i times the parameter `nudge` (0.06 degrees by default). Reason: half of
+// the phase differences may have to change by exactly pi. There the coupling is zero, so without a nudge the
+// legs would stay at this unstable equilibrium. The coupling is proportional to the amplitude: legs with
+// amplitude 0 do not act on others. Precondition: all legs have the same frequency, or frequencies close
+// enough for the coupling to lock.
+//
+// Errors: an unknown number at "gait" means walk. While another input is not finite, the state does not
+// change.
+// Cost: 60 sines per beat (RK4). Source: equations/oscillator_network_ode.hpp, gait.hpp.
+// Example: tests/runtime/motor/gait_network.cpp.
 #pragma once
 
 #include <tuple>
@@ -27,7 +30,7 @@
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
 #include <cca/motor/gait.hpp>
-#include <cca/motor/oscillator_network_ode.hpp>
+#include <cca/motor/equations/oscillator_network_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -77,7 +80,7 @@ struct gait_network {
             status_of(status.update(rate.norm(), p.settling))};
   }
 
-  // Starts again, from amplitude 0, in the gait.
+  // Begins with amplitude 0 and the phases of the gait.
   void on_start() {
     begun = false;
     status = {};

@@ -1,27 +1,28 @@
-// Gaussian mixture regression as a learner: a mixture over inputs and outputs, by expectation-maximisation.
+// A learner for Gaussian mixture regression: expectation maximisation of a mixture over inputs and outputs.
 //
 //   r_kt = prior_k N(z_t; m_k, S_k) / sum_k     responsibilities, z = (x, y)
-//   n_k = sum_t r_kt,  prior_k = n_k / T,  m_k = sum r_kt z_t / n_k,  S_k = sum r_kt (z_t - m_k)(z_t - m_k)^T
-//   / n_k + floor
+//   n_k = sum_t r_kt,  prior_k = n_k / T,  m_k = sum r_kt z_t / n_k
+//   S_k = sum r_kt (z_t - m_k)(z_t - m_k)^T / n_k + floor
 //
-// It begins with examples that lie far apart (covered_region.hpp) and their nearest neighbours, and ends when
-// the likelihood grows by less than `tolerance` an example. `floor` keeps a Gaussian of few examples from
-// collapsing; with it the likelihood may fall by a little in the last steps. Inside the trained region: the
-// input is as likely as the least likely example was. The model's parameters are those of cca::gmr:
-// `c.get<"motion">().p.mixture = learned.function`. It learns in batches only. Cost: of a batch K (I + O)^3
-// an example and an iteration, at most `iterations`. Errors: none. Source: Dempster, Laird, Rubin, Maximum
-// likelihood from incomplete data via the EM algorithm, Journal of the Royal Statistical Society B 39, 1977;
-// regression: gaussian_mixture.hpp. Checked: the likelihood grows, and is a direct sum of densities. Example:
-// tests/runtime/adaptive/learners.cpp.
+// It begins with examples that lie far apart (covered_region.hpp) and assigns each example to the nearest of
+// them. It ends when the likelihood per example grows by less than `tolerance`, or after `iterations`.
+// `floor` keeps a Gaussian with few examples from collapsing; because of it the likelihood may fall slightly
+// in the last steps. Trained region: inputs at least as likely as the least likely example. It learns in
+// batches only. The model has the parameters of cca::gmr: `c.get<"motion">().p.mixture = learned.function`.
+//
+// Errors: none. Cost: a batch takes K (I + O)^3 operations per example and iteration.
+// Source: Dempster, Laird, Rubin, Maximum likelihood from incomplete data via the EM algorithm, Journal of
+// the Royal Statistical Society B 39, 1977; regression: equations/gaussian_mixture.hpp. Checked: the
+// likelihood grows and equals a direct sum of densities. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
 #include <limits>
 #include <vector>
 
-#include <cca/adaptive/covered_region.hpp>
+#include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
-#include <cca/motor/gaussian_mixture.hpp>
+#include <cca/motor/equations/gaussian_mixture.hpp>
 #include <cca/motor/spaces.hpp>
 #include <cca/space/info.hpp>
 
@@ -71,7 +72,7 @@ struct expectation_maximisation {
     BOOST_HANA_DEFINE_STRUCT(learned,
                              (parameters, function),
                              (double, least_likely),
-                             (double, likelihood));  // logarithms; of inputs, of all an example
+                             (double, likelihood));  // both are logarithms, the second per example
     learned() : function(), least_likely(std::numeric_limits<double>::max()), likelihood(0) {}
   };
 
@@ -122,7 +123,7 @@ private:
     return log_sum(each);
   }
 
-  // Each example belongs to the nearest of K that lie far apart.
+  // Assigns each example to the nearest of K examples that lie far apart.
   static Eigen::MatrixXd first_guess(const std::vector<point>& points) {
     const auto apart = covered_region<size, K>::over(points);
     Eigen::MatrixXd r = Eigen::MatrixXd::Zero(K, static_cast<Eigen::Index>(points.size()));

@@ -1,17 +1,21 @@
-// A Generator: an adaptive component that oscillates (seed, chapter 3): an oscillator, a learned periodic
-// shape on its phase, and a criterion.
+// A Generator: an adaptive component that oscillates (seed, chapter 3). It consists of an oscillator, a
+// learned periodic shape that follows its phase, and a criterion.
 //
 //   struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg_angles, stride, 25>,
-//   cca::tracking<leg_angles>> {}; in  "centre"       what it swings around (the shape's reference) in
-//   "amplitude"    over<amplitude, Axis>; negative: it comes to rest at the centre in  "phase" over<phase,
-//   Axis>, optional: how far it runs ahead of its oscillator, rad in  "frequency"    over<frequency, Axis>,
-//   Hz: of oscillator and shape in  "feedback"     what is measured out "command", "ode_status",
-//   "module_status", "component_status", "error", and the shape's other ports
+//                                 cca::tracking<leg_angles>> {};
 //
-// Inside: `module`, a graph of `oscillator`, `shift` and `pattern`, `criterion`, `status`. The oscillator is
-// a hopf<Axis>, or the fourth argument: one with inputs "amplitude", "frequency" and outputs "phase",
-// "amplitude". Options: those of an adaptive component. Cost: that of its parts. Example:
-// tests/runtime/adaptive/kinds.cpp.
+//   in  "centre"     S                      the centre of the oscillation (the reference of the shape)
+//   in  "amplitude"  over<amplitude, Axis>  negative: it comes to rest at the centre
+//   in  "phase"      over<phase, Axis>      rad, optional: lead over the oscillator
+//   in  "frequency"  over<frequency, Axis>  Hz: of the oscillator and the shape
+//   in  "feedback"   S                      the measured value
+//   out "command"    S
+//   out "ode_status", "module_status", "component_status", "error", and the other ports of the shape
+//
+// Inside: `module` (a graph of `oscillator`, `shift` and `pattern`), `criterion`, `status`. The oscillator is
+// hopf<Axis>, or the fourth argument: a component with inputs "amplitude", "frequency" and outputs "phase",
+// "amplitude". Options: those of an adaptive component. Errors, cost: those of its parts.
+// Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
 #include <cca/adaptive/adaptive_component.hpp>
@@ -20,7 +24,7 @@
 
 namespace cca {
 
-// A phase, further by so much.
+// Adds a lead to a phase.
 template <class Axis>
 struct phase_shift {
   auto process(in<"phase", over<phase, Axis>> at, optional_in<"by", over<phase, Axis>> by)
@@ -52,7 +56,7 @@ struct oscillation : graph<node<"oscillator", Oscillator, Strategy>,
 template <class Axis, class Pattern, Criterion Measure, class Oscillator = hopf<Axis>, class... Options>
 struct generator
     : adaptive_component<
-          oscillation<Axis, Pattern, Oscillator, typename detail::strategy_among<Options...>::type>,
+          oscillation<Axis, Pattern, Oscillator, typename detail::strategy_option<Options...>::type>,
           Measure,
           Options...> {};
 

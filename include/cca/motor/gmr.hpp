@@ -1,14 +1,16 @@
-// A motion model by Gaussian mixture regression over a phase or a time.
+// A motion model by Gaussian mixture regression over a phase, a time or a progress.
 //
 //   cca::node<"motion", cca::gmr<progress, leg_angles, 6>>           6 Gaussians over (input, axes)
-//   in  "input"       Input, a space of one axis: a phase (then it is taken round the circle), a time, a
-//   progress out "position"    S, any space of one number an axis out "spread"      over the same axes,
-//   number: the standard deviation, what the demonstrations left free
 //
-// On a circle each Gaussian is taken at the nearest turn; with standard deviations of more than a quarter of
-// a turn that is not the wrapped Gaussian any more. Errors: none; an input that is not finite gives no
-// number. Cost: a logarithm, an exponential and O^2 products a Gaussian. Source: gaussian_mixture.hpp.
-// Example: tests/runtime/motor/gmr.cpp.
+//   in  "input"     Input         a space of one axis; a phase wraps around the circle
+//   out "position"  S             any space with one number per axis: the mean
+//   out "spread"    spread_of<S>  standard deviation in the unit of S: how much the demonstrations differed
+//
+// For a phase each Gaussian is evaluated at its nearest turn. Standard deviations above a quarter of a turn
+// are no longer those of a wrapped Gaussian. The parameter `mixture` is the model.
+//
+// Errors: none; an input that is not finite gives NaN. Cost: a logarithm, an exponential and O^2 products per
+// Gaussian. Source: equations/gaussian_mixture.hpp. Example: tests/runtime/motor/gmr.cpp.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +20,12 @@
 
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/gaussian_mixture.hpp>
+#include <cca/motor/equations/gaussian_mixture.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
 
-// Of a space, how far its samples scatter along each axis, in its unit.
+// The standard deviation of samples of a space along each axis, in the unit of the space.
 template <class Whole>
 struct spread_of : space<number, typename Whole::axes> {};
 

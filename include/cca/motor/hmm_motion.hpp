@@ -1,22 +1,25 @@
-// A motion model by a hidden Markov model: which part of the movement it is in, and so which way to go on,
-// from the position.
+// A motion model by a hidden Markov model: from the position it tells which part of the movement is running
+// and with which velocity to go on.
 //
 //   cca::node<"motion", cca::hmm_motion<hand_in_trunk, 5>, cca::timed<10>>      5 hidden states
-//   in  "position"    S, any space of one number an axis: the observed one
-//   out "velocity"    velocity_of<S>: the wanted one
-//   out "state"       hidden_state, a number from 0: the most likely state
 //
-//   h_k(t) = (sum_j h_j(t-1) a_jk) N(x; m_k^x, S_k^xx) / sum      forward variable; at first `priors` of the
-//   mixture v(x)   = sum h_k (m_k^v + S_k^vx S_k^xx^-1 (x - m_k^x))       regression, so weighted
+//   in  "position"  S               any space with one number per axis: the observed position
+//   out "velocity"  velocity_of<S>  the wanted velocity
+//   out "state"     hidden_state    the most likely state, counted from 0
 //
-// The mixture is over (position, velocity); `transitions` has a row for each state that is left, and holds
-// for the clock at which it was learned. The sequence of states tells apart parts of the movement that cross
-// at one place, which a mixture by itself can't. A position that is not finite leaves the states as they are
-// and gives velocity 0. Errors: none. Cost: K factorisations of D x D, K^2 products. Source: Calinon,
-// D'halluin, Sauser, Caldwell, Billard, Learning and reproduction of gestures by imitation, IEEE Robotics and
-// Automation Magazine 17, 2010 (HMM and GMR); the forward variable: Rabiner, A tutorial on hidden Markov
-// models and selected applications in speech recognition, Proceedings of the IEEE 77, 1989 (the forward
-// procedure). Checked against the recursion written out. Example: tests/runtime/motor/gmr.cpp.
+//   h_k(t) = (sum_j h_j(t-1) a_jk) N(x; m_k^x, S_k^xx) / sum    forward variable; `priors` at first
+//   v(x)   = sum h_k (m_k^v + S_k^vx S_k^xx^-1 (x - m_k^x))     regression with these weights
+//
+// The mixture is over (position, velocity). Row j of `transitions` holds the probabilities of leaving state
+// j; they belong to the clock at which they were learned. The sequence of states distinguishes parts of the
+// movement that cross at one place; a mixture alone cannot.
+//
+// Errors: none. A position that is not finite leaves the states as they are and gives velocity 0.
+// Cost: K factorisations of D x D, K^2 products. Source: Calinon, D'halluin, Sauser, Caldwell, Billard,
+// Learning and reproduction of gestures by imitation, IEEE Robotics and Automation Magazine 17, 2010 (HMM and
+// GMR); forward variable: Rabiner, A tutorial on hidden Markov models and selected applications in speech
+// recognition, Proceedings of the IEEE 77, 1989. Checked against the recursion written out.
+// Example: tests/runtime/motor/gmr.cpp.
 #pragma once
 
 #include <string_view>
@@ -24,7 +27,7 @@
 
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/gaussian_mixture.hpp>
+#include <cca/motor/equations/gaussian_mixture.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -45,7 +48,8 @@ struct hmm_motion {
       for (int k = 0; k < K; ++k)
         if (transitions.row(k).minCoeff() < 0 || transitions.row(k).sum() < 1 - 1e-6 ||
             transitions.row(k).sum() > 1 + 1e-6)
-          return "a row of `transitions` is not a distribution: its sum is 1, none of it negative";
+          return "a row of `transitions` is not a probability distribution: no entry may be negative, the "
+                 "sum must be 1";
       return "";
     }
   };
@@ -68,10 +72,10 @@ struct hmm_motion {
     return {velocity, static_cast<double>(likely)};
   }
 
-  // How likely each state is.
+  // The probability of each state.
   const weights& states() const { return now; }
 
-  // Begins anew.
+  // Begins again from `priors`.
   void on_start() {
     begun = false;
     now.setConstant(1.0 / K);

@@ -1,18 +1,20 @@
-// A Hopf oscillator as a component: a phase that runs, and an amplitude that comes to what is wanted. Where a
-// negative one is wanted the circle shrinks to the origin, a stable fixed point: what follows it comes to
-// rest.
+// A Hopf oscillator as a component: a running phase and an amplitude that converges to the wanted one. At a
+// negative wanted amplitude the circle shrinks to the origin, so a movement that follows it comes to rest.
 //
 //   cca::node<"cpg", cca::hopf<stride>, cca::timed<1>>
-//   in  "amplitude"   over<amplitude, Axis>; negative: rest
-//   in  "frequency"   over<frequency, Axis>, Hz, optional: else the parameter
-//   out "phase"       over<phase, Axis>, rad in (-pi, pi]
-//   out "amplitude"   over<amplitude, Axis>, the radius now
-//   out "status"      ode_status_port: converged at rest, transient on the cycle, whose point moves
 //
-// The origin is an equilibrium that no positive amplitude would leave: the radius is held at `ember` or
-// above, so a resting oscillator still has a phase and wakes up, in ln(A / ember) / (c A^2) s. Errors: none;
-// while an input is not finite, it stays where it is. Cost: four derivatives, an atan2 and a root. Source:
-// hopf_ode.hpp. Example: tests/runtime/motor/hopf.cpp.
+//   in  "amplitude"  over<amplitude, Axis>  the wanted amplitude; negative: rest
+//   in  "frequency"  over<frequency, Axis>  Hz, optional: else the parameter
+//   out "phase"      over<phase, Axis>      rad in (-pi, pi]
+//   out "amplitude"  over<amplitude, Axis>  the current radius
+//   out "status"     ode_status_port        converged at rest; transient on the cycle, where the state moves
+//
+// No positive amplitude could leave the origin, which is an equilibrium. The radius is therefore kept at or
+// above the parameter `ember`: a resting oscillator still has a phase, and wakes up within ln(A / ember) / (c
+// A^2) s.
+//
+// Errors: none. While an input is not finite, the state does not change. Cost: four derivatives, an atan2 and
+// a square root. Source: equations/hopf_ode.hpp. Example: tests/runtime/motor/hopf.cpp.
 #pragma once
 
 #include <cmath>
@@ -24,7 +26,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/finite.hpp>
-#include <cca/motor/hopf_ode.hpp>
+#include <cca/motor/equations/hopf_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -54,12 +56,12 @@ struct hopf {
       radius = p.ember;
       solver.set(x);
     }
-    // At the ember it rests, though the point goes round.
+    // At the radius `ember` it counts as resting, although the state still turns.
     const double rate = radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0;
     return {std::atan2(x[1], x[0]), radius, status_of(status.update(rate, p.settling))};
   }
 
-  // Starts again, from the ember, where it rests: so its status needs no start.
+  // Begins at the radius `ember`, at rest: the status needs no reset.
   void on_start() { solver = {}; }
 
 private:

@@ -1,24 +1,26 @@
 // A PID controller, each axis by itself.
 //
 //   cca::node<"servo", cca::pid<leg_angles, leg_torques>, cca::timed<1>>
-//   in  "reference"   Measured, any space of one number an axis
-//   in  "measured"    Measured
-//   in  "manual"      Command, optional: what is commanded while "automatic" is 0
-//   in  "automatic"   over<status, automatic_axis>, optional: 0: by hand
-//   out "command"     Command, within the limits that its axes state, and at most `largest`
+//
+//   in  "reference"  Measured                      the wanted value
+//   in  "measured"   Measured
+//   in  "manual"     Command                       optional: the command while "automatic" is 0
+//   in  "automatic"  over<status, automatic_axis>  optional: 0 means manual
+//   out "command"    Command                       within the limits of its axes, and at most `largest`
 //
 //   v = kp (r - y) + I + D,  u = v cut to the limits
-//   I' = ki (r - y) + (u - v) / tracking      back-calculation: no wind-up
-//   D  = -kd y_f',  filter y_f' = y - y_f     derivative on the measurement: a step of the reference doesn't
-//   kick
+//   I' = ki (r - y) + (u - v) / tracking        back-calculation: no wind-up
+//   D  = -kd y_f',  filter y_f' = y - y_f       a step of the reference makes no kick
 //
-// Bumpless: from manual to automatic, and when gains are set while it runs, the command goes on from where it
-// was; what had to be taken up fades by the integral or, with ki = 0, within the tracking time. Numbers that
-// are not finite at an input are not taken: the last command is held. Gains are in Command's unit per
-// Measured's (and per s, times s); `filter` and `tracking` in s. Forward differences for I, backward ones for
-// D: any filter time is stable. Errors: none. Cost: about 20 operations an axis. Source: Astrom and Murray,
-// Feedback Systems, 2008, sections 10.4, 10.5; Astrom and Hagglund, PID Controllers, 1995, section 3.5.
-// Example: tests/runtime/motor/pid.cpp.
+// Measured and Command are spaces with one number per axis. Gains: unit of Command per unit of Measured (ki:
+// and per s, kd: times s); `filter` and `tracking` in s. The integral uses forward differences, the
+// derivative backward ones: every filter time is stable. Transfers are bumpless: on a change from manual to
+// automatic or of a gain the command continues without a jump. The difference decays through the integral or,
+// with ki = 0, within the tracking time.
+//
+// Errors: none. While an input is not finite, the last command is held. Cost: about 20 operations per axis.
+// Source: Astrom and Murray, Feedback Systems, 2008, sections 10.4, 10.5; Astrom and Hagglund, PID
+// Controllers, 1995, section 3.5. Example: tests/runtime/motor/pid.cpp.
 #pragma once
 
 #include <algorithm>
@@ -102,7 +104,7 @@ private:
   }
 
   vector integral = vector::Zero(), filtered = vector::Zero(), command = vector::Zero();
-  vector proportional = vector::Zero(), derivative = vector::Zero();  // the gains of the last firing
+  vector proportional = vector::Zero(), derivative = vector::Zero();  // gains in the last firing
   bool begun = false;
 };
 

@@ -1,23 +1,27 @@
-// A reservoir pattern generator (RCPG): an echo state network whose output, fed back, goes on as the pattern
-// it was trained on.
+// A reservoir pattern generator (RCPG): an echo state network whose output is fed back, so it continues the
+// pattern that it was trained on.
 //
-//   cca::node<"cpg", cca::rcpg<leg_angles, 100>, cca::timed<10>>      100 units; a step each 10 beats
-//   in  "teacher"    S, optional: each sample that arrives is fed back instead of the network's own output,
-//   and published out "pattern"    S, any space of one number an axis
+//   cca::node<"cpg", cca::rcpg<leg_angles, 100>, cca::timed<10>>      100 units, one step every 10 beats
 //
-// The pattern runs by firings: at the clock that it was trained at. The readout is a parameter, a row an
-// axis: a weight for each unit and then a constant; `activity()` are the regressors, while a teacher is
-// present (ridge regression finds the weights; the network must be the same: seed, radius, leak, feedback,
-// bias). The network is made on load, or in the first firing. Errors: none; the activity is bounded by 1, so
-// is the pattern by its weights; a teacher that is not finite is not taken. Cost: N (10 + D) products and N
-// hyperbolic tangents a firing; memory 120 bytes a unit. Source: reservoir.hpp; as a pattern generator:
-// Wyffels and Schrauwen, Design of a central pattern generator using reservoir computing for learning human
-// motion, ATEQUAL 2009. Example: tests/runtime/motor/rcpg.cpp.
+//   in  "teacher"  S    optional: each fresh sample is fed back and published instead of the network's output
+//   out "pattern"  S    any space with one number per axis
+//
+// The pattern advances once per firing, so run it at the clock of its training. The parameter `readout` has
+// one row per axis: a weight per unit, then a constant. To train: feed the teacher, collect `activity()` as
+// regressors, find the weights by ridge regression. The network must be the same then: seed, spectral_radius,
+// leak, feedback, bias. The network is made on load, or in the first firing.
+//
+// Errors: none. The activity is bounded by 1, so the pattern is bounded by its weights. A teacher sample that
+// is not finite is ignored. Cost: N (10 + D) products and N hyperbolic tangents per firing; 120 bytes per
+// unit.
+// Source: equations/reservoir.hpp; as a pattern generator: Wyffels and Schrauwen, Design of a central pattern
+// generator using reservoir computing for learning human motion, ATEQUAL 2009.
+// Example: tests/runtime/motor/rcpg.cpp.
 #pragma once
 
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/reservoir.hpp>
+#include <cca/motor/equations/reservoir.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -47,7 +51,7 @@ struct rcpg {
     return y;
   }
 
-  // What the readout weights multiply.
+  // The regressors of the readout: the activity of each unit, then 1.
   regressors activity() const {
     regressors all;
     all << network.get(), 1.0;
@@ -60,7 +64,7 @@ struct rcpg {
     made = true;
   }
 
-  // Starts again, from rest; the network stays.
+  // Begins at rest; the network stays the same.
   void on_start() {
     network.rest();
     y.setZero();

@@ -1,4 +1,5 @@
-// Spaces that the ready components make from the user's: named, so that messages stay short.
+// Spaces that the components of this folder derive from the user's. They are named structs, so messages stay
+// short.
 #pragma once
 
 #include <cca/space/domain.hpp>
@@ -6,7 +7,7 @@
 
 namespace cca {
 
-// A domain type over axes of the user's, at whatever rate.
+// A domain type over the user's axes, without a rate.
 template <class Domain, class... Axes>
 struct over : space<Domain, axes<Axes...>> {};
 
@@ -14,7 +15,7 @@ namespace detail {
 
 template <class Domain>
 struct rate_domain {
-  using type = number;  // in the domain's unit per s
+  using type = number;  // unit: the domain's per s
 };
 template <>
 struct rate_domain<joint_angles> {
@@ -27,7 +28,7 @@ struct rate_domain<joint_velocities> {
 
 }  // namespace detail
 
-// How fast a sample of Whole changes, along the same axes.
+// The rate of change of samples of Whole, along the same axes.
 template <class Whole>
 struct velocity_of : space<typename detail::rate_domain<typename Whole::domain>::type, typename Whole::axes> {
 };
@@ -36,15 +37,14 @@ struct duration_axis : dimension<"duration"> {};
 struct movement_duration : space<number, axes<duration_axis>> {};  // s
 
 struct restart_axis : dimension<"restart"> {};
-struct restart_signal : space<number, axes<restart_axis>> {};  // whatever arrives restarts
+struct restart_signal : space<number, axes<restart_axis>> {};  // any sample restarts
 
 struct progress_axis : dimension<"progress"> {};
 struct movement_progress : space<number, axes<progress_axis>> {};  // the canonical variable: from 1 down to 0
 
 namespace detail {
 
-// Real numbers along each axis, which can be added: what a component that computes on bare vectors can work
-// in.
+// One number per axis, and vectors that can be added: what components that compute with plain vectors need.
 template <class Type> concept LinearSpace = Space<Type> && Type::size == Type::axes::count;
 
 }  // namespace detail

@@ -1,20 +1,19 @@
-// A body: body parts, each a serial chain that hangs on another part or on the body's base, as types (seed,
-// figure 4.5).
+// A body: body parts as types. Each part is a serial chain that is attached to another part or to the base of
+// the body (seed, figure 4.5).
 //
 //   struct oncilla_body : cca::body<trunk,
 //       cca::part<"left_front_leg", left_front_leg, cca::driven_by<"left_front_hip", "left_front_knee">>,
 //       cca::part<"left_front_paw", left_front_paw>, ...> {
-//     static constexpr cca::link_inertia base{3.66, {0, 0, 0.02}, {...}};      // optional: what the base
-//     itself weighs
+//     static constexpr cca::link_inertia base{3.66, {0, 0, 0.02}, {...}};  // optional: inertia of the base
 //   };
 //
-// A part hangs where its chain begins: on the part whose chain ends in that frame, else on the base. So the
-// frames make the tree; if all parts begin in the base, it's a star. A part may have no joints: then it is a
-// place on another one. What its links weigh is optional (`links` of the chain, serial_chain.hpp).
-// `driven_by` ties a part to the resource nodes that move and feel it; `cca::embodied<Body, Graph>` checks
-// that they are there.
+// The frames make the tree: a part is attached to the part whose chain ends in the frame where its own chain
+// begins, else to the base. If all parts begin in the base, the body is a star. A part without joints is a
+// fixed point on another part. The inertia of links is optional (`links` of the chain, serial_chain.hpp).
+// `driven_by` names the resource nodes that move and measure a part; `cca::embodied<Body, Graph>` checks that
+// they exist.
 //
-// Coordinates of a body are those of its parts, in the order of declaration: `axes_of<Body>`.
+// The coordinates of a body are those of its parts, in order of declaration: `axes_of<Body>`.
 // Errors: body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp;
 // docs/body.md.
 #pragma once
@@ -48,7 +47,7 @@ struct part {
 
 namespace detail {
 
-// Which part each one hangs on: -1 the base, -2 nothing.
+// The part to which each part is attached: -1 the base, -2 nothing.
 template <class Base, class... Parts>
 struct attachments {
   static constexpr std::size_t count = sizeof...(Parts);
@@ -64,14 +63,14 @@ struct attachments {
   }
   static constexpr std::array<int, count> parent{parent_of<Parts>()...};
 
-  // Two ways to one frame, or a way back to the base: a loop.
+  // The number of chains that end in the same frame, plus one if it is the base: more than one makes a loop.
   template <class Part>
   static constexpr int ends_like() {
     return (int{std::is_same_v<typename Part::chain::tip_frame, typename Parts::chain::tip_frame>} + ... +
             int{std::is_same_v<typename Part::chain::tip_frame, Base>});
   }
 
-  // Whether the way from a part to what it hangs on comes by again.
+  // Whether a part is attached, over other parts, to itself.
   static constexpr bool in_cycle(std::size_t i) {
     int at = parent[i];
     for (std::size_t steps = 0; at >= 0 && steps < count; ++steps) at = parent[static_cast<std::size_t>(at)];
@@ -90,25 +89,24 @@ struct attachments {
   }();
 };
 
-// In functions, for the reason that stands in mapping.hpp, whose arguments the compilers name; each rule is
-// reported for the first part that breaks it, and a loop before what hangs on nothing.
-template <class Part, bool HangsInTree>
+// In functions; mapping.hpp says why. Compilers print their arguments. Each rule is reported for the first
+// part that breaks it, loops before unattached parts.
+template <class Part, bool IsTree>
 constexpr auto check_tree() {
-  static_assert(HangsInTree,
-                "body.cycle: the parts of this body close a loop: a part hangs, by way of others, on itself, "
-                "or two chains end in "
-                "one frame (or one in the base); a body is a tree or a star, so let each chain end in a "
-                "frame of its own, and leave "
-                "out the joint that closes the loop");
-  return std::bool_constant<HangsInTree>{};
+  static_assert(
+      IsTree,
+      "body.cycle: the parts of this body close a loop: a part is attached, over others, to itself, "
+      "or two chains end in one frame (or one in the base); a body is a tree or a star, so let each "
+      "chain end in a frame of its own, and leave out the joint that closes the loop");
+  return std::bool_constant<IsTree>{};
 }
-template <class Part, bool HangsOnSomething>
+template <class Part, bool IsAttached>
 constexpr auto check_parent() {
-  static_assert(HangsOnSomething,
+  static_assert(IsAttached,
                 "body.unattached: a part of this body hangs on nothing: its chain begins in a frame that is "
-                "neither the body's base "
-                "nor the end of another part; begin it in one of those, or add the part that leads there");
-  return std::bool_constant<HangsOnSomething>{};
+                "neither the body's base nor the end of another part; begin it in one of those, or add the "
+                "part that leads there");
+  return std::bool_constant<IsAttached>{};
 }
 template <class Attachments, std::size_t Index, class... Parts>
 constexpr auto check_cycles() {
@@ -146,9 +144,9 @@ struct joined_axes<axes<A...>, axes<B...>, Rest...> : joined_axes<axes<A..., B..
 template <class Base, class... Parts>
 constexpr auto check_body() {
   using all = attachments<Base, Parts...>;
-  static_assert(all::distinct, "cca::body: two of its parts have one name");
+  static_assert(all::distinct, "cca::body: two of its parts have the same name");
   static_assert(repeated_in<typename joined_axes<typename Parts::chain::axes...>::type>::first() < 0,
-                "cca::body: two of its parts move about one axis; give each part axes of its own");
+                "cca::body: two of its parts share an axis; give each part axes of its own");
   if constexpr (decltype(check_cycles<all, 0, Parts...>())::value) return check_attached<all, 0, Parts...>();
   else return std::false_type{};
 }
@@ -164,7 +162,7 @@ struct body {
   using axes = typename detail::joined_axes<typename Parts::chain::axes...>::type;
 };
 
-// In one line: where a rule is broken, clang shows all of them.
+// Short, because clang prints all of it where a rule is broken.
 template <class Type> concept Body = requires {
   typename Type::parts;
   typename Type::attached;
@@ -174,7 +172,7 @@ template <class Type> concept Body = requires {
 template <Body Type>
 using axes_of = typename Type::axes;
 
-// The position of a part by its name, -1 if there is none.
+// The index of a part by its name, -1 if there is none.
 template <Body Type>
 constexpr int part_index(std::string_view name) {
   for (std::size_t i = 0; i < Type::attached::count; ++i)
@@ -184,20 +182,20 @@ constexpr int part_index(std::string_view name) {
 
 namespace detail {
 
-// Whether a graph has a resource node of that name, itself or in a graph of its own under a dotted path.
+// Whether a graph has a resource node of that name; a dotted path names one of an inner graph.
 template <class Items>
-struct nodes_among;
+struct nodes_in_items;
 template <class Item>
-struct resource_under {
+struct resource_at {
   static constexpr bool has(std::string_view) { return false; }
 };
 template <class Type>
 constexpr bool has_resource(std::string_view path) {
-  if constexpr (Graph<Type>) return nodes_among<typename Type::cca_items>::has(path);
+  if constexpr (Graph<Type>) return nodes_in_items<typename Type::cca_items>::has(path);
   else return false;
 }
 template <fixed_string Name, class Component, class Strategy>
-struct resource_under<node<Name, Component, Strategy>> {
+struct resource_at<node<Name, Component, Strategy>> {
   static constexpr bool has(std::string_view path) {
     if (!path.starts_with(Name.view())) return false;
     const auto rest = path.substr(Name.view().size());
@@ -206,8 +204,8 @@ struct resource_under<node<Name, Component, Strategy>> {
   }
 };
 template <class... Items>
-struct nodes_among<list<Items...>> {
-  static constexpr bool has(std::string_view path) { return (resource_under<Items>::has(path) || ...); }
+struct nodes_in_items<list<Items...>> {
+  static constexpr bool has(std::string_view path) { return (resource_at<Items>::has(path) || ...); }
 };
 
 template <class Part, class Graph> concept DrivenIn = [] {
@@ -224,9 +222,8 @@ constexpr auto check_driven() {
     return []<class First, class... Rest>(std::type_identity<std::tuple<First, Rest...>>) {
       static_assert(DrivenIn<First, Graph>,
                     "body.unattached: a part of this body is driven by a resource node that the graph "
-                    "doesn't have: a node with "
-                    "`sense` or `act` and that name; add it, or name the one that is meant (of an inner "
-                    "graph by its path)");
+                    "doesn't have: a node with `sense` or `act` and that name; add it, or correct the name "
+                    "(for a node of an inner graph, its path)");
       if constexpr (DrivenIn<First, Graph>) return check_driven<Graph, Rest...>();
       else return std::false_type{};
     }(std::type_identity<std::tuple<Parts...>>());
@@ -241,7 +238,7 @@ struct driven_in<Graph, std::tuple<Parts...>> {
 
 }  // namespace detail
 
-// Refuses a graph that lacks a resource node which a part of the body names:
+// Refuses a graph without a resource node that a part of the body names:
 // `static_assert(cca::embodied<body, graph>);`
 template <Body Type, class Graph>
 inline constexpr bool embodied = detail::driven_in<Graph, typename Type::parts>::checked::value;

@@ -1,18 +1,25 @@
-// A body's dynamics as components.
+// The dynamics and kinematics of a body as components.
 //
 //   cca::gravity_compensation<Body, Angles, Torques, Attitude>
-//     in "angles" (rad), optional "attitude"; out "torques" (N m) that hold the body against gravity
-//   cca::inverse_dynamics_of<Body, Angles, Velocities, Accelerations, Torques, Attitude>
-//     in "angles", "velocities" (rad/s), "accelerations" (rad/s^2), optional "attitude"; out "torques" that
-//     this motion takes
-//   cca::part_kinematics<Body, "left_front_leg", Angles, Tip>
-//     in "angles"; out "position" ("orientation", "pose": as the space is) of the part's end, in the frame of
-//     the base
+//     in  "angles"          Angles         rad (prismatic joints: m)
+//     in  "attitude"        Attitude       optional: orientation of the base in a world with z up
+//     out "torques"         Torques        N m (prismatic: N) that hold the body against gravity
 //
-// The spaces' axes hold those of the body, in any order; Angles and the like may hold others, too. "attitude"
-// is the base's orientation in a world whose z is up; not wired, the base stands upright. Parameter:
-// `gravity`, m/s^2. Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example:
-// tests/runtime/body/example.cpp.
+//   cca::inverse_dynamics_of<Body, Angles, Velocities, Accelerations, Torques, Attitude>
+//     in  "angles"          Angles         rad
+//     in  "velocities"      Velocities     rad/s
+//     in  "accelerations"   Accelerations  rad/s^2
+//     in  "attitude"        Attitude       optional
+//     out "torques"         Torques        N m that this motion needs
+//
+//   cca::part_kinematics<Body, "left_front_leg", Angles, Tip>
+//     in  "angles"          Angles         rad
+//     out "position"        Tip            end of the part, in the frame of the base, m; its name is
+//                                          "orientation" or "pose" if Tip is such a space
+//
+// The spaces have the axes of the body in any order; all but Torques may have others too. Without "attitude"
+// the base is upright. Parameter: `gravity`, m/s^2.
+// Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example: tests/runtime/body/example.cpp.
 #pragma once
 
 #include <cca/component/port.hpp>
@@ -32,7 +39,7 @@ struct base_attitude : space<orientation<upright>, axes<x, y, z>> {};
 
 namespace detail {
 
-// A body looks like a chain here: what it moves about.
+// A body as a chain: its axes and its base.
 template <Body Type>
 struct body_as_chain {
   using axes = axes_of<Type>;
@@ -40,23 +47,22 @@ struct body_as_chain {
 };
 
 template <class Body, class Domain, class Space, bool HasAxes = MovedWithin<body_as_chain<Body>, Space>>
-constexpr auto check_moves() {
+constexpr auto check_axes() {
   static_assert(std::is_same_v<typename Space::domain, Domain>,
                 "space.mismatch: the spaces of a body's dynamics are of joint angles, velocities, "
                 "accelerations and torques, in this order");
   static_assert(HasAxes,
-                "space.mismatch: this space lacks an axis that the body moves about; its axes must hold all "
-                "of the body's");
+                "space.mismatch: this space lacks an axis of the body; it must have all axes of the body");
 }
 template <class Body, class Space, bool HasAxes = MovedBy<body_as_chain<Body>, Space>>
 constexpr auto check_torques() {
   static_assert(HasAxes,
-                "space.mismatch: the torques of a body are over the axes that it moves about, all of them "
-                "and no others");
+                "space.mismatch: the torques of a body have exactly the axes of the body, all of them and no "
+                "others");
 }
 
 template <class Attitude>
-vector3 gravity_seen(const Attitude& attitude, double gravity) {
+vector3 gravity_in_base(const Attitude& attitude, double gravity) {
   const vector3 down{0, 0, -gravity};
   return attitude ? rotation::rotate(rotation::inverse(vector4(attitude.vector())), down) : down;
 }
@@ -65,17 +71,17 @@ vector3 gravity_seen(const Attitude& attitude, double gravity) {
 
 template <Body Type, class Angles, class Torques, class Attitude = base_attitude>
 struct gravity_compensation {
-  using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()),
-                              decltype(detail::check_moves<Type, joint_torques, Torques>()),
+  using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
+                              decltype(detail::check_axes<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
   parameters p{9.81};
 
   auto process(in<"angles", Angles> angles, optional_in<"attitude", Attitude> attitude)
       -> out<"torques", Torques> {
-    const body_pose<Type> now(detail::picked<axes_of<Type>, Angles>::from(angles.vector()));
-    return detail::picked<axes_of<Type>, Torques>::to(
-        gravity_torques(now, detail::gravity_seen(attitude, p.gravity)));
+    const body_pose<Type> now(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()));
+    return detail::reordered<axes_of<Type>, Torques>::to(
+        gravity_torques(now, detail::gravity_in_base(attitude, p.gravity)));
   }
 };
 
@@ -86,10 +92,10 @@ template <Body Type,
           class Torques,
           class Attitude = base_attitude>
 struct inverse_dynamics_of {
-  using checked = std::void_t<decltype(detail::check_moves<Type, joint_angles, Angles>()),
-                              decltype(detail::check_moves<Type, joint_velocities, Velocities>()),
-                              decltype(detail::check_moves<Type, joint_accelerations, Accelerations>()),
-                              decltype(detail::check_moves<Type, joint_torques, Torques>()),
+  using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
+                              decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
+                              decltype(detail::check_axes<Type, joint_accelerations, Accelerations>()),
+                              decltype(detail::check_axes<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
   parameters p{9.81};
@@ -98,12 +104,12 @@ struct inverse_dynamics_of {
                in<"velocities", Velocities> velocities,
                in<"accelerations", Accelerations> accelerations,
                optional_in<"attitude", Attitude> attitude) -> out<"torques", Torques> {
-    const body_pose<Type> now(detail::picked<axes_of<Type>, Angles>::from(angles.vector()));
+    const body_pose<Type> now(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()));
     base_motion base;
-    base.gravity = detail::gravity_seen(attitude, p.gravity);
-    return detail::picked<axes_of<Type>, Torques>::to(
-        inverse_dynamics(now, detail::picked<axes_of<Type>, Velocities>::from(velocities.vector()),
-                         detail::picked<axes_of<Type>, Accelerations>::from(accelerations.vector()), base)
+    base.gravity = detail::gravity_in_base(attitude, p.gravity);
+    return detail::reordered<axes_of<Type>, Torques>::to(
+        inverse_dynamics(now, detail::reordered<axes_of<Type>, Velocities>::from(velocities.vector()),
+                         detail::reordered<axes_of<Type>, Accelerations>::from(accelerations.vector()), base)
             .torques);
   }
 };
@@ -111,11 +117,12 @@ struct inverse_dynamics_of {
 template <Body Type, fixed_string Part, class Angles, class Tip>
 struct part_kinematics {
   using checked = std::void_t<decltype(detail::check_tip<detail::body_as_chain<Type>, Tip>()),
-                              decltype(detail::check_moves<Type, joint_angles, Angles>())>;
+                              decltype(detail::check_axes<Type, joint_angles, Angles>())>;
 
   auto process(in<"angles", Angles> angles) -> out<detail::tip_port<Tip>(), Tip> {
     return detail::tip_in<Tip>(
-        body_pose<Type>(detail::picked<axes_of<Type>, Angles>::from(angles.vector())).template tip<Part>());
+        body_pose<Type>(detail::reordered<axes_of<Type>, Angles>::from(angles.vector()))
+            .template tip<Part>());
   }
 };
 

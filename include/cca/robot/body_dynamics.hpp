@@ -1,18 +1,17 @@
-// Inverse dynamics of a body: the torques that a motion takes, and those that hold it against gravity.
+// Inverse dynamics of a body: the torques that a motion needs, and those that hold it against gravity.
 //
 //   const cca::body_pose<oncilla_body> now(q);
-//   cca::inverse_dynamics(now, dq, ddq)                    over axes_of<oncilla_body>: N m (prismatic: N)
-//   cca::inverse_dynamics(now, dq, ddq, base).wrench       what the base must be held with: torque about its
-//   origin, then force cca::gravity_torques(now, gravity)                     the same at rest, in half the
-//   time
+//   cca::inverse_dynamics(now, dq, ddq)                 over axes_of<oncilla_body>: N m (prismatic: N)
+//   cca::inverse_dynamics(now, dq, ddq, base).wrench    on the base: torque about its origin, then force
+//   cca::gravity_torques(now, gravity)                  the same at rest, in half the time
 //
-// `base` says how the base moves and where gravity pulls, along the axes of the base: for a robot that stands
-// on the ground its gravity is (0, 0, -9.81) turned back by the trunk's orientation. A wrench f on the end of
-// a part takes -J^T f more. Parts that say nothing of what their links weigh weigh nothing.
+// `base` is the motion of the base and the direction of gravity, along the axes of the base. For a robot on
+// the ground, gravity is (0, 0, -9.81) turned back by the orientation of the trunk. A wrench f on the end of
+// a part adds -J^T f. Parts without `links` weigh nothing.
 //
 // Source: the recursive Newton-Euler algorithm (Luh, Walker, Paul 1980; Featherstone, Rigid Body Dynamics
-// Algorithms, 2008, section 5.3), all vectors along the base's axes. Checked against Orocos KDL on random
-// trees, and by power and energy. Cost: linear in the joints, nothing allocates.
+// Algorithms, 2008, section 5.3), all vectors along the axes of the base. Checked against Orocos KDL on
+// random trees, and by power and energy. Cost: linear in the number of joints; nothing allocates.
 #pragma once
 
 #include <array>
@@ -44,22 +43,22 @@ inline matrix3 matrix_of(const std::array<double, 6>& i) {
   return m;
 }
 
-// Force on a body, and its moment about a point.
+// A force on a body and its moment about a point.
 struct load {
   vector3 force = vector3::Zero(), moment = vector3::Zero();
 };
 
-// How a frame moves: rotation, its change, and the acceleration of the frame's origin.
+// The motion of a frame: angular velocity, angular acceleration, acceleration of the origin.
 struct frame_motion {
   vector3 w, dw, a;
 };
 
-// What a body needs to move so, about its frame's origin (Newton and Euler).
-inline load needed(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
+// The load that moves a body like this, about the origin of its frame (Newton and Euler).
+inline load load_for(const link_inertia& of, const matrix3& turn, const frame_motion& m) {
   const vector3 c = turn * as_vector(of.centre);
   const vector3 acceleration =
       m.a + rotation::cross<double>(m.dw, c) + rotation::cross<double>(m.w, rotation::cross<double>(m.w, c));
-  // The inertia in its own axes, where it's constant.
+  // In the axes of the body, where the inertia is constant.
   const matrix3 inertia = matrix_of(of.about_centre);
   const vector3 dw = turn.transpose() * m.dw, w = turn.transpose() * m.w;
   const vector3 own = inertia * dw + rotation::cross<double>(w, vector3(inertia * w));
@@ -99,12 +98,12 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
     } else {
       m.a += along_change + 2 * rotation::cross<double>(p.w, along);
     }
-    loads[i] = needed(l.inertia, placed[i].frame.turn, m);
+    loads[i] = load_for(l.inertia, placed[i].frame.turn, m);
   }
 
   dynamics_result<Size> result;
   result.torques.setZero();
-  load at_base = needed(base_weight, matrix3::Identity(), root);
+  load at_base = load_for(base_weight, matrix3::Identity(), root);
   for (std::size_t i = Count; i-- > 0;) {
     const body_link& l = links[i];
     result.torques[l.coordinate] +=
@@ -118,11 +117,11 @@ dynamics_result<Size> newton_euler(const std::array<body_link, Count>& links,
   return result;
 }
 
-// At rest only weights count: of all that a joint carries, by mass and centre.
+// At rest only weights count: a joint carries the mass of all links behind it, at their common centre.
 template <int Size, std::size_t Count>
-Eigen::Matrix<double, Size, 1> weights(const std::array<body_link, Count>& links,
-                                       const std::array<placed_link, Count>& placed,
-                                       const vector3& gravity) {
+Eigen::Matrix<double, Size, 1> torques_at_rest(const std::array<body_link, Count>& links,
+                                               const std::array<placed_link, Count>& placed,
+                                               const vector3& gravity) {
   std::array<double, Count> mass;
   std::array<vector3, Count> moment;  // mass times centre, from the base's origin
   for (std::size_t i = 0; i < Count; ++i) {
@@ -161,7 +160,8 @@ auto inverse_dynamics(const body_pose<Type>& now,
 template <Body Type>
 auto gravity_torques(const body_pose<Type>& now,
                      const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
-  return detail::weights<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(), gravity);
+  return detail::torques_at_rest<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(),
+                                                        gravity);
 }
 
 }  // namespace cca

@@ -1,14 +1,14 @@
-// Where all parts of a body are: forward kinematics, Jacobians and the centre of mass, in the frame of the
-// body's base.
+// The position of all parts of a body: forward kinematics, Jacobians and the centre of mass, in the frame of
+// the base of the body.
 //
 //   const cca::body_pose<oncilla_body> now(q);        q over axes_of<oncilla_body>, rad (prismatic: m)
-//   now.tip<"left_front_leg">()                        position and orientation of the part's end
-//   now.jacobian<"left_front_leg">()                   6 x coordinates: angular velocity, then velocity of
-//   its end's origin now.centre_of_mass()                               of all that weighs something, the
-//   base included; m
+//   now.tip<"left_front_leg">()                       position and orientation of the end of the part
+//   now.jacobian<"left_front_leg">()                  6 x coordinates: angular velocity, then velocity of the
+//                                                     origin of that end
+//   now.centre_of_mass()                              of all links and the base, m
 //
-// All is of fixed size, nothing allocates. Cost: a sine, a cosine and at most two products of 3 x 3 matrices
-// a joint.
+// Everything has fixed size; nothing allocates. Cost: per joint a sine, a cosine and at most two products of
+// 3 x 3 matrices.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@
 namespace cca {
 namespace detail {
 
-// Where a part ends: in which link (-1: the base), and where in that.
+// The end of a part: its link (-1: the base), and the placement in that link.
 struct part_end {
   int link = -1;
   placement where{};
 };
 
-// A body's links in one row, each behind the one that it hangs on.
+// The links of a body in one array, each after the one to which it is attached.
 template <std::size_t Links, std::size_t Parts>
 struct body_tree {
   std::array<body_link, Links> links{};
@@ -35,7 +35,7 @@ struct body_tree {
 };
 
 template <class Base, class Chain>
-constexpr void hang(Base& tree, std::size_t& used, std::size_t part, int on, int first_coordinate) {
+constexpr void attach(Base& tree, std::size_t& used, std::size_t part, int on, int first_coordinate) {
   part_end end = on < 0 ? part_end{} : tree.ends[static_cast<std::size_t>(on)];
   for (std::size_t i = 0; i < Chain::joints.size(); ++i) {
     auto& l = tree.links[used];
@@ -52,7 +52,7 @@ template <class Body, class... Parts>
 struct tree_facts<Body, std::tuple<Parts...>> {
   static constexpr std::size_t count = sizeof...(Parts), links = (Parts::chain::joints.size() + ... + 0u);
   static_assert((coordinates_exist<typename Parts::chain> && ...),
-                "cca::body: a joint is driven by a coordinate that its chain has no axis for");
+                "cca::body: a joint is driven by a coordinate for which its chain has no axis");
 
   static constexpr auto value = [] {
     body_tree<links, count> tree;
@@ -64,7 +64,7 @@ struct tree_facts<Body, std::tuple<Parts...>> {
       const auto add = [&]<class Part>(std::type_identity<Part>) {
         const int on = Body::attached::parent[i];
         if (!done[i] && (on < 0 || done[static_cast<std::size_t>(on)])) {
-          hang<decltype(tree), typename Part::chain>(tree, used, i, on, first);
+          attach<decltype(tree), typename Part::chain>(tree, used, i, on, first);
           done[i] = true;
         }
         ++i;
@@ -85,7 +85,7 @@ constexpr link_inertia base_inertia_of() {
   else return {};
 }
 
-// The centre of mass of all links, and of the base.
+// The common centre of mass of all links and the base.
 template <std::size_t Count>
 vector3 centre_of_mass(const std::array<body_link, Count>& links,
                        const std::array<placed_link, Count>& placed,
@@ -127,7 +127,7 @@ public:
     return j;
   }
 
-  // By the order of declaration.
+  // Parts count in order of declaration.
   rigid end(std::size_t part) const {
     const auto& e = tree.ends[part];
     return (e.link < 0 ? rigid{} : placed[static_cast<std::size_t>(e.link)].frame) * e.where;
@@ -137,14 +137,14 @@ public:
     return detail::centre_of_mass(tree.links, placed, detail::base_inertia_of<Type>());
   }
 
-  // For body_dynamics.hpp.
+  // Used by body_dynamics.hpp.
   const auto& links() const { return placed; }
 
 private:
   template <fixed_string Part>
   static constexpr std::size_t number() {
     constexpr int i = part_index<Type>(Part.view());
-    static_assert(i >= 0, "cca::body_pose: this body has no part of that name");
+    static_assert(i >= 0, "cca::body_pose: this body has no part with that name");
     return i < 0 ? 0 : static_cast<std::size_t>(i);
   }
 

@@ -34,7 +34,7 @@
 #include <utility>
 
 #include <cca/component/beat.hpp>
-#include <cca/base/inlining.hpp>
+#include <cca/base/unrolled.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/limits.hpp>
@@ -122,7 +122,7 @@ struct limits_of {
 
   // The range, and of it what can be reached from the last number within dt: all of it where the rate is
   // infinite, also in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
-  CCA_GLUE static constexpr bounds window(std::size_t i, double last, double dt) {
+  static constexpr bounds window(std::size_t i, double last, double dt) {
     if constexpr (!has_any_rate) return range[i];
     return {at_least(range[i].lower, last + rate[i].lower * dt),
             at_most(range[i].upper, last + rate[i].upper * dt)};
@@ -154,7 +154,7 @@ public:
     const double dt = time_since(now);
     vector_type value;
     bool changed = false;
-    each_axis([&](auto axis) {
+    detail::unrolled<Space::size>([&](auto axis) {
       const auto [low, high] = limits::window(axis, last[axis], dt);
       const double wanted = command.vector()[axis];
       value[axis] = detail::at_most(high, detail::at_least(low, wanted));
@@ -174,8 +174,8 @@ public:
 
 private:
   // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.
-  CCA_GLUE void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
-    each_axis_seldom([&](int axis) {
+  [[gnu::always_inline]] void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
+    detail::rolled<Space::size>([&](int axis) {
       const double there = measured[axis], wanted = command[axis];
       const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
       last[axis] = limits::in_range(axis, start);
@@ -190,8 +190,8 @@ private:
   }
 
   // The same once more, with what is to be told of it.
-  CCA_GLUE vector_type corrected(vector_type value, std::int64_t k, double dt) {
-    each_axis_seldom([&](int axis) {
+  [[gnu::always_inline]] vector_type corrected(vector_type value, std::int64_t k, double dt) {
+    detail::rolled<Space::size>([&](int axis) {
       const double wanted = value[axis];
       const auto [low, high] = limits::window(axis, last[axis], dt);
       if (wanted >= low && wanted <= high) return;
@@ -208,26 +208,9 @@ private:
     return value;
   }
 
-  // By itself clang would leave a call to each of these, since they do many axes at once.
-  template <class F, int... Axis>
-  CCA_GLUE static void at_each(F& f, std::integer_sequence<int, Axis...>) {
-    CCA_INLINE_CALL(f(std::integral_constant<int, Axis>{}), ...);
-  }
-  template <class F>
-  CCA_GLUE static void each_axis(F f) {
-    at_each(f, std::make_integer_sequence<int, Space::size>{});
-  }
-
-  // In a loop that stays one: what is seldom done is to be short, not fast.
-  template <class F>
-  CCA_GLUE static void each_axis_seldom(F f) {
-    CCA_STAY_ROLLED
-    for (int axis = 0; axis < Space::size; ++axis) CCA_INLINE_CALL f(axis);
-  }
-
   static vector_type rest() {
     vector_type nearest_to_zero;
-    each_axis([&](auto axis) { nearest_to_zero[axis] = limits::in_range(axis, 0); });
+    detail::unrolled<Space::size>([&](auto axis) { nearest_to_zero[axis] = limits::in_range(axis, 0); });
     return nearest_to_zero;
   }
 

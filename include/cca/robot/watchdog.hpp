@@ -1,15 +1,18 @@
-// The watchdog: looks at the age of a command in each beat, and faults when it is stale.
+// The watchdog: checks the age of a command in each beat, and faults when it is stale.
 //
-//   cca::node<"watchdog", cca::watchdog<leg_angles, 5>>      in "command"; out "fresh", passed on as it came,
-//   origin included
+//   cca::node<"watchdog", cca::watchdog<leg_angles, 5>>
 //
-// The age is that of the data that the command was made from (the beat's time less its origin), or of its
-// arrival, if that was longer ago: a command that claims to be of the future grows stale too. One older than
-// `Beats` beats is a fault, so every resource node's `on_fault` runs in the same beat. As long as no command
-// has come at all, the age counts from the first beat.
+//   in  "command"   Space
+//   out "fresh"     Space   maybe; the command as it came, with its origin
+//   fault "stale command"   when the command is older than `Beats` beats
 //
-// It is a graph of one node, since it has to look when nothing arrives: its clock is `timed<1>` wherever it
-// stands. Errors: the fault `stale command`. Example: tests/runtime/robot/watchdog.cpp; docs/robot.md.
+// The age is the time since the origin of the command or since its arrival, whichever is longer ago. So a
+// command with an origin in the future becomes stale too. Before the first command the age counts from the
+// first beat. After a fault each resource node's `on_fault` runs in the same beat.
+//
+// It is a graph of one node with the clock `timed<1>`, because it must check even when nothing arrives.
+// Errors: the fault `stale command`. Cost: two comparisons. Example: tests/runtime/robot/watchdog.cpp;
+// docs/robot.md.
 #pragma once
 
 #include <cstdint>

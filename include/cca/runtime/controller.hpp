@@ -13,8 +13,8 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/graph/find.hpp>
-#include <cca/runtime/loop.hpp>
+#include <cca/graph/layout/nodes_by_path.hpp>
+#include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/refusal.hpp>
 
@@ -184,13 +184,13 @@ private:
   // compiled once.
   template <class F, class Memory, int First>
   static void visit_one(F& f, Memory& m, int node) {
-    f(node, detail::cells_at<Graph, First>(m).at(detail::layout_of<Graph>.cells[node].slot));
+    f(node, detail::component_in<Graph, First>(m, detail::layout_of<Graph>.components[node].index));
   }
   template <class F, class Memory>
   static void visit(F f, Memory& m) {
     [&]<int... Node>(std::integer_sequence<int, Node...>) {
       static constexpr void (*visitors[])(F&, Memory&, int) = {
-          visit_one<F, Memory, detail::layout_of<Graph>.cells[Node].group>..., nullptr};
+          visit_one<F, Memory, detail::layout_of<Graph>.components[Node].array>..., nullptr};
       for (int node = 0; node < static_cast<int>(sizeof...(Node)); ++node) visitors[node](f, m, node);
     }(std::make_integer_sequence<int, detail::counts_of<Graph>.node_count>{});
   }
@@ -219,13 +219,19 @@ private:
 
   template <int Output, class F>
   void observe_output(F& f) const {
-    constexpr detail::seat place = detail::layout_of<Graph>.newest[Output];
-    const auto& s = detail::stored_at<Graph, place.group>(state_of_all, state_of_all, place.slot);
-    bool is_fresh;
-    if constexpr (detail::output_of<Graph, Output>.stamped) is_fresh = s.when == k - 1;
-    else is_fresh = detail::newest_tick(detail::published_of<Graph, Output>, k - 1) == k - 1 && k > 0;
-    f(observation{
-        detail::path_of_output<Graph, Output>(), {s.value, std::size(s.value)}, s.origin, is_fresh});
+    constexpr detail::place at = detail::layout_of<Graph>.outputs[Output];
+    const auto& stored = detail::sample_in<Graph, at.array>(state_of_all, at.index);
+    const auto* sample = stored.show(k - 1, 0);
+    static constexpr auto zero = [] {
+      std::array<double, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)> all{};
+      int c = 0;
+      for (double& one : all) one = detail::output_port_of<Graph, Output>.space->zero[c++];
+      return all;
+    }();
+    f(observation{detail::path_of_output<Graph, Output>(),
+                  sample ? std::span<const double>{sample->vector().data(), zero.size()}
+                         : std::span<const double>{zero},
+                  sample ? sample->origin() : never, k > 0 && stored.arrived(k - 1, 0) == k - 1});
   }
 
   static std::string path_of(int node) {
@@ -249,7 +255,7 @@ private:
 
   [[gnu::flatten]] void advance() noexcept {
     detail::beat_outcome beat_outcome;
-    detail::take_beat(state_of_all, beat_outcome, k);
+    detail::run_beat<Graph>(state_of_all, beat_outcome, k);
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
       if (beat_outcome.fault) fail(beat_outcome);
@@ -266,7 +272,7 @@ private:
     now = detail::after(detail::transition::fail, now);
   }
 
-  detail::memory<Graph> state_of_all{};
+  detail::controller_state<Graph> state_of_all;
   std::int64_t k = 0;
   detail::beat_outcome reason{};
   cca::state now = cca::state::created;

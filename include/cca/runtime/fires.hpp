@@ -7,7 +7,7 @@
 namespace cca::detail {
 
 template <clock Clock>
-CCA_GLUE constexpr bool ticks(std::int64_t k) {
+CCA_INLINE constexpr bool ticks(std::int64_t k) {
   if constexpr (Clock.never()) return false;
   else if constexpr (Clock.every_beat()) return true;
   else if constexpr (Clock.period == 1) return k >= Clock.first;
@@ -20,58 +20,57 @@ CCA_GLUE constexpr bool ticks(std::int64_t k) {
 // The state of a function whose clock is known only at run time, when its strategy is asked.
 template <class Graph, int Call>
 struct question {
-  const memory<Graph>& m;
-  const seats<Graph, Call>& places;
-  std::int64_t k;
+  const beat_context<Graph>& b;
+  const call_place& at;
   const last_firing& self;
 
   template <int Position>
-  CCA_GLUE bool fresh() const {
-    constexpr int input = input_like<Graph, Call, Position>;
+  CCA_INLINE bool fresh() const {
+    constexpr int input = input_at<Graph, Call, Position>;
     if constexpr (is_wired<Graph, input>)
-      return is_fresh<Graph, input>(input_in<Position>(places), k, self.last);
+      return input_reader<Graph, input>::is_fresh(b, index_of_source<Graph>(at, Position), self.last);
     else return false;
   }
   template <int... Position>
-  CCA_GLUE bool any_fresh(std::integer_sequence<int, Position...>) const {
+  CCA_INLINE bool any_fresh(std::integer_sequence<int, Position...>) const {
     return (fresh<Position>() || ... || any_observed());
   }
   template <int... Position>
-  CCA_GLUE bool all_fresh(std::integer_sequence<int, Position...>) const {
-    return ((!is_wired<Graph, input_like<Graph, Call, Position>> || fresh<Position>()) && ... &&
+  CCA_INLINE bool all_fresh(std::integer_sequence<int, Position...>) const {
+    return ((!is_wired<Graph, input_at<Graph, Call, Position>> || fresh<Position>()) && ... &&
             (!has_observers(call_of<Graph, Call>) || any_observed()));
   }
 
   // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
   template <int... Position>
-  CCA_GLUE bool together(std::integer_sequence<int, Position...>) const {
+  CCA_INLINE bool together(std::integer_sequence<int, Position...>) const {
     std::int64_t common = never;
     bool all = true;
     (join<Position>(common, all), ...);
     return all && common > self.oldest;
   }
   template <int Position>
-  CCA_GLUE void join(std::int64_t& common, bool& all) const {
-    constexpr int input = input_like<Graph, Call, Position>;
+  CCA_INLINE void join(std::int64_t& common, bool& all) const {
+    constexpr int input = input_at<Graph, Call, Position>;
     if constexpr (is_wired<Graph, input>) {
-      const auto origin = origin_of<Graph, input>(input_in<Position>(places), k);
+      const auto origin = input_reader<Graph, input>::origin(b, index_of_source<Graph>(at, Position));
       if (common == never) common = origin;
       all = all && origin != never && origin == common;
     }
   }
 
   // Does an observer of this function listen to something fresh?
-  CCA_GLUE bool any_observed() const {
+  CCA_INLINE bool any_observed() const {
     bool any = false;
     if constexpr (has_observers(call_of<Graph, Call>))
       for_each_observed<Graph, Call>(
-          [&]<int Link>() { any = any || observe_one<Graph, Link>(m, k).arrived > self.last; });
+          [&]<int Link>() { any = any || observed_output<Graph, Link>::arrived(b) > self.last; });
     return any;
   }
 };
 
 template <class Graph, int Call>
-CCA_GLUE beat beat_of(std::int64_t k, const last_firing& self) {
+CCA_INLINE beat beat_of(std::int64_t k, const last_firing& self) {
   return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
 }
 

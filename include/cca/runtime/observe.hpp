@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cca/base/inlining.hpp>
-#include <cca/runtime/read.hpp>
+#include <cca/runtime/inputs.hpp>
 
 namespace cca::detail {
 
@@ -12,56 +12,54 @@ constexpr bool has_observers(const call& t) {
   return false;
 }
 
-// Calls f.template operator()<Link>() for each link of the observers of a function, or of one of them.
-template <class Graph, int Call, int OnlyInput = -1, class F>
-CCA_GLUE void for_each_observed(F f) {
-  if constexpr (has_observers(call_of<Graph, Call>)) {
-    CCA_INLINE_CALL[&]<int... L>(std::integer_sequence<int, L...>) {
-      [[maybe_unused]] const auto one = [&]<int Link>(std::integral_constant<int, Link>) {
-        constexpr int input = plan_of<Graph>.links[Link].input;
-        if constexpr (input_of<Graph, input>.call == Call && (OnlyInput < 0 || OnlyInput == input))
-          f.template operator()<Link>();
-      };
-      if constexpr (sizeof...(L) > 0) CCA_INLINE_CALL(one(std::integral_constant<int, L>{}), ...);
-    }
-    (std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
+// Calls f.template operator()<Link>() for each link of the observers of a call, or of one of them.
+template <class Graph, int Call, int OnlyInput, int Link, class F>
+CCA_INLINE void if_observed(F& f) {
+  constexpr int input = plan_of<Graph>.links[Link].input;
+  if constexpr (input_of<Graph, input>.call == Call && (OnlyInput < 0 || OnlyInput == input)) {
+    CCA_INLINE_CALL f.template operator()<Link>();
   }
 }
+template <class Graph, int Call, int OnlyInput, class F, int... Link>
+CCA_INLINE void for_each_link([[maybe_unused]] F& f, std::integer_sequence<int, Link...>) {
+  (if_observed<Graph, Call, OnlyInput, Link>(f), ...);
+}
+template <class Graph, int Call, int OnlyInput = -1, class F>
+CCA_INLINE void for_each_observed(F f) {
+  if constexpr (has_observers(call_of<Graph, Call>))
+    for_each_link<Graph, Call, OnlyInput>(f, std::make_integer_sequence<int, counts_of<Graph>.link_count>{});
+}
 
-template <int Size>
-struct held : coordinates<Size> {
-  std::int64_t arrived;  // beat; -1: nothing has
+// What an observer hears of one output. What a wire gives as an initial value is its reader's alone: an
+// observer sees the space's zero.
+template <class Graph, int Link>
+struct observed_output {
+  static constexpr int output = plan_of<Graph>.links[Link].output;
+  static constexpr const auto& in = input_of<Graph, plan_of<Graph>.links[Link].input>;
+  static constexpr int delay = call_of<Graph, in.call>.function->inputs[in.port].observed_delay;
+  static constexpr place at = layout_of<Graph>.outputs[output];
+
+  CCA_INLINE static const auto* shown(const beat_context<Graph>& b) {
+    const auto* sample = b.template at<at.array>(at.index).show(b.k, delay);
+    return sample && sample->origin() != never ? sample : nullptr;
+  }
+  CCA_INLINE static std::int64_t arrived(const beat_context<Graph>& b) {
+    return b.template at<at.array>(at.index).arrived(b.k, delay);
+  }
+  CCA_INLINE static std::int64_t origin(const beat_context<Graph>& b) {
+    const auto* sample = shown(b);
+    return sample ? sample->origin() : never;
+  }
 };
 
-template <class Graph, int Link>
-CCA_GLUE auto observe_one(const memory<Graph>& m, std::int64_t k) {
-  constexpr int output = plan_of<Graph>.links[Link].output;
-  constexpr const auto& in = input_of<Graph, plan_of<Graph>.links[Link].input>;
-  constexpr int delay = call_of<Graph, in.call>.function->inputs[in.port].observed_delay;
-  constexpr int size = size_of_output<Graph, output>;
-  held<size> h{{{}, never}, -1};
-  if constexpr (delay > 0 && output_of<Graph, output>.ring > 0) {
-    constexpr seat place = layout_of<Graph>.past[output];
-    if (const auto* entry =
-            arrived_entry<Graph, output, delay>(stored_at<Graph, place.group>(m, m, place.slot), k)) {
-      copy_coordinates<size>(h.value, entry->value);
-      h.origin = entry->origin;
-      h.arrived = entry->when + delay;
-    } else {
-      copy_coordinates<size>(h.value, output_port_of<Graph, output>.space->zero);
-    }
-  } else {
-    constexpr auto c = published_of<Graph, output>;
-    constexpr seat place = layout_of<Graph>.newest[output];
-    const auto& s = stored_at<Graph, place.group>(m, m, place.slot);
-    // What a wire gives as initial value is its reader's alone.
-    if (s.origin == never) copy_coordinates<size>(h.value, output_port_of<Graph, output>.space->zero);
-    else copy_coordinates<size>(h.value, s.value);
-    h.origin = s.origin;
-    if constexpr (c.known()) h.arrived = newest_tick({c.period, c.first + delay}, k);
-    else if constexpr (!c.never()) h.arrived = s.when < 0 ? -1 : s.when + delay;
-  }
-  return h;
+// The oldest origin, where observers listen too.
+template <class Graph, int Call>
+CCA_INLINE std::int64_t oldest_heard(const beat_context<Graph>& b, std::int64_t oldest) {
+  for_each_observed<Graph, Call>([&]<int Link>() {
+    if constexpr (plan_of<Graph>.links[Link].counts)
+      oldest = older(oldest, observed_output<Graph, Link>::origin(b));
+  });
+  return oldest;
 }
 
 struct written_path {
@@ -113,17 +111,19 @@ class observations {
   }();
 
 public:
-  CCA_GLUE observations(const memory<Graph>& m, std::int64_t k, std::int64_t last) {
+  CCA_INLINE observations(const beat_context<Graph>& b, std::int64_t last) {
     double* next = values.data();
     for_each_observed<Graph, input_of<Graph, Input>.call, Input>([&]<int Link>() {
-      constexpr int output = plan_of<Graph>.links[Link].output;
-      constexpr int size = size_of_output<Graph, output>;
-      const auto h = observe_one<Graph, Link>(m, k);
-      copy_coordinates<size>(next, h.value);
-      entries[count++] = {path_of_output<Graph, output>(),
-                          {next, static_cast<std::size_t>(size)},
-                          h.origin,
-                          h.arrived > last};
+      using from = observed_output<Graph, Link>;
+      constexpr auto size = static_cast<std::size_t>(size_of_output<Graph, from::output>);
+      const auto* sample = from::shown(b);
+      for (std::size_t c = 0; c < size; ++c)
+        next[c] = sample ? sample->vector()[static_cast<int>(c)]
+                         : output_port_of<Graph, from::output>.space->zero[static_cast<int>(c)];
+      entries[count++] = {path_of_output<Graph, from::output>(),
+                          {next, size},
+                          sample ? sample->origin() : never,
+                          from::arrived(b) > last};
       next += size;
     });
   }

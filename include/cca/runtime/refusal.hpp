@@ -7,7 +7,7 @@
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/graph/diagnosis.hpp>
-#include <cca/graph/find.hpp>
+#include <cca/graph/layout/nodes_by_path.hpp>
 
 namespace cca {
 namespace detail {

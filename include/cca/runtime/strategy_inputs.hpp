@@ -34,15 +34,15 @@ template <class Graph, int Call>
 struct inputs_view {
   const question<Graph, Call>& asked;
 
-  CCA_GLUE bool any_fresh() const { return asked.any_fresh(input_positions<Graph, Call>{}); }
-  CCA_GLUE bool all_fresh() const { return asked.all_fresh(input_positions<Graph, Call>{}); }
-  CCA_GLUE bool share_new_origin() const { return asked.together(input_positions<Graph, Call>{}); }
-  CCA_GLUE std::int64_t beats_since_fired() const {
-    return asked.k - (asked.self.last < 0 ? 0 : asked.self.last);
+  CCA_INLINE bool any_fresh() const { return asked.any_fresh(input_positions<Graph, Call>{}); }
+  CCA_INLINE bool all_fresh() const { return asked.all_fresh(input_positions<Graph, Call>{}); }
+  CCA_INLINE bool share_new_origin() const { return asked.together(input_positions<Graph, Call>{}); }
+  CCA_INLINE std::int64_t beats_since_fired() const {
+    return asked.b.k - (asked.self.last < 0 ? 0 : asked.self.last);
   }
 
   template <fixed_string Name>
-  CCA_GLUE bool fresh() const {
+  CCA_INLINE bool fresh() const {
     return asked.template fresh<position_of<Name>()>();
   }
 
@@ -77,16 +77,15 @@ private:
         if (positions[i] == Position) return static_cast<int>(i);
       return 0;
     }();
-    std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>> port{to_be_filled{}};
-    fill_port<Graph, input_like<Graph, Call, Position>>(port, input_in<Position>(asked.places), asked.k,
-                                                        asked.self.last);
-    return port;
+    using port = std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>>;
+    return input_reader<Graph, input_at<Graph, Call, Position>>::template port<port>(
+        asked.b, index_of_source<Graph>(asked.at, Position), asked.self.last);
   }
 };
 
 template <class Strategy, class Graph, int Call>
-CCA_GLUE bool strategy_fires(const question<Graph, Call>& asked) {
-  CCA_INLINE_CALL return Strategy{}.fires(beat_of<Graph, Call>(asked.k, asked.self),
+CCA_INLINE bool strategy_fires(const question<Graph, Call>& asked) {
+  CCA_INLINE_CALL return Strategy{}.fires(beat_of<Graph, Call>(asked.b.k, asked.self),
                                           inputs_view<Graph, Call>{asked});
 }
 

@@ -1,16 +1,16 @@
-// An arbiter: several writers for one input, of which in each beat one is heard (wire.two_writers offers it).
+// An arbiter: several writers for one input; each beat it passes on one of them (wire.two_writers offers it).
 //
 //   cca::node<"legs", cca::arbiter<"angles", leg_angles, cca::by_priority<"reflex", "gait">>>
 //   in  "reflex", "gait"   Space: the writers
-//   out "angles"           Space: what the one says that is heard, and its origin
-//   out "writer"           a status over x: its number, from 0 in the order of their names
+//   out "angles"           Space: the sample of the chosen writer, with its origin
+//   out "writer"           a status over x: the number of the chosen writer, counted from 0
 //
-// by_priority: the first named of those that have something new, or had within the last `patience` seconds;
-// so a writer that wants to be overruled stays silent (`maybe`). If none has, the one that was heard last
-// stays. by_freshness: the one whose sample has the latest origin; of several the first named. It jumps from
-// one writer to the next: a limiter belongs behind it, or a switch_between in its place. Parameters:
-// `patience`, of by_priority. Errors: skeleton.arity. Cost: a comparison or two a writer. Example:
-// tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
+// by_priority: the first named of the writers with a new sample now or within the last `patience` seconds. A
+// writer that does not want the output publishes nothing (`maybe`). If no writer has a new sample, the choice
+// stays. by_freshness: the writer whose sample has the latest origin; of several, the first named. The output
+// jumps from one writer to the next: put a limiter behind it, or use a switch_between instead.
+// Parameters: `patience`, of by_priority. Errors: skeleton.arity. Cost: one or two comparisons per writer.
+// Example: tests/runtime/skeleton/arbiter.cpp; docs/skeletons.md.
 #pragma once
 
 #include <cstdint>
@@ -45,20 +45,20 @@ struct arbiter_of<Output, Space, by_priority<Writers...>> {
 
   auto process(in<Writers, Space>... writers, beat now)
       -> std::tuple<out<Output, Space>, out<"writer", choice>> {
-    const auto waits = static_cast<std::int64_t>(p.patience * 1e9 + 0.5);
+    const auto patience = static_cast<std::int64_t>(p.patience * 1e9 + 0.5);
     int i = 0, first = -1;
-    ((heard[i] = writers.fresh() ? now.time() : heard[i],
-      first = first < 0 && now.time() - heard[i] <= waits ? i : first, ++i),
+    ((last_new[i] = writers.fresh() ? now.time() : last_new[i],
+      first = first < 0 && now.time() - last_new[i] <= patience ? i : first, ++i),
      ...);
     if (first >= 0) chosen = first;
-    const auto said = one_of<Space>(chosen, writers...);
-    return {out<Output, Space>(said).with_origin(said.origin()), out<"writer", choice>(chosen)};
+    const auto passed_on = one_of<Space>(chosen, writers...);
+    return {out<Output, Space>(passed_on).with_origin(passed_on.origin()), out<"writer", choice>(chosen)};
   }
 
   void on_start() { *this = arbiter_of{.p = p}; }
 
-  static constexpr std::int64_t long_ago = -(std::int64_t{1} << 62);  // farther back than any patience
-  std::int64_t heard[sizeof...(Writers)] = {(void(Writers), long_ago)...};
+  static constexpr std::int64_t long_ago = -(std::int64_t{1} << 62);  // before any patience
+  std::int64_t last_new[sizeof...(Writers)] = {(void(Writers), long_ago)...};
   int chosen = 0;
 };
 
@@ -70,8 +70,8 @@ struct arbiter_of<Output, Space, by_freshness<Writers...>> {
     ((chosen = writers.origin() > latest ? i : chosen,
       latest = writers.origin() > latest ? writers.origin() : latest, ++i),
      ...);
-    const auto said = one_of<Space>(chosen, writers...);
-    return {out<Output, Space>(said).with_origin(said.origin()), out<"writer", choice>(chosen)};
+    const auto passed_on = one_of<Space>(chosen, writers...);
+    return {out<Output, Space>(passed_on).with_origin(passed_on.origin()), out<"writer", choice>(chosen)};
   }
 };
 
@@ -85,8 +85,9 @@ constexpr int writers_of<by_freshness<Writers...>> = sizeof...(Writers);
 }  // namespace detail
 
 template <fixed_string Output, class Space, class Policy>
-struct arbiter : std::conditional_t<(detail::writers_of<Policy> >= 2),
-                                    detail::arbiter_of<Output, Space, Policy>,
-                                    detail::uneven<detail::too_few_sources<detail::writers_of<Policy>>>> {};
+struct arbiter
+    : std::conditional_t<(detail::writers_of<Policy> >= 2),
+                         detail::arbiter_of<Output, Space, Policy>,
+                         detail::bad_skeleton<detail::too_few_sources<detail::writers_of<Policy>>>> {};
 
 }  // namespace cca

@@ -1,11 +1,9 @@
-// What a skeleton is made of where its parts don't come out even: a component without anything, which says
-// why.
+// What a skeleton becomes if its parts don't fit together: a component without ports, whose message says why.
 //
-//   template <...> struct blend : std::conditional_t<is_even, detail::blend_of<...>, detail::uneven<problem>>
-//   {};
+//   template <...>
+//   struct blend : std::conditional_t<fits, detail::blend_of<...>, detail::bad_skeleton<problem>> {};
 //
-// The rule skeleton.arity reports it as the message of the graph: the node, then what the skeleton says of
-// itself.
+// The rule skeleton.arity reports it for the graph: the node's name, then this message.
 #pragma once
 
 #include <string_view>
@@ -14,17 +12,17 @@
 
 namespace cca::detail {
 
-// Sentence::told() is the end of a sentence that begins with the node's name.
-template <class Sentence>
-struct uneven {
-  static constexpr auto sentence = Sentence::told();
+// Problem::message() is the rest of a sentence that begins with the node's name.
+template <class Problem>
+struct bad_skeleton {
+  static constexpr auto sentence = Problem::message();
   static constexpr std::string_view wrong_arity = sentence.view();
 };
 
-// A skeleton that chooses between or mixes writers takes several.
+// For a skeleton that chooses between sources or mixes them.
 template <int Count>
 struct too_few_sources {
-  static constexpr text told() {
+  static constexpr text message() {
     text t;
     t << "has " << Count << (Count == 1 ? " source" : " sources")
       << ", but between fewer than two there is nothing to choose or to mix: name two or more, or leave it "

@@ -1,17 +1,17 @@
-// A blend: what lies between its sources, by weights that another component gives, an oscillator's amplitude
-// say.
+// A blend: a weighted mean of its sources; another component gives the weights, for example the amplitude of
+// an oscillator.
 //
 //   cca::node<"paw", cca::blend<"angles", leg_angles, cpg_amplitude, "reach", "trot">>
 //   in  "reach", "trot"   Space: its sources
-//   in  "weight"          Weight: of two sources one number, how much of the second; else a number for each
-//   source out "angles"          Space, which originates at the oldest of the sources that have a part in it
+//   in  "weight"          Weight: one number per source, or for two sources the part of the second
+//   out "angles"          Space, with the oldest origin of the sources that contribute
 //
-// One number: up to `none` it is the first source, from `full` on the second, to the bit; between them in
-// proportion. Several numbers: what is not above zero counts as zero, the others in proportion; if none is
-// above zero it's the first source. It's the domain's own interpolation: the shorter arc for a phase, slerp
-// for an orientation. Parameters: `none`, `full`, of one number. Errors: skeleton.arity. A limiter belongs
-// behind it. Cost: an interpolation for each source but the first. Example:
-// tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
+// One number: up to `none` the output is the first source, from `full` on the second, to the bit; between
+// them in proportion. Several numbers: in proportion; a number that is not above zero counts as zero. If none
+// is above zero, the output is the first source. It uses the domain's own interpolation: the shorter arc for
+// a phase, slerp for an orientation. Put a limiter behind it.
+// Parameters: `none`, `full`, of one number. Errors: skeleton.arity. Cost: one interpolation per source but
+// the first. Example: tests/runtime/skeleton/mixing.cpp; docs/skeletons.md.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ template <fixed_string Output, class Space, class Weight, fixed_string First, fi
 struct blend_of_two {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (double, none), (double, full));
-    std::string_view check() const { return none < full ? "" : "`none` must lie below `full`"; }
+    std::string_view check() const { return none < full ? "" : "`none` must be less than `full`"; }
   };
   parameters p{0.0, 1.0};
 
@@ -56,8 +56,8 @@ struct blend_of {
 };
 
 template <int Sources, int Weights>
-struct uneven_weights {
-  static constexpr text told() {
+struct wrong_weights {
+  static constexpr text message() {
     text t;
     t << "blends " << Sources << " sources by " << Weights << (Weights == 1 ? " weight" : " weights")
       << ", but it takes one for each source, or of two sources one: give it a space of weights with "
@@ -70,12 +70,12 @@ struct uneven_weights {
 template <fixed_string Output, class Space, class Weight, fixed_string... Sources>
 constexpr auto blend_kind() {
   constexpr int count = sizeof...(Sources);
-  if constexpr (count < 2) return std::type_identity<uneven<too_few_sources<count>>>();
+  if constexpr (count < 2) return std::type_identity<bad_skeleton<too_few_sources<count>>>();
   else if constexpr (count == 2 && Weight::size == 1)
     return std::type_identity<blend_of_two<Output, Space, Weight, Sources...>>();
   else if constexpr (Weight::size == count)
     return std::type_identity<blend_of<Output, Space, Weight, Sources...>>();
-  else return std::type_identity<uneven<uneven_weights<count, Weight::size>>>();
+  else return std::type_identity<bad_skeleton<wrong_weights<count, Weight::size>>>();
 }
 
 }  // namespace detail

@@ -1,11 +1,13 @@
-// A bounded channel from one thread to one other one, without locks: a ring whose two ends are counted up,
-// each by its own thread.
+// A bounded channel from one thread to one other, without locks: a ring with a counter at each end, which
+// only that end's thread increments.
 //
-// Who reads asks `empty()` first; the answer stays true until the asking thread acts on it. Who writes knows
-// by the counts of what was ever written and read that less than Capacity is in it. Neither ever waits.
+// The reader calls `empty()` first; the answer "not empty" stays true until the reader pops. The writer must
+// know, from `writes()` and `reads()`, that fewer than Capacity values are in the channel. Neither ever
+// waits.
 // Source: Lamport, "Specifying concurrent program modules", ACM TOPLAS 5(2), 1983, the ring of one producer
-// and one consumer; here with acquire and release, so that what a thread did before it wrote is seen by the
-// one that reads. Cost: an atomic load and store.
+// and one consumer; here with acquire and release, so that the reader sees all that the writer did before it
+// pushed.
+// Cost: one atomic load and one atomic store.
 #pragma once
 
 #include <array>
@@ -19,31 +21,31 @@ template <class Value, std::size_t Capacity>
 class channel {
 public:
   channel() = default;
-  // Only while neither thread uses the other one.
+  // Only while neither thread uses `other`.
   channel(const channel& other)
       : written(other.written.load()), taken(other.taken.load()), ring(other.ring) {}
   channel& operator=(const channel&) = delete;
 
-  // For the one that writes.
+  // For the writer.
   void push(const Value& value) {
     const auto at = written.load(std::memory_order_relaxed);
     ring[at % Capacity] = value;
     written.store(at + 1, std::memory_order_release);
   }
 
-  // For the one that reads. What `front` shows is there until `pop`.
+  // For the reader. `front` stays valid until `pop`.
   bool empty() const {
     return taken.load(std::memory_order_relaxed) == written.load(std::memory_order_acquire);
   }
   const Value& front() const { return ring[taken.load(std::memory_order_relaxed) % Capacity]; }
   void pop() { taken.store(taken.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
-  // How many ever.
+  // How many since the beginning.
   std::uint64_t writes() const { return written.load(std::memory_order_acquire); }
   std::uint64_t reads() const { return taken.load(std::memory_order_acquire); }
 
 private:
-  // Apart from each other, so that the two threads don't share a line of the cache.
+  // On cache lines of their own: otherwise the two threads would slow each other down.
   alignas(64) std::atomic<std::uint64_t> written{0};
   alignas(64) std::atomic<std::uint64_t> taken{0};
   alignas(64) std::array<Value, Capacity> ring{};

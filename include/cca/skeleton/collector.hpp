@@ -1,11 +1,11 @@
-// The collector: samples of single axes become one of all axes (seed, section 4.4.3). Use it `moderate`, so
-// that it publishes once every axis has a new sample.
+// The collector: combines samples of single axes into one sample of all axes (seed, section 4.4.3). Use it
+// with `moderate`, so that it publishes once every axis has a new sample.
 //
-//   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>      in "hip", "knee"; out
-//   "angles"
+//   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>
+//   in  "hip", "knee"   one port per axis, with the axis's name: a sub-space of Space
+//   out "angles"        Space, with the oldest of the inputs' origins
 //
-// The inputs' spaces are sub-spaces of the output's, and its origin is the oldest of theirs. Errors:
-// skeleton.arity. Cost: none after inlining. Example: tests/runtime/skeleton/splitter_collector.cpp;
+// Errors: skeleton.arity. Cost: none after inlining. Example: tests/runtime/skeleton/splitter_collector.cpp;
 // docs/skeletons.md.
 #pragma once
 
@@ -31,8 +31,8 @@ struct collector_of<Output, Space, axes<Axes...>> {
 };
 
 template <class Space>
-struct not_together {
-  static constexpr text told() {
+struct not_collectable {
+  static constexpr text message() {
     text t;
     t << "is to put " << type_name<Space>() << " together, which has " << Space::size << " numbers over "
       << Space::axes::count
@@ -47,6 +47,6 @@ struct not_together {
 template <fixed_string Output, class Space>
 struct collector : std::conditional_t<Space::size == Space::axes::count,
                                       detail::collector_of<Output, Space, typename Space::axes>,
-                                      detail::uneven<detail::not_together<Space>>> {};
+                                      detail::bad_skeleton<detail::not_collectable<Space>>> {};
 
 }  // namespace cca

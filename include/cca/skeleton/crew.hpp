@@ -1,9 +1,9 @@
-// The threads of a farm: a lane for each worker, with a channel of tasks to it and one of results back.
+// The threads of a farm. Each worker has a lane: its thread, a channel of tasks to it and a channel of
+// results back.
 //
-// Only one thread, that of the loop, hands out and takes back; `hand_out` and `take` never wait. A worker's
-// thread looks for a task every `rest`, since waking it would be a system call in a beat. At most Capacity
-// tasks of a lane are under way, from being handed out to being taken back, so a worker always finds room for
-// its result.
+// Only the loop's thread calls `hand_out` and `take`; they never wait. A worker's thread looks for a task
+// every `rest`, since waking it would be a system call in a beat. At most Capacity tasks of a lane are under
+// way (from hand_out to take), so a worker always finds room for its result.
 #pragma once
 
 #include <atomic>
@@ -16,19 +16,19 @@
 
 namespace cca::detail {
 
-// Work: worker, task, result, and `static result done(worker&, const task&)`.
+// Work names the types worker, task and result, and has `static result done(worker&, const task&)`.
 template <class Work, std::size_t Count, std::size_t Capacity>
 class crew {
 public:
   using worker = typename Work::worker;
 
-  // Takes the workers as they are, and starts their threads.
+  // Copies the workers and starts their threads.
   template <class Workers>
   crew(const Workers& workers, std::chrono::nanoseconds rest) : pause(rest) {
     for (std::size_t i = 0; i < Count; ++i) lanes[i].reset(new lane{workers[i], {}, {}, {}});
     start();
   }
-  // Once the other one's tasks are done: the same workers, and the same results to take.
+  // Waits until the tasks of `other` are done, then copies its workers and the results still to be taken.
   crew(const crew& other) : pause(other.pause) {
     other.wait();
     for (std::size_t i = 0; i < Count; ++i)
@@ -38,14 +38,14 @@ public:
   crew& operator=(const crew&) = delete;
   ~crew() { stop(); }
 
-  // Each worker ends what it is at; the tasks behind that are lost.
+  // Each worker finishes its current task; the tasks after it are lost.
   void stop() {
     stops.store(true, std::memory_order_relaxed);
     for (auto& one : lanes)
       if (one && one->runs.joinable()) one->runs.join();
   }
 
-  // From being handed out to being taken back.
+  // How many tasks are between hand_out and take.
   std::size_t under_way(std::size_t i) const {
     return static_cast<std::size_t>(lanes[i]->tasks.writes() - lanes[i]->results.reads());
   }
@@ -63,7 +63,7 @@ public:
     return result;
   }
 
-  // Until all tasks are done. Not in a beat.
+  // Waits until all tasks are done. Not in a beat.
   void wait() const {
     for (std::size_t i = 0; i < Count; ++i)
       while (lanes[i]->results.writes() != lanes[i]->tasks.writes()) std::this_thread::sleep_for(pause);
@@ -82,7 +82,7 @@ private:
   void start() {
     try {
       for (auto& one : lanes) one->runs = std::thread([this, &l = *one] { work(l); });
-    } catch (...) {  // the system has no more threads to give
+    } catch (...) {  // the system has no more threads
       stop();
       throw;
     }

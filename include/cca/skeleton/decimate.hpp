@@ -1,15 +1,15 @@
-// Decimate: one sample of many, to a slower rate.
+// Decimate: reduces the rate, by picking samples or by averaging them.
 //
 //   cca::node<"slow", cca::decimate<leg_angles_1000, leg_angles_100>>                   every tenth
 //   cca::node<"slow", cca::decimate<leg_angles_1000, leg_angles_100, cca::averaged>>    the mean of each ten
 //   in  "input"    From
 //   out "output"   To, a `maybe`
 //
-// It counts samples, so it fires with each (`restless`, as is the default). `picked`: the first, and every
-// n-th after it, with its origin. `averaged`: the mean of n, by the domain's own interpolation, with the
-// oldest origin; it comes with the last of them. Errors: skeleton.arity, where From's rate is no multiple of
-// To's. Cost: a counter; averaged, an interpolation a sample. Example: tests/runtime/skeleton/rates.cpp;
-// docs/skeletons.md.
+// It counts samples, so it must fire with each of them (`restless`, the default). `picked`: the first sample
+// and every n-th after it, with its origin. `averaged`: the mean of n samples, by the domain's own
+// interpolation, with the oldest origin; published with the last of them.
+// Errors: skeleton.arity, if From's rate is not a multiple of To's. Cost: a counter; averaged, one
+// interpolation per sample. Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -62,6 +62,6 @@ template <class From, class To, class How = picked>
 struct decimate
     : std::conditional_t<detail::differ_in_rate_only<From, To> && detail::rate_ratio<From, To> != 0,
                          detail::decimate_of<From, To, How>,
-                         detail::uneven<detail::uneven_rates<From, To, true>>> {};
+                         detail::bad_skeleton<detail::wrong_rates<From, To, true>>> {};
 
 }  // namespace cca

@@ -1,14 +1,17 @@
 // A farm: equal workers, each on its part of an array-valued sample (seed, section 4.4.3).
 //
-//   cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>    in
-//   "input", out "output" cca::node<"ik", cca::farm<leg_ik, all_paws, all_angles>> axes in order, leg by leg
+//   cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>
+//   cca::node<"ik", cca::farm<leg_ik, all_paws, all_angles>>      axes in order, leg by leg
+//   in  "input"    From
+//   out "output"   To
 //
-// How many workers: as many as the first space has of what a worker takes; the second must have as many of
-// what it gives. A worker is a component with one input that must be wired and one output besides those of
-// status, or a pipeline. It's a graph: `split` shares out, `worker0`, `worker1`, ... each fire with their
-// part, `join` gathers once all parts are new (`moderate`). All in one beat, and inlined; farm_on_threads.hpp
-// has the same with its workers on threads. Errors: skeleton.arity. Cost: that of the workers. Example:
-// tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
+// The number of workers is the number of worker inputs that fit into From; as many worker outputs must fit
+// into To. A worker is a component with one input that must be wired and one output (status outputs do not
+// count), or a pipeline. A farm is a graph: `split` divides the sample, `worker0`, `worker1`, ... each fire
+// with their part, and `join` puts the results together once all are new (`moderate`). All of it runs in one
+// beat, inlined. farm_on_threads.hpp has the same with a thread per worker.
+// Errors: skeleton.arity. Cost: that of the workers. Example: tests/runtime/skeleton/pipeline_farm.cpp;
+// docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -16,7 +19,7 @@
 
 #include <cca/skeleton/arity.hpp>
 #include <cca/skeleton/sharing.hpp>
-#include <cca/skeleton/through.hpp>
+#include <cca/skeleton/stage_ports.hpp>
 
 namespace cca {
 namespace detail {
@@ -28,7 +31,7 @@ using part_given = typename output_of_stage<Worker>::space;
 
 template <class Worker, class From, class To>
 constexpr int workers_in = [] {
-  if constexpr (GoesThrough<Worker>)
+  if constexpr (OneInOneOut<Worker>)
     return parts_in<From, part_taken<Worker>> == parts_in<To, part_given<Worker>>
                ? parts_in<From, part_taken<Worker>>
                : 0;
@@ -51,12 +54,12 @@ struct farm_of<Worker, From, To, std::index_sequence<I...>>
                  joined_name<"join", part_name<I>>>...,
             expose<"split.input", "input">,
             expose<"join.output", "output">> {
-  using passage_in = passage<"input", From>;
-  using passage_out = passage<"output", To>;
+  using stage_input = stage_port<"input", From>;
+  using stage_output = stage_port<"output", To>;
 };
 
 template <class Whole, class Part>
-constexpr void say_parts(text& t) {
+constexpr void put_parts(text& t) {
   t << type_name<Whole>() << " (" << type_name<typename Whole::domain>() << " over " << Whole::axes::count
     << (Whole::axes::count == 1 ? " axis)" : " axes)");
   if (constexpr int count = parts_in<Whole, Part>; count > 0) t << " is " << count << " of ";
@@ -66,17 +69,17 @@ constexpr void say_parts(text& t) {
 }
 
 template <class Worker, class From, class To>
-struct uneven_farm {
-  static constexpr text told() {
+struct wrong_farm {
+  static constexpr text message() {
     text t;
-    if constexpr (!GoesThrough<Worker>) {
+    if constexpr (!OneInOneOut<Worker>) {
       t << "is a farm whose worker ";
-      say_passages<Worker>(t);
+      put_stage_ports<Worker>(t);
     } else {
       t << "cannot be shared out: what comes in, ";
-      say_parts<From, part_taken<Worker>>(t);
+      put_parts<From, part_taken<Worker>>(t);
       t << ", what goes out, ";
-      say_parts<To, part_given<Worker>>(t);
+      put_parts<To, part_given<Worker>>(t);
       t << "; give it spaces with as many parts of what a worker takes as of what it gives, like "
            "cca::array_of<"
         << type_name<part_taken<Worker>>() << ", 4>";
@@ -89,7 +92,7 @@ template <class Worker, class From, class To>
 constexpr auto farm_kind() {
   if constexpr (constexpr int count = workers_in<Worker, From, To>; count > 0)
     return std::type_identity<farm_of<Worker, From, To, std::make_index_sequence<count>>>();
-  else return std::type_identity<uneven<uneven_farm<Worker, From, To>>>();
+  else return std::type_identity<bad_skeleton<wrong_farm<Worker, From, To>>>();
 }
 
 }  // namespace detail

@@ -1,28 +1,31 @@
-// A farm whose workers have a thread each: what they do may take longer than a beat, and the loop never waits
-// for them.
+// A farm with one thread per worker: a worker may take longer than a beat, and the loop never waits for it.
 //
-//   cca::node<"ik", cca::farm_on_threads<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles,
-//   4>>> in  "input"     From: what is fresh in a beat is a task out "output"    To, a `maybe`: a result,
-//   with the origin of its task out "waiting"   a number: tasks under way, from being handed out to being
-//   published out "dropped"   a number: tasks that came while `capacity` others were under way, since the
-//   start
+//   cca::node<"ik",
+//             cca::farm_on_threads<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>
+//   in  "input"     From: each fresh sample is a task
+//   out "output"    To, a `maybe`: a result, with the origin of its task
+//   out "waiting"   a number: tasks under way, from being handed out to being published
+//   out "dropped"   a number: tasks lost since the start, because `capacity` others were under way
 //
-// The fourth argument says in what order. `in_order`: each result once, the oldest first, one a beat.
-// `as_they_come`: each part as soon as its worker has it, the newest; the whole then has the oldest origin of
-// its parts. A worker may be slow: then results are late, and from `capacity` on tasks are lost and counted;
-// the loop is not held up. To set more,
+// The fourth argument sets the order of results. `in_order`: each result once, the oldest first, one per
+// beat. `as_they_come`: each part as soon as its worker has it, only the newest; the whole has the oldest
+// origin of its parts. If a worker is slow, results are late; once `capacity` tasks are under way, further
+// tasks are lost and counted. To set more,
 //
-//   struct patient : cca::in_order { static constexpr int capacity = 16; static constexpr
-//   std::chrono::microseconds rest{200}; };
+//   struct patient : cca::in_order {
+//     static constexpr int capacity = 16;
+//     static constexpr std::chrono::microseconds rest{200};
+//   };
 //
-// where `rest` is how often a worker that has nothing to do looks for a task. What a result is does not
-// depend on the threads, when it comes does: of all components this one alone goes by real time. `cca::farm`
-// has the same ports and gives the same results at once.
+// `rest` is how often an idle worker looks for a task. The values of results do not depend on the threads,
+// but the beat in which they come does: this is the only component that depends on real time. `cca::farm` has
+// the same input and output and gives the same results in the same beat.
 //
-// Threads begin in on_start and end in on_stop. A copy of a running controller waits until the tasks under
-// way are done, takes over the workers and the results that nobody has taken, and has threads of its own. A
-// worker's parameters hold from the next start on. Errors: skeleton.arity; cca::refused, if the system has no
-// more threads. Cost: two loads and two stores a worker in a beat; no allocation, no lock, no system call.
+// Threads begin in on_start and end in on_stop. Copying a running controller waits until the tasks under way
+// are done; the copy gets the workers, the results still to be published, and threads of its own. A change of
+// a worker's parameters takes effect at the next start. Errors: skeleton.arity; cca::refused, if the system
+// has no more threads. Cost: two atomic loads and two stores per worker and beat; no allocation, no lock, no
+// system call.
 // Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
 #pragma once
 
@@ -34,12 +37,11 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/base/inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/skeleton/crew.hpp>
 #include <cca/skeleton/farm.hpp>
-#include <cca/skeleton/piece_work.hpp>
+#include <cca/skeleton/worker_task.hpp>
 
 namespace cca {
 
@@ -53,7 +55,7 @@ struct task_count : space<number, axes<x>> {};
 
 namespace detail {
 
-// Equal workers have equal parameters.
+// All workers have the same parameters.
 template <class Worker>
 struct shared_parameters {};
 template <HasParameters Worker>
@@ -66,8 +68,8 @@ template <class Worker, class From, class To, class Order>
 class threaded_farm : public shared_parameters<Worker> {
   static constexpr int count = workers_in<Worker, From, To>;
   static constexpr bool ordered = !std::is_base_of_v<as_they_come, Order>;
-  using work = piece_work<Worker>;
-  using hands = crew<work, count, Order::capacity>;
+  using work = worker_task<Worker>;
+  using threads = crew<work, count, Order::capacity>;
   using results = std::tuple<maybe<"output", To>, out<"waiting", task_count>, out<"dropped", task_count>>;
 
 public:
@@ -80,7 +82,7 @@ public:
         is_new(other.is_new),
         last_task(other.last_task),
         lost(other.lost),
-        at_work(other.at_work ? std::make_unique<hands>(*other.at_work) : nullptr) {}
+        at_work(other.at_work ? std::make_unique<threads>(*other.at_work) : nullptr) {}
   threaded_farm(threaded_farm&&) = default;
   threaded_farm& operator=(threaded_farm other) {
     static_cast<shared_parameters<Worker>&>(*this) = other;
@@ -116,7 +118,7 @@ public:
     });
     is_new = {}, last_task = -1, lost = 0;
     try {
-      at_work = std::make_unique<hands>(workers, Order::rest);
+      at_work = std::make_unique<threads>(workers, Order::rest);
     } catch (const std::system_error& error) {
       throw refused(std::string("cca::farm_on_threads: the system gives no more threads: ") + error.what());
     }
@@ -130,7 +132,7 @@ public:
     });
   }
 
-  // Until what has been handed out is done: for tests, and where one may wait.
+  // Waits until all tasks are done: for tests, and where waiting is allowed.
   void wait() const { at_work->wait(); }
 
 private:
@@ -156,8 +158,9 @@ private:
     return true;
   }
 
-  // True if there is a whole to publish: each part has come, and, in order, is new.
-  CCA_GLUE bool take() noexcept {
+  // True if there is a whole to publish: every part has arrived and, with in_order, is new.
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] bool take() noexcept {
     if (!at_work) return false;
     if constexpr (ordered) {
       for (std::size_t i = 0; i < count; ++i)
@@ -187,17 +190,17 @@ private:
   std::array<std::int64_t, count> origins{};
   std::array<bool, count> is_new{};
   std::int64_t last_task = -1, lost = 0;
-  std::unique_ptr<hands> at_work;
+  std::unique_ptr<threads> at_work;
 };
 
 template <class Worker>
-struct uneven_threads {
-  static constexpr text told() {
+struct wrong_worker {
+  static constexpr text message() {
     text t;
     t << "is to have " << type_name<Worker>() << " on threads, ";
     if constexpr (Graph<Worker>)
       t << "but that is a graph, whose nodes run in the loop: put what it does into one component";
-    else t << "but that may return a fault, of which the loop would hear too late: tell of it by a status";
+    else t << "but that may return a fault, which would reach the loop too late: publish a status instead";
     return t;
   }
 };
@@ -205,9 +208,10 @@ struct uneven_threads {
 template <class Worker, class From, class To, class Order>
 constexpr auto threaded_kind() {
   if constexpr (workers_in<Worker, From, To> == 0)
-    return std::type_identity<uneven<uneven_farm<Worker, From, To>>>();
-  else if constexpr (Graph<Worker>) return std::type_identity<uneven<uneven_threads<Worker>>>();
-  else if constexpr (function_may_fault<Worker>) return std::type_identity<uneven<uneven_threads<Worker>>>();
+    return std::type_identity<bad_skeleton<wrong_farm<Worker, From, To>>>();
+  else if constexpr (Graph<Worker>) return std::type_identity<bad_skeleton<wrong_worker<Worker>>>();
+  else if constexpr (function_may_fault<Worker>)
+    return std::type_identity<bad_skeleton<wrong_worker<Worker>>>();
   else
     return std::type_identity<graph<node<"crew", threaded_farm<Worker, From, To, Order>, full_speed>,
                                     expose<"crew.input", "input">, expose<"crew.output", "output">,
@@ -218,8 +222,8 @@ constexpr auto threaded_kind() {
 
 template <class Worker, class From, class To, class Order = in_order>
 struct farm_on_threads : decltype(detail::threaded_kind<Worker, From, To, Order>())::type {
-  using passage_in = detail::passage<"input", From>;
-  using passage_out = detail::passage<"output", To>;
+  using stage_input = detail::stage_port<"input", From>;
+  using stage_output = detail::stage_port<"output", To>;
 };
 
 }  // namespace cca

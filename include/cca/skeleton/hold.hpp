@@ -1,14 +1,14 @@
-// Hold: the newest sample, published again and again, at the rate of another space (a zero-order hold); and,
-// if wired, frozen for as long as a flag says so.
+// Hold: publishes the newest sample again and again, at the rate of another space (a zero-order hold).
+// Optionally a flag freezes the output.
 //
 //   cca::node<"goal", cca::hold<goal_at_10_hz, goal_at_1000_hz>, cca::timed<1>>
 //   in  "input"    From
-//   in  "freeze"   a status over x, optional: while it is not 0 the output stays what it is
+//   in  "freeze"   a status over x, optional: while it is not 0 the output does not change
 //   out "output"   To, with the origin of the sample
 //
-// From and To differ in their rate only. The node's strategy makes the rate: one that is not To's is refused
-// (rate.mismatch). Errors: skeleton.arity, where the spaces differ in more. Cost: none after inlining; with
-// `freeze`, a sample of memory. Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
+// From and To may differ only in their rate. The node's strategy sets the rate; another rate than To's is
+// refused (rate.mismatch). Errors: skeleton.arity, if the spaces differ in more. Cost: none after inlining;
+// with `freeze` wired, memory for one sample. Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -39,6 +39,6 @@ private:
 template <class From, class To = From>
 struct hold : std::conditional_t<detail::differ_in_rate_only<From, To>,
                                  detail::hold_of<From, To>,
-                                 detail::uneven<detail::uneven_rates<From, To, false>>> {};
+                                 detail::bad_skeleton<detail::wrong_rates<From, To, false>>> {};
 
 }  // namespace cca

@@ -1,15 +1,14 @@
-// Interpolate: from a slower rate to a faster one, along the domain's own interpolation from sample to
-// sample.
+// Interpolate: from a slower rate to a faster one, by the domain's own interpolation from sample to sample.
 //
 //   cca::node<"smooth", cca::interpolate<goal_at_100_hz, goal_at_1000_hz>, cca::timed<1>>
 //   in  "input"    From
-//   out "output"   To, with the older of the origins between which it lies
+//   out "output"   To, with the older origin of the two samples between which it lies
 //
-// A new sample is reached in as many firings as To's rate has to one of From's, from where the output is: so
-// the output is continuous, and late by one period of From less one of To. A sample that is late finds it
-// waiting at the one before. The first one is taken at once. The node's strategy makes the rate: one that is
-// not To's is refused (rate.mismatch). Errors: skeleton.arity, where To's rate is no multiple of From's.
-// Cost: an interpolation a firing. Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
+// The output moves from where it is to a new sample in n firings, where n is To's rate divided by From's. So
+// it is continuous, and late by one period of From less one of To. If a sample is late, the output waits at
+// the previous one. The first sample is taken at once. The node's strategy sets the rate; another rate than
+// To's is refused (rate.mismatch). Errors: skeleton.arity, if To's rate is not a multiple of From's. Cost:
+// one interpolation per firing. Example: tests/runtime/skeleton/rates.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
@@ -42,7 +41,7 @@ struct interpolate_of {
 private:
   static constexpr int count = rate_ratio<To, From>;
   sample<From> from, last;
-  int step = count;  // so many of its steps to the newest sample are done
+  int step = count;  // steps done towards the newest sample
   bool begun = false;
 };
 
@@ -52,6 +51,6 @@ template <class From, class To>
 struct interpolate
     : std::conditional_t<detail::differ_in_rate_only<From, To> && detail::rate_ratio<To, From> != 0,
                          detail::interpolate_of<From, To>,
-                         detail::uneven<detail::uneven_rates<From, To, false>>> {};
+                         detail::bad_skeleton<detail::wrong_rates<From, To, false>>> {};
 
 }  // namespace cca

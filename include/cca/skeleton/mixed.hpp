@@ -1,10 +1,10 @@
-// A sample between others, by the domain's own interpolation: on a line, on a circle, between orientations by
-// slerp.
+// A sample between others, by the domain's own interpolation: on a line, on a circle, by slerp between
+// orientations.
 //
-// Of several with weights each is interpolated with the mean of those before it, which on a line is the
-// weighted mean. What has no part in the result does not touch it, be it NaN; its origin is the oldest of
-// those that have. A domain type without interpolation (a status) gives the nearer one. Cost: that of an
-// interpolation for each source but the first.
+// With several weights, each sample is interpolated with the mean of those before it; on a line this is the
+// weighted mean. A sample with weight zero does not influence the result, even if it is NaN; the origin is
+// the oldest of the others. For a domain type without interpolation (a status) the result is the nearer
+// sample. Cost: one interpolation per source but the first.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace cca::detail {
 
-// 0 < t < 1
+// For 0 < t < 1.
 template <class Space>
 constexpr sample<Space> between(const sample<Space>& a, const sample<Space>& b, double t) {
   if constexpr (requires { a.interpolated(b, t); }) return a.interpolated(b, t);
@@ -37,7 +37,7 @@ constexpr sample<Space> mixed_of(const std::array<double, Count>& weights,
   return mean;
 }
 
-// The source of this number.
+// Source `number`, counted from 0.
 template <class Space, class... Rest>
 constexpr sample<Space> one_of(int number, const sample<Space>& first, const Rest&... rest) {
   sample<Space> chosen = first;

@@ -1,23 +1,25 @@
-// A pipeline: stages one after another, each fired by what the one before gives (seed, section 4.4.3:
+// A pipeline: stages one after another, each fired by the output of the one before (seed, section 4.4.3:
 // port-triggered).
 //
-//   cca::node<"ball", cca::pipeline<undistort, find_ball, smooth>>                              in "input",
-//   out "output" cca::node<"ball", cca::pipeline_over<cca::queue<4, cca::drop_oldest>, undistort, find_ball>>
-//   with a policy between stages
+//   cca::node<"ball", cca::pipeline<undistort, find_ball, smooth>>
+//   with a policy on the wires between stages:
+//   cca::node<"ball", cca::pipeline_over<cca::queue<4, cca::drop_oldest>, undistort, find_ball>>
+//   in  "input"    the first stage's space
+//   out "output"   the last stage's space
 //
-// A stage is a component with one input that must be wired and one output besides those of status, whatever
-// they are called; or a pipeline or a farm. A sample passes all stages in one beat, or, with a policy between
-// them, as that says: over `delayed<1>` each stage works on another sample in each beat. The stages are the
-// nodes `stage0`, `stage1`, ... of a graph. Errors: skeleton.arity, and those of wires between stages
-// (space.mismatch). Cost: that of the stages. Example: tests/runtime/skeleton/pipeline_farm.cpp;
-// docs/skeletons.md.
+// A stage is a component with one input that must be wired and one output (status outputs do not count),
+// whatever their names, or a pipeline or a farm. A sample passes all stages in one beat, unless the policy
+// says otherwise: with `delayed<1>` each stage works on another sample in each beat. The stages are the nodes
+// `stage0`, `stage1`, ... of a graph. Errors: skeleton.arity, and those of wires between stages
+// (space.mismatch). Cost: that of the stages.
+// Example: tests/runtime/skeleton/pipeline_farm.cpp; docs/skeletons.md.
 #pragma once
 
 #include <type_traits>
 #include <utility>
 
 #include <cca/skeleton/arity.hpp>
-#include <cca/skeleton/through.hpp>
+#include <cca/skeleton/stage_ports.hpp>
 
 namespace cca {
 namespace detail {
@@ -43,23 +45,23 @@ struct pipeline_of<Stages, std::index_sequence<N...>, std::index_sequence<W...>,
           expose<joined_name<stage_name<0>, input_of_stage<stage_at<Stages, 0>>::name>, "input">,
           expose<joined_name<stage_name<sizeof...(W)>, output_of_stage<stage_at<Stages, sizeof...(W)>>::name>,
                  "output">> {
-  using passage_in = passage<"input", typename input_of_stage<stage_at<Stages, 0>>::space>;
-  using passage_out = passage<"output", typename output_of_stage<stage_at<Stages, sizeof...(W)>>::space>;
+  using stage_input = stage_port<"input", typename input_of_stage<stage_at<Stages, 0>>::space>;
+  using stage_output = stage_port<"output", typename output_of_stage<stage_at<Stages, sizeof...(W)>>::space>;
 };
 
 template <class... Stages>
-struct uneven_stages {
-  static constexpr text told() {
+struct wrong_stages {
+  static constexpr text message() {
     text t;
     if (sizeof...(Stages) < 2) {
       t << "has " << int(sizeof...(Stages)) << (sizeof...(Stages) == 1 ? " stage" : " stages")
-        << ", but a pipeline is two or more, one after another: name more, or make a node of it as it is";
+        << ", but a pipeline has two or more: name more, or use the one stage as a node itself";
     } else {
-      bool told = false;
+      bool found = false;
       int i = 0;
-      ((GoesThrough<Stages> || told
+      ((OneInOneOut<Stages> || found
             ? void()
-            : (told = true, t << "is a pipeline whose stage " << i << " ", say_passages<Stages>(t)),
+            : (found = true, t << "is a pipeline whose stage " << i << " ", put_stage_ports<Stages>(t)),
         ++i),
        ...);
     }
@@ -69,8 +71,8 @@ struct uneven_stages {
 
 template <class Policies, class... Stages>
 constexpr auto pipeline_kind() {
-  if constexpr (sizeof...(Stages) < 2 || !(GoesThrough<Stages> && ...))
-    return std::type_identity<uneven<uneven_stages<Stages...>>>();
+  if constexpr (sizeof...(Stages) < 2 || !(OneInOneOut<Stages> && ...))
+    return std::type_identity<bad_skeleton<wrong_stages<Stages...>>>();
   else
     return []<class... Policy>(list<Policy...>) {
       return std::type_identity<

@@ -1,6 +1,6 @@
-// From one rate to another: what hold, decimate and interpolate have in common. Their two spaces agree in
-// domain type and axes, and differ in their rates; how many samples of the faster there are to one of the
-// slower is a whole number, or skeleton.arity.
+// Shared by hold, decimate and interpolate, which lead from one rate to another. Their two spaces agree in
+// domain type and axes; for decimate and interpolate one rate must be a whole multiple of the other
+// (skeleton.arity).
 #pragma once
 
 #include <type_traits>
@@ -17,7 +17,7 @@ template <class From, class To>
 constexpr bool differ_in_rate_only = std::is_same_v<typename From::domain, typename To::domain> &&
                                      std::is_same_v<typename From::axes, typename To::axes>;
 
-// So many samples of Fast to one of Slow; 0 if that is no whole number from 2 on.
+// How many samples of Fast there are per sample of Slow; 0 if it is not a whole number of at least 2.
 template <class Fast, class Slow>
 constexpr int rate_ratio = [] {
   if (!(rate_of<Slow> > 0) || !(rate_of<Fast> > rate_of<Slow>)) return 0;
@@ -27,28 +27,28 @@ constexpr int rate_ratio = [] {
 }();
 
 template <class Space>
-constexpr void say_rate(text& t) {
+constexpr void put_rate(text& t) {
   t << type_name<Space>() << " (";
   if (rate_of<Space> > 0) t << rate_of<Space> << " Hz)";
   else t << "no rate stated)";
 }
 
-// Down: to the slower; else up.
+// Down: to a slower rate; else to a faster one.
 template <class From, class To, bool Down>
-struct uneven_rates {
-  static constexpr text told() {
+struct wrong_rates {
+  static constexpr text message() {
     text t;
     t << "leads from ";
-    say_rate<From>(t);
+    put_rate<From>(t);
     t << " to ";
-    say_rate<To>(t);
+    put_rate<To>(t);
     if (!differ_in_rate_only<From, To>)
       t << ", which differ in more than their rate: name two spaces of one domain type over the same axes";
     else
       t << ", but the first must have a rate that is "
-        << (Down ? "a whole multiple of that of the second" : "a whole part of that of the second")
-        << ", at least " << (Down ? "twice it" : "half of it") << ": state rates like "
-        << (Down ? "1000 and 100 Hz" : "100 and 1000 Hz");
+        << (Down ? "a whole multiple of that of the second, at least twice it"
+                 : "a whole part of that of the second, at most half of it")
+        << ": state rates like " << (Down ? "1000 and 100 Hz" : "100 and 1000 Hz");
     return t;
   }
 };

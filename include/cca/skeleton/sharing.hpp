@@ -1,11 +1,12 @@
-// Sharing out: a sample of an array-valued space becomes a sample of each part, and the other way round.
+// Divides a sample of an array-valued space into a sample per part, and puts the parts together again.
 //
 //   share_out<Whole, Part, N>   in "input": Whole;  out "part0", "part1", ...: Part
-//   gather<Whole, Part, N>      in "part0", "part1", ...: Part;  out "output": Whole; use it `moderate`
+//   gather<Whole, Part, N>      in "part0", "part1", ...: Part;  out "output": Whole; use it with `moderate`
 //
-// Whole is `array_of<Part, N>`, or has the domain type of Part and its axes stand in the order of the parts:
-// eight joint angles are four parts of two. Then the axes change their names on the way, and with them what
-// limits them. Cost: none after inlining.
+// Whole is `array_of<Part, N>`, or has the domain type of Part and the axes of N parts in order: eight joint
+// angles are four parts of two. In the second case the names of the axes change on the way, and with them
+// their limits.
+// Cost: none after inlining.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@
 
 namespace cca::detail {
 
-// How many parts a whole has; 0 if it has none of that kind, or does not come out even.
+// How many parts a whole has; 0 if the domain types differ or the numbers do not divide.
 template <class Whole, class Part>
 constexpr int parts_in = [] {
   if constexpr (Whole::axes::count % Part::axes::count != 0) return 0;

@@ -1,5 +1,4 @@
-// The spaces of what skeletons are told and tell besides data: at whatever rate, so that any writer's space
-// of the same domain type over `x` matches.
+// The spaces of a skeleton's choices and flags. They state no rate, so any space of status over `x` matches.
 #pragma once
 
 #include <cca/space/domain.hpp>
@@ -7,8 +6,10 @@
 
 namespace cca {
 
-struct choice : space<status, axes<x>> {
-};  // a number of a source, counted from 0 in the order in which they are named
-struct flag : space<status, axes<x>> {};  // 0: no; anything else: yes
+// The number of a source, counted from 0 in the order of their names.
+struct choice : space<status, axes<x>> {};
+
+// 0: no; anything else: yes.
+struct flag : space<status, axes<x>> {};
 
 }  // namespace cca

@@ -1,10 +1,11 @@
-// The splitter: one sample of many axes becomes a sample of each axis (seed, section 4.4.3).
+// The splitter: divides one sample of many axes into a sample per axis (seed, section 4.4.3).
 //
-//   cca::splitter<"angles", leg_angles>      in "angles"; out "hip", "knee": one port an axis, under its name
+//   cca::splitter<"angles", leg_angles>
+//   in  "angles"        Space
+//   out "hip", "knee"   one port per axis, with the axis's name: a sub-space of Space
 //
-// The outputs' spaces are sub-spaces of the input's, so each keeps within the limits of its axis. Taken
-// together again by a collector they are the same, to the bit. Needs a domain type with one number an axis.
-// Errors: skeleton.arity. Cost: none after inlining.
+// Each output keeps within the limits of its axis. A collector puts the outputs together again, the same to
+// the bit. Needs a domain type with one number per axis. Errors: skeleton.arity. Cost: none after inlining.
 // Example: tests/runtime/skeleton/splitter_collector.cpp; docs/skeletons.md.
 #pragma once
 
@@ -19,7 +20,7 @@ namespace cca {
 
 namespace detail {
 
-// The name of an axis, as the name of a port.
+// The port of an axis has the axis's name.
 template <class Axis>
 inline constexpr auto port_name_of = Axis::label;
 
@@ -36,13 +37,13 @@ struct splitter_of<Input, Space, axes<Axes...>> {
 };
 
 template <class Space>
-struct not_per_axis {
-  static constexpr text told() {
+struct not_splittable {
+  static constexpr text message() {
     text t;
     t << "is to take " << type_name<Space>() << " apart, which has " << Space::size << " numbers over "
       << Space::axes::count
-      << " axes, so none of them belongs to one axis: take a space with a number for each, the roll, pitch "
-         "and yaw of an orientation say";
+      << " axes, so none of them belongs to one axis: use a space with one number per axis, for example the "
+         "roll, pitch and yaw of an orientation";
     return t;
   }
 };
@@ -52,6 +53,6 @@ struct not_per_axis {
 template <fixed_string Input, class Space>
 struct splitter : std::conditional_t<Space::size == Space::axes::count,
                                      detail::splitter_of<Input, Space, typename Space::axes>,
-                                     detail::uneven<detail::not_per_axis<Space>>> {};
+                                     detail::bad_skeleton<detail::not_splittable<Space>>> {};
 
 }  // namespace cca

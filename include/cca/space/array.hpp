@@ -1,10 +1,10 @@
-// An array-valued space: so many samples of one space, one after another, as one sample.
+// An array-valued space: N elements of one space, one after another, as one sample.
 //
-//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, element<x, 1>,
-//   ...
+//   struct paws : cca::array_of<paw_position, 4> {};      axes element<x, 0>, element<z, 0>, ...
 //
-// Its rate is that of the space; its domain type is `array_domain`. A sample has `template part<I>()`, the
-// sample of element I, and interpolates element by element. An axis keeps its limits in each element.
+// It takes the rate of the element's space; its domain type is `array_domain`. In a sample, `template
+// part<I>()` is the sample of element I; interpolation works element by element. Each element's axes keep
+// their limits.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 #include <cca/space/frame.hpp>
 #include <cca/base/joined_names.hpp>
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/linear.hpp>
 #include <cca/space/sample.hpp>
 
 namespace cca {
 
-// The axis of one element, under the name "hip2".
+// The axis of one element: `hip` of element 2 is named "hip2".
 template <class Axis, std::size_t Number>
 struct element : Axis {
   static constexpr auto label = detail::numbered<Axis::label, Number>;
@@ -44,11 +44,11 @@ struct array_domain {
                          this->self().origin());
     }
 
-    // Each element on its own; t = 0 is this one, t = 1 is `to`.
+    // Each element on its own; this sample at t = 0, `to` at t = 1.
     template <Sample To>
     constexpr Self interpolated(const To& to, double t) const {
       typename Self::space::vector_type v;
-      if constexpr (detail::meet<Self, To>())
+      if constexpr (detail::combinable<Self, To>())
         [&]<int... Number>(std::integer_sequence<int, Number...>) {
           constexpr int size = Self::space::element_space::size;
           ((v.template segment<size>(Number * size) =
@@ -86,7 +86,7 @@ struct array_of
     : space<array_domain<typename Element::domain, Count>,
             typename detail::array_axes<typename Element::axes, std::make_index_sequence<Count>>::type,
             typename Element::rate> {
-  static_assert(Count > 0, "cca::array_of<Space, N>: N is a number of elements, at least one");
+  static_assert(Count > 0, "cca::array_of<Space, N>: N is the number of elements, at least one");
   using element_space = Element;
 };
 

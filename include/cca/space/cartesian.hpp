@@ -1,14 +1,14 @@
-// Positions: points by their coordinates along axes of a frame, in m.
+// Positions: points by their coordinates along the axes of a frame, in m.
 //
 //   struct foot_in_hip : cca::space<cca::cartesian_position<hip_frame>, cca::axes<cca::x, cca::z>> {};
 //
-// The zero is the frame's origin. Points have no sum: their difference is a vector, and a point plus a vector
-// is a point. Errors: `frame.mismatch`.
+// The zero is the frame's origin. Points can't be added: the difference of two points is a vector, and a
+// point plus a vector is a point. Errors: `frame.mismatch`.
 #pragma once
 
 #include <cmath>
 
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/linear.hpp>
 
 namespace cca {
 
@@ -20,11 +20,11 @@ struct cartesian_position : detail::linear_domain {
 
   template <class Self>
   struct methods : detail::on_a_line<Self> {
-    // From the other one to this one, in m along the frame's axes.
+    // The vector from the other point to this one, in m along the frame's axes.
     template <Sample Other>
     constexpr auto difference(const Other& from) const {
       auto v = this->self().vector();
-      if constexpr (detail::meet<Self, Other>()) v -= from.vector();
+      if constexpr (detail::combinable<Self, Other>()) v -= from.vector();
       return v;
     }
 
@@ -51,7 +51,7 @@ constexpr bool is_position<cartesian_position<Frame>> = true;
 
 template <class Type> concept PositionSample = Sample<Type> && is_position<typename Type::space::domain>;
 
-// Moved by a rigid motion: only over three axes, which are x, y and z by their order.
+// A rigid motion moves only positions over three axes, which are x, y and z in this order.
 template <class Position>
 constexpr bool spatial() {
   static_assert(Position::space::size == 3,

@@ -1,7 +1,7 @@
-// A dimension is a named axis: a type, shared by all quantities that are measured along it, with a limit per
-// quantity.
+// A dimension is a named axis: a type that all quantities along it share, with one limit per quantity.
 //
-//   struct hip : cca::dimension<"hip"> { static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}};
+//   struct hip : cca::dimension<"hip"> {
+//     static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}};
 //   };
 #pragma once
 
@@ -36,7 +36,7 @@ constexpr bool axis_has_limits<Axis, Quantity> =
 
 }  // namespace detail
 
-// The cartesian axes.
+// The Cartesian axes.
 struct x : dimension<"x"> {};
 struct y : dimension<"y"> {};
 struct z : dimension<"z"> {};

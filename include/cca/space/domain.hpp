@@ -2,11 +2,11 @@
 //
 // A domain type is an empty struct with
 //   quantity             what is measured along its axes (quantity.hpp), or void
-//   actuated             whether its samples command joints: then its axes must state limits
-//   width(axes)          how many numbers a sample over so many axes has
-//   zero(i, axes)        number i of the zero, which an input holds until a first sample has come
+//   actuated             true if its samples command joints; then its axes must state limits
+//   width(axes)          how many numbers a sample over this many axes has
+//   zero(i, axes)        number i of the zero; an input holds the zero until its first sample arrives
 //   methods<Self>        what samples inherit from it; Self is the sample
-//   frames               where it has any: those that must agree for two samples to be combined
+//   frames               only if it has frames: two samples can be combined only if these are equal
 #pragma once
 
 #include <cca/space/cartesian.hpp>
@@ -14,5 +14,5 @@
 #include <cca/space/orientation.hpp>
 #include <cca/space/phase.hpp>
 #include <cca/space/pose.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 #include <cca/space/twist_wrench.hpp>

@@ -1,10 +1,10 @@
-// Frames: what coordinates are expressed in, and which point a twist or a wrench is that of. Any class type
-// will do:
+// Frames: coordinates are expressed in a frame, and a twist or a wrench acts at a frame's origin. Any class
+// type can be a frame:
 //
 //   struct trunk;                             or, with a name of its own: cca::frame<"trunk">
 //   struct foot_in_trunk : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
 //
-// Errors: `frame.mismatch` where two samples meet that are not of the same frame.
+// Errors: `frame.mismatch` where two samples of different frames are combined.
 #pragma once
 
 #include <string_view>
@@ -21,7 +21,7 @@ struct frame {
 
 namespace detail {
 
-// What a domain type with frames states as its `frames`.
+// The type of a domain type's `frames`.
 template <class... Frames>
 struct frame_list;
 
@@ -37,7 +37,7 @@ struct frames_of<Domain> {
 
 }  // namespace detail
 
-// A concept, and not a constant, for its messages: the compilers then name the two frames that differ.
+// A concept, not a constant: in their messages the compilers then name the two frames that differ.
 template <class FrameA, class FrameB> concept SameFrame = std::is_same_v<FrameA, FrameB>;
 
 template <class DomainA, class DomainB> concept SameFrames =

@@ -1,4 +1,5 @@
-// What the checks need to know of a space, as a value: constexpr functions compare it and messages print it.
+// What the checks need to know about a space, as a value: constexpr functions compare it and messages print
+// it.
 #pragma once
 
 #include <array>
@@ -18,14 +19,14 @@ struct space_info {
   int axis_count;
   int size;
   const double* zero;  // coordinates of the space's zero
-  double hz;           // 0 where the space states no rate
-  std::uint64_t key;   // equal for equal domain types (with their frame) and equal axes in equal order
+  double hz;           // 0 if the space states no rate
+  std::uint64_t key;   // equal if the domain type (with its frame) and the ordered axes are equal
   bool actuated;
   int duplicate_axis;  // index, or -1
   int missing_limits;  // index of the first axis without limits for the domain's quantity, or -1
   std::string_view quantity;
   const double *lower,
-      *upper;  // limits of that quantity, one number an axis; infinite where an axis states none
+      *upper;  // limits of that quantity, one per axis; infinite if an axis states none
 };
 
 template <class Axes>
@@ -59,7 +60,7 @@ inline constexpr space_info space_of = {
     upper_limits<Space, typename Space::domain::quantity>.data(),
 };
 
-// A rate that only one of them states does not count.
+// The rates must agree only if both spaces state one.
 constexpr bool matches(const space_info& a, const space_info& b) {
   return a.key == b.key && (a.hz == b.hz || a.hz == 0 || b.hz == 0);
 }

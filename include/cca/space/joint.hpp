@@ -1,5 +1,5 @@
-// Domain types at joint level, one number an axis. All are actuated: where one is a command its axes must
-// state limits.
+// Domain types at joint level, one number per axis. All are actuated: the axes of a command must state
+// limits.
 //
 //   domain type           unit      zero   methods
 //   joint_angles          rad       0      normalised, difference, plus, interpolated, within_limits, clamped
@@ -9,8 +9,8 @@
 //   joint_stiffness       N m/rad   0      sums, torque(deflection), interpolated, within_limits, clamped
 #pragma once
 
-#include <cca/space/circle.hpp>
-#include <cca/space/linear.hpp>
+#include <cca/space/methods/circle.hpp>
+#include <cca/space/methods/linear.hpp>
 
 namespace cca {
 
@@ -22,9 +22,8 @@ struct joint_domain : linear_domain {
 
 }  // namespace detail
 
-// Interpolation is the straight line between the two numbers and never the short way around: two angles
-// within the limits have all between them within, which the short way would not keep. A joint that turns on
-// and on is a `phase`.
+// Interpolation follows the straight line between the two numbers, never the short way around: between two
+// angles within the limits it stays within them. For a joint that turns without end use a `phase`.
 struct joint_angles : detail::joint_domain {
   using quantity = angle;
 
@@ -37,11 +36,11 @@ struct joint_angles : detail::joint_domain {
       return Self(v, this->self().origin());
     }
 
-    // From the other one to this one the short way, each in (-pi, pi].
+    // From the other sample to this one the short way, each in (-pi, pi].
     template <Sample Other>
     constexpr auto difference(const Other& from) const {
       auto v = this->self().vector();
-      if constexpr (detail::meet<Self, Other>())
+      if constexpr (detail::combinable<Self, Other>())
         for (int i = 0; i < Self::space::size; ++i)
           v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
       return v;
@@ -59,7 +58,7 @@ struct joint_velocities : detail::joint_domain {
 
   template <class Self>
   struct methods : detail::additive<Self> {
-    // rad, over dt in s: for `angles.plus(...)`.
+    // In rad, over dt in s; the argument of `angles.plus(...)`.
     constexpr auto displacement(double dt) const {
       using vector = typename Self::space::vector_type;
       return vector(dt * this->self().vector());
@@ -79,13 +78,12 @@ struct joint_torques : detail::joint_domain {
 
   template <class Self>
   struct methods : detail::additive<Self> {
-    // W, into the joints.
+    // In W; positive into the joints.
     template <Sample Velocities>
     constexpr double power(const Velocities& velocities) const {
-      static_assert(
-          std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
-              std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
-          "space.mismatch: the power of joint torques is that with joint_velocities over the same axes");
+      static_assert(std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
+                        std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
+                    "space.mismatch: the power of joint torques needs joint_velocities over the same axes");
       return this->self().vector().dot(velocities.vector());
     }
   };
@@ -96,8 +94,8 @@ struct joint_stiffness : detail::joint_domain {
 
   template <class Self>
   struct methods : detail::additive<Self> {
-    // N m: of springs that are turned by this much (rad) out of their rest; it draws back, so its sign is the
-    // opposite.
+    // In N m, of springs that are turned out of their rest by `deflection` (rad). It points back, so its sign
+    // is the opposite.
     template <class Vector>
     constexpr auto torque(const Eigen::MatrixBase<Vector>& deflection) const {
       using vector = typename Self::space::vector_type;

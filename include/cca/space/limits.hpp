@@ -1,6 +1,6 @@
-// The limits of a space's axes, as arrays in the order of the axes: infinite where an axis states none.
+// The limits of a space's axes, as arrays in the order of the axes; infinite where an axis states none.
 //
-// Cost: constants; an axis without limits costs two comparisons that the compiler drops.
+// Cost: constants. For an axis without limits the compiler drops both comparisons.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct limits_along<List<Axes...>, Quantity> {
   static constexpr std::array<double, sizeof...(Axes)> upper{upper_limit_of<Axes, Quantity>...};
 
   static_assert(((lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>) && ...),
-                "cca::limits: an axis of this space states a lower limit that lies above its upper one");
+                "cca::limits: an axis of this space states a lower limit above its upper limit");
 
   static constexpr int first_missing() {
     const std::array<bool, sizeof...(Axes)> stated{axis_has_limits<Axes, Quantity>...};
@@ -42,7 +42,7 @@ struct limits_along<List<Axes...>, Quantity> {
   }
 };
 
-// One number an axis.
+// One number per axis.
 template <class Space, class Quantity>
 constexpr const auto& lower_limits = limits_along<typename Space::axes, Quantity>::lower;
 template <class Space, class Quantity>
@@ -66,7 +66,7 @@ struct repeated_in<List<Axes...>> {
   }
 };
 
-// Index of the first axis that stands twice in a space, or -1.
+// Index of the first axis that a space lists again, or -1.
 template <class Space>
 constexpr int duplicate_axis = repeated_in<typename Space::axes>::first();
 

@@ -6,12 +6,12 @@
 
 namespace cca {
 
-// The time of origin of a value that no sample has replaced yet.
+// The time of origin of an initial value.
 inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::lowest();
 
 namespace detail {
 
-// What is made of two samples originates where the older one does; an initial value doesn't count.
+// A sample made of two others takes the older origin; an initial value doesn't count.
 constexpr std::int64_t older(std::int64_t a, std::int64_t b) {
   if (a == never) return b;
   if (b == never) return a;

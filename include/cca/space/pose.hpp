@@ -3,9 +3,9 @@
 //
 //   struct foot_pose : cca::space<cca::pose<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
 //
-// `pose<Frame>` is where something (a body, another frame) is in Frame: the rigid motion that takes Frame to
-// that thing. `a * b` moves by b first, then by a, both in Frame. `express(p)` takes a position in the frame
-// of the thing to Frame. Preconditions: the quaternion is of unit length, to rounding. Errors:
+// `pose<Frame>` says where something (a body, another frame) is in Frame: it is the rigid motion that takes
+// Frame to that thing. `a * b` moves by b first, then by a, both in Frame. `express(p)` takes a position in
+// the frame of the thing to Frame. Preconditions: a quaternion of unit length, to rounding. Errors:
 // `frame.mismatch`.
 #pragma once
 
@@ -43,14 +43,13 @@ struct pose {
     using vector_3 = typename detail::spatial_types<Self>::vector;
     using vector_4 = typename detail::spatial_types<Self>::quaternion;
 
-    // Its two parts, as samples.
+    // The pose's two parts, as samples.
     template <detail::PositionSample Position, detail::OrientationSample Orientation>
     static Self of(const Position& p, const Orientation& o) {
       static_assert(SameFrame<Frame, typename Position::space::domain::frame> &&
                         SameFrame<Frame, typename Orientation::space::domain::frame>,
-                    "frame.mismatch: a pose is made of a position and an orientation in its own frame, and "
-                    "here one of them "
-                    "is in another; bring it there first, with `express(...)`");
+                    "frame.mismatch: a pose is made of a position and an orientation in its own frame, but "
+                    "one of these is in another; bring it there first, with `express(...)`");
       return make(p.vector(), o.vector(), detail::older(p.origin(), o.origin()));
     }
     auto position() const {
@@ -62,13 +61,14 @@ struct pose {
                                                                                 this->self().origin());
     }
 
-    // First b, then this one.
+    // First moves by b, then by this one.
     template <detail::PoseSample Other>
     Self operator*(const Other& b) const {
-      static_assert(SameFrame<Frame, typename Other::space::domain::frame>,
-                    "frame.mismatch: two poses are composed that are motions in different frames; bring both "
-                    "into one frame "
-                    "first (what is given in a thing's frame goes through `express(...)` of its pose)");
+      static_assert(
+          SameFrame<Frame, typename Other::space::domain::frame>,
+          "frame.mismatch: two poses are composed that are motions in different frames; bring both "
+          "into one frame first (`express(...)` of a thing's pose takes what is given in the thing's "
+          "frame)");
       return make(moved(vector_3(b.vector().template head<3>())),
                   rotation::product(quaternion(), vector_4(b.vector().template tail<4>())),
                   detail::older(this->self().origin(), b.origin()));
@@ -78,13 +78,12 @@ struct pose {
       return make(-rotation::rotate(back, translation()), back, this->self().origin());
     }
 
-    // A point of Frame, moved in Frame.
+    // Moves a point of Frame within Frame.
     template <detail::PositionSample Position>
     auto transform(const Position& p) const {
       static_assert(SameFrame<Frame, typename Position::space::domain::frame>,
                     "frame.mismatch: a position is moved by a pose of another frame; if the position is "
-                    "given in the frame of "
-                    "the thing whose pose this is, `express(position)` takes it to this frame");
+                    "given in the frame of the thing whose pose this is, use `express(position)`");
       using result = sample<typename Position::space>;
       if constexpr (detail::spatial<Position>())
         return result(moved(p.vector()), detail::older(this->self().origin(), p.origin()));
@@ -92,7 +91,7 @@ struct pose {
     }
     vector_3 transform(const vector_3& p) const { return moved(p); }
 
-    // A position in the frame of the thing whose pose this is: the same point in Frame.
+    // Takes a position in the frame of the thing whose pose this is, and gives the same point in Frame.
     template <detail::PositionSample Position>
     auto express(const Position& p) const {
       (void)detail::spatial<Position>();
@@ -100,17 +99,17 @@ struct pose {
                                               detail::older(this->self().origin(), p.origin()));
     }
 
-    // The position on a straight line, the orientation by slerp, each at its constant speed (not a screw
-    // motion).
+    // The position on a straight line and the orientation by slerp, each at constant speed; not a screw
+    // motion.
     template <detail::PoseSample To>
     Self interpolated(const To& to, double t) const {
-      (void)detail::meet<Self, To>();
+      (void)detail::combinable<Self, To>();
       return make((1 - t) * translation() + t * to.vector().template head<3>(),
                   rotation::slerp(quaternion(), vector_4(to.vector().template tail<4>()), t),
                   detail::older(this->self().origin(), to.origin()));
     }
 
-    // In m, and in rad.
+    // distance in m, angle_to in rad.
     template <detail::PoseSample Other>
     double distance(const Other& to) const {
       return position().distance(to.position());

@@ -1,6 +1,6 @@
-// Numbers of a device in its own form, from the node that alone knows the device to those of its parts: so
-// many an axis, without a quantity, limits or methods. A domain type of its own derives from it, so that
-// records of two devices do not match.
+// Numbers of a device in its own format, on the way from the node that talks to the device to the nodes of
+// its parts: `Numbers` per axis, without a quantity, limits or methods. Derive a domain type of your own from
+// it, so that the records of two devices do not match.
 #pragma once
 
 namespace cca {

@@ -1,8 +1,8 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
-// It is read by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
+// Read it by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
-// Cost: up to 16 coordinates are copied one by one. A packet copy of what has just been stored one by one
-// waits for the stores (8 ns); and one by one the compiler drops the copy.
+// A sample owns its coordinates, but for an input of a component (`cca::in`): that shows the coordinates
+// where their writer left them. A copy always owns its coordinates.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace cca {
 
 namespace detail {
 
-struct to_be_filled {};  // leaves the coordinates to the loop
+struct to_be_filled {};  // leaves the coordinates uninitialised: the beat shows others
 
-// The other space says the same by another name.
+// The two spaces match and differ only in their names.
 template <class From, class To> concept Renames =
     !std::is_same_v<From, To> && std::is_same_v<typename From::domain, typename To::domain> &&
     std::is_same_v<typename From::axes, typename To::axes> &&
@@ -34,28 +34,29 @@ public:
 
   constexpr sample() {
     for (int i = 0; i < Space::size; ++i)
-      value.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
+      own.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
   }
   explicit sample(detail::to_be_filled) {}
   explicit constexpr sample(const vector_type& v, std::int64_t from = never) : time(from) { copy(v); }
   template <class Vector>
   explicit constexpr sample(const Eigen::MatrixBase<Vector>& v, std::int64_t from = never)
-      : value(v), time(from) {}
+      : own(v), time(from) {}
   template <detail::Renames<Space> Other>
   constexpr sample(const sample<Other>& other) : time(other.origin()) {
     copy(other.vector());
   }
   constexpr sample(const sample& other) : Space::domain::template methods<sample<Space>>(), time(other.time) {
-    copy(other.value);
+    copy(other.vector());
   }
   constexpr sample& operator=(const sample& other) {
-    copy(other.value);
+    copy(other.vector());
+    place = &own;
     time = other.time;
     return *this;
   }
 
   // Coordinates in the order of the axes, in the domain's units.
-  constexpr const vector_type& vector() const { return value; }
+  constexpr const vector_type& vector() const { return *place; }
 
   // Nanoseconds since beat 0; `never` for an initial value.
   constexpr std::int64_t origin() const { return time; }
@@ -64,7 +65,7 @@ public:
   constexpr double operator[](Axis) const {
     static_assert(Space::axes::template contains<Axis>, "cca::sample: this space has no such axis");
     static_assert(Space::size == Space::axes::count, "cca::sample: this domain type has no value per axis");
-    return value.coeff(Space::axes::template index_of<Axis>);
+    return vector().coeff(Space::axes::template index_of<Axis>);
   }
 
   template <class... Axes>
@@ -76,14 +77,22 @@ public:
   }
 
 protected:
-  vector_type value;
-  std::int64_t time = never;
+  // Shows coordinates that outlive this sample.
+  constexpr void show(const vector_type& elsewhere, std::int64_t from) {
+    place = &elsewhere;
+    time = from;
+  }
+
+  vector_type own;
 
 private:
+  const vector_type* place = &own;
+  std::int64_t time = never;
+
   constexpr void copy(const vector_type& from) {
     if constexpr (Space::size <= 16)
-      for (int i = 0; i < Space::size; ++i) value.coeffRef(i) = from.coeff(i);
-    else value = from;
+      for (int i = 0; i < Space::size; ++i) own.coeffRef(i) = from.coeff(i);
+    else own = from;
   }
 };
 

@@ -1,8 +1,8 @@
-// A space is a domain type, its axes in order and, where it has one, its update rate.
+// A space is a domain type, its ordered axes and, optionally, its update rate.
 //
 //   struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 //
-// Spaces match when domain type (with its frame), ordered axes and rate agree, whatever their names; a rate
+// Two spaces match if domain type (with its frame), ordered axes and rate agree, whatever their names. A rate
 // that only one of them states does not count.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace cca {
 
 namespace detail {
 
-// A function and not a struct, of which the compiler would no longer know the members.
+// A function: after a failed static_assert in a struct, the compiler would not know the struct's members.
 template <auto Hz>
 consteval double checked_rate() {
   constexpr bool is_positive = Hz > 0;
@@ -55,8 +55,7 @@ struct space {
   using domain = Domain;
   using axes = Axes;
   using rate = Rate;
-  static constexpr int size =
-      Domain::width(Axes::count);  // stored coordinates; an orientation has four of them
+  static constexpr int size = Domain::width(Axes::count);  // stored coordinates; an orientation has four
   using vector_type = Eigen::Matrix<double, size, 1>;
 };
 
@@ -72,13 +71,13 @@ template <class Type> concept Space = requires {
 template <class Whole, class... Axes>
 struct sub_space : space<typename Whole::domain, axes<Axes...>, typename Whole::rate> {};
 
-// A space over the same axes of another domain type: what an operation makes of a sample of the first.
+// The same axes and rate with another domain type: the result of an operation on a sample of the first.
 template <class Whole, class Domain>
 struct with_domain : space<Domain, typename Whole::axes, typename Whole::rate> {};
 
 namespace detail {
 
-// Coordinate i of the space's zero: what an input holds until a first sample has come.
+// The coordinates of the space's zero: an input holds it until its first sample arrives.
 template <class Space>
 constexpr auto zero_of = [] {
   std::array<double, static_cast<std::size_t>(Space::size)> zero{};

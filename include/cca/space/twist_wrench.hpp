@@ -1,13 +1,13 @@
-// Twists and wrenches: how a body moves, and what acts on it, in six numbers. Source of all equations:
+// Twists and wrenches: the velocity of a body and the load on it, in six numbers. Source of all equations:
 // Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 2 (spatial vectors in Pluecker coordinates,
 // angular part first).
 //
-//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the body's point at At's origin,
-//   in m/s wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
+//   twist<At, In>    angular velocity x, y, z in rad/s, then the velocity of the point at At's origin, m/s
+//   wrench<At, In>   torque about At's origin x, y, z in N m, then force, in N
 //
-// `At` is the frame whose origin it acts at, `In` the frame along whose axes the numbers are: they change
-// apart. `orientation.express(t)` changes In; `moved_to<Point>(lever)` changes At. The zero is rest, and no
-// load. Errors: `frame.mismatch`, where two differ in At or In.
+// `At` is the frame at whose origin it acts; `In` is the frame along whose axes the numbers are.
+// `orientation.express(t)` changes In; `moved_to<Point>(lever)` changes At. The zero is rest, or no load.
+// Errors: `frame.mismatch`, where two differ in At or In.
 #pragma once
 
 #include <cca/space/orientation.hpp>
@@ -18,7 +18,7 @@ namespace detail {
 
 template <class At, class In>
 struct spatial_domain {
-  using quantity = void;  // two: one of the three angular numbers, one of the linear ones
+  using quantity = void;  // the angular and the linear numbers have different ones
   using at = At;
   using in = In;
   using frames = frame_list<At, In>;
@@ -34,8 +34,7 @@ template <class In, class Lever>
 typename spatial_types<Lever>::vector lever_along(const Lever& lever) {
   if constexpr (Sample<Lever>) {
     static_assert(SameFrame<In, typename Lever::space::domain::frame>,
-                  "frame.mismatch: the lever arm is not expressed in the frame that the twist or wrench is "
-                  "expressed in; "
+                  "frame.mismatch: the lever arm and the twist or wrench are expressed in different frames; "
                   "bring one into the other's frame first, with `express(...)` of an orientation");
     return lever.vector();
   } else {
@@ -61,7 +60,7 @@ struct twist : detail::spatial_domain<At, In> {
     vector_3 angular() const { return this->self().vector().template head<3>(); }
     vector_3 linear() const { return this->self().vector().template tail<3>(); }
 
-    // Of the same motion, at another point: v_P = v_O + w x OP. `lever` is OP: a position in In, or a vector.
+    // The same motion at another point: v_P = v_O + w x OP. `lever` is OP: a position in In, or a vector.
     template <class Point, class Lever>
     auto moved_to(const Lever& lever) const {
       using result = sample<with_domain<typename Self::space, twist<Point, In>>>;
@@ -81,7 +80,7 @@ struct wrench : detail::spatial_domain<At, In> {
     vector_3 torque() const { return this->self().vector().template head<3>(); }
     vector_3 force() const { return this->self().vector().template tail<3>(); }
 
-    // The same load, about another point: n_P = n_O - OP x f. `lever` is OP: a position in In, or a vector.
+    // The same load about another point: n_P = n_O - OP x f. `lever` is OP: a position in In, or a vector.
     template <class Point, class Lever>
     auto moved_to(const Lever& lever) const {
       using result = sample<with_domain<typename Self::space, wrench<Point, In>>>;
@@ -90,18 +89,16 @@ struct wrench : detail::spatial_domain<At, In> {
       return result(v, this->self().origin());
     }
 
-    // W: what the load does on a body that moves so.
+    // In W, of this load on a body with this motion.
     template <detail::TwistSample Twist>
     double power(const Twist& motion) const {
       using of = typename Twist::space::domain;
       static_assert(SameFrame<At, typename of::at>,
                     "frame.mismatch: the power of a wrench with a twist that acts at another point; move one "
-                    "to the other's "
-                    "point first, with `moved_to<point>(lever)`");
+                    "to the other's point first, with `moved_to<point>(lever)`");
       static_assert(!SameFrame<At, typename of::at> || SameFrame<In, typename of::in>,
                     "frame.mismatch: the power of a wrench with a twist that is expressed in another frame; "
-                    "express one in "
-                    "the other's frame first, with `orientation.express(...)`");
+                    "express one in the other's frame first, with `orientation.express(...)`");
       return this->self().vector().dot(motion.vector());
     }
   };

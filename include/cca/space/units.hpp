@@ -1,21 +1,21 @@
-// The units in which a quantity may be written in a file: `"30 deg"` is 0.5236 rad.
+// The units in which a file may give a quantity: `"30 deg"` is 0.5236 rad.
 //
-// `units_of<angle>` lists them: the SI unit first, as in `angle::unit`, the others with their size in it; an
-// empty one ends the list. A quantity of one's own is written in its unit alone, unless `units_of` is
-// specialised for it. Only factors: a unit with a zero of its own (degrees Celsius) has no place here.
+// `units_of<angle>` lists them: first the SI unit, as in `angle::unit`, then the others with their size in
+// it; an empty unit ends the list. A quantity of your own has only its own unit, unless you specialise
+// `units_of` for it. Units are factors only: degrees Celsius, with a zero of its own, can't be listed.
 #pragma once
 
 #include <numbers>
 #include <string_view>
 
 #include <cca/space/quantity.hpp>
-#include <cca/space/scalar.hpp>
+#include <cca/space/methods/scalar.hpp>
 
 namespace cca {
 
 struct unit {
   std::string_view text;
-  double factor = 1;  // SI units in one of these
+  double factor = 1;  // how many SI units one of these is
 };
 
 namespace detail {

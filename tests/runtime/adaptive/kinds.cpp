@@ -1,4 +1,4 @@
-// The kinds of adaptive components and their criteria, under their laws.
+// All kinds of adaptive components and criteria obey their laws.
 #include <future>
 #include <string>
 #include <string_view>
@@ -81,7 +81,7 @@ struct of_a_grip {
   }
 };
 
-// Asks for one place, then for another; phase and amplitude of an oscillator that runs.
+// Asks for one goal, then for another; publishes the phase and amplitude of a running oscillator.
 struct script {
   auto process(cca::beat now) -> std::tuple<cca::out<"reference", leg>,
                                             cca::out<"phase", cca::over<cca::phase, stride>>,
@@ -90,7 +90,7 @@ struct script {
             2e-9 * cca::pi * static_cast<double>(now.time()), 1.0};
   }
 };
-struct late_robot {  // follows; and sticks for a while
+struct late_robot {  // follows, but sticks for a while
   auto process(cca::in<"command", leg> wanted, cca::beat now) -> cca::out<"angles", leg> {
     if (now.index() < 2500 || now.index() > 4000) angles += 0.2 * (wanted.vector() - angles);
     return angles;
@@ -156,7 +156,7 @@ struct untaught_case {
 }  // namespace
 
 TEST_CASE(
-    "the laws of a criterion hold for tracking and reaching, over angles, positions, orientations and "
+    "tracking and reaching obey the laws of a criterion over angles, positions, orientations and "
     "phases") {
   laws::criterion<of_angles<cca::tracking<leg>>>();
   laws::criterion<of_angles<cca::reaching_goal<leg>>>();
@@ -165,9 +165,9 @@ TEST_CASE(
   laws::criterion<of_phases>();
 }
 
-TEST_CASE("the laws of a criterion hold for grasping") { laws::any_criterion<of_a_grip>(); }
+TEST_CASE("grasping obeys the laws of a criterion") { laws::any_criterion<of_a_grip>(); }
 
-TEST_CASE("the laws of an adaptive component hold for its kinds") {
+TEST_CASE("all kinds of adaptive components obey their laws") {
   laws::adaptive_component<arm_case>();
   laws::adaptive_component<follower_case>();
   laws::adaptive_component<untaught_case>();
@@ -188,27 +188,27 @@ TEST_CASE("a grasp is firm, still, and around something") {
   };
   using enum cca::criterion_state;
   CHECK(feel(0.5, 0.1, 20) == open);  // not firm
-  CHECK(feel(0.5, -0.6, 9) == open);  // not for long
+  CHECK(feel(0.5, -0.6, 9) == open);  // firm, but only for 9 ms
   CHECK(feel(0.5, -0.6, 1) == fulfilled);
-  CHECK(feel(0.5, -0.3, 20) == fulfilled);  // slacker, but not slack
+  CHECK(feel(0.5, -0.3, 20) == fulfilled);  // weaker, but above `slack`
   CHECK(feel(0.5, -0.1, 1) == open);
   double width = 0.5;
-  for (int i = 0; i < 30; ++i) CHECK(feel(width -= 0.001, 0.6, 1) == open);  // it moves by 1 rad/s
+  for (int i = 0; i < 30; ++i) CHECK(feel(width -= 0.001, 0.6, 1) == open);  // it moves at 1 rad/s
   CHECK(feel(width, 0.6, 20) == fulfilled);
   CHECK(feel(0.01, 0.6, 1) == open);   // it slips
   CHECK(feel(0.01, 0.6, 20) == lost);  // closed on nothing
   CHECK(feel(0.3, 0.0, 1) == open);
   CHECK(feel(std::numeric_limits<double>::quiet_NaN(), 0.6, 20) == lost);
   CHECK(feel(0.3, 0.6, 5) == open);
-  CHECK(feel(0.01, 0.6, 9) == open);  // not for long enough to be lost
+  CHECK(feel(0.01, 0.6, 9) == open);  // 9 ms are too short to be lost
   CHECK(feel(0.3, 0.6, 1) == open);   // it moved
   CHECK(feel(0.3, 0.6, 9) == open);
-  CHECK(feel(0.3, 0.1, 1) == open);  // and held for 9 ms: then slack
+  CHECK(feel(0.3, 0.1, 1) == open);  // held for 9 ms, then slack
   CHECK(feel(0.3, 0.6, 9) == open);
   CHECK(feel(0.3, 0.6, 1) == fulfilled);
-  for (int again = 0; again < 2; ++again) {  // a start begins anew, however far it had come
+  for (int again = 0; again < 2; ++again) {  // each start resets it, in every state
     c.on_start();
-    CHECK(feel(0.3, 0.6, 10) == open);  // of the first one is not known whether it moves
+    CHECK(feel(0.3, 0.6, 10) == open);  // the first sample has no speed yet
     CHECK(feel(0.3, 0.6, 1) == fulfilled);
     c.on_start();
     CHECK(feel(0.3, 0.6, 9) == open);
@@ -216,10 +216,10 @@ TEST_CASE("a grasp is firm, still, and around something") {
   c.p.still = 10;
   CHECK(feel(0.0205, 0.6, 10) == open);
   CHECK(feel(0.0195, 0.6, 1) ==
-        open);  // it held for 9 ms, of the first it was not known: closing is no holding, however slow
+        open);  // the first sample had no speed, so it held for 9 ms; slow closing is not holding
   CHECK(feel(0.0195, 0.6, 9) == lost);
   c.p.hold = 0.1;
-  CHECK(feel(0.0195, 0.6, 1) == lost);  // a longer wait does not open what is closed
+  CHECK(feel(0.0195, 0.6, 1) == lost);  // a longer hold time does not open a closed gripper
   c.p.hold = 0.01;
   CHECK(feel(0.3, 0.0, 1) == open);
   CHECK(feel(0.01, 0.0, 9) == open);
@@ -234,7 +234,7 @@ TEST_CASE("a grasp is firm, still, and around something") {
   const feedback f(one(0.4), k, true);
   const effort e(one(0.6), k, true);
   CHECK_EQ(std::get<0>(c.process(t, f, e, now)).vector()[0], doctest::Approx(0.3));
-  CHECK_EQ(std::get<0>(c.process(target(), f, e, now)).vector()[0], 0);  // something is missing
+  CHECK_EQ(std::get<0>(c.process(target(), f, e, now)).vector()[0], 0);  // an input has no sample yet
   CHECK_EQ(std::get<0>(c.process(t, feedback(), e, now)).vector()[0], 0);
   CHECK_EQ(std::get<0>(c.process(t, f, effort(), now)).vector()[0], 0);
   c.p.slack = 0.6;
@@ -243,7 +243,7 @@ TEST_CASE("a grasp is firm, still, and around something") {
 
 namespace {
 
-// The same follower, whose robot counts in hundredths of a degree, and whose reference is in degrees.
+// The same follower; its robot counts in hundredths of a degree and its reference is in degrees.
 struct degrees : cca::space<cca::number, cca::axes<hip, knee>> {};
 struct counts : cca::space<cca::number, cca::axes<hip, knee>> {};
 template <int PerTurn>
@@ -301,7 +301,7 @@ struct side_by_side : cca::graph<cca::rate<1000>,
 
 }  // namespace
 
-TEST_CASE("mappings on the ports let a component work in its own space") {
+TEST_CASE("with mappings on its ports a component works in its own space") {
   cca::controller<side_by_side> c;
   c.load();
   c.start();
@@ -316,7 +316,7 @@ TEST_CASE("mappings on the ports let a component work in its own space") {
 
 namespace {
 
-// A hand whose fingers press by a motor, of which the current is measured.
+// A hand with motor-driven fingers, which measure the current of the motor.
 struct current : cca::space<cca::number, cca::axes<jaw>> {};
 struct to_torque {
   Eigen::Matrix<double, 1, 1> operator()(const Eigen::Matrix<double, 1, 1>& amperes) const {
@@ -331,7 +331,7 @@ struct gripper
 struct closing {
   auto process(cca::beat) -> cca::out<"aperture", aperture> { return 0.0; }
 };
-struct fingers {  // follow, down to what is between them, and press the harder the further they were to close
+struct fingers {  // close up to the thing between them; the effort grows with the remaining distance
   auto process(cca::in<"command", aperture> wanted)
       -> std::tuple<cca::out<"aperture", aperture>, cca::out<"current", current>> {
     const double command = wanted.vector()[0];
@@ -351,7 +351,7 @@ struct grasp : cca::graph<cca::rate<1000>,
 
 }  // namespace
 
-TEST_CASE("a grasp is a component's criterion, whose effort comes through a mapping") {
+TEST_CASE("grasping works as the criterion of a component, with its effort through a mapping") {
   cca::controller<grasp> c;
   c.get<"grip.criterion">().p = {4.0, 2.0, 0.02, 0.1, 0.1};
   c.load();
@@ -373,7 +373,7 @@ namespace {
 // [generator]
 struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg, stride, 25>, cca::tracking<leg>> {};
 
-struct hand {  // turns all four knobs
+struct hand {  // sets all four control inputs
   auto process(cca::beat) -> std::tuple<cca::out<"centre", leg>,
                                         cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
                                         cca::out<"phase", cca::over<cca::phase, stride>>,
@@ -450,7 +450,7 @@ range over(cca::controller<Graph>& c, int beats) {
 
 }  // namespace
 
-TEST_CASE("a generator swings around its centre, and rests there at a negative amplitude") {
+TEST_CASE("a generator oscillates around its centre, and rests there at a negative amplitude") {
   cca::controller<swinging> c;
   using learner = cca::dmp_rhythmic_module<leg, stride, 25>::learner;
   c.get<"swing">().get<"module">().get<"pattern">().learning.hand_over(taught<learner>(
@@ -465,7 +465,7 @@ TEST_CASE("a generator swings around its centre, and rests there at a negative a
   CHECK(laws::told(c).at("swing.status.module") ==
         std::vector<double>{cca::status_of(cca::learning::trained),
                             cca::status_of(cca::trained_region::inside)});
-  auto ahead = c;  // half a turn further: where the one is high, the other is low
+  auto ahead = c;  // half a turn ahead: where one is high, the other is low
   ahead.get<"hand">().phase = cca::pi;
   c.run(cca::for_beats<600>{});
   ahead.run(cca::for_beats<600>{});
@@ -480,7 +480,7 @@ TEST_CASE("a generator swings around its centre, and rests there at a negative a
 
 namespace {
 
-struct caller {  // asks to be taught for a second
+struct caller {  // asks for one second of learning
   auto process(cca::beat now) -> cca::maybe<"learn", cca::learning_request> {
     if (now.index() == 500) return cca::status_of(cca::learning_call::collect);
     if (now.index() == 1500) return cca::status_of(cca::learning_call::rest);
@@ -516,7 +516,7 @@ struct school : cca::graph<cca::rate<1000>,
                            cca::wire<"robot.angles", "skill.feedback", cca::delayed<1>>,
                            cca::observe<"skill.module.*">> {};
 
-// How far the command is from the demonstration at most, over a turn, in parts of the swing.
+// The largest error of the command against the demonstration over a turn, relative to the amplitude.
 template <class Learner>
 double shape_error(bool online) {
   cca::controller<school<Learner>> c;
@@ -527,17 +527,17 @@ double shape_error(bool online) {
     c.run(cca::for_beats<10>{});
     module.learning.learn();
     c.run(cca::for_beats<2000>{});
-    CHECK(module.learning.state() == cca::learning::trained);  // until it was asked to rest
+    CHECK(module.learning.state() == cca::learning::trained);  // after the request to rest
   } else {
     c.run(cca::for_beats<2000>{});
-    CHECK(module.learning.state() == cca::learning::idle);  // as it was asked
+    CHECK(module.learning.state() == cca::learning::idle);  // as requested
     CHECK(module.learning.example_count() == 1000);
     // [learning]
-    // On another thread; meanwhile the loop goes on with what it knew.
+    // The batch runs on another thread; meanwhile the loop uses the old value.
     auto result = std::async(std::launch::async, module.learning.begin_batch(module.p.settings));
     c.run(cca::for_beats<200>{});
     CHECK(module.learning.state() == cca::learning::batch);
-    module.learning.hand_over(result.get());  // whole, between two beats
+    module.learning.hand_over(result.get());  // the whole result, between two beats
     // [learning end]
   }
   c.run(cca::for_beats<4000>{});
@@ -555,7 +555,7 @@ using fifty = cca::rhythmic_shape<leg, 50>;
 
 }  // namespace
 
-TEST_CASE("a shape is learned from a demonstration in a batch on another thread, or online, and reproduced") {
+TEST_CASE("a shape is learned from a demonstration, in a batch on another thread or online, and reproduced") {
   const double lwr = shape_error<cca::locally_weighted_regression<fifty>>(false),
                lwr_online = shape_error<cca::locally_weighted_regression<fifty>>(true),
                rls = shape_error<cca::recursive_least_squares<fifty>>(false),
@@ -601,10 +601,10 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the laws of an adaptive component hold for a generator") {
+TEST_CASE("a generator obeys the laws of an adaptive component") {
   laws::adaptive_component<generator_case>();
 }
 
-TEST_CASE("the picture of a generator is that of its page") {
+TEST_CASE("the picture of a generator is the one on its page") {
   test::check_picture<swinging>(picture_of_generator);
 }

@@ -1,4 +1,4 @@
-// What has been learned, in a file and back: to the bit, or refused.
+// A learned value goes to a file and back bit for bit, or the file is refused.
 #include "rig.hpp"
 
 using namespace adaptive_test;
@@ -57,7 +57,7 @@ std::string refusal_by(const std::string& path, double stiffness = 25) {
     CHECK(dmp.learning.get().function.weights == before);
     CHECK(dmp.learning.state() == cca::learning::idle);
     dmp.p.files.load = {};
-    c.load();  // as if nothing had happened
+    c.load();  // works again after the refusal
     CHECK(c.state() == cca::state::loaded);
   }
   return words;
@@ -73,7 +73,7 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 
 }  // namespace
 
-TEST_CASE("what is saved comes back to the bit, and is written again as it was") {
+TEST_CASE("a saved value comes back bit for bit and is written again with the same text") {
   const temporary file("shape"), again("shape_again");
   const auto text = saved(file);
   CHECK(
@@ -93,17 +93,17 @@ TEST_CASE("what is saved comes back to the bit, and is written again as it was")
   CHECK(again.text() == text);
 }
 
-TEST_CASE("a file of another model, learner, version or constant is refused, with what was expected") {
+TEST_CASE("a file of another model, learner, version or constant is refused, with the expected text") {
   const temporary file("other");
   auto text = saved(file);
   CHECK(refusal_by<module>(file.path).empty());
   CHECK(refusal_by<module_of<9>>(file.path) ==
         file.path +
-            ":2: it belongs to another model: it says `model rhythmic_shape over hip, knee with 8 "
+            ":2: the file belongs to another model: found `model rhythmic_shape over hip, knee with 8 "
             "functions`, expected `model rhythmic_shape over hip, knee with 9 functions`");
   CHECK(refusal_by<module>(file.path, 30) ==
         file.path +
-            ":4: it was learned for another value; set it as it was, or learn anew: it says `constant "
+            ":4: it was learned with another value; set the old value, or learn again: found `constant "
             "stiffness 25`, expected `constant stiffness 30`");
   const auto changed = [&](const std::string& what, const std::string& by) {
     auto other = text;
@@ -113,18 +113,19 @@ TEST_CASE("a file of another model, learner, version or constant is refused, wit
   };
   CHECK(changed("cca learned 1", "cca learned 2")
             .starts_with(file.path +
-                         ":1: the format is of another version: `cca learned 2`, expected `cca learned 1`"));
+                         ":1: the file has another version of the format: `cca learned 2`, expected `cca "
+                         "learned 1`"));
   CHECK(changed("locally_weighted", "globally_weighted")
-            .starts_with(file.path + ":3: it is of another learner"));
+            .starts_with(file.path + ":3: the file belongs to another learner"));
   CHECK(changed("numbers function.weights 16", "numbers function.weights 17")
-            .starts_with(file.path + ":5: it has other fields"));
+            .starts_with(file.path + ":5: the file has other fields"));
   CHECK(changed("numbers seen 8\n", "numbers seen 8\nnan ") ==
         file.path + ":11: seen[0]: expected a finite number, got `nan`");
   CHECK(changed("cca learned 1", "[cpg]\nfrequency")
-            .starts_with(file.path + ":1: this is no file of what a module has learned"));
+            .starts_with(file.path + ":1: this is not a file of a learned module"));
 }
 
-TEST_CASE("a file that is damaged anywhere is refused") {
+TEST_CASE("a damaged file is refused, wherever the damage is") {
   const temporary file("damaged");
   const auto text = saved(file);
   for (std::size_t at = 0; at < text.size(); at += 7) {
@@ -140,7 +141,7 @@ TEST_CASE("a file that is damaged anywhere is refused") {
   CHECK(refusal_by<module>(file.path + ".missing").find("cannot be read") != std::string::npos);
 }
 
-TEST_CASE("what can't be saved leaves the state as it was") {
+TEST_CASE("a value that cannot be saved leaves the state unchanged") {
   cca::controller<alone<module>> c;
   c.load();
   REQUIRE(c.get<"dmp">().p.files.save.assign("/nowhere/shape"));

@@ -1,4 +1,4 @@
-// Every learner under the laws of a Learner, and each against what its source says of it.
+// Every learner obeys the laws of a Learner, and agrees with the formulas of its source.
 #include <Eigen/Dense>
 
 #include <cca/adaptive/extreme_learning_machine.hpp>
@@ -18,7 +18,7 @@ using discrete = cca::discrete_shape<leg, 15>;
 struct place : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
 struct time_of_it : cca::space<cca::number, cca::axes<cca::x>> {};
 
-// A periodic shape, times its amplitude.
+// A periodic shape times its amplitude.
 struct rhythmic_case {
   static shape::input input(laws::ode_source& random) { return {random(0, 2 * cca::pi), random(0.2, 1)}; }
   static shape::output truth(const shape::input& x) {
@@ -26,7 +26,7 @@ struct rhythmic_case {
   }
   static shape::input far() { return {1, 0.5}; }
 };
-// Half a turn of it: the other half is outside.
+// Trained on half a turn; the other half is outside.
 template <class Case>
 struct half_of : Case {
   static shape::input input(laws::ode_source& random) { return {random(0, cca::pi), random(0.2, 1)}; }
@@ -71,15 +71,15 @@ struct gmr_case {
 
 }  // namespace
 
-TEST_CASE("the laws of a learner hold for locally weighted regression") {
+TEST_CASE("locally weighted regression obeys the laws of a learner") {
   laws::learner<lwr_case>();
   laws::learner<discrete_case>();
 }
-TEST_CASE("the laws of a learner hold for recursive least squares") { laws::learner<rls_case>(); }
-TEST_CASE("the laws of a learner hold for an extreme learning machine") { laws::learner<elm_case>(); }
-TEST_CASE("the laws of a learner hold for a Gaussian mixture") { laws::learner<gmr_case>(); }
+TEST_CASE("recursive least squares obeys the laws of a learner") { laws::learner<rls_case>(); }
+TEST_CASE("an extreme learning machine obeys the laws of a learner") { laws::learner<elm_case>(); }
+TEST_CASE("a Gaussian mixture obeys the laws of a learner") { laws::learner<gmr_case>(); }
 
-TEST_CASE("locally weighted regression is its formula, and online the same as in a batch") {
+TEST_CASE("locally weighted regression equals its formula, online as in a batch") {
   using learner = lwr_case::learner;
   const auto all = laws::examples<lwr_case>(400, 7);
   const auto known = learner::batch(all, {});
@@ -98,7 +98,7 @@ TEST_CASE("locally weighted regression is its formula, and online the same as in
   }
 }
 
-TEST_CASE("with forgetting it follows what changes, and keeps what is not visited") {
+TEST_CASE("with forgetting it follows changes, and keeps regions that are not visited") {
   using learner = lwr_case::learner;
   learner::learned known, steady;
   const learner::settings forgets(0.95, 1.0);
@@ -119,7 +119,7 @@ TEST_CASE("with forgetting it follows what changes, and keeps what is not visite
   CHECK((shape::answer(known.function, {4.0, 1.0}) - first(4.0)).norm() < 0.05);
 }
 
-TEST_CASE("recursive least squares is the solution of the normal equations, and its inverse their inverse") {
+TEST_CASE("recursive least squares solves the normal equations, and P is their inverse") {
   using learner = rls_case::learner;
   const learner::settings s(1.0, 1e-3, 1.0);
   const auto all = laws::examples<rls_case>(400, 9);
@@ -136,7 +136,7 @@ TEST_CASE("recursive least squares is the solution of the normal equations, and 
   CHECK((online.uncertainty - A.inverse()).norm() < 1e-6 * A.inverse().norm());
 }
 
-TEST_CASE("recursive least squares follows what changes, and its uncertainty does not wind up") {
+TEST_CASE("recursive least squares follows changes, and its uncertainty does not wind up") {
   using learner = rls_case::learner;
   const learner::settings s(0.98, 1e-2, 1.0);
   learner::learned known;
@@ -146,13 +146,14 @@ TEST_CASE("recursive least squares follows what changes, and its uncertainty doe
     learner::step(known, {f, 1.0}, Eigen::Vector2d(std::sin(f), 1) * (i < 2000 ? 1 : -1), s);
   }
   CHECK((shape::answer(known.function, {1.0, 1.0}) - Eigen::Vector2d(-std::sin(1.0), -1)).norm() < 0.01);
-  for (int i = 0; i < 100000; ++i) learner::step(known, {1.0, 1.0}, {-std::sin(1.0), -1}, s);  // nothing new
+  for (int i = 0; i < 100000; ++i)
+    learner::step(known, {1.0, 1.0}, {-std::sin(1.0), -1}, s);  // always the same example
   CHECK(known.uncertainty.allFinite());
   CHECK(known.uncertainty.trace() < 2 * 25 / 1e-2);
   CHECK((shape::answer(known.function, {1.0, 1.0}) - Eigen::Vector2d(-std::sin(1.0), -1)).norm() < 0.01);
 }
 
-TEST_CASE("an extreme learning machine is ridge regression over its hidden layer") {
+TEST_CASE("an extreme learning machine equals ridge regression over its hidden layer") {
   using learner = elm_case::learner;
   using function = learner::model;
   const learner::settings s(1e-3, 1.0, 0.1);
@@ -195,13 +196,13 @@ TEST_CASE("the likelihood of a mixture grows with each iteration, and equals a d
   CHECK(std::string(known.function.check()).empty());
 }
 
-TEST_CASE("a region covers what it was made of, within twice the least radius") {
+TEST_CASE("a region covers its examples, within twice the smallest possible radius") {
   std::vector<Eigen::Vector2d> ring;
   for (int i = 0; i < 400; ++i) ring.push_back({std::cos(i * cca::pi / 200), std::sin(i * cca::pi / 200)});
   const auto region = cca::covered_region<2, 40>::over(ring);
   for (const auto& x : ring) CHECK(region.contains(x, 0));
-  CHECK(!region.contains({0, 0}, 0.1));  // a ring has nothing in the middle
+  CHECK(!region.contains({0, 0}, 0.1));  // the middle of a ring is empty
   CHECK(!region.contains({1.5, 0}, 0.1));
-  // Forty arcs of a ring of radius sqrt(2), in units of the scatter: half a chord is the least.
+  // Forty arcs of a ring of radius sqrt(2), in units of the scatter: half a chord is the smallest radius.
   CHECK(region.radius <= 2 * std::sqrt(2.0) * 2 * std::sin(cca::pi / 80));
 }

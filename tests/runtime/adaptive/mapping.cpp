@@ -1,5 +1,5 @@
-// An adaptive mapping: the inverse kinematics of Oncilla's leg, learned from what its forward kinematics say,
-// against the analytic one. An adaptive transformation: what a camera sees, corrected.
+// An adaptive mapping learns the inverse kinematics of Oncilla's leg from its forward kinematics, and is
+// compared with the analytic one. An adaptive transformation corrects a camera.
 #include <array>
 #include <string_view>
 
@@ -31,7 +31,7 @@ using analytic_ik =
 using forward = cca::forward_kinematics<leg_in_plane, angles, paw>;
 // [adaptive mapping end]
 
-// Angles within the limits, the knee bent one way.
+// Angles within the limits, with the knee bent one way.
 Eigen::Vector2d posture(laws::ode_source& random) {
   constexpr auto hip_range = oncilla.hip_range, knee_range = oncilla.knee_range;
   const double low = knee_range.low + 0.1 * (knee_range.high - knee_range.low),
@@ -57,9 +57,9 @@ struct here : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
 
 }  // namespace
 
-TEST_CASE("the laws of a learner hold for learned inverse kinematics") { laws::learner<ik_case>(); }
+TEST_CASE("learned inverse kinematics obey the laws of a learner") { laws::learner<ik_case>(); }
 
-TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or two") {
+TEST_CASE("learned inverse kinematics agree with the analytic ones to two milliradians") {
   static_assert(cca::Mapping<learned_ik> && cca::SameSpace<cca::output_space<learned_ik>, angles>);
   const auto ik = std::make_unique<learned_ik>();
   analytic_ik exact;
@@ -80,7 +80,7 @@ TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or
   for (int k = 0; k < 2000; ++k) {
     const Eigen::Vector2d posed = posture(random), p = laws::map(there, posed);
     cca::optional_in<"near", angles> near(posed, k,
-                                          true);  // of its two answers, that with the knee bent this way
+                                          true);  // of the two solutions the one with the knee bent this way
     near.set_wired();
     const auto [solved, reached] = exact.process(cca::in<"position", paw>(p, k, true), near);
     const auto [q, status] = ik->process(input(p, k, true), {}, {});
@@ -98,7 +98,7 @@ TEST_CASE("learned inverse kinematics are the analytic ones, to a milliradian or
   CHECK(status.vector()[1] == cca::status_of(cca::trained_region::outside));
 }
 
-TEST_CASE("inverse kinematics are learned from postures that the learner chooses") {
+TEST_CASE("a learner can choose the postures for learning inverse kinematics") {
   const auto ik = std::make_unique<learned_ik>();
   forward there;
   const Eigen::Vector2d low(
@@ -116,7 +116,7 @@ TEST_CASE("inverse kinematics are learned from postures that the learner chooses
   // [sampling]
   ik->learning.collect();
   cca::sample_examples(ik->learning, low, high, 1000, ik->p.settings,
-                       ask);  // of a posture, where it puts the paw
+                       ask);  // for each posture the position of the paw
   ik->learning.hand_over(ik->learning.begin_batch(ik->p.settings)());
   // [sampling end]
   laws::ode_source random{std::mt19937_64{23}};
@@ -130,7 +130,7 @@ TEST_CASE("inverse kinematics are learned from postures that the learner chooses
   CHECK_FALSE(ik->learning.in_trained_region({0.5, 0.5}, ik->p.settings));
 }
 
-TEST_CASE("spread points cover a box evenly, whatever their number") {
+TEST_CASE("spread points cover a box evenly, in any number") {
   const Eigen::Vector3d low(-1, 0, 10), high(1, 0.5, 20);
   for (const int count : {64, 500}) {
     std::array<int, 8> octants{};
@@ -141,13 +141,12 @@ TEST_CASE("spread points cover a box evenly, whatever their number") {
     }
     for (const int in_octant : octants) CHECK(std::abs(in_octant - count / 8.0) <= 4);
   }
-  CHECK(cca::spread_point(low, high, 0) ==
-        Eigen::Vector3d(0, 0.5 / 3, 12));  // a half, a third, a fifth of the way
+  CHECK(cca::spread_point(low, high, 0) == Eigen::Vector3d(0, 0.5 / 3, 12));  // 1/2, 1/3 and 1/5 of the way
 }
 
 namespace {
 
-// A leg that is led through postures, its paw seen by a camera; it asks for learning by a port.
+// A leg that moves through postures while a camera observes its paw; it requests learning through a port.
 struct led_leg {
   auto process(cca::beat now) -> std::
       tuple<cca::out<"paw", paw>, cca::out<"angles", angles>, cca::out<"learn", cca::learning_request>> {
@@ -189,11 +188,9 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of a mapping that is taught is that of its page") {
-  test::check_picture<taught>(picture);
-}
+TEST_CASE("the picture of a taught mapping is the one on its page") { test::check_picture<taught>(picture); }
 
-TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned in a file") {
+TEST_CASE("an adaptive mapping learns in a graph and keeps the result in a file") {
   const auto first = std::make_unique<cca::controller<taught>>(),
              second = std::make_unique<cca::controller<taught>>();
   const adaptive_test::temporary file("inverse_kinematics");
@@ -216,7 +213,7 @@ TEST_CASE("an adaptive mapping learns in a graph, and keeps what it has learned 
   double square = 0;
   for (int k = 0; k < 1000; ++k) {
     second->step();
-    // What it answered is what was asked for, and to the bit what the first one answers.
+    // The answer reaches the target, and equals that of the first mapping bit for bit.
     const Eigen::Vector2d wanted =
         cca::spread_point(Eigen::Vector2d(-0.5, -1.4), Eigen::Vector2d(0.5, -0.6), k);
     forward there;

@@ -1,4 +1,4 @@
-// What the tests of this folder share: a module that was shown a shape, in a controller.
+// Shared by the tests of this folder: a module that was taught a shape, in a controller.
 #pragma once
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ using motor_test::knee;
 using motor_test::leg;
 using motor_test::stride;
 
-// A file of its own for each name, that is gone at the end.
+// A temporary file for each name, removed at the end.
 struct temporary {
   std::string path;
   explicit temporary(const std::string& name)

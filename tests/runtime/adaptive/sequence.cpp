@@ -1,5 +1,4 @@
-// A sequence by itself: its conditions, what has to hold on end, what takes too long. No controller: what is
-// told is an array.
+// A sequence by itself: conditions, hold times, timeouts. No controller: the observations are an array.
 #include <array>
 
 #include <cca/adaptive/sequencer.hpp>
@@ -8,7 +7,7 @@
 
 namespace {
 
-// What two ports of two axes tell.
+// The observations of two ports with two axes.
 struct told {
   std::array<double, 2> a{}, b{};
   std::array<cca::observation, 2> all() const { return {{{"s.a", a, 0, true}, {"s.b", b, 0, true}}}; }
@@ -47,7 +46,7 @@ struct too_long
 
 }  // namespace
 
-TEST_CASE("conditions are what they are called, and an axis is that which is named") {
+TEST_CASE("each condition does what its name says, on the named axis") {
   running<conditions> r;
   r.now = {{1, 9}, {0, 0}};
   CHECK_EQ(r.step(3), "low");  // 1 is not below 1
@@ -66,14 +65,14 @@ TEST_CASE("conditions are what they are called, and an axis is that which is nam
   r.now.b = {5, 0};
   CHECK_EQ(r.step(), "fourth");
   r.now.b = {6, 0};
-  CHECK_EQ(r.step(2), "fourth");  // one of two
+  CHECK_EQ(r.step(2), "fourth");  // only one of the two holds
   r.now.b = {6, 7};
   CHECK_EQ(r.step(), "fifth");
   CHECK_EQ(r.step(2), "fifth");
   r.now.b = {0, 7};
   CHECK_EQ(r.step(), "sixth");
   CHECK(!r.s.finished());
-  CHECK_EQ(r.step(), "last");  // without a condition it goes on at once
+  CHECK_EQ(r.step(), "last");  // a step without a condition starts at once
   CHECK(r.s.finished());
   CHECK_EQ(r.step(10), "last");
   CHECK(!r.s.unheard());
@@ -81,9 +80,9 @@ TEST_CASE("conditions are what they are called, and an axis is that which is nam
   CHECK(!r.s.in<"low">());
 }
 
-TEST_CASE("a condition has to hold on end, and anew") {
+TEST_CASE("a condition must hold without a break, and again for the next step") {
   running<on_end> r;
-  CHECK_EQ(r.s.beats(motor_test::at(7)), 0);  // nothing has begun
+  CHECK_EQ(r.s.beats(motor_test::at(7)), 0);  // no step has begun
   r.now.a = {1, 0};
   CHECK_EQ(r.step(3), "wait");
   r.now.a = {0, 0};
@@ -92,19 +91,19 @@ TEST_CASE("a condition has to hold on end, and anew") {
   CHECK_EQ(r.step(3), "wait");
   CHECK_EQ(r.step(), "held");
   CHECK_EQ(r.s.beats(motor_test::at(r.k + 4)), 5);
-  CHECK_EQ(r.step(3), "held");  // what held for the step before doesn't count for the next one
+  CHECK_EQ(r.step(3), "held");  // the time for the step before does not count
   CHECK_EQ(r.step(), "held again");
 }
 
 TEST_CASE(
-    "what takes too long leads elsewhere, beats counted from the step before; what holds in time does not") {
+    "a timeout leads to its step, counted from the start of the running step; a condition in time does not") {
   running<too_long> r;
-  r.k = 100;  // the beat in which it begins does not matter
+  r.k = 100;  // it may begin in any beat
   CHECK_EQ(r.step(5), "try");
   CHECK_EQ(r.step(), "again");
   CHECK(r.s.timed_out());
   CHECK_EQ(r.step(), "again");
-  CHECK_EQ(r.step(4), "again");  // and so does the second time: five beats from here
+  CHECK_EQ(r.step(4), "again");  // the second time too: five beats from here
   CHECK_EQ(r.s.beats(motor_test::at(r.k)), 1);
   r.now.a = {1, 0};
   CHECK_EQ(r.step(), "done");
@@ -114,7 +113,7 @@ TEST_CASE(
   CHECK(r.s.finished());
 }
 
-TEST_CASE("many paths are found again and again, more than it remembers") {
+TEST_CASE("more paths than it remembers are still found") {
   struct several
       : cca::steps<
             cca::step<"first">,
@@ -144,11 +143,11 @@ TEST_CASE("many paths are found again and again, more than it remembers") {
   CHECK(s.in<"second">());
 }
 
-TEST_CASE("a path that nobody publishes never holds, and is told") {
+TEST_CASE("a condition on a path that nobody publishes never holds, and is reported") {
   struct deaf : cca::steps<cca::step<"first">, cca::step<"second", cca::is<"s.c", 0>>> {};
   running<deaf> r;
   CHECK(!r.s.unheard());
-  CHECK_EQ(r.step(3), "first");  // a zero that is no one's is none
+  CHECK_EQ(r.step(3), "first");  // a missing value does not count as zero
   CHECK(r.s.unheard());
 }
 
@@ -185,7 +184,7 @@ struct heard : cca::graph<cca::rate<500>,
 
 }  // namespace
 
-TEST_CASE("a sequencer tells its step, how long it has run, and whether it came there in time") {
+TEST_CASE("a sequencer publishes its step, its running time, and whether it began by a timeout") {
   cca::controller<heard<two_steps>> c;
   c.load();
   c.start();
@@ -202,7 +201,7 @@ TEST_CASE("a sequencer tells its step, how long it has run, and whether it came 
   c.stop();
   c.start();
   c.step();
-  CHECK_EQ(e.step, 0);  // it begins anew
+  CHECK_EQ(e.step, 0);  // a start begins with the first step
   cca::controller<heard<late>> d;
   d.load();
   d.start();

@@ -1,5 +1,4 @@
-// A Sequencer and the skills that it leads through: it goes on by what they tell, and elsewhere when that
-// takes too long.
+// A Sequencer and its skills: their statuses start the next step, a timeout leads to another step.
 #include <string>
 #include <string_view>
 
@@ -27,7 +26,7 @@ struct plan
                     cca::then<"lift">>,
           cca::step<"lift", cca::after<300>, cca::then<"trot">>> {};
 
-struct leader {  // what each step means for the skills
+struct leader {  // turns the step into inputs of the skills
   auto process(cca::in<"step", cca::step_port> step)
       -> std::tuple<cca::out<"amplitude", cca::over<cca::amplitude, stride>>, cca::out<"target", leg>> {
     const int now = static_cast<int>(step[cca::step_axis{}]);
@@ -37,12 +36,12 @@ struct leader {  // what each step means for the skills
   }
 };
 
-// VITE, whose ports have other names, as the module of an adaptive component.
+// VITE as the module of an adaptive component; `named` maps its port names.
 struct arm : cca::adaptive_component<cca::vite<leg>,
                                      cca::reaching_goal<leg>,
                                      cca::named<"target", "position", "status">> {};
 
-struct held_arm {  // follows, until it is held
+struct held_arm {  // follows until somebody holds it
   auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> {
     return angles += held ? 0 * angles : Eigen::Vector2d(0.2 * (wanted.vector() - angles));
   }
@@ -81,7 +80,7 @@ using name_list = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a sequencer goes from skill to skill by what they tell") {
+TEST_CASE("a sequencer goes from skill to skill by their statuses") {
   cca::controller<skills> c;
   c.get<"arm.criterion">().p.limits = {0.005, 0.01, cca::infinity, 0.0};
   c.load();
@@ -94,7 +93,7 @@ TEST_CASE("a sequencer goes from skill to skill by what they tell") {
   CHECK(c.fault().reason() == std::string());
 }
 
-TEST_CASE("where a condition takes too long, the timeout leads elsewhere") {
+TEST_CASE("a timeout leads to another step") {
   cca::controller<skills> c;
   c.get<"arm.criterion">().p.limits = {0.005, 0.01, cca::infinity, 0.0};
   c.load();
@@ -134,7 +133,7 @@ struct counting : cca::graph<cca::rate<1000>,
 
 }  // namespace
 
-TEST_CASE("a path that nobody publishes is a fault, not a wait for ever") {
+TEST_CASE("a path that nobody publishes is a fault, not an endless wait") {
   cca::controller<deaf> c;
   c.load();
   c.start();
@@ -143,11 +142,11 @@ TEST_CASE("a path that nobody publishes is a fault, not a wait for ever") {
   CHECK(std::string(c.fault().reason()).find("nobody publishes") != std::string::npos);
 }
 
-TEST_CASE("beats are counted from when a step began, and a condition has to hold on end") {
+TEST_CASE("beats count from the start of the step, and a condition must hold without a break") {
   cca::controller<counting> c;
   c.load();
   c.start();
-  c.run(cca::for_beats<15>{});  // holds from beat 10 on, since beat 0
+  c.run(cca::for_beats<15>{});  // the condition holds from beat 10 on, the step runs since beat 0
   CHECK(c.get<"sequencer">().steps.in<"a">());
   c.step();
   CHECK(c.get<"sequencer">().steps.in<"b">());
@@ -181,6 +180,6 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of a sequencer and what it leads is that of its page") {
+TEST_CASE("the picture of a sequencer and its skills is the one on its page") {
   test::check_picture<skills>(picture);
 }

@@ -1,4 +1,4 @@
-// The DMP Transformation System as a Tracker (seed, figure 6.3): it is shown a shape, learns it, and follows
+// The DMP Transformation System as a Tracker (seed, figure 6.3): it learns a demonstrated shape and follows
 // it.
 #include "../picture.hpp"
 #include "rig.hpp"
@@ -12,7 +12,7 @@ constexpr double hertz = 1.5;
 // [tracker]
 struct dmp : cca::tracker<cca::dmp_rhythmic_module<leg, stride, 25>, cca::tracking<leg>> {};
 
-// What it is shown: two harmonics around a reference.
+// The demonstration: two harmonics around a reference.
 struct teacher {
   auto process(cca::in<"phase", cca::over<cca::phase, stride>> phase)
       -> std::tuple<cca::out<"angles", leg>, cca::out<"centre", leg>> {
@@ -21,7 +21,7 @@ struct teacher {
             Eigen::Vector2d(0.1, -0.8)};
   }
 };
-struct servo {  // follows, a little late
+struct servo {  // follows with a small delay
   auto process(cca::in<"command", leg> wanted) -> cca::out<"angles", leg> {
     return angles += 0.2 * (wanted.vector() - angles);
   }
@@ -33,7 +33,7 @@ struct wish {
     return {1.0, hertz};
   }
 };
-struct ear {  // listens to whatever is told under dmp.status
+struct ear {  // observes everything under dmp.status
   void process(cca::observe<"dmp.status.*"> all) {
     for (const cca::observation& one : all) {
       if (one.path == "dmp.status.component") component = static_cast<cca::component_status>(one.values[0]);
@@ -100,7 +100,7 @@ cca::controller<shown> started() {
 
 }  // namespace
 
-TEST_CASE("a tracker is shown a shape, learns it in a batch, and follows it") {
+TEST_CASE("a tracker learns a demonstrated shape in a batch and follows it") {
   auto c = started();
   auto& module = c.get<"dmp.module">();
   auto& heard = c.get<"ear">();
@@ -108,7 +108,7 @@ TEST_CASE("a tracker is shown a shape, learns it in a batch, and follows it") {
   CHECK(heard.heard == 3);
   CHECK(heard.learning == cca::learning::idle);
   CHECK(heard.region == cca::trained_region::outside);
-  // It follows its own command, which has no shape: what is reached is reached.
+  // Untrained, its command has no shape yet; following it counts as reached.
   CHECK(heard.component == cca::component_status::reached);
   CHECK(heard.ode == cca::ode_status::converged);
 
@@ -133,4 +133,4 @@ TEST_CASE("a tracker is shown a shape, learns it in a batch, and follows it") {
   CHECK(highest - lowest == doctest::Approx(0.6).epsilon(0.05));
 }
 
-TEST_CASE("the picture of a tracker is that of its page") { test::check_picture<pictured>(picture); }
+TEST_CASE("the picture of a tracker is the one on its page") { test::check_picture<pictured>(picture); }

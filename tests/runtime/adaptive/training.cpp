@@ -1,4 +1,4 @@
-// The life of what a module learns: which change is legal in which state, what is kept, and what is refused.
+// The states of a training: which change is legal in which state, which examples it keeps, what it refuses.
 #include <array>
 #include <limits>
 #include <set>
@@ -29,7 +29,7 @@ rule::learned known() {
   return one;
 }
 
-// In that state, with examples, and, where asked for, with something learned.
+// A training in the given state, with examples, and with a learned value if asked for.
 side in_state(cca::learning state, bool learned = false) {
   side s;
   if (learned) s.hand_over(known());
@@ -62,12 +62,12 @@ void check_change(F call, const legal_in& legal, cca::learning to) {
 
 }  // namespace
 
-TEST_CASE("each change of a training is legal in its states, and refused in the others") {
+TEST_CASE("each change of a training is legal in its states and refused in the others") {
   check_change([](side& s) { s.collect(); }, {idle, trained}, collecting);
   check_change([](side& s) { s.learn(); }, {idle, trained}, online);
   check_change([](side& s) { (void)s.begin_batch(settings); }, {idle, collecting, trained}, batch);
   check_change([](side& s) { s.hand_over(known()); }, {idle, batch, trained}, trained);
-  check_change([](side& s) { s.rest(); }, {collecting, online, batch}, idle);  // nothing has been learned
+  check_change([](side& s) { s.rest(); }, {collecting, online, batch}, idle);  // nothing was learned
   check_change([](side& s) { s.forget(); }, {idle, trained}, idle);
   for (const auto state : {collecting, online, batch}) {
     auto s = in_state(state, true);
@@ -76,7 +76,7 @@ TEST_CASE("each change of a training is legal in its states, and refused in the 
   }
 }
 
-TEST_CASE("what another component asks for is done where it is legal, and passed over where not") {
+TEST_CASE("a request of another component is followed if it is legal, and ignored otherwise") {
   using enum cca::learning_call;
   const auto after = [](cca::learning state, cca::learning_call call) {
     auto s = in_state(state);
@@ -94,7 +94,7 @@ TEST_CASE("what another component asks for is done where it is legal, and passed
   }
 }
 
-TEST_CASE("it learns only while it is told to, from what is finite, and keeps the newest") {
+TEST_CASE("it learns only on request, only from finite examples, and keeps the newest") {
   for (const auto state : {idle, batch, trained}) {
     auto s = in_state(state);
     const auto before = s.get().function.weights;
@@ -110,7 +110,7 @@ TEST_CASE("it learns only while it is told to, from what is finite, and keeps th
   CHECK_EQ(s.example_count(), 10);
   const auto all = s.examples();
   REQUIRE_EQ(all.size(), 10);
-  CHECK_EQ(all[0].y[0], 2);  // two of the first three are gone
+  CHECK_EQ(all[0].y[0], 2);  // two of the first three are dropped
   CHECK_EQ(all[1].y[0], 0);
   CHECK_EQ(all[9].y[0], 8);
   auto o = in_state(online);
@@ -122,11 +122,11 @@ TEST_CASE("it learns only while it is told to, from what is finite, and keeps th
   CHECK(o.get().seen != rule::learned().seen);
   CHECK_EQ(o.example_count(), 3);
   o.rest();
-  CHECK(o.state() == trained);  // now it has learned something
+  CHECK(o.state() == trained);  // now it has a learned value
 }
 
-TEST_CASE("nothing is known before something has been learned, nor after it has been forgotten") {
-  const rule::settings easy(1.0, 0.0);  // inside everywhere, were it asked
+TEST_CASE("before learning and after forgetting everything is outside the trained region") {
+  const rule::settings easy(1.0, 0.0);  // settings under which every input counts as inside
   side s;
   CHECK(s.region({0, 1}, easy) == cca::trained_region::outside);
   CHECK_EQ(words_of([&] {
@@ -143,7 +143,7 @@ TEST_CASE("nothing is known before something has been learned, nor after it has 
   CHECK(s.get().function.weights == rule::learned().function.weights);
 }
 
-TEST_CASE("what is not finite is not written, and nothing is loaded in the midst of learning") {
+TEST_CASE("a value that is not finite is not saved, and nothing is loaded during learning") {
   const temporary file("training");
   auto s = in_state(trained);
   s.save(file.path);

@@ -47,7 +47,7 @@ Eigen::Matrix<double, static_cast<int>(Count), 1> in_order(const random_tree<Cou
 }  // namespace
 
 TEST_SUITE("against KDL") {
-  TEST_CASE_TEMPLATE("where the links are, and their Jacobians", Count, count<1>, count<2>, count<3>,
+  TEST_CASE_TEMPLATE("positions of the links, and their Jacobians", Count, count<1>, count<2>, count<3>,
                      count<6>, count<9>) {
     constexpr std::size_t n = Count::value;
     laws::source random{std::mt19937_64{31}};
@@ -76,7 +76,7 @@ TEST_SUITE("against KDL") {
     }
   }
 
-  // KDL's trees have no base that moves; a base that accelerates is one in another gravity.
+  // The base of KDL's trees cannot move; an accelerating base equals a base in another gravity.
   TEST_CASE_TEMPLATE("inverse dynamics and gravity", Count, count<1>, count<2>, count<3>, count<6>,
                      count<9>) {
     constexpr std::size_t n = Count::value;
@@ -101,13 +101,13 @@ TEST_SUITE("against KDL") {
       const vector zero = vector::Zero();
       KDL::TreeIdSolver_RNE resting(t.tree, kdl(base.gravity));
       REQUIRE(resting.CartToJnt(t.joints(q), t.joints(zero), t.joints(zero), {}, torques) >= 0);
-      const auto held = cca::detail::weights<static_cast<int>(n)>(t.links, links, base.gravity);
+      const auto held = cca::detail::torques_at_rest<static_cast<int>(n)>(t.links, links, base.gravity);
       CHECK((held - in_order(t, torques)).norm() < exact * (1 + held.norm()));
     }
   }
 
-  // The mass matrix and the gravity of KDL's other algorithms (composite rigid bodies; chains only).
-  TEST_CASE("the parts of a chain's dynamics") {
+  // Mass matrix and gravity by KDL's other algorithm (composite rigid bodies; chains only).
+  TEST_CASE("mass matrix, Coriolis and gravity terms of a chain") {
     constexpr std::size_t n = 6;
     using vector = Eigen::Matrix<double, static_cast<int>(n), 1>;
     laws::source random{std::mt19937_64{33}};
@@ -130,8 +130,8 @@ TEST_SUITE("against KDL") {
       const vector ours =
           cca::detail::newton_euler<n, static_cast<int>(n)>(t.links, links, {}, dq, ddq, base).torques;
       CHECK((ours - theirs).norm() < exact * (1 + theirs.norm()));
-      CHECK((cca::detail::weights<static_cast<int>(n)>(t.links, links, base.gravity) - gravity.data).norm() <
-            exact * (1 + gravity.data.norm()));
+      CHECK((cca::detail::torques_at_rest<static_cast<int>(n)>(t.links, links, base.gravity) - gravity.data)
+                .norm() < exact * (1 + gravity.data.norm()));
     }
   }
 }

@@ -1,4 +1,4 @@
-// Bodies of parts: how they hang together, and the laws of their kinematics and dynamics.
+// Bodies of parts: their attachment, and the laws of their kinematics and dynamics.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -49,7 +49,7 @@ struct toe_chain : cca::serial_chain<paw, toe, cca::axes<d>> {
   static constexpr auto tip = at(0.02, 0, 0);
   static constexpr std::array links{cca::link_inertia{0.04, {0.01, 0, 0}, {1e-5, 1e-5, 1e-5, 0, 0, 0}}};
 };
-struct tail_chain : cca::serial_chain<trunk, tail_end, cca::axes<e>> {  // says nothing of its weight
+struct tail_chain : cca::serial_chain<trunk, tail_end, cca::axes<e>> {  // without a stated mass
   static constexpr std::array joints{revolute(along_z, at(-0.2, 0, 0.05))};
   static constexpr auto tip = at(-0.1, 0, 0);
 };
@@ -58,7 +58,7 @@ struct sensor_place : cca::serial_chain<tail_end, sensor, cca::axes<>> {  // no 
   static constexpr auto tip = at(0, 0, 0.01) * turned_about(along_y, 1);
 };
 
-// Declared from the ends: what they hang on comes later.
+// Declared from the ends: each part comes before the one to which it is attached.
 struct dog : cca::body<trunk,
                        cca::part<"toe", toe_chain>,
                        cca::part<"sensor", sensor_place>,
@@ -82,7 +82,7 @@ vector random_state(laws::source& random, double size) {
   return v;
 }
 
-// With coordinates d, b, c, e, a.
+// Its coordinates are d, b, c, e, a.
 cca::rigid by_hand(const vector& q, std::string_view which) {
   const auto step = [](const cca::rigid& from, const cca::joint& j, double x) {
     cca::rigid to = from * j.where;
@@ -105,8 +105,7 @@ cca::rigid by_hand(const vector& q, std::string_view which) {
   return step(frame, toe_chain::joints[0], 0.7 * q[0]) * toe_chain::tip;
 }
 
-// Kinetic and potential energy of all that weighs something, the base at rest, from velocities of the points
-// by differences.
+// Kinetic and potential energy of all masses, with the base at rest; velocities are differences of positions.
 double energy(const vector& q, const vector& dq, const Eigen::Vector3d& gravity) {
   constexpr double h = 1e-6;
   const cca::body_pose<dog> now(q), before(q - h * dq), after(q + h * dq);
@@ -127,7 +126,7 @@ double energy(const vector& q, const vector& dq, const Eigen::Vector3d& gravity)
   return sum;
 }
 
-// A graph with the nodes that the hip names, one of them in a graph of its own.
+// A graph with the nodes that the hip names, one of them in an inner graph.
 struct motor {
   void act() {}
 };
@@ -153,7 +152,7 @@ struct paw_in_trunk : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::
 }  // namespace
 
 TEST_SUITE("body") {
-  TEST_CASE("parts are where their chains lead") {
+  TEST_CASE("parts end where their chains lead") {
     laws::source random{std::mt19937_64{41}};
     for (int i = 0; i < laws::rounds; ++i) {
       const vector q = random_state(random, 2);
@@ -171,7 +170,7 @@ TEST_SUITE("body") {
     }
   }
 
-  TEST_CASE("Jacobians are what differences of the positions say") {
+  TEST_CASE("Jacobians agree with differences of positions") {
     laws::source random{std::mt19937_64{42}};
     for (int i = 0; i < laws::rounds; ++i) {
       const vector q = random_state(random, 2), dq = random_state(random, 1);
@@ -192,8 +191,8 @@ TEST_SUITE("body") {
     }
   }
 
-  // Along any motion the joints' power is the change of energy.
-  TEST_CASE("power is the change of energy") {
+  // Along any motion the power of the joints equals the change of energy.
+  TEST_CASE("power equals the change of energy") {
     laws::source random{std::mt19937_64{43}};
     for (int i = 0; i < laws::rounds; ++i) {
       const vector q = random_state(random, 2), dq = random_state(random, 2), ddq = random_state(random, 3);
@@ -210,7 +209,7 @@ TEST_SUITE("body") {
     }
   }
 
-  TEST_CASE("gravity's torques are those of inverse dynamics at rest, and of the centre of mass") {
+  TEST_CASE("the torques of gravity agree with inverse dynamics at rest, and with the centre of mass") {
     laws::source random{std::mt19937_64{44}};
     const vector zero = vector::Zero();
     for (int i = 0; i < laws::rounds; ++i) {
@@ -226,15 +225,15 @@ TEST_SUITE("body") {
     }
   }
 
-  TEST_CASE("what weighs nothing has its centre of mass in the base's origin") {
+  TEST_CASE("a body without mass has its centre of mass at the origin of the base") {
     struct weightless : cca::body<trunk, cca::part<"tail", tail_chain>> {};
     CHECK(cca::body_pose<weightless>(Eigen::Matrix<double, 1, 1>(0.3)).centre_of_mass() ==
           Eigen::Vector3d::Zero());
   }
 
-  // What the base must be held with is the change of momentum: seen from a base that turns, everything else
-  // at rest in it.
-  TEST_CASE("a base that moves") {
+  // The wrench on the base equals the change of momentum, seen from a turning base in which all else is at
+  // rest.
+  TEST_CASE("the wrench on a moving base equals the change of momentum") {
     laws::source random{std::mt19937_64{45}};
     const vector zero = vector::Zero();
     for (int i = 0; i < laws::rounds; ++i) {
@@ -250,7 +249,7 @@ TEST_SUITE("body") {
                             dw = base.angular_acceleration;
       CHECK((held.wrench.tail<3>() - 3.69 * (base.acceleration + dw.cross(c) + w.cross(w.cross(c)))).norm() <
             1e-12);
-      // The whole, frozen, is one rigid body: its inertia about the base's origin.
+      // With fixed joints the whole is one rigid body: its inertia about the origin of the base.
       Eigen::Matrix3d inertia = cca::detail::matrix_of(dog::base.about_centre);
       const auto add = [&](double m, const Eigen::Vector3d& p) {
         inertia += m * (p.dot(p) * Eigen::Matrix3d::Identity() - p * p.transpose());
@@ -268,7 +267,7 @@ TEST_SUITE("body") {
     }
   }
 
-  TEST_CASE("components: each space in an order of its own") {
+  TEST_CASE("components: each space may have its own order of axes") {
     laws::source random{std::mt19937_64{46}};
     cca::inverse_dynamics_of<dog, angles, velocities, accelerations, torques> dynamics;
     cca::gravity_compensation<dog, angles, torques> gravity;

@@ -11,7 +11,7 @@
 
 namespace walker {
 
-// Frames: each chain begins in one and ends in one.
+// Frames: each chain begins in one and ends in another.
 struct trunk : cca::frame<"trunk"> {};
 struct hand : cca::frame<"hand"> {};
 struct finger : cca::frame<"finger"> {};
@@ -26,7 +26,7 @@ struct elbow : joint<"elbow"> {};
 struct grip : joint<"grip"> {};
 struct neck : joint<"neck"> {};
 
-// Chains, with what their links weigh: mass, its centre, the inertia about it.
+// Chains with the inertia of their links: mass, its centre, the inertia about the centre.
 struct arm_chain : cca::serial_chain<trunk, hand, cca::axes<shoulder, elbow>> {
   static constexpr std::array joints{cca::revolute(cca::along_y, cca::at(0.1, 0.05, 0)),
                                      cca::revolute(cca::along_y, cca::at(0.2, 0, 0))};
@@ -43,7 +43,7 @@ struct neck_chain : cca::serial_chain<trunk, head, cca::axes<neck>> {
   static constexpr auto tip = cca::at(0.05, 0, 0.03);
 };
 
-// The finger hangs on the arm, for its chain begins where the arm's ends; arm and head hang on the trunk.
+// The finger is attached to the arm, where its chain begins; arm and head are attached to the trunk.
 struct body : cca::body<trunk,
                         cca::part<"arm", arm_chain, cca::driven_by<"arm">>,  //
                         cca::part<"finger", finger_chain>,                   //
@@ -55,7 +55,7 @@ struct angles : cca::space<cca::joint_angles, cca::axes<shoulder, elbow, grip, n
 struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow, grip, neck>> {};
 struct hand_place : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
 
-// The resource node that moves the arm, and a controller that lets it float.
+// The resource node that moves the arm, and a graph that lets it float.
 struct motors {
   Eigen::Vector4d q{0.3, -0.5, 0, 0}, last = Eigen::Vector4d::Zero();
   auto sense() -> cca::out<"angles", angles> { return q; }
@@ -74,12 +74,12 @@ static_assert(cca::embodied<body, floating>);
 // [body end]
 
 TEST_SUITE("body, example") {
-  TEST_CASE("an arm that floats") {
+  TEST_CASE("an arm floats") {
     cca::controller<walker::floating> c;
     c.load();
     c.start();
     CHECK(c.step());
-    // By hand: the upper arm's angle is turned about y, down is positive.
+    // Computed by hand: the upper arm turns about y, down is positive.
     const double first = 0.3, second = 0.3 - 0.5, g = 9.81;
     const double elbow = -0.3 * g * 0.07 * std::cos(second);
     const double shoulder = elbow - g * std::cos(first) * (0.4 * 0.1 + 0.3 * 0.2);
@@ -90,14 +90,14 @@ TEST_SUITE("body, example") {
     CHECK(torques[3] == 0);
   }
 
-  TEST_CASE("where its parts are") {
+  TEST_CASE("the positions of its parts") {
     // [places]
     const cca::body_pose<walker::body> now(
         Eigen::Vector4d(0, 0, 0, cca::pi / 2));  // over axes_of<walker::body>
     CHECK((now.tip<"finger">().at - Eigen::Vector3d(0.1 + 0.2 + 0.15 + 0.03, 0.05, 0)).norm() < 1e-15);
     CHECK((now.tip<"head">().at - Eigen::Vector3d(0.15, 0.05, 0.05 + 0.03)).norm() < 1e-15);
     const Eigen::Matrix<double, 6, 1> velocity =
-        now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // of the shoulder: downward
+        now.jacobian<"finger">() * Eigen::Vector4d(1, 0, 0, 0);  // the shoulder moves it downward
     CHECK(velocity[5] == doctest::Approx(-0.38));
     // [places end]
   }
@@ -117,6 +117,6 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of an arm that bears its own weight is that of its page") {
+TEST_CASE("the picture of an arm that carries its own weight is the one on its page") {
   test::check_picture<walker::floating>(picture);
 }

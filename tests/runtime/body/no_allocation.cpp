@@ -1,4 +1,4 @@
-// Nothing of kinematics and dynamics allocates, whatever it is asked.
+// Kinematics and dynamics never allocate, whatever the input.
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -55,7 +55,7 @@ struct trunk_in_world : cca::placed<trunk, world> {
 }  // namespace
 
 TEST_SUITE("body") {
-  TEST_CASE("nothing allocates") {
+  TEST_CASE("kinematics and dynamics do not allocate") {
     cca::inverse_kinematics<leg, angles, place> closed;
     cca::inverse_kinematics<plain_leg, angles, place> general;
     cca::mapping_chain<cca::forward_kinematics<leg, angles, place>,

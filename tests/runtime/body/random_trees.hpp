@@ -1,4 +1,4 @@
-// Random trees of joints, as the library's row of links and as a KDL::Tree.
+// Random trees of joints, as the library's array of links and as a KDL::Tree.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ inline cca::placement random_placement(laws::source& random) {
   return {array(random.vector(1)), {q[0], q[1], q[2], q[3]}};
 }
 
-// Of four points with mass, so that there is such a body.
+// The inertia of four random point masses, so it is physically possible.
 inline cca::link_inertia random_inertia(laws::source& random) {
   cca::link_inertia of;
   std::array<Eigen::Vector3d, 4> points;
@@ -55,8 +55,8 @@ inline cca::link_inertia random_inertia(laws::source& random) {
   return of;
 }
 
-// In KDL a segment's joint stands in the segment before: its axis there, and the segment's tip at zero is our
-// link's frame.
+// In KDL the joint of a segment, with its axis, is placed in the segment before; the tip of the segment at
+// angle zero is the frame of our link.
 inline KDL::Segment segment(const std::string& name, const cca::joint& j, const cca::link_inertia& inertia) {
   const KDL::Frame where = kdl(j.where);
   const auto kind = j.kind == cca::joint_kind::revolute ? KDL::Joint::RotAxis : KDL::Joint::TransAxis;
@@ -71,7 +71,7 @@ struct random_tree {
   std::array<cca::detail::body_link, Count> links;
   KDL::Tree tree{"base"};
 
-  // A chain, or each link on any of those before it or on the base.
+  // A chain, or a tree: each link is attached to any link before it or to the base.
   random_tree(laws::source& random, bool chain) {
     KDL::Tree built("base");
     for (std::size_t i = 0; i < Count; ++i) {
@@ -90,11 +90,10 @@ struct random_tree {
       built.addSegment(segment(std::to_string(i), j, links[i].inertia),
                        parent < 0 ? "base" : std::to_string(parent));
     }
-    tree = built;  // a copy numbers its joints anew, depth first; KDL's solvers hold copies, so this one's
-                   // numbers are theirs
+    tree = built;  // a copy numbers its joints again, depth first, like the copies in KDL's solvers
   }
 
-  // Where KDL has the joint of a link.
+  // KDL's number of the joint of a link.
   int number(std::size_t i) const {
     return static_cast<int>(GetTreeElementQNr(tree.getSegment(std::to_string(i))->second));
   }

@@ -1,4 +1,4 @@
-// What is read, and that it comes back with the same bits.
+// What a file may hold, and that saving and loading keeps every bit.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -16,7 +16,7 @@ namespace {
 
 std::string refusal_of(controller& c, std::string_view text) { return c.refusal(text); }
 
-// All numbers of a controller as bits, so that -0.0 isn't 0.0.
+// All numbers of a controller as bits, which tell -0.0 from 0.0.
 std::vector<std::uint64_t> bits(const controller& c) {
   std::vector<std::uint64_t> all;
   const auto number = [&](double value) { all.push_back(std::bit_cast<std::uint64_t>(value)); };
@@ -46,7 +46,7 @@ public:
   std::uint64_t word() { return engine(); }
   std::size_t below(std::size_t n) { return engine() % n; }
 
-  // Any bits that are a finite number; small ones, subnormal ones and zeros with their signs among them.
+  // Any bits of a finite number, including subnormal ones and signed zeros.
   double number() {
     static constexpr double corners[] = {0.0,
                                          -0.0,
@@ -158,7 +158,7 @@ seed = 7
 )");
   }
 
-  TEST_CASE("keys that the file lacks keep their values") {
+  TEST_CASE("values without a key in the file do not change") {
     controller c;
     CHECK_EQ(refusal_of(c, ""), "");
     CHECK_EQ(bits(c), bits(controller{}));
@@ -193,7 +193,7 @@ seed = 7
     CHECK_EQ(c.pose.p.slack, std::numeric_limits<float>::max());
   }
 
-  TEST_CASE("saved and loaded again, every bit is the same") {
+  TEST_CASE("saving and loading keeps every bit") {
     dice d(1);
     for (int i = 0; i < 2000; ++i) {
       controller written, read;
@@ -206,7 +206,7 @@ seed = 7
     }
   }
 
-  TEST_CASE("whatever bytes a file has, it is loaded whole or refused whole") {
+  TEST_CASE("random bytes: a file is loaded as a whole or refused as a whole") {
     dice d(2);
     int loaded = 0;
     for (int i = 0; i < 3000; ++i) {

@@ -1,4 +1,4 @@
-// The core's half, without files: which fields are supported, and values that are set between two beats.
+// Parameters without files: supported field types, and setting values between two beats.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -111,7 +111,7 @@ TEST_SUITE("config component") {
     CHECK_EQ(cca::quantity<cca::angle>{}.value(), 0.0);
   }
 
-  TEST_CASE("set whole, and checked before") {
+  TEST_CASE("values are checked, then all set") {
     config_test::hopf h;
     apply_parameters(h, {2.0, 3.0, {1.0, {0.0, 1.0}}}, "cpg");
     CHECK_EQ(h.p.frequency, 2.0);
@@ -127,7 +127,7 @@ TEST_SUITE("config component") {
     CHECK_EQ(double{h.p.gain}, 3.0);
   }
 
-  TEST_CASE("what a program may set is what a file may hold") {
+  TEST_CASE("a program may set exactly the values that a file may hold") {
     one<std::uint64_t> seed{0, std::numeric_limits<std::uint64_t>::max()};
     CHECK_EQ(words_of([&] { cca::check_parameters(seed, "x"); }),
              "x.second: 9223372036854775807 is out of range, expected 0 to 9223372036854775806");
@@ -140,7 +140,7 @@ TEST_SUITE("config component") {
              "x.second: 1 is out of range, expected at most 0");
   }
 
-  TEST_CASE("a text that doesn't fit is left as it was") {
+  TEST_CASE("assigning a text that is too long changes nothing") {
     cca::text<4> t = "abcd";
     CHECK_FALSE(t.assign("abcde"));
     CHECK_EQ(t.view(), "abcd");

@@ -1,4 +1,4 @@
-// Files on disk: missing, unreadable, and saved so that a failure leaves the old one.
+// Files on disk: missing ones, unreadable ones, and saves that fail and leave the old file.
 #include <doctest/doctest.h>
 
 #include <csignal>
@@ -39,7 +39,7 @@ std::string words_of(F f) {
 }  // namespace
 
 TEST_SUITE("config files") {
-  TEST_CASE("saved, and loaded from the file") {
+  TEST_CASE("save, then load") {
     const folder here;
     controller written, read;
     written.cpg.p.frequency = 0.1 + 0.2;
@@ -50,7 +50,7 @@ TEST_SUITE("config files") {
     CHECK_EQ(read.cpg.p.frequency, 0.1 + 0.2);
   }
 
-  TEST_CASE("a refusal names the file as it was given") {
+  TEST_CASE("a message names the file as the caller did") {
     const folder here;
     const std::string file = here / "bad.toml";
     std::ofstream(file) << "[cpg]\ngain = 9\n";
@@ -76,13 +76,13 @@ TEST_SUITE("config files") {
              here.path.string() + ": cannot be written: Is a directory");
   }
 
-  TEST_CASE("a folder that isn't there can't be saved to") {
+  TEST_CASE("saving into a missing folder") {
     const controller c;
     CHECK_EQ(words_of([&] { c.save("/nowhere/trot.toml"); }),
              "/nowhere/trot.toml: cannot be written: No such file or directory");
   }
 
-  TEST_CASE("what loading would refuse isn't saved, and the old file stays") {
+  TEST_CASE("values that loading would refuse are not saved, and the old file stays") {
     const folder here;
     const std::string file = here / "trot.toml";
     controller c;
@@ -96,7 +96,7 @@ TEST_SUITE("config files") {
     CHECK_EQ(contents(file), before);
   }
 
-  TEST_CASE("a link stays a link") {
+  TEST_CASE("saving through a link keeps the link") {
     const folder here;
     const controller c;
     std::ofstream(here / "real.toml") << "";
@@ -106,14 +106,14 @@ TEST_SUITE("config files") {
     CHECK_EQ(contents(here / "real.toml"), c.text());
   }
 
-  TEST_CASE("a disk that is full leaves the old file and no other") {
+  TEST_CASE("a full disk leaves the old file and no other") {
     const folder here;
     const std::string file = here / "trot.toml";
     controller c;
     c.save(file);
     const std::string before = contents(file);
     c.cpg.p.frequency = 2;
-    // No file may grow beyond 100 bytes: for a program that is as a full disk.
+    // No file may grow beyond 100 bytes, which looks like a full disk.
     rlimit usual{};
     getrlimit(RLIMIT_FSIZE, &usual);
     const rlimit tight{100, usual.rlim_max};

@@ -1,4 +1,4 @@
-// A controller for these tests, and the components in it.
+// A controller and its components for these tests.
 #pragma once
 
 #include <array>

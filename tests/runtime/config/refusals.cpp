@@ -1,4 +1,4 @@
-// Every way in which a file is refused, by its exact words, and that nothing is changed then.
+// Every reason to refuse a file: the exact message, and that no parameter changes.
 #include <doctest/doctest.h>
 
 #include "mock.hpp"
@@ -7,7 +7,7 @@ using config_test::controller;
 
 namespace {
 
-// The file is refused with these words, and no parameter is touched.
+// Checks that the file is refused with this message and that no parameter changes.
 void refuses(std::string_view text, std::string_view words) {
   controller c;
   const std::string before = c.text();
@@ -48,7 +48,7 @@ TEST_SUITE("config refusals") {
             "\"0123456789012345678901234567890123456789...\"; for example `frequency = 1.5`");
   }
 
-  TEST_CASE("a table where a value is expected, and the other way round") {
+  TEST_CASE("a table instead of a value, and a value instead of a table") {
     refuses("[cpg.frequency]\nx = 1",
             "trot.toml:1: cpg.frequency: expected a number, got a table; for example `frequency = 1.5`");
     refuses("[cpg]\nlinks = 3",
@@ -163,7 +163,7 @@ TEST_SUITE("config refusals") {
     refuses("[cpg]\n[cpg.links]\nstrength = 11",
             "trot.toml:2: cpg.links: so strong a coupling makes the phases jump");
     refuses("[cpg]\ngain = 1.5", "trot.toml:1: cpg: frequency and gain are the same");
-    // Only once all fields are sound.
+    // Called only if all fields are allowed.
     refuses("[cpg]\nfrequency = 9.0\ngain = 9",
             "trot.toml:3: cpg.gain: 9 is out of range, expected 0.1 to 5");
   }
@@ -175,7 +175,7 @@ TEST_SUITE("config refusals") {
     refuses("[pose]\nhip = 30 deg\n",
             "trot.toml:2:10: not TOML: Error while parsing key-value pair: expected a comment or whitespace, "
             "saw 'd', in `hip = 30 deg` "
-            "(a text, or a number with its unit, stands in quotes)");
+            "(put a text, or a number with its unit, in quotes)");
     refuses("[cpg",
             "trot.toml:1:5: not TOML: Error while parsing table header: encountered end-of-file, in `[cpg`");
     refuses("[cpg]\ngain = 1\ngain = 2",
@@ -183,7 +183,7 @@ TEST_SUITE("config refusals") {
             "'gain', in `gain = 2`");
   }
 
-  TEST_CASE("all problems are told at once, in the order of the file") {
+  TEST_CASE("all problems at once, in the order of the file") {
     refuses("[pose]\nhip = 2\n[cpg]\nfrequncy = 1.0\ngain = 9\n[robot]\n",
             "trot.toml:2: pose.hip: 2 rad is out of range, expected -0.9 to 0.9 rad\n"
             "trot.toml:4: cpg.frequncy: unknown parameter, did you mean `frequency`?\n"
@@ -191,7 +191,7 @@ TEST_SUITE("config refusals") {
             "trot.toml:6: robot: unknown node, there are `cpg`, `sum`, `dmp`, `pose`");
   }
 
-  TEST_CASE("not more than twenty problems") {
+  TEST_CASE("at most twenty problems") {
     std::string text = "[cpg]\n";
     for (int i = 0; i < 25; ++i) text += "zzzzzz" + std::to_string(i) + " = 1\n";
     controller c;
@@ -200,7 +200,7 @@ TEST_SUITE("config refusals") {
     CHECK(words.ends_with("\ntrot.toml: and 5 more"));
   }
 
-  TEST_CASE("values that the file leaves are checked as well, without a line") {
+  TEST_CASE("values that the file does not mention are checked too, without a line number") {
     controller c;
     c.cpg.p.gain = 7;
     CHECK_EQ(c.refusal("[cpg]\nfrequency = 2.0"),
@@ -211,7 +211,7 @@ TEST_SUITE("config refusals") {
     CHECK_EQ(c.refusal(""), "trot.toml: cpg.links: so strong a coupling makes the phases jump");
   }
 
-  TEST_CASE("one bad value keeps all the good ones out") {
+  TEST_CASE("one bad value keeps all others from being set") {
     controller c;
     CHECK_EQ(c.refusal("[cpg]\nfrequency = 2.5\n[pose]\nmode = 3\nretries = 999\n"),
              "trot.toml:5: pose.retries: 999 is out of range, expected 0 to 255");

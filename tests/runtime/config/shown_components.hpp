@@ -1,7 +1,7 @@
-// Components at their paths, as a controller shows them to <cca/config.hpp>, without a graph.
+// Shows components by path to <cca/config.hpp> like a controller, but without a graph.
 //
 //   struct elements : shown_components<elements> {
-//     static constexpr std::string_view file = "motor.toml";      what messages call the text
+//     static constexpr std::string_view file = "motor.toml";      the file's name in messages
 //     cca::hopf<turn> cpg;
 //     template <class Self, class F> static void each(Self& self, F& f) { f("cpg", self.cpg); }
 //   };
@@ -29,7 +29,7 @@ struct shown_components {
     return cca::detail::parameters_text(static_cast<const Shown&>(*this), Shown::file);
   }
 
-  // Empty if it was accepted.
+  // The message; empty if the file was accepted.
   std::string refusal(std::string_view text) {
     try {
       cca::detail::load_parameters_from_text(static_cast<Shown&>(*this), text, Shown::file);

@@ -1,5 +1,5 @@
-// A beat allocates nothing: queues, delays, strategies known only at run time, observers, a limiter, a
-// watchdog, a fault.
+// A beat allocates nothing: not with queues, delays, strategies decided at run time, observers, a limiter, a
+// watchdog or a fault.
 #include <doctest/doctest.h>
 
 #include <cstddef>
@@ -76,13 +76,13 @@ TEST_SUITE("allocations") {
   TEST_CASE("the counter counts") {
     const auto before = laws::allocations();
     delete new int(3);
-    CHECK_GE(laws::allocations(), before);  // a compiler may leave a new without use away
+    CHECK_GE(laws::allocations(), before);  // a compiler may drop an unused new
     std::string* text = new std::string(100, 'x');
     CHECK_GT(laws::allocations(), before);
     delete text;
   }
 
-  TEST_CASE("a beat allocates nothing, nor does a copy, nor a fault") {
+  TEST_CASE("neither a beat nor a copy nor a fault allocates") {
     auto c = started<all>();
     const auto before = laws::allocations();
     for (int i = 0; i < 1000; ++i) c.step();
@@ -92,7 +92,7 @@ TEST_SUITE("allocations") {
     for (int i = 0; i < 20; ++i) copy.step();
     const auto after = laws::allocations();
     CHECK_EQ(after, before);
-    CHECK_EQ(copy.state(), cca::state::faulted);  // nothing has come for five beats
+    CHECK_EQ(copy.state(), cca::state::faulted);  // no sample for five beats
     CHECK_EQ(copy.get<"joint">().angle, 0);
     CHECK_GT(c.get<"listener">().sum, 0);
     CHECK_EQ(c.state(), cca::state::started);

@@ -20,7 +20,7 @@ struct adder {
   double sum = 0;
 };
 
-// What arrived at an input, and when.
+// Records what arrived at an input, and when.
 struct seen {
   std::int64_t beat;
   double value;

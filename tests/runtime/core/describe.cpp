@@ -1,4 +1,4 @@
-// Pictures of graphs, to the letter.
+// Pictures of graphs, compared exactly.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ struct awkward : cca::graph<cca::rate<1>,
                             cca::node<"listening", listening>,
                             cca::wire<"quoting.y", "listening.x">> {};
 
-// What `dot -Tsvg` makes of it, or its complaint.
+// The output of `dot -Tsvg`, or its error.
 struct drawn {
   int result;
   std::string svg;
@@ -124,7 +124,7 @@ TEST_SUITE("describe") {
     CHECK_EQ(cca::describe<lonely>::mermaid(), "flowchart LR\n  n0[\"counter<br/><i>0.5 Hz</i>\"]\n");
   }
 
-  TEST_CASE("dot, as graphviz takes it") {
+  TEST_CASE("dot, accepted by graphviz") {
     CHECK_EQ(cca::describe<shown>::dot(), drawing);
     const auto d = draw(cca::describe<shown>::dot(), "shown");
     CAPTURE(d.svg);
@@ -134,7 +134,7 @@ TEST_SUITE("describe") {
     CHECK_EQ(d.svg.find("Warning"), std::string::npos);
   }
 
-  TEST_CASE("a graph that breaks a rule can be looked at too") {
+  TEST_CASE("a graph that breaks a rule has a picture too") {
     CHECK_EQ(cca::diagnosis<broken>.rule, "wire.unknown_port");
     CHECK_EQ(
         cca::describe<broken>::mermaid(),
@@ -148,6 +148,6 @@ TEST_SUITE("describe") {
     const auto mermaid = cca::describe<awkward>::mermaid();
     CAPTURE(mermaid);
     CHECK_EQ(std::count(mermaid.begin(), mermaid.end(), '"'),
-             2 + 2 + 2);  // those around the two nodes and the wire
+             2 + 2 + 2);  // around the two nodes and the wire
   }
 }

@@ -1,5 +1,5 @@
-// Faults: the beat is abandoned, every resource node is told in the same beat, and nothing fires until
-// resume().
+// Faults: the beat ends at once, every resource node's on_fault runs in the same beat, and nothing fires
+// until resume().
 #include <doctest/doctest.h>
 
 #include "counting.hpp"
@@ -8,7 +8,7 @@ using namespace core_test;
 
 namespace {
 
-std::vector<std::string> told;
+std::vector<std::string> notified;
 
 // [fault]
 struct motor {
@@ -38,7 +38,7 @@ struct inner
 template <cca::fixed_string Name>
 struct witness {
   void act(cca::in<"x", reading>) { ++acts; }
-  void on_fault() { told.push_back(std::string(Name.view())); }
+  void on_fault() { notified.push_back(std::string(Name.view())); }
   int acts = 0;
 };
 struct stage : cca::graph<cca::rate<1000>,
@@ -72,25 +72,25 @@ struct filling : cca::graph<cca::rate<1000>,
 }  // namespace
 
 TEST_SUITE("faults") {
-  TEST_CASE("of a component") {
+  TEST_CASE("a component faults") {
     auto c = started<stage>();
     c.get<"checks.check">().limit = 4;
-    told.clear();
+    notified.clear();
     CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::faulted);
     CHECK_EQ(c.beat_index(), 5);
     CHECK_EQ(std::string(c.fault().reason()), "more than the limit");
     CHECK(c.fault());
     CHECK_EQ(c.fault_path(), "checks.check");
     CHECK_EQ(c.get<"before">().value, 5);
-    CHECK_EQ(c.get<"later">().sum, 1 + 2 + 3 + 4);  // not in the beat of the fault
+    CHECK_EQ(c.get<"later">().sum, 1 + 2 + 3 + 4);  // it did not fire in the beat of the fault
     CHECK_EQ(c.get<"motor">().angle, 10);
     CHECK_EQ(c.get<"one">().acts, 4);
     CHECK(c.get<"motor">().braked);
-    CHECK_EQ(told, std::vector<std::string>{"one", "two"});
+    CHECK_EQ(notified, std::vector<std::string>{"one", "two"});
 
     CHECK_FALSE(c.step());
     CHECK_EQ(c.beat_index(), 5);
-    CHECK_EQ(told.size(), 2);  // told once
+    CHECK_EQ(notified.size(), 2);  // on_fault ran once per node
 
     c.get<"checks.check">().limit = 7;
     c.resume();
@@ -101,11 +101,11 @@ TEST_SUITE("faults") {
     CHECK_EQ(c.get<"later">().sum, 1 + 2 + 3 + 4 + 6 + 7);
   }
 
-  TEST_CASE("while sensing: no component fires") {
+  TEST_CASE("a fault in sense: no component fires") {
     auto c = started<stage>();
     c.run(cca::for_beats<3>{});
     c.get<"motor">().unplugged = true;
-    CHECK(c.step());  // a beat was made: that of the fault
+    CHECK(c.step());  // this was a beat, the one with the fault
     CHECK_EQ(c.state(), cca::state::faulted);
     CHECK_EQ(c.fault_path(), "motor");
     CHECK_EQ(std::string(c.fault().reason()), "the encoder is unplugged");
@@ -114,7 +114,7 @@ TEST_SUITE("faults") {
     CHECK(c.get<"motor">().braked);
   }
 
-  TEST_CASE("while acting: later acts don't run") {
+  TEST_CASE("a fault in act: later acts don't run") {
     auto c = started<stage>();
     CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::faulted);  // 1 + 2 + ... + 14 > 100
     CHECK_EQ(c.beat_index(), 14);
@@ -124,14 +124,14 @@ TEST_SUITE("faults") {
     CHECK_EQ(c.get<"motor">().angle, 91);
   }
 
-  TEST_CASE("a queue that must not be full") {
+  TEST_CASE("a full queue with cca::reject is a fault") {
     auto c = started<filling>();
-    told.clear();
+    notified.clear();
     CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::faulted);
-    CHECK_EQ(c.beat_index(), 3);  // the third sample comes before the reader takes the first
+    CHECK_EQ(c.beat_index(), 3);  // the third sample arrives before the reader takes the first
     CHECK_EQ(std::string(c.fault().reason()), "a sample arrived while the queue was full");
     CHECK_EQ(c.fault_path(), "reader");
-    CHECK_EQ(told, std::vector<std::string>{"device"});
+    CHECK_EQ(notified, std::vector<std::string>{"device"});
   }
 
   TEST_CASE("a copy of a faulted controller is faulted") {

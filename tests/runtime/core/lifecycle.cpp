@@ -12,7 +12,7 @@ using cca::state;
 
 namespace {
 
-std::vector<std::string> told;  // by the hooks
+std::vector<std::string> hooks_called;
 
 template <cca::fixed_string Name>
 struct chatty {
@@ -22,21 +22,21 @@ struct chatty {
   void on_start() { tell("start"); }
   void on_stop() { tell("stop"); }
   void on_fault() { tell("fault"); }
-  void tell(const char* what) { told.push_back(std::string(Name.view()) + " " + what); }
+  void tell(const char* what) { hooks_called.push_back(std::string(Name.view()) + " " + what); }
   double beats = 0;
 };
 
-struct breaking {  // on demand
+struct breaking {  // returns a fault on demand
   auto process() -> cca::fault { return broken ? cca::fault("it broke") : cca::fault(); }
-  void on_fault() { told.push_back("breaking fault"); }
+  void on_fault() { hooks_called.push_back("breaking fault"); }
   bool broken = false;
 };
 
 template <cca::fixed_string Name>
 struct device {
   auto sense() -> cca::out<"y", reading> { return 0; }
-  void on_load() { told.push_back(std::string(Name.view()) + " load"); }
-  void on_fault() { told.push_back(std::string(Name.view()) + " fault"); }
+  void on_load() { hooks_called.push_back(std::string(Name.view()) + " load"); }
+  void on_fault() { hooks_called.push_back(std::string(Name.view()) + " fault"); }
 };
 
 struct inner : cca::graph<cca::node<"deep", chatty<"deep">>, cca::expose<"deep.y", "y">> {};
@@ -83,7 +83,7 @@ struct rule {
   state to;
   const char* remedy;  // null: legal
 };
-// The seed's section 4.1.1, with a way back from a fault.
+// The seed's section 4.1.1, and a way back from a fault.
 const std::array rules{
     rule{state::created, "load", state::loaded, nullptr},
     rule{state::created, "save", state::created, "load() it first"},
@@ -101,14 +101,14 @@ const std::array rules{
     rule{state::loaded, "step", state::loaded, ""},
     rule{state::started, "load", state::started, "stop() it first"},
     rule{state::started, "save", state::started, "stop() it first"},
-    rule{state::started, "start", state::started, "it has been started"},
+    rule{state::started, "start", state::started, "it has been started already"},
     rule{state::started, "stop", state::loaded, nullptr},
     rule{state::started, "resume", state::started, "nothing has faulted"},
     rule{state::started, "run", state::started, nullptr},
     rule{state::started, "step", state::started, nullptr},
     rule{state::running, "load", state::running, "stop() it first"},
     rule{state::running, "save", state::running, "stop() it first"},
-    rule{state::running, "start", state::running, "it has been started"},
+    rule{state::running, "start", state::running, "it has been started already"},
     rule{state::running, "stop", state::running, "it is running"},
     rule{state::running, "resume", state::running, "nothing has faulted"},
     rule{state::running, "run", state::running, "it is running"},
@@ -134,10 +134,10 @@ void check(const rule& r, controller& c) {
   const auto beats = c.beat_index();
   const auto fired = c.get<"first">().beats;
   const std::string reason = c.fault().reason();
-  told.clear();
-  const auto& asked =
+  hooks_called.clear();
+  const auto& chosen =
       *std::find_if(acts.begin(), acts.end(), [&](const act& a) { return std::string(a.name) == r.act; });
-  const std::string words = words_of([&] { asked.call(c); });
+  const std::string words = words_of([&] { chosen.call(c); });
   CHECK_EQ(c.state(), r.to);
   if (!r.remedy) {
     CHECK_EQ(words, "");
@@ -149,7 +149,7 @@ void check(const rule& r, controller& c) {
     CHECK_EQ(words, "cca::controller: " + call + " is refused in the state `" +
                         std::string(cca::to_string(r.from)) + "`: " + r.remedy);
   else CHECK_EQ(words, "no beat");
-  CHECK(told.empty());  // nothing happened
+  CHECK(hooks_called.empty());  // no hook ran
   CHECK_EQ(c.beat_index(), beats);
   CHECK_EQ(c.get<"first">().beats, fired);
   CHECK_EQ(std::string(c.fault().reason()), reason);
@@ -165,18 +165,18 @@ TEST_SUITE("life-cycle") {
       if (r.from != state::running) {
         check(r, c);
       } else {
-        bool asked = false;
+        bool called = false;
         c.run(cca::for_beats<3>{}, cca::as_fast_as_possible{}, [&](controller& running) {
-          if (!asked) check(r, running);
-          asked = true;
+          if (!called) check(r, running);
+          called = true;
         });
-        CHECK(asked);
+        CHECK(called);
         CHECK_EQ(c.beat_index(), 3);
       }
     }
   }
 
-  TEST_CASE("the table names each state and each transition") {
+  TEST_CASE("the table has every state and every transition") {
     for (const auto what :
          {cca::detail::transition::load, cca::detail::transition::save, cca::detail::transition::start,
           cca::detail::transition::stop, cca::detail::transition::run, cca::detail::transition::pause,
@@ -196,31 +196,32 @@ TEST_SUITE("life-cycle") {
       "transition") {
     using words = std::vector<std::string>;
     controller c;
-    told.clear();
+    hooks_called.clear();
     c.load();
-    CHECK_EQ(told, words{"first load", "deep load", "device load", "other load"});
-    told.clear();
+    CHECK_EQ(hooks_called, words{"first load", "deep load", "device load", "other load"});
+    hooks_called.clear();
     c.start();
-    CHECK_EQ(told, words{"first start", "deep start"});
-    told.clear();
+    CHECK_EQ(hooks_called, words{"first start", "deep start"});
+    hooks_called.clear();
     c.run(cca::for_beats<5>{});
     c.step();
-    CHECK_EQ(told, words{});
+    CHECK_EQ(hooks_called, words{});
     c.get<"breaking">().broken = true;
     c.step();
-    CHECK_EQ(told, words{"device fault", "other fault"});  // of resource nodes only: they reach the robot
-    told.clear();
+    CHECK_EQ(hooks_called,
+             words{"device fault", "other fault"});  // only resource nodes: they control the robot
+    hooks_called.clear();
     c.step();
     c.resume();
-    CHECK_EQ(told, words{});
+    CHECK_EQ(hooks_called, words{});
     c.stop();
-    CHECK_EQ(told, words{"first stop", "deep stop"});
-    told.clear();
+    CHECK_EQ(hooks_called, words{"first stop", "deep stop"});
+    hooks_called.clear();
     c.save();
-    CHECK_EQ(told, words{"first save", "deep save"});
+    CHECK_EQ(hooks_called, words{"first save", "deep save"});
   }
 
-  TEST_CASE("stopped and started again it goes on where it was") {
+  TEST_CASE("after stop() and start() it goes on where it was") {
     auto c = started<whole>();
     c.run(cca::for_beats<5>{});
     c.stop();

@@ -1,4 +1,4 @@
-// Listening to a scope: from inside by a port, from outside by the controller.
+// Observing a scope: inside the graph by a port, outside by the controller.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -17,14 +17,14 @@ struct state_of_it {
 };
 
 // [observe]
-struct recorder {  // notes what changes under `leg`, whatever it is
+struct recorder {  // records every change under `leg`
   void process(cca::observe<"leg.*"> all, cca::beat now) {
     for (const cca::observation& one : all)
-      if (one.fresh) heard[std::string(one.path)] = {one.values.begin(), one.values.end()};
+      if (one.fresh) recorded[std::string(one.path)] = {one.values.begin(), one.values.end()};
     ++fired;
     beat = now.index();
   }
-  std::map<std::string, std::vector<double>> heard;
+  std::map<std::string, std::vector<double>> recorded;
   int fired = 0;
   std::int64_t beat = -1;
 };
@@ -39,14 +39,14 @@ struct watched : cca::graph<cca::rate<1000>,
                             cca::node<"leg", leg>,
                             cca::node<"recorder", recorder>,
                             cca::wire<"counter.y", "leg.x", cca::latest>,
-                            cca::observe<"leg.state.*">> {};  // also from outside: c.observed(...)
+                            cca::observe<"leg.state.*">> {};  // for use outside of the graph: c.observed(...)
 // [observe end]
 
 struct late_recorder {
   void process(cca::observe<"leg.*", cca::delayed<2>> all, cca::beat now) {
-    for (const auto& one : all) heard.push_back({now.index(), one.values[0], one.origin, one.fresh});
+    for (const auto& one : all) recorded.push_back({now.index(), one.values[0], one.origin, one.fresh});
   }
-  std::vector<seen> heard;
+  std::vector<seen> recorded;
 };
 struct late : cca::graph<cca::rate<1000>,
                          cca::node<"counter", counter>,
@@ -57,52 +57,52 @@ struct late : cca::graph<cca::rate<1000>,
 }  // namespace
 
 TEST_SUITE("observing") {
-  TEST_CASE("a port that listens to a scope") {
+  TEST_CASE("a port that observes a scope") {
     auto c = started<watched>();
     c.step();
     const auto& r = c.get<"recorder">();
     CHECK_EQ(r.fired, 1);
-    CHECK_EQ(r.heard.size(), 2);
-    CHECK_EQ(r.heard.at("leg.slow.y"), std::vector<double>{1});
-    CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1, -1});
+    CHECK_EQ(r.recorded.size(), 2);
+    CHECK_EQ(r.recorded.at("leg.slow.y"), std::vector<double>{1});
+    CHECK_EQ(r.recorded.at("leg.state.state"), std::vector<double>{1, -1});
     c.run(cca::for_beats<2>{});
-    CHECK_EQ(r.fired, 1);  // restless: nothing fresh, no firing
+    CHECK_EQ(r.fired, 1);  // restless: without a fresh input it does not fire
     c.step();
     CHECK_EQ(r.fired, 2);
     CHECK_EQ(r.beat, 3);
-    CHECK_EQ(r.heard.at("leg.state.state"), std::vector<double>{1 + 4, -1 - 4});
+    CHECK_EQ(r.recorded.at("leg.state.state"), std::vector<double>{1 + 4, -1 - 4});
   }
 
-  TEST_CASE("from outside, between two beats") {
+  TEST_CASE("outside of the graph, between two beats") {
     auto c = started<watched>();
-    std::vector<std::string> heard;
+    std::vector<std::string> recorded;
     const auto listen = [&] {
-      heard.clear();
+      recorded.clear();
       c.observed([&](const cca::observation& one) {
-        heard.push_back(std::string(one.path) + " " + std::to_string(static_cast<int>(one.values[1])) +
-                        (one.fresh ? " fresh" : "") +
-                        (one.origin == cca::never ? " never" : " " + std::to_string(one.origin)));
+        recorded.push_back(std::string(one.path) + " " + std::to_string(static_cast<int>(one.values[1])) +
+                           (one.fresh ? " fresh" : "") +
+                           (one.origin == cca::never ? " never" : " " + std::to_string(one.origin)));
       });
     };
     listen();
-    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state 0 never"});
+    CHECK_EQ(recorded, std::vector<std::string>{"leg.state.state 0 never"});
     c.step();
     listen();
-    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -1 fresh 0"});
+    CHECK_EQ(recorded, std::vector<std::string>{"leg.state.state -1 fresh 0"});
     c.run(cca::for_beats<2>{});
     listen();
-    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -1 0"});
+    CHECK_EQ(recorded, std::vector<std::string>{"leg.state.state -1 0"});
     c.step();
     listen();
-    CHECK_EQ(heard, std::vector<std::string>{"leg.state.state -5 fresh 3000000"});
+    CHECK_EQ(recorded, std::vector<std::string>{"leg.state.state -5 fresh 3000000"});
   }
 
   TEST_CASE("with a delay") {
     auto c = started<late>();
     c.run(cca::for_beats<6>{});
     std::vector<seen> slow;
-    for (std::size_t i = 0; i < c.get<"recorder">().heard.size(); i += 2)
-      slow.push_back(c.get<"recorder">().heard[i]);
+    for (std::size_t i = 0; i < c.get<"recorder">().recorded.size(); i += 2)
+      slow.push_back(c.get<"recorder">().recorded[i]);
     REQUIRE_EQ(slow.size(), 6);
     CHECK_EQ(slow[1], seen{1, 0, cca::never, false});
     CHECK_EQ(slow[2], seen{2, 1, 0, true});

@@ -14,7 +14,7 @@ struct load : cca::space<cca::number, cca::axes<cca::x>> {};
 struct contact : cca::space<cca::status, cca::axes<cca::x>> {};
 
 // [component]
-// Tells stance from swing by the load on a foot.
+// Decides between stance and swing by the load on a foot.
 struct touch_down {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0.0, 100.0>, threshold));
@@ -23,9 +23,8 @@ struct touch_down {
 
   auto process(cca::in<"load", load> now_on, cca::optional_in<"tare", load> tare)
       -> cca::maybe<"contact", contact> {
-    const bool stands =
-        now_on[cca::x{}] - tare[cca::x{}] > p.threshold;  // an input that is not wired is zero
-    if (stands == stood) return {};                       // nothing new: nothing is published
+    const bool stands = now_on[cca::x{}] - tare[cca::x{}] > p.threshold;  // an unwired input is zero
+    if (stands == stood) return {};                                       // no change: publish nothing
     stood = stands;
     return stands ? 1 : 0;
   }
@@ -59,7 +58,7 @@ struct pair {
   std::vector<std::int64_t> fired;
 };
 
-struct every_third_a {  // one's own: a look at the beat, at freshness, origins and values
+struct every_third_a {  // your own: it may look at the beat, freshness, origins and values
   template <class Inputs>
   static bool fires(cca::beat, const Inputs& in) {
     return in.template get<"a">().fresh() && std::fmod(in.template get<"a">()[cca::x{}], 3) == 0;
@@ -128,7 +127,7 @@ struct following
                  cca::node<"follow", controlled, cca::port_triggered<"is">>,
                  cca::node<"log", journal>,
                  cca::wire<"camera.seen", "filter.x", cca::latest>,
-                 cca::wire<"wish.wanted", "follow.wanted", cca::latest>,  // 100 Hz, read at 50: say so
+                 cca::wire<"wish.wanted", "follow.wanted", cca::latest>,  // 100 Hz, read at 50 Hz: state it
                  cca::wire<"filter.y", "follow.is">,
                  cca::wire<"follow.y", "log.x", cca::queue<4, cca::drop_oldest>>,
                  cca::require<cca::latency<"camera.seen", "follow.is">, cca::beats<2>>> {};
@@ -186,12 +185,12 @@ TEST_SUITE("pages") {
     c.load();                 // created -> loaded: parameters
     c.start();                // loaded -> started
     c.step();                 // one beat
-    c.run(cca::for_<0.5>{});  // half a second of virtual time, as fast as it goes
+    c.run(cca::for_<0.5>{});  // half a second of virtual time, as fast as possible
     c.run(cca::for_beats<4>{}, cca::at_wall_clock(), [](auto& running) {
       if (running.beat_index() == 52) running.template get<"camera">().frames = 0;  // between two beats
     });
 
-    const cca::controller<following> snapshot = c;  // a value: its copy is a snapshot
+    const cca::controller<following> snapshot = c;  // a controller is a value: a copy is a snapshot
     c.run(cca::for_<10>{});
     c = snapshot;  // back to beat 55
     // [controller end]

@@ -36,7 +36,7 @@ static_assert(std::is_same_v<decltype(std::declval<const controller&>().get<"cou
 }  // namespace
 
 TEST_SUITE("paths and parameters") {
-  TEST_CASE("a component by its path, in one step or by way of its graph") {
+  TEST_CASE("a component by its path, in one step or through its graph") {
     auto c = started<outer>();
     c.step();
     CHECK_EQ(c.get<"counter">().value, 1);
@@ -50,7 +50,7 @@ TEST_SUITE("paths and parameters") {
     CHECK_NE(&copy.get<"counter">(), &c.get<"counter">());
   }
 
-  TEST_CASE("all of them, depth first in the order of declaration") {
+  TEST_CASE("all components, depth first in the order of declaration") {
     auto c = started<outer>();
     std::vector<std::string> paths;
     std::vector<const void*> at;
@@ -66,11 +66,11 @@ TEST_SUITE("paths and parameters") {
     CHECK_EQ(count, 4);
   }
 
-  TEST_CASE("parameters are set whole, between two beats, and checked before") {
+  TEST_CASE("parameters are checked, then all set, between two beats") {
     auto c = started<outer>();
     c.run(cca::for_beats<5>{}, cca::as_fast_as_possible{}, [](auto& running) {
       if (running.beat_index() == 3)
-        running.template set<"middle.wave">(wave::parameters{0, 3});  // also while it runs
+        running.template set<"middle.wave">(wave::parameters{0, 3});  // while it runs, too
     });
     CHECK_EQ(c.get<"middle.wave">().p.offset, 3);
     CHECK_EQ(c.get<"middle.inner.wave">().p.offset, 0);
@@ -82,7 +82,7 @@ TEST_SUITE("paths and parameters") {
     CHECK_NE(refuse(11, 0).find("11 is out of range, expected 0 to 10"), std::string::npos);
     CHECK_NE(refuse(9, -2).find("the wave would leave its range"), std::string::npos);
     CHECK_NE(refuse(1, std::nan("")).find("nan is not allowed, expected a finite number"), std::string::npos);
-    CHECK_EQ(c.get<"middle.wave">().p.amplitude, 0);  // the old ones, all of them
+    CHECK_EQ(c.get<"middle.wave">().p.amplitude, 0);  // all old values
     CHECK_EQ(c.get<"middle.wave">().p.offset, 3);
     CHECK_EQ(c.state(), cca::state::started);
   }

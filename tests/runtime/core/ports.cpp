@@ -1,5 +1,4 @@
-// Ports: initial values, inputs that need not be wired, outputs that are not always published, origins,
-// resource nodes.
+// Ports: initial values, optional inputs, outputs that publish only sometimes, origins, resource nodes.
 #include <doctest/doctest.h>
 
 #include "counting.hpp"
@@ -47,7 +46,7 @@ struct sometimes : cca::graph<cca::rate<1000>,
                               cca::wire<"odd.all", "late.x", cca::delayed<2>, cca::initial<7>>,
                               cca::wire<"silent.y", "never.x", cca::latest, cca::initial<-2.5>>> {};
 
-struct older {  // says itself where its data come from
+struct older {  // sets the origin of its samples itself
   auto process(cca::beat now) -> cca::out<"y", reading> {
     cca::out<"y", reading> y = 1.0;
     y.with_origin(now.time() - 5);
@@ -63,7 +62,7 @@ struct origins : cca::graph<cca::rate<1000>,
                             cca::wire<"slow.y", "both.gain", cca::latest>,
                             cca::wire<"both.y", "log.x">> {};
 
-// A robot that is a graph: a bus that alone knows the device, and a joint that speaks for it.
+// A robot that is a graph: only the bus talks to the device; the joint has its ports.
 struct bus {
   auto sense() -> cca::out<"raw", reading> { return device; }
   void act(cca::in<"raw", reading> to) { device = to[cca::x{}]; }
@@ -116,23 +115,23 @@ TEST_SUITE("ports") {
     auto c = started<unturned>();
     c.step();
     const cca::sample<attitude> zero;
-    CHECK_EQ(zero.vector().norm(), 1);  // no turn at all
+    CHECK_EQ(zero.vector().norm(), 1);  // the identity
     REQUIRE_EQ(c.get<"facing">().all.size(), 4);
     for (const auto& q : c.get<"facing">().all) CHECK_EQ(q, zero.vector());
   }
 
-  TEST_CASE("an input that need not be wired") {
+  TEST_CASE("an optional input") {
     auto c = started<optional>();
     c.run(cca::for_beats<3>{});
     CHECK(c.get<"with">().wired);
     CHECK_EQ(c.get<"with">().gain_seen, seen{0, 3, 2'000'000, true});
     CHECK_FALSE(c.get<"without">().wired);
     CHECK_EQ(c.get<"without">().gain_seen, seen{0, 0, cca::never, false});
-    CHECK_FALSE(c.get<"moderate">().wired);  // and did fire
+    CHECK_FALSE(c.get<"moderate">().wired);  // but it fired
     CHECK_EQ(c.get<"moderate">().gain_seen.origin, cca::never);
   }
 
-  TEST_CASE("an output that is not always published, and initial values") {
+  TEST_CASE("a maybe output, and initial values") {
     auto c = started<sometimes>();
     c.run(cca::for_beats<4>{});
     constexpr std::int64_t ms = 1'000'000;
@@ -146,7 +145,7 @@ TEST_SUITE("ports") {
     CHECK_EQ(c.get<"never">().all.back(), seen{3, -2.5, cca::never, false});
   }
 
-  TEST_CASE("a sample originates at the oldest origin that it was made from") {
+  TEST_CASE("a sample takes the oldest origin of the inputs") {
     auto c = started<origins>();
     c.run(cca::for_beats<6>{});
     std::vector<std::int64_t> all;

@@ -1,4 +1,4 @@
-// Running: for a time, in steps, at any pace, with the same results.
+// Running for a time, in steps and at any pace gives the same results.
 #include <doctest/doctest.h>
 
 #include <sys/wait.h>
@@ -31,7 +31,7 @@ struct thrower {
 };
 struct throwing : cca::graph<cca::rate<1000>, cca::node<"thrower", thrower>> {};
 
-// How a process ends in which f() is called: with 0 where it returns, 1 where it throws, 2 by std::terminate.
+// How a process that calls f() ends: 0 if f returns, 1 if it throws, 2 if it calls std::terminate.
 template <class F>
 int end_of(F f) {
   const pid_t child = fork();
@@ -59,7 +59,7 @@ double seconds_of(F f) {
 static_assert(noexcept(std::declval<cca::controller<counting>&>().step()));
 
 TEST_SUITE("running") {
-  TEST_CASE("for a time") {
+  TEST_CASE("run for a time") {
     auto c = started<counting>();
     CHECK_EQ(c.run(cca::for_<2>{}), cca::state::started);
     CHECK_EQ(c.beat_index(), 2000);
@@ -84,7 +84,7 @@ TEST_SUITE("running") {
     CHECK_EQ(c.beat_index(), 30);
   }
 
-  TEST_CASE("between two beats") {
+  TEST_CASE("a function between two beats") {
     auto c = started<counting>();
     std::vector<std::int64_t> indices;
     c.run(cca::for_beats<4>{}, cca::as_fast_as_possible{}, [&](auto& running) {
@@ -94,7 +94,7 @@ TEST_SUITE("running") {
     CHECK_EQ(indices, std::vector<std::int64_t>{1, 2, 3, 4});
   }
 
-  TEST_CASE("at any pace, the same results") {
+  TEST_CASE("the same results at any pace") {
     auto fast = started<counting>(), slow = fast, quick = fast, stepped = fast;
     fast.run(cca::for_beats<60>{});
     CHECK_GE(seconds_of([&] { slow.run(cca::for_beats<60>{}, cca::at_speed(0.5)); }),
@@ -113,17 +113,17 @@ TEST_SUITE("running") {
     CHECK_EQ(fast.get<"log">().all, stepped.get<"log">().all);
   }
 
-  TEST_CASE("a pace that is none is refused") {
+  TEST_CASE("an invalid pace is refused") {
     for (const double none : {0.0, -1.0, std::nan("")})
       CHECK_EQ(words_of([&] { cca::at_speed{none}; }),
                "cca::at_speed: " + std::to_string(none) + " is no pace, expected a number above 0");
     auto c = started<counting>();
-    c.run(cca::for_beats<1>{}, cca::at_speed(1e-300));  // the first beat begins at once, however slow it is
+    c.run(cca::for_beats<1>{}, cca::at_speed(1e-300));  // the first beat begins at once at any speed
     c.run(cca::for_beats<3>{}, cca::at_speed(1e300));
     CHECK_EQ(c.beat_index(), 4);
   }
 
-  TEST_CASE("before start() nothing fires") {
+  TEST_CASE("nothing fires before start()") {
     cca::controller<counting> c;
     CHECK_FALSE(c.step());
     c.load();
@@ -132,7 +132,7 @@ TEST_SUITE("running") {
     CHECK_EQ(c.beat_index(), 0);
   }
 
-  TEST_CASE("an exception that leaves a component ends the program, whoever asked for the beat") {
+  TEST_CASE("an exception from a component ends the program, however the beat was started") {
     CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<2>{}); }), 0);
     CHECK_EQ(end_of([] { started<throwing>().run(cca::for_beats<3>{}); }), 2);
     CHECK_EQ(end_of([] {

@@ -1,4 +1,4 @@
-// A controller is a value: a copy is a snapshot, and two copies stepped alike stay equal to the bit.
+// A controller is a value: a copy is a snapshot, and two copies with the same steps stay equal to the bit.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -12,7 +12,7 @@ using namespace core_test;
 namespace {
 
 // [snapshot]
-struct noise {  // the state of a random generator is a part of the snapshot, like any other
+struct noise {  // the snapshot includes the state of a random generator
   auto process() -> cca::maybe<"y", reading> {
     if (random() % 3 == 0) return {};
     return std::uniform_real_distribution<double>(-1, 1)(random);
@@ -21,7 +21,7 @@ struct noise {  // the state of a random generator is a part of the snapshot, li
 };
 // [snapshot end]
 
-struct brave {  // a strategy of one's own that depends on values
+struct brave {  // a strategy of the test's own that depends on values
   template <class Inputs>
   static bool fires(cca::beat now, const Inputs& in) {
     return in.template get<"x">()[cca::x{}] > 0 || now.index() % 7 == 0;
@@ -40,7 +40,7 @@ struct sum {
   }
 };
 
-// Queues, delays, samples that come now and then, strategies known only at run time, all of them with memory.
+// Queues, delays, occasional samples and strategies decided at run time: all have a state.
 struct rich : cca::graph<cca::rate<500>,
                          cca::node<"noise", noise>,
                          cca::node<"counter", counter, cca::timed<3>>,
@@ -75,7 +75,7 @@ struct rich : cca::graph<cca::rate<500>,
                          cca::wire<"matched.y", "log5.x">,
                          cca::wire<"feedback.y", "log6.x">> {};
 
-// All that was logged, as bits.
+// Everything that was logged, as bits.
 std::vector<std::uint64_t> bits_of(const cca::controller<rich>& c) {
   std::vector<std::uint64_t> bits;
   c.for_each_component([&]<class C>(std::string_view, const C& component) {
@@ -95,7 +95,7 @@ struct plain : cca::graph<cca::rate<1000>,
 static_assert(std::is_trivially_copyable_v<cca::controller<plain>>,
               "a controller of trivial components is one too");
 
-struct holder {  // can't be copied, so neither can a controller that holds it; but moved
+struct holder {  // can be moved but not copied, and so can a controller that holds it
   auto process() -> cca::out<"y", reading> { return ++*value; }
   std::unique_ptr<double> value = std::make_unique<double>(0);
 };
@@ -108,7 +108,7 @@ static_assert(std::is_copy_constructible_v<cca::controller<rich>> &&
 }  // namespace
 
 TEST_SUITE("snapshots") {
-  TEST_CASE("two copies stepped alike, from any beat on") {
+  TEST_CASE("two copies with the same steps, from any beat on") {
     auto c = started<rich>();
     for (const int beats : {0, 1, 2, 3, 7, 50, 100}) {
       c.run(cca::for_some_beats{beats});
@@ -123,12 +123,11 @@ TEST_SUITE("snapshots") {
     }
     c.for_each_component([]<class C>(std::string_view path, const C& component) {
       CAPTURE(std::string(path));
-      if constexpr (std::is_same_v<C, journal>)
-        CHECK_GT(component.all.size(), 3);  // each of them had something to tell
+      if constexpr (std::is_same_v<C, journal>) CHECK_GT(component.all.size(), 3);  // each logged something
     });
   }
 
-  TEST_CASE("back to a snapshot") {
+  TEST_CASE("going back to a snapshot") {
     auto c = started<rich>();
     c.run(cca::for_beats<33>{});
     const auto snapshot = c;

@@ -1,4 +1,4 @@
-// A controller that one translation unit makes and another one steps.
+// One translation unit makes a controller, another one steps it.
 #include <doctest/doctest.h>
 
 #include "two_units.hpp"

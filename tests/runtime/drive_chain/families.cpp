@@ -1,5 +1,5 @@
-// One robot, a family of drives at each joint: moteus on CAN FD, ODrive, CiA 402 with its SYNC, MIT; with
-// eight plain motors for mechanics.
+// One robot with several families of drives: moteus on CAN FD, ODrive, CiA 402 with its SYNC, MIT. Eight
+// plain motors are its mechanics.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <cca/cca.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/oncilla.hpp>
-#include <cca/hardware/virtual_of.hpp>
+#include <cca/hardware/virtual_drives/virtual_of.hpp>
 #include <cca/hardware/virtual_robot.hpp>
 
 namespace {
@@ -70,7 +70,7 @@ struct robot : hw::oncilla<wire::end_type,
 
 using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
 static_assert(plan::load<0> < 0.6);
-static_assert(plan::load<2> > 0.75 && plan::load<2> < 0.9);                  // its SYNC counted once
+static_assert(plan::load<2> > 0.75 && plan::load<2> < 0.9);                  // SYNC counts once
 static_assert(plan::requests<2>.count == 4 && plan::replies<2>.count == 8);  // with NMT and SYNC
 static_assert(hw::cycle_ends<3, left_front_knee, right_front_knee>()[2].size() == 1);
 
@@ -148,7 +148,7 @@ public:
   int syncs = 0;
 
 private:
-  // The robot's knees are pulled by a cable against a spring.
+  // A cable pulls the robot's knees against a spring.
   static constexpr bool is_pulled(std::size_t i) { return joints::torque[i].lower >= 0; }
   double spring(std::size_t i) const { return is_pulled(i) ? 2 * (start_at(i) - motors[i].now.position) : 0; }
   void go_to(std::int64_t time) {
@@ -163,7 +163,7 @@ private:
 }  // namespace
 
 TEST_SUITE("families of drives") {
-  TEST_CASE("a robot of all families is enabled, and each joint goes where it is told, softly") {
+  TEST_CASE("a robot with all families is enabled, and each joint goes softly to its command") {
     lab l;
     l.controller.start();
     double fastest = 0;
@@ -176,7 +176,7 @@ TEST_SUITE("families of drives") {
     CHECK(l.stop().first_cause().rule == hw::safety_rule::none);
     CHECK(l.all_there());
     CHECK(fastest < 3);
-    CHECK(l.syncs >= 1990);  // one a beat on the bus of two that need it
+    CHECK(l.syncs >= 1990);  // one a beat for both drives on this bus
     CHECK(l.syncs <= 2000);
     for (auto& w : l.wires) CHECK(w.end(0).counters().dropped_full == 0);
     l.controller.stop();
@@ -185,8 +185,7 @@ TEST_SUITE("families of drives") {
   }
 
   TEST_CASE(
-      "a drive of any family that fails, falls silent or reboots: all give way, and a start brings them "
-      "back") {
+      "if a drive of any family fails, falls silent or reboots, all give way, and a start brings them back") {
     const auto check = []<std::size_t Drive>(std::index_sequence<Drive>, std::uint32_t code) {
       CAPTURE(Drive);
       lab l;
@@ -201,7 +200,7 @@ TEST_SUITE("families of drives") {
         CHECK(l.stop().first_cause().joint == joint);
         CHECK(l.all_give_way());
         CHECK_MESSAGE(l.laws[1].damping > 0,
-                      "a moteus damps by its brake, since a set-point without stiffness would not");
+                      "a moteus damps by its brake, since a set point without stiffness does not damp it");
         drive.clear();
         l.beats(50);
         CHECK(l.all_give_way());
@@ -212,12 +211,12 @@ TEST_SUITE("families of drives") {
         CHECK(l.all_there());
       };
       drive.fail(code);
-      l.beats(110);  // an ODrive tells of it in its next heartbeat
+      l.beats(110);  // an ODrive reports it in its next heartbeat
       recovers(hw::safety_rule::drive_fault, static_cast<int>(Drive));
       drive.go_silent(true);
       l.beats(6);
       CHECK_MESSAGE(l.stop().mode() == hw::motion_mode::damped, "three beats of silence are enough");
-      l.beats(64);  // one that hears no set-point but the one that damps has its own watchdog
+      l.beats(64);  // meanwhile the drive's own watchdog runs out
       recovers(hw::safety_rule::silent, static_cast<int>(Drive));
       drive.reboot(l.now, 100'000'000);
       l.beats(200);
@@ -231,9 +230,7 @@ TEST_SUITE("families of drives") {
     check(std::index_sequence<6>(), 2);
   }
 
-  TEST_CASE(
-      "a drive that no longer knows how fast it goes trips after three answers, and all are told to give "
-      "way") {
+  TEST_CASE("a drive that no longer reports its velocity trips after three answers, and all give way") {
     for (const std::size_t drive : {2u, 3u}) {
       CAPTURE(drive);
       lab l;
@@ -256,7 +253,7 @@ TEST_SUITE("families of drives") {
     }
   }
 
-  TEST_CASE("a drive that does not know how fast it goes is not enabled") {
+  TEST_CASE("a drive that does not report its velocity is not enabled") {
     lab l;
     l.without_speed[2] = true;
     l.controller.start();

@@ -1,5 +1,6 @@
-// The guards in front of the drives, each alone: what passes, what is changed to what, and what is kept of
-// it. The numbers are those of two joints made for this, and computed here, not asked of the guards.
+// The guards in front of the drives, one at a time: what passes, what they change and how, and what they
+// record. The numbers belong to two joints made for this test; the expected results are computed here, not
+// taken from the guards.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -8,9 +9,9 @@
 #include <doctest/doctest.h>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/bounds.hpp>
-#include <cca/hardware/emergency_stop.hpp>
-#include <cca/hardware/guards.hpp>
+#include <cca/hardware/safety/bounds.hpp>
+#include <cca/hardware/safety/emergency_stop.hpp>
+#include <cca/hardware/safety/guards.hpp>
 #include <cca/hardware/mit.hpp>
 
 namespace {
@@ -78,10 +79,10 @@ double torque_made(const hw::set_point& s, const hw::joint_state& q) {
   return s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
 }
 
-// What the limits make of one set-point of a joint, and what they tell of it.
+// What the limits make of one set point of a joint, and what they record.
 struct limited {
   hw::set_point safe;
-  hw::safety_record told;
+  hw::safety_record record;
 };
 template <std::size_t Joint = 0>
 limited limit(const hw::set_point& s, const hw::joint_state& q, std::int64_t beat = 0) {
@@ -90,19 +91,19 @@ limited limit(const hw::set_point& s, const hw::joint_state& q, std::int64_t bea
   measured where = in_the_middle;
   all[Joint] = s, where[Joint] = q;
   const both safe = pass(g, all, where, beat);
-  CHECK_MESSAGE(same(safe[1 - Joint], none[1 - Joint]), "the other joint is left as it is");
+  CHECK_MESSAGE(same(safe[1 - Joint], none[1 - Joint]), "the other joint stays as it is");
   return {safe[Joint], g.record()};
 }
 
-void tells(const hw::safety_record& r, safety_rule rule, int joint, std::int64_t beat, std::int64_t count) {
+void records(const hw::safety_record& r, safety_rule rule, int joint, std::int64_t beat, std::int64_t count) {
   CHECK(r.first.rule == rule);
   CHECK(r.first.joint == joint);
   CHECK(r.first.beat == beat);
   CHECK(r.count == count);
 }
-void tells_nothing(const hw::safety_record& r) { tells(r, safety_rule::none, -1, -1, 0); }
+void records_nothing(const hw::safety_record& r) { records(r, safety_rule::none, -1, -1, 0); }
 
-// A number of a set-point without any other: what becomes of it at, inside and beyond its limits.
+// One number of a set point, all others 0, at, inside and beyond its limits.
 void holds(double hw::set_point::* number, double lower, double upper, safety_rule rule) {
   const double inside = (lower + upper) / 2;
   const auto becomes = [&](double wanted, double expected) {
@@ -113,8 +114,8 @@ void holds(double hw::set_point::* number, double lower, double upper, safety_ru
     hw::set_point should;
     should.*number = expected;
     CHECK(same(l.safe, should));
-    if (wanted == expected) tells_nothing(l.told);
-    else tells(l.told, rule, 0, 7, 1);
+    if (wanted == expected) records_nothing(l.record);
+    else records(l.record, rule, 0, 7, 1);
   };
   for (const double x : {lower, inside, upper}) becomes(x, x);
   for (const double over : {1e-9, 1.0, 1e12}) becomes(lower - over, lower), becomes(upper + over, upper);
@@ -124,20 +125,18 @@ void holds(double hw::set_point::* number, double lower, double upper, safety_ru
 }  // namespace
 
 TEST_SUITE("guards") {
-  TEST_CASE("limits: each number at, inside and beyond its own") {
+  TEST_CASE("limits: each number at, inside and beyond its limits") {
     holds(&hw::set_point::position, -1, 2, safety_rule::range);
     holds(&hw::set_point::velocity, -3, 4, safety_rule::range);
     holds(&hw::set_point::stiffness, 0, 50, safety_rule::range);
     holds(&hw::set_point::damping, 0, 5, safety_rule::range);
     holds(&hw::set_point::torque, -5, 6, safety_rule::torque);
-    // A joint that never reaches 0: what is no number is its nearest end.
+    // For a joint that never reaches 0, a number that is not finite becomes the nearest end.
     for (const double x : {no_number, inf, -inf})
       CHECK(limit<1>({{.position = x}}, at(1)).safe.position == 0.5);
   }
 
-  TEST_CASE(
-      "limits: the torque that the drive will make stays within its limits, the law as a whole being "
-      "scaled") {
+  TEST_CASE("limits: the torque that the drive will make stays within its limits: the whole law is scaled") {
     const auto makes = [](const hw::set_point& s, const hw::joint_state& q, double expected) {
       const limited l = limit(s, q, 3);
       const double wanted = torque_made(s, q);
@@ -147,13 +146,13 @@ TEST_SUITE("guards") {
       CHECK(l.safe.velocity == s.velocity);
       if (wanted == expected) {
         CHECK(same(l.safe, s));
-        tells_nothing(l.told);
+        records_nothing(l.record);
       } else {
         const double part = expected / wanted;
         CHECK(l.safe.stiffness == doctest::Approx(part * s.stiffness));
         CHECK(l.safe.damping == doctest::Approx(part * s.damping));
         CHECK(l.safe.torque == doctest::Approx(part * s.torque));
-        tells(l.told, safety_rule::torque, 0, 3, 1);
+        records(l.record, safety_rule::torque, 0, 3, 1);
       }
     };
     makes({{.position = 0.5, .stiffness = 8}}, at(0), 4);
@@ -166,8 +165,8 @@ TEST_SUITE("guards") {
     makes({{.position = 0.25, .velocity = 1, .torque = 2, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 0.25, .velocity = 1, .torque = 3, .stiffness = 8, .damping = 2}}, at(0), 6);
     makes({{.position = 2, .torque = -3, .stiffness = 4}}, at(0),
-          5);  // together they may, though apart they might not
-    // Where the joint is and how fast it goes is counted, not what is wanted alone.
+          5);  // together they are within the limits, one alone would not be
+    // The law counts where the joint is and how fast it moves, not only the command.
     makes({{.position = 1.5, .stiffness = 8}}, at(1), 4);
     makes({{.position = 0, .velocity = 2, .damping = 4}}, at(0, 1), 4);
   }
@@ -176,7 +175,7 @@ TEST_SUITE("guards") {
     const auto stop = [](double angle, double torque, bool may) {
       CAPTURE(angle);
       CAPTURE(torque);
-      // The ways in which a set-point makes a torque.
+      // The ways in which a set point makes a torque.
       const std::array<std::pair<hw::set_point, hw::joint_state>, 3> ways{{
           {{{.torque = torque}}, at(angle)},
           {{{.position = torque > 0 ? 2.0 : -1.0, .torque = torque, .stiffness = 0.001}}, at(angle)},
@@ -186,12 +185,12 @@ TEST_SUITE("guards") {
         const limited l = limit(s, q, 9);
         if (may) {
           CHECK(same(l.safe, s));
-          tells_nothing(l.told);
+          records_nothing(l.record);
         } else {
           CHECK(l.safe.stiffness == 0);
           CHECK(l.safe.damping == 0);
           CHECK(l.safe.torque == 0);
-          tells(l.told, safety_rule::stop, 0, 9, 1);
+          records(l.record, safety_rule::stop, 0, 9, 1);
         }
       }
     };
@@ -207,7 +206,7 @@ TEST_SUITE("guards") {
       stop(angle, 1, true);
       stop(angle, -1, true);
     }
-    // Beyond it, back with all the torque that there is and no more.
+    // Beyond it, at most the largest torque that leads back.
     CHECK(limit({{.position = 2, .stiffness = 50}}, at(2.5)).safe.stiffness ==
           doctest::Approx(10));  // -25 becomes -5
     CHECK(limit({{.position = -1, .stiffness = 50}}, at(-1.5)).safe.stiffness ==
@@ -220,8 +219,8 @@ TEST_SUITE("guards") {
       CAPTURE(torque);
       const limited l = limit({{.torque = torque}}, at(0, velocity), 5);
       CHECK(l.safe.torque == expected);
-      if (torque == expected) tells_nothing(l.told);
-      else tells(l.told, safety_rule::torque, 0, 5, 1);
+      if (torque == expected) records_nothing(l.record);
+      else records(l.record, safety_rule::torque, 0, 5, 1);
     };
     for (const double torque : {1.0, -1.0}) gets(4, torque, torque), gets(-3, torque, torque);
     for (const double velocity : {4 + 1e-9, 9.0}) gets(velocity, 1, 0), gets(velocity, -1, -1);
@@ -229,48 +228,51 @@ TEST_SUITE("guards") {
     CHECK(limit({{.damping = 0.5}}, at(0, 9)).safe.damping == 0.5);
   }
 
-  TEST_CASE("limits: a joint that can only be pulled is asked to push: it gets nothing, and nobody is told") {
+  TEST_CASE(
+      "limits: a joint that can only be pulled gets nothing where a push is wanted, and nothing is "
+      "recorded") {
     const auto gets = [](double torque, const hw::joint_state& q, double expected) {
       const limited l =
           limit<1>({{.position = q.angle, .velocity = 1, .torque = torque, .damping = 0}}, q, 6);
       CHECK(l.safe.torque == expected);
-      return l.told;
+      return l.record;
     };
-    tells_nothing(gets(7, at(1), 7));
-    tells(gets(7.5, at(1), 7), safety_rule::torque, 1, 6, 1);
+    records_nothing(gets(7, at(1), 7));
+    records(gets(7.5, at(1), 7), safety_rule::torque, 1, 6, 1);
     const hw::set_point pushing{{.position = 0.5, .stiffness = 10}};
     const limited l = limit<1>(pushing, at(1));
     CHECK(l.safe.stiffness == 0);
-    tells_nothing(l.told);
-    tells(gets(1, at(1.5), 0), safety_rule::stop, 1, 6, 1);
-    tells_nothing(gets(1, at(0.5), 1));                     // out of its lower end
-    CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // what leads it back is its spring
+    records_nothing(l.record);
+    records(gets(1, at(1.5), 0), safety_rule::stop, 1, 6, 1);
+    records_nothing(gets(1, at(0.5), 1));                   // away from its lower end
+    CHECK(limit<1>(pushing, at(1.5)).safe.stiffness == 0);  // its spring leads it back
   }
 
-  TEST_CASE("limits: where a joint is unknown, its law cannot be judged, its numbers can") {
+  TEST_CASE("limits: without a measured angle the law can't be judged, but the numbers can") {
     const hw::set_point strong{{.position = 2, .velocity = 4, .torque = 6, .stiffness = 50, .damping = 5}};
     const limited l = limit(strong, at(no_number));
     CHECK(same(l.safe, strong));
-    tells_nothing(l.told);
+    records_nothing(l.record);
   }
 
-  TEST_CASE("limits: of all that was changed the first is kept, until the next start") {
+  TEST_CASE("limits: the first change is kept until the next start") {
     hw::limit_guard<joints> g;
     pass(g, none, in_the_middle, 16);
-    tells_nothing(g.record());
+    records_nothing(g.record());
     pass(g, {none[0], {{.position = 9}}}, in_the_middle, 17);
-    tells(g.record(), safety_rule::range, 1, 17, 1);
+    records(g.record(), safety_rule::range, 1, 17, 1);
     pass(g, {hw::set_point{{.position = 9, .torque = 9}}, none[1]}, in_the_middle, 18);
-    tells(g.record(), safety_rule::range, 1, 17, 3);
+    records(g.record(), safety_rule::range, 1, 17, 3);
     g.on_start();
-    tells_nothing(g.record());
+    records_nothing(g.record());
     pass(g, {hw::set_point{{.torque = 9}}, none[1]}, in_the_middle, 2);
-    tells(g.record(), safety_rule::torque, 0, 2, 1);
+    records(g.record(), safety_rule::torque, 0, 2, 1);
   }
 
   TEST_CASE(
-      "rate: a start is from where the joint is, slowly, until the command is caught up; then as fast as the "
-      "axis") {
+      "rate: a start goes slowly from where the joint is until it has reached the command; then as fast as "
+      "the "
+      "axis may") {
     hw::rate_guard<joints> g;
     const auto to = [&](double position, std::int64_t beat, hw::motion_phase phase = running) {
       return pass(g, {hw::set_point{{.position = position}}, none[1]}, {at(0.25, 0, phase), at(1, 0, phase)},
@@ -285,23 +287,23 @@ TEST_SUITE("guards") {
     s = to(0.2505, 2);
     CHECK(s.position == 0.2505);
     CHECK_FALSE(g.approaching());
-    tells_nothing(g.record());     // a start is slow: no cause to tell of
-    s = to(0.2505 + 4 * 1e-3, 3);  // as fast as it may
+    records_nothing(g.record());   // a slow start is no violation
+    s = to(0.2505 + 4 * 1e-3, 3);  // as fast as the axis may
     CHECK(s.position == 0.2505 + 4 * 1e-3);
-    CHECK(s.velocity == 0);  // left as it was
-    tells_nothing(g.record());
+    CHECK(s.velocity == 0);  // unchanged
+    records_nothing(g.record());
     s = to(1, 4);
     CHECK(s.position == doctest::Approx(0.2585));
     CHECK(s.velocity == 4);
-    tells(g.record(), safety_rule::rate, 0, 4, 1);
+    records(g.record(), safety_rule::rate, 0, 4, 1);
     s = to(-1, 5);
     CHECK(s.position == doctest::Approx(0.2555));
     CHECK(s.velocity == -3);
     s = to(0.2555 - 1e-3, 6);
     CHECK(s.position == 0.2555 - 1e-3);
-    tells(g.record(), safety_rule::rate, 0, 4, 2);
+    records(g.record(), safety_rule::rate, 0, 4, 2);
     g.on_start();
-    tells_nothing(g.record());
+    records_nothing(g.record());
     CHECK(g.approaching());
   }
 
@@ -313,7 +315,7 @@ TEST_SUITE("guards") {
     CHECK(pass(g, {hw::set_point{{.position = -1}}, none[1]}, where)[0].position == -3 * 1e-3);
   }
 
-  TEST_CASE("rate: a pause of the loop gives no more than a beat's way") {
+  TEST_CASE("rate: after a pause of the loop a position moves by one beat's way at most") {
     hw::rate_guard<joints> g;
     const auto safe =
         g.act(as_wanted({hw::set_point{{.position = 1}}, none[1]}),
@@ -322,8 +324,9 @@ TEST_SUITE("guards") {
   }
 
   TEST_CASE(
-      "rate: the torque of a set-point by `torque_rate`, from nothing at a start; unstated, the whole range "
-      "in 10 ms") {
+      "rate: the torque of a set point follows `torque_rate`, from 0 at a start; without it, the whole range "
+      "in "
+      "10 ms") {
     hw::rate_guard<joints> g;
     const auto to = [&](double first, double second, std::int64_t beat, hw::motion_phase phase = running) {
       const both all{hw::set_point{{.torque = first}}, hw::set_point{{.position = 1, .torque = second}}};
@@ -332,21 +335,23 @@ TEST_SUITE("guards") {
     both safe = to(0.1, 0.7, 0, hw::motion_phase::begins);
     CHECK(safe[0].torque == 0.1);  // 100 N m/s
     CHECK(safe[1].torque == 0.7);  // 7 N m in 10 ms
-    tells_nothing(g.record());
+    records_nothing(g.record());
     safe = to(0.1, 5, 1);
     CHECK(safe[1].torque == doctest::Approx(1.4));
-    tells(g.record(), safety_rule::rate, 1, 1, 1);
+    records(g.record(), safety_rule::rate, 1, 1, 1);
     safe = to(5, -5, 2);
     CHECK(safe[0].torque == doctest::Approx(0.2));
     CHECK(safe[1].torque == doctest::Approx(0.7));
     safe = to(-5, 0.7, 3);
     CHECK(safe[0].torque == doctest::Approx(0.1));
-    tells(g.record(), safety_rule::rate, 1, 1, 4);
+    records(g.record(), safety_rule::rate, 1, 1, 4);
     safe = to(5, 0.7, 4, hw::motion_phase::begins);
     CHECK(safe[0].torque == doctest::Approx(0.1));
   }
 
-  TEST_CASE("rate: what may not run passes as it is, and the next run begins where the joint then is") {
+  TEST_CASE(
+      "rate: in other modes than `run` a set point passes unchanged, and the next run begins where the joint "
+      "then is") {
     hw::rate_guard<joints> g;
     const auto to = [&](const hw::set_point& s, const hw::joint_state& q) {
       return pass(g, {s, none[1]}, {q, at(1)})[0];
@@ -359,12 +364,12 @@ TEST_SUITE("guards") {
     CHECK(to(early, at(0.75)).position == -0.5 + 2 * 1e-3);
     CHECK(same(to(held, at(7)), held));
     CHECK(to({{.position = 0}}, at(0)).position == 2 - 2 * 1e-3);  // begins within the range
-    tells(g.record(), safety_rule::rate, 0, 0, 1);                 // the torque's
+    records(g.record(), safety_rule::rate, 0, 0, 1);               // by the torque
   }
 
   TEST_CASE(
-      "finite: NaN or infinity in any number: the last one that was goes on, without speed and torque, and "
-      "is marked") {
+      "finite: for NaN or infinity in any number the last finite set point goes on, without velocity and "
+      "torque, and is marked") {
     const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     for (const std::size_t joint : {0u, 1u})
       for (double hw::set_point::* number : {static_cast<double hw::set_point::*>(&hw::set_point::position),
@@ -377,7 +382,7 @@ TEST_SUITE("guards") {
           const both before = pass(g, good, 40);
           CHECK(same(before[0], good[0]));
           CHECK(same(before[1], good[1]));
-          tells_nothing(g.record());
+          records_nothing(g.record());
           both bad{hw::set_point{{9, 9, 9, 9, 9}}, hw::set_point{{9, 9, 9, 9, 9}}};
           const hw::set_point other = bad[1 - joint];
           bad[joint].*number = x;
@@ -387,20 +392,20 @@ TEST_SUITE("guards") {
           expected.velocity = expected.torque = 0;
           expected.mark = static_cast<double>(safety_rule::not_finite);
           CHECK(same(safe[joint], expected));
-          tells(g.record(), safety_rule::not_finite, static_cast<int>(joint), 41, 1);
+          records(g.record(), safety_rule::not_finite, static_cast<int>(joint), 41, 1);
           bad[0].damping = no_number;
           pass(g, bad, 42);
           CHECK(g.record().first.joint == static_cast<int>(joint));
           CHECK(g.record().first.beat == 41);
           g.on_start();
-          tells_nothing(g.record());
-          const both first = pass(g, bad, 0);  // nothing was before: no stiffness, no torque
+          records_nothing(g.record());
+          const both first = pass(g, bad, 0);  // there was none before: no stiffness, no torque
           CHECK(first[0].stiffness == 0);
           CHECK(first[0].damping == 0);
         }
   }
 
-  TEST_CASE("stale: by the age of what it was made from, of all joints, and nothing of the numbers changes") {
+  TEST_CASE("stale: by the age of the data, for all joints, and no number changes") {
     hw::stale_guard<joints> g;  // 50 ms
     const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     const auto is_stale = [&](std::int64_t beat, std::int64_t origin) {
@@ -417,14 +422,14 @@ TEST_SUITE("guards") {
     };
     CHECK_FALSE(is_stale(100, 100 * millisecond));
     CHECK_FALSE(is_stale(150, 100 * millisecond));
-    CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet: no age
-    tells_nothing(g.record());
+    CHECK_FALSE(is_stale(1000, cca::never));  // nothing has come yet, so there is no age
+    records_nothing(g.record());
     CHECK(is_stale(150, 100 * millisecond - 1));
-    tells(g.record(), safety_rule::stale, -1, 150, 1);
+    records(g.record(), safety_rule::stale, -1, 150, 1);
     CHECK(is_stale(151, 100 * millisecond));
-    tells(g.record(), safety_rule::stale, -1, 150, 2);
+    records(g.record(), safety_rule::stale, -1, 150, 2);
     g.on_start();
-    tells_nothing(g.record());
+    records_nothing(g.record());
     g.p.greatest_age = 0.01;
     CHECK_FALSE(is_stale(110, 100 * millisecond));
     CHECK(is_stale(111, 100 * millisecond));
@@ -433,10 +438,10 @@ TEST_SUITE("guards") {
     marked[1].trip(safety_rule::not_finite);
     const both safe = pass(g, marked, 111, 100 * millisecond);
     CHECK(safe[0].broken() == safety_rule::stale);
-    CHECK(safe[1].broken() == safety_rule::not_finite);  // the first that it broke
+    CHECK(safe[1].broken() == safety_rule::not_finite);  // the first rule that it broke
   }
 
-  TEST_CASE("emergency stop: what each rule leads to, and whether it is of one joint") {
+  TEST_CASE("emergency stop: the mode that each rule leads to, and whether it names a joint") {
     const auto trip = [](safety_rule rule, bool of_the_joint) {
       hw::emergency_stop<joints> stop;
       measured begin{at(0, 0, hw::motion_phase::begins), at(1, 0, hw::motion_phase::begins)};
@@ -448,7 +453,7 @@ TEST_SUITE("guards") {
       const both safe = pass(stop, all, where, 12);
       CHECK(safe[0].mode() == stop.mode());
       CHECK(safe[1].mode() == stop.mode());
-      where[0].trip = safety_rule::drive_fault;  // later: not the first
+      where[0].trip = safety_rule::drive_fault;  // later, so not the first cause
       pass(stop, none, where, 13);
       CHECK(stop.mode() == hw::motion_mode::damped);
       CHECK(stop.first_cause().rule == rule);

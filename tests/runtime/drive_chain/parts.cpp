@@ -1,5 +1,5 @@
-// The parts of a robot on drives, each alone: how a joint is mounted, the sensor board, a virtual drive and
-// its watchdog.
+// The parts of a robot on drives, one at a time: the mounting of a joint, the sensor board, a virtual drive
+// and its watchdog.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -23,7 +23,7 @@ struct geared : hw::joint<cca::sim::left_front_hip,
 using virtual_drive = hw::virtual_mit<drive, 5'000'000>;
 static_assert(hw::VirtualDrive<virtual_drive>);
 
-// One millisecond of a motor behind a drive, with what it answers.
+// One millisecond of a motor behind a drive, and the drive's answer.
 hw::drive_report turn(virtual_drive& v, hw::virtual_motor& motor, std::int64_t now) {
   motor.advance(v.law(now), 0, 1e-3);
   hw::drive_report r;
@@ -49,7 +49,7 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(back.torque == doctest::Approx(c.torque));
     CHECK(back.stiffness == doctest::Approx(c.stiffness));
     CHECK(back.damping == doctest::Approx(c.damping));
-    // The same law on both sides: a torque is a torque, whoever computes it.
+    // The same law on both sides gives the same torque.
     const double q = 0.25, v = -1.5;
     const double at_joint = c.stiffness * (c.position - q) + c.damping * (c.velocity - v) + c.torque;
     const double at_drive = d.stiffness * (d.position - geared::drive_angle_of(q)) +
@@ -57,7 +57,7 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(geared::torque_of(at_drive) == doctest::Approx(at_joint));
   }
 
-  TEST_CASE("the sensor board: what it tells is what it measured, to a step") {
+  TEST_CASE("the sensor board reports what it measured, to within a step") {
     using board = hw::sensor_board<0x40>;
     hw::board_reading r;
     r.orientation = {0.5, -0.5, 0.1, std::sqrt(1 - 0.51)};
@@ -84,14 +84,13 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(board::abducted(board::abduct({0.1, std::nan(""), -0.2, std::numeric_limits<double>::infinity()}),
                           targets));
     CHECK(targets[0] == doctest::Approx(0.1));
-    CHECK(targets[1] == 2);  // no number: it stays
+    CHECK(targets[1] == 2);  // NaN: the target stays
     CHECK(targets[2] == doctest::Approx(-0.2));
     CHECK(targets[3] == 4);
   }
 
   TEST_CASE(
-      "random bytes: a quaternion is of unit length, or refused; nothing else is taken from other ids or "
-      "lengths") {
+      "random bytes: a quaternion has length 1 or is refused; nothing is taken from other ids or lengths") {
     using board = hw::sensor_board<0x40>;
     std::mt19937 random(3);
     int taken = 0;
@@ -136,9 +135,7 @@ TEST_SUITE("parts of the drive chain") {
     CHECK(r.position == doctest::Approx(1).epsilon(0.01));
   }
 
-  TEST_CASE(
-      "its watchdog, its faults, its silence and its reboot take the torque away, each as the firmware "
-      "does") {
+  TEST_CASE("its watchdog, faults, silence and reboots take the torque away, as the firmware does") {
     virtual_drive v;
     const auto go = drive::set_point({.position = 1, .stiffness = 20, .damping = 0.8});
     const auto enter = hw::mit_special_frame(drive::request_id, hw::mit_special::enter);
@@ -162,7 +159,7 @@ TEST_SUITE("parts of the drive chain") {
     v.go_silent(true);
     tell(v, go.frames, 7'000'000);
     CHECK(v.answer({}).empty());
-    CHECK(torque(7'000'000) > 0);  // silent, but it still moves
+    CHECK(torque(7'000'000) > 0);  // it is silent, but still moves
     v.clear();
 
     v.reboot(8'000'000, 10'000'000);
@@ -175,8 +172,7 @@ TEST_SUITE("parts of the drive chain") {
   }
 
   TEST_CASE(
-      "a Damiao keeps the fault of its watchdog: what comes too late moves nothing, until it is enabled "
-      "anew") {
+      "a Damiao keeps the fault of its watchdog: a late set point moves nothing until it is enabled again") {
     using damiao = hw::mit_drive<hw::ak60_6, 3, 0, hw::mit_firmware::damiao>;
     hw::virtual_mit<damiao, 5'000'000> v;
     const auto go = damiao::set_point({.position = 1, .stiffness = 20});

@@ -1,5 +1,5 @@
-// The picture of docs/hardware.md: what stands between the servos and the drives, out of the picture of the
-// whole robot.
+// The picture of docs/hardware.md: the nodes between the servos and the drives, from the picture of the whole
+// robot.
 #include <algorithm>
 #include <initializer_list>
 #include <sstream>
@@ -43,8 +43,8 @@ flowchart LR
   n0 -- "joints<br/>joint_states, 1000 Hz" --> n21
 )";  // [picture end]
 
-// Of a picture the lines of these nodes, and of the wires between them; spaces without the list of joints
-// they are of.
+// The lines of a picture for these nodes and the wires between them. Names of spaces lose their template
+// arguments.
 std::string part(const std::string& mermaid, std::initializer_list<std::string_view> names) {
   std::istringstream lines(mermaid);
   std::vector<std::string> kept;

@@ -1,4 +1,4 @@
-// The safety chain around the trot on virtual drives: what trips, what is kept of it, and how motion comes
+// The safety chain around the trot on virtual drives: what trips it, what it records, and how motion comes
 // back.
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ void go(Run& run, int beats) {
   for (int k = 0; k < beats; ++k) run.step();
 }
 
-// One that has trotted for 500 beats: the next one has the index 500.
+// A run that has trotted for 500 beats: the next beat has the index 500.
 template <class Architecture = hil::trot_on_drives>
 struct trotting : hil::in_memory<Architecture> {
   trotting() {
@@ -57,13 +57,13 @@ TEST_SUITE("safety chain") {
     for (const auto& w : run.wires) CHECK(const_cast<hil::wire&>(w).end(0).counters().sent == 0);
   }
 
-  TEST_CASE("a start is bumpless: no joint is torn away from where it stands") {
+  TEST_CASE("a start makes no jump: each joint begins where it is") {
     hil::in_memory<> run;
     run.controller.load();
     run.controller.start();
     auto before = run.robot.joints();
     double fastest = 0;
-    for (int k = 0; k < 150; ++k) {  // the gait stands still for 0.2 s
+    for (int k = 0; k < 150; ++k) {  // the gait waits for 0.2 s
       run.step();
       const auto now = run.robot.joints();
       for (std::size_t i = 0; i < 8; ++i) fastest = std::max(fastest, std::abs(now[i].torque));
@@ -73,7 +73,7 @@ TEST_SUITE("safety chain") {
     CHECK(run.controller.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
   }
 
-  TEST_CASE("a silent drive: all damped, the first cause kept, and no way back but a start") {
+  TEST_CASE("a silent drive: all are damped, the first cause is kept, and only a start leads back") {
     hil::in_memory<> run;
     run.controller.load();
     run.controller.start();
@@ -93,7 +93,7 @@ TEST_SUITE("safety chain") {
     }
     std::get<2>(run.far.drives).clear();
     go(run, 300);
-    CHECK(stop.mode() == hw::motion_mode::damped);  // the cause is gone, but nobody has said go
+    CHECK(stop.mode() == hw::motion_mode::damped);  // the cause is gone, but nobody has started it
     const auto first = stop.first_cause();
     std::get<4>(run.far.drives).fail(0xB);
     go(run, 10);
@@ -105,10 +105,10 @@ TEST_SUITE("safety chain") {
     CHECK(stop.first_cause().rule == hw::safety_rule::none);
   }
 
-  TEST_CASE("a sensor board that is silent or faulty trips by a rule of its own, and no joint is blamed") {
+  TEST_CASE("a sensor board that is silent or faulty trips by its own rule, and no joint is named") {
     trotting<> silent;
     silent.far.board_silent = true;
-    go(silent, 11);  // its last frames are still on the way in the first
+    go(silent, 11);  // in the first beat its last frames are still on the way
     CHECK(silent.stop().mode() == hw::motion_mode::run);
     go(silent, 1);
     is(silent.stop().first_cause(), hw::safety_rule::sensor_board, -1, 511);
@@ -118,7 +118,7 @@ TEST_SUITE("safety chain") {
     for (const auto& law : silent.laws) CHECK(law.stiffness == 0);
 
     trotting<> faulty;
-    faulty.far.board_silent = true;  // another speaks in its place
+    faulty.far.board_silent = true;  // the test sends in its place
     auto reading = faulty.robot.board();
     reading.status = 1;
     faulty.wires[4].end(2).send(hil::board::frames(reading, 0));
@@ -126,26 +126,24 @@ TEST_SUITE("safety chain") {
     is(faulty.stop().first_cause(), hw::safety_rule::sensor_board, -1, 501);
   }
 
-  TEST_CASE("a drive that tells of a jump: after three answers it is believed no more") {
+  TEST_CASE("a drive that reports a jump: after three answers it trips") {
     trotting<> run;
     auto& drive = std::get<6>(run.far.drives);
     const double told = run.synchronizer().report(6).position;
     REQUIRE(std::abs(told) > 0.2);
     drive.hear(hw::mit_special_frame(hil::left_hind_knee::drive::request_id, hw::mit_special::set_zero),
                run.now);
-    drive.answer({.position = told});  // to that one, which nobody asked for
+    drive.answer({.position = told});  // the answer to a frame of the test
     go(run, 3);
     CHECK(run.stop().mode() == hw::motion_mode::run);
     CHECK(run.synchronizer().report(6).position ==
-          doctest::Approx(told).epsilon(0.1));  // a jump is not taken for a motion
+          doctest::Approx(told).epsilon(0.1));  // the jump is not taken for a motion
     go(run, 1);
     is(run.stop().first_cause(), hw::safety_rule::implausible, 6, 503);
     CHECK(run.stop().mode() == hw::motion_mode::damped);
   }
 
-  TEST_CASE(
-      "a start that comes to nothing, for want of a drive or of the board: given up, told, and nothing "
-      "moves") {
+  TEST_CASE("a start without a drive or without the board: it is given up and reported, and nothing moves") {
     for (const bool of_drive : {true, false}) {
       CAPTURE(of_drive);
       hil::in_memory<> run;
@@ -167,7 +165,7 @@ TEST_SUITE("safety chain") {
       CHECK_FALSE(moved);
       CHECK(stop.mode() == hw::motion_mode::damped);
       is(stop.first_cause(), hw::safety_rule::none, -1,
-         -1);  // it has not run: there is nothing that stopped it
+         -1);  // it did not run, so nothing stopped it
       go(run, 2);
       CHECK(!std::get<0>(run.far.drives).enabled());
       std::get<3>(run.far.drives).clear();
@@ -185,7 +183,7 @@ TEST_SUITE("safety chain") {
     run.controller.get<"saboteur">().stuck = true;
     go(run, 40);
     CHECK(run.stop().mode() == hw::motion_mode::run);
-    go(run, 11);  // the posture, which they are made from, is looked at each 10 beats
+    go(run, 11);  // they are made from the posture, which is read each 10 beats
     CHECK(run.stop().mode() == hw::motion_mode::soft);
     const auto cause = run.stop().first_cause();
     is(cause, hw::safety_rule::stale, -1, std::clamp<std::int64_t>(cause.beat, 540, 550));
@@ -193,7 +191,7 @@ TEST_SUITE("safety chain") {
     is(guard.first, hw::safety_rule::stale, -1, cause.beat);
   }
 
-  TEST_CASE("a command that is no number and that no limiter holds: a soft stop in the same beat") {
+  TEST_CASE("a command that is NaN, where no limiter holds it: a soft stop in the same beat") {
     trotting<hil::unlimited> run;
     run.controller.get<"saboteur">().not_a_number = true;
     go(run, 1);
@@ -203,9 +201,9 @@ TEST_SUITE("safety chain") {
     for (const auto& law : run.laws) CHECK(std::isfinite(law.position));
   }
 
-  TEST_CASE("someone else who sends our frames: all damped in the beat in which the bus tells") {
+  TEST_CASE("somebody else sends our frames: all are damped in the beat in which the bus reports it") {
     trotting<> run;
-    // What a socket counts of them: tests/runtime/hardware/socket_can.cpp. A bus in memory does not.
+    // tests/runtime/hardware/socket_can.cpp tests how a socket counts them. A bus in memory does not.
     ++const_cast<hw::bus_counters&>(run.wires[1].end(0).counters()).intruders;
     go(run, 1);
     is(run.stop().first_cause(), hw::safety_rule::link, -1, 500);
@@ -216,8 +214,8 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE(
-      "a set-point that would come too late is dropped: two in a row are lost and no more, the third is the "
-      "link's fault") {
+      "a set point that would come too late is dropped: two in a row are lost, the third is the link's "
+      "fault") {
     trotting<> run;
     auto near = run.wires[0].end(0);
     const std::array<hw::can_frame, 1> waiting{{{.id = hw::standard(0x7FF), .length = 8}}};
@@ -262,7 +260,7 @@ TEST_SUITE("safety chain") {
     CHECK(stop.mode() == hw::motion_mode::run);
   }
 
-  TEST_CASE("a soft stop holds, softens, and ends damped") {
+  TEST_CASE("a soft stop holds, gets softer, and ends damped") {
     hil::in_memory<> run;
     run.controller.load();
     run.controller.start();
@@ -279,8 +277,7 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE(
-      "a link that was away for a beat: nothing of the controller's goes out until the start, which begins "
-      "where the joints "
+      "a link that was away for a beat: no command goes out until the start, which begins where the joints "
       "are") {
     std::array<hw::bus_fault, 1> script{
         {{.what = hw::bus_trouble::link_down, .from = 600'000'000, .until = 600'400'000, .end = 0}}};
@@ -304,8 +301,8 @@ TEST_SUITE("safety chain") {
     CHECK(run.controller.get<"robot.emergency_stop">().mode() == hw::motion_mode::run);
   }
 
-  TEST_CASE("behind another node's frames waits one batch and no more, and what damps comes last") {
-    hil::in_memory<> run({}, false);  // controllers that try again and again
+  TEST_CASE("behind another node's frames waits one batch at most, and the damping frames come last") {
+    hil::in_memory<> run({}, false);  // controllers that repeat frames
     run.controller.load();
     run.controller.start();
     go(run, 500);
@@ -317,7 +314,7 @@ TEST_SUITE("safety chain") {
     for (int k = 0; k < 100; ++k) {
       other.send(noise);
       run.step();
-      // Two drives on this bus: their set-points, then those that damp them, once.
+      // Two drives on this bus: their set points, then the frames that damp them, once.
       CHECK(near.in_flight() <= (stop.mode() == hw::motion_mode::run ? 2 : 4));
       if (k >= 3) CHECK(stop.mode() == hw::motion_mode::damped);
     }
@@ -342,7 +339,7 @@ TEST_SUITE("safety chain") {
     for (const auto& law : run.laws) CHECK(law.stiffness == 0);
   }
 
-  TEST_CASE("what the campaign counts can count: a set-point beyond its limits is seen") {
+  TEST_CASE("the campaign's counter works: it sees a set point beyond its limits") {
     hil::in_memory<hil::limited> run;
     run.controller.load();
     run.controller.start();
@@ -373,7 +370,7 @@ TEST_SUITE("safety chain") {
     run.controller.start();
     go(run, 50);
     REQUIRE(run.controller.get<"robot.synchronizer">().phase() == hw::motion_phase::running);
-    // Where it stands is told with the offset, and what it is told to do leads back to where it stands.
+    // Its position is reported with the offset, and its command leads back to where it is.
     const double degree = cca::sim::degrees(1);
     const auto& report = run.controller.get<"robot.synchronizer">().report(0);
     CHECK(hil::left_front_hip::angle_of(report.position) ==
@@ -381,7 +378,7 @@ TEST_SUITE("safety chain") {
     CHECK(run.laws[0].position == doctest::Approx(trot::gait().p.front.hip + 4 * degree).epsilon(0.05));
   }
 
-  TEST_CASE("a beat allocates nothing: moving, tripping, damped") {
+  TEST_CASE("a beat allocates nothing, while moving, tripping or damped") {
     hil::in_memory<> run;
     run.controller.load();
     run.controller.start();
@@ -397,7 +394,7 @@ TEST_SUITE("safety chain") {
     CHECK(run.controller.get<"robot.emergency_stop">().first_cause().rule == hw::safety_rule::silent);
   }
 
-  TEST_CASE("the rows of the campaign that matter most") {
+  TEST_CASE("the most important rows of the campaign") {
     using scenario = hil::scenario<hil::limited>;
     const auto off =
         hil::run(scenario{.fault = "bus off", .script = {{.what = hw::bus_trouble::bus_off, .end = 0}}});
@@ -406,13 +403,13 @@ TEST_SUITE("safety chain") {
         scenario{.fault = "stalled", .beats = 10, .controller_runs = [](std::int64_t) { return false; }});
     CHECK(stalled.good());
     CHECK(stalled.first_cause == "stalled");
-    CHECK(stalled.beats_to_detect == 4);  // by the drives themselves
+    CHECK(stalled.beats_to_detect == 4);  // by the drives' watchdogs
     const auto killed = hil::run(scenario{.fault = "killed", .beats = 1, .killed = true});
     CHECK(killed.good());
     CHECK(killed.beats_to_detect == 4);
   }
 
-  TEST_CASE("what goes on is compared with a run without the fault") {
+  TEST_CASE("a run that goes on is compared with a run without the fault") {
     using scenario = hil::scenario<hil::limited>;
     const auto warned =
         hil::run(scenario{.fault = "warning", .script = {{.what = hw::bus_trouble::warning, .end = 0}}});

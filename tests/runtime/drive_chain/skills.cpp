@@ -1,4 +1,5 @@
-// The Combination of Skills on virtual drives: what reaches for a ball in the simulator does so over CAN.
+// The Combination of Skills on virtual drives: the controller that reaches for a ball in the simulator does
+// so over CAN.
 #include <string>
 #include <type_traits>
 
@@ -46,8 +47,8 @@ TEST_SUITE("skills on drives") {
   }
 
   TEST_CASE(
-      "before all drives and the board have told, nothing is commanded; then it begins where the joints "
-      "are") {
+      "until all drives and the board have reported, nothing is commanded; then motion begins where the "
+      "joints are") {
     hil::skills_in_memory robot;
     hil::load(robot, shape, {});
     std::get<5>(robot.far.drives).go_silent(true);

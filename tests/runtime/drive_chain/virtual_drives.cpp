@@ -1,4 +1,4 @@
-// The laws of a virtual drive over every family, and what each family alone does.
+// The laws of a virtual drive for every family, and what only one family does.
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -20,7 +20,7 @@ struct rig {
   using drive = Virtual;
   static constexpr std::uint32_t code = Code;
   static constexpr drive_fault fault = Fault, unfed = Unfed;
-  static drive_frames no_number() { return {}; }  // steps and counts are all numbers
+  static drive_frames no_number() { return {}; }  // every step and count is a number
 };
 
 struct ak : rig<virtual_mit<mit_drive<ak60_6, 9>>, 2, drive_fault::over_current> {};
@@ -28,13 +28,13 @@ struct damiao : rig<virtual_mit<mit_drive<ak60_6, 3, 0, mit_firmware::damiao>, 5
                     0xA,
                     drive_fault::over_current> {};
 
-// Floats can be none: in place of each.
+// Floats can be NaN: each of them in turn.
 template <class Drive, class Base>
 struct odrive_rig : Base {
   static drive_frames no_number() {
     drive_frames all;
     for (const std::size_t at : {0u, 4u}) {
-      can_frame f = Drive::set_point({.position = laws::virtual_drives::stands}).frames[0];
+      can_frame f = Drive::set_point({.position = laws::virtual_drives::starts_at}).frames[0];
       detail::put_float(f.data, at, std::numeric_limits<float>::quiet_NaN());
       if (at < f.length && (at == 0 || Drive::by_velocity)) all.add(f);
     }
@@ -64,9 +64,9 @@ template <moteus_timeout Then>
 struct moteus_rig : rig<virtual_moteus<hip, Then>, 38, drive_fault::over_temperature> {
   static drive_frames no_number() {
     drive_frames all{hip::stay()};
-    for (std::size_t at = 6; at < 6 + 5 * 4; at += 4) {  // behind the mode and the head of the floats
+    for (std::size_t at = 6; at < 6 + 5 * 4; at += 4) {  // after the mode and the head of the floats
       can_frame f =
-          hip::set_point({.position = laws::virtual_drives::stands, .stiffness = 20, .damping = 0.1})
+          hip::set_point({.position = laws::virtual_drives::starts_at, .stiffness = 20, .damping = 0.1})
               .frames[0];
       detail::put_float(f.data, at, std::numeric_limits<float>::quiet_NaN());
       all.add(f);
@@ -100,7 +100,7 @@ TEST_SUITE("virtual drives") {
     laws::virtual_drive<Rig>();
   }
 
-  TEST_CASE("mit: who enters without a zero command gets the kick that the firmware gives") {
+  TEST_CASE("mit: entering without a zero command makes the drive jerk, as its firmware does") {
     using D = mit_drive<ak60_6, 9>;
     virtual_mit<D> v;
     v.hear(D::set_point({.position = 1, .stiffness = 20}).frames[0], 0);
@@ -110,7 +110,7 @@ TEST_SUITE("virtual drives") {
     CHECK(gives_way(v.law(20'000'001)));  // the special frame did not feed it
   }
 
-  TEST_CASE("odrive: position control begins where it stands, whatever it was told before") {
+  TEST_CASE("odrive: position control begins where the drive is, whatever the last command was") {
     using D = odrive<1, odrive_mode::position>;
     by_position::drive v;
     v.answer({.position = 0.7});
@@ -119,7 +119,7 @@ TEST_SUITE("virtual drives") {
     CHECK(v.law(0).position == 0.7);
   }
 
-  TEST_CASE("odrive: speaks by itself, and the watchdog of 0.5 runs out in idle, too") {
+  TEST_CASE("odrive: it sends by itself, and the watchdog of 0.5 runs out in idle too") {
     bench<by_position::drive> b;
     b.beats(1000);
     CHECK(b.report.states == 10);
@@ -131,7 +131,7 @@ TEST_SUITE("virtual drives") {
     CHECK(o.enable());
   }
 
-  TEST_CASE("odrive: an error keeps it from closed loop until it is cleared, and the emergency stop is one") {
+  TEST_CASE("odrive: an error, also the emergency stop, keeps it from closed loop until it is cleared") {
     using D = odrive<1, odrive_mode::position>;
     bench<by_position::drive> b;
     REQUIRE(b.enable());
@@ -145,7 +145,8 @@ TEST_SUITE("virtual drives") {
     CHECK(b.v.enabled());
   }
 
-  TEST_CASE("moteus: a position goes on with its velocity, brake damps, and a timeout of its own holds") {
+  TEST_CASE(
+      "moteus: a position moves on with its velocity, brake damps, and a command may have its own timeout") {
     virtual_moteus<hip> v;
     v.hear(hip::set_point({.position = 1, .velocity = 2, .stiffness = 40, .damping = 1}).frames[0], 0);
     CHECK(v.law(10'000'000).position == doctest::Approx(1.02));
@@ -156,30 +157,30 @@ TEST_SUITE("virtual drives") {
     v.hear(hip::disable()[0], 1'000'000'000);
     CHECK(v.law(1'000'000'000).damping == 0);
     can_frame f = hip::stay();
-    detail::put_float(f.data, 6 + 6 * 4 + 2, 0.5f);  // the timeout, behind six floats and a head
+    detail::put_float(f.data, 6 + 6 * 4 + 2, 0.5f);  // the timeout, after six floats and a head
     v.hear(f, 2'000'000'000);
     CHECK(v.law(2'499'000'000).stiffness == 80);
     CHECK(gives_way(v.law(2'501'000'000)));
   }
 
-  TEST_CASE("moteus: in time-out mode 10 it slows down to a stand and holds there, until it is stopped") {
+  TEST_CASE("moteus: in timeout mode 10 it slows down to 0 and holds there until it is stopped") {
     const auto go = hip::set_point({.position = 1, .velocity = 2, .stiffness = 40, .damping = 1}).frames[0];
     constexpr std::int64_t timeout = 20'000'000;
     virtual_moteus<hip, moteus_timeout::hold, 10.0> v;
     v.hear(go, 0);
-    CHECK(v.law(timeout - 1000).stiffness == doctest::Approx(40));  // while its time lasts, as it was told
+    CHECK(v.law(timeout - 1000).stiffness == doctest::Approx(40));  // until the timeout, as commanded
     CHECK(v.law(timeout - 1000).position == doctest::Approx(1.04));
     const drive_command slowing = v.law(timeout + 100'000'000);
     CHECK(slowing.position == doctest::Approx(1.04 + 2 * 0.1 - 0.5 * 10 * 0.1 * 0.1));
     CHECK(slowing.velocity == doctest::Approx(1));
-    CHECK(slowing.stiffness == 80);  // all of the drive's own, whatever part the command had
+    CHECK(slowing.stiffness == 80);  // all of kp, whatever part the command had
     CHECK(slowing.damping == 2);
     const drive_command still = v.law(timeout + 5'000'000'000);
     CHECK(still.position == doctest::Approx(1.04 + 0.5 * 2 * 2 / 10));
     CHECK(still.velocity == 0);
     CHECK(still.torque == 0);
     CHECK_FALSE(v.enabled());
-    v.hear(go, timeout + 6'000'000'000);  // too late: it stays where it is
+    v.hear(go, timeout + 6'000'000'000);  // too late: it stays there
     CHECK(laws::virtual_drives::same(v.law(timeout + 6'000'000'000), still));
     v.hear(hip::disable()[0], timeout + 7'000'000'000);
     CHECK(gives_way(v.law(timeout + 7'000'000'000)));
@@ -194,7 +195,7 @@ TEST_SUITE("virtual drives") {
     CHECK(backwards.law(timeout + 5'000'000'000).position == doctest::Approx(0.96 - 0.2));
   }
 
-  TEST_CASE("odrive: what is asked of its state feeds the watchdog of 0.6 as a set-point does") {
+  TEST_CASE("odrive: a state request feeds the watchdog of 0.6 as a set point does") {
     using D = odrive<1, odrive_mode::position>;
     bench<by_position::drive> b;
     REQUIRE(b.enable());
@@ -207,19 +208,19 @@ TEST_SUITE("virtual drives") {
     CHECK_FALSE(b.v.enabled());
   }
 
-  TEST_CASE("cia402: by NMT and SYNC alone, a quick stop comes to a stand and is then off") {
+  TEST_CASE("cia402: NMT and SYNC are needed; after a quick stop the drive is off") {
     using V = virtual_cia402<knee, 20'000'000, cia402_lost::quick_stop>;
     V v;
     for (int i = 0; i < 10; ++i)
       for (const std::uint16_t word : {std::uint16_t{6}, std::uint16_t{7}, std::uint16_t{15}})
         v.hear(knee::control(word), i), v.hear(canopen_sync(), i);
-    CHECK(v.now_in() == cia402_state::switch_on_disabled);  // pre-operational: process data says nothing
+    CHECK(v.now_in() == cia402_state::switch_on_disabled);  // pre-operational: process data is ignored
     v.hear(canopen_start(4), 20);
     v.hear(knee::control(6), 20), v.hear(canopen_sync(), 20);
-    CHECK(v.now_in() == cia402_state::switch_on_disabled);  // that was another
+    CHECK(v.now_in() == cia402_state::switch_on_disabled);  // that was another node
     v.hear(canopen_start(0), 30);
     v.hear(knee::control(6), 30);
-    CHECK(v.now_in() == cia402_state::switch_on_disabled);  // not yet: it waits for SYNC
+    CHECK(v.now_in() == cia402_state::switch_on_disabled);  // it waits for SYNC
     v.hear(canopen_sync(), 30);
     CHECK(v.now_in() == cia402_state::ready);
     for (const std::uint16_t word : {std::uint16_t{7}, std::uint16_t{15}})
@@ -235,7 +236,7 @@ TEST_SUITE("virtual drives") {
     CHECK(v.now_in() == cia402_state::switch_on_disabled);
   }
 
-  TEST_CASE("cia402: without SYNC no set-point is taken, and that is found out") {
+  TEST_CASE("cia402: without SYNC no set point is taken, and the watchdog notices") {
     bench<virtual_cia402<knee>> b;
     REQUIRE(b.enable());
     for (std::int64_t k = 0; k < 30; ++k) {

@@ -1,12 +1,11 @@
-// Numbers of 32 bits, so many that what they share shows: all exponents, both signs, and of the fractions
-// every so manyth.
+// A dense sample of all 32-bit patterns: every exponent, both signs, and one in `stride` of the fractions.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
 
-// With zeros, ends, infinities, NaN.
+// As floats; also zeros, ends of ranges, infinities and NaN.
 template <class F>
 void for_floats(std::uint32_t stride, F&& f) {
   for (std::uint64_t bits = 0; bits < 0x100000000u; bits += stride)

@@ -1,4 +1,4 @@
-// How long frames are: against frames that are stuffed bit by bit, their checksums included; and the load of
+// The length of frames, compared with frames that are stuffed bit by bit, checksum included; and the load of
 // a bus.
 #include <doctest/doctest.h>
 
@@ -24,7 +24,8 @@ void add(bits& to, std::uint64_t value, int count) {
   for (int i = count - 1; i >= 0; --i) to.push_back((value >> i & 1) != 0);
 }
 
-// From the start bit to the end of the payload, or of a classic frame's checksum. ISO 11898-1:2015, 10.4.
+// From the start bit to the end of the payload; of a classic frame to the end of the checksum. ISO
+// 11898-1:2015, 10.4.
 bits stuffable(const can_frame& f) {
   bits b;
   add(b, 0, 1);
@@ -62,7 +63,7 @@ int stuff_bits(const bits& b) {
   for (const bool bit : b) {
     run = bit == last ? run + 1 : 1;
     last = bit;
-    if (run == 5) {  // the bit put in begins a run of its own
+    if (run == 5) {  // the stuff bit begins the next run
       ++stuffed;
       last = !last;
       run = 1;
@@ -92,7 +93,7 @@ using node = cia402<n1, Node, cia402_mode::torque>;
 template <std::uint32_t Number, std::uint32_t Master = 0>
 using damiao = mit_drive<ak60_6, Number, Master, mit_firmware::damiao>;
 
-// Whether two can be on one bus, whichever is named first.
+// Whether both can be on one bus, in either order.
 template <class A, class B>
 constexpr bool beside() {
   constexpr std::array<detail::drive_facts, 2> both{detail::facts_of<A>(), detail::facts_of<B>()},
@@ -103,7 +104,7 @@ constexpr bool beside() {
 
 }  // namespace
 
-TEST_CASE("bus load: known lengths") {
+TEST_CASE("bus load: frames of known length") {
   CHECK(worst_case({.length = 8}).nominal == 135);
   CHECK(worst_case({.length = 0}).nominal == 55);
   CHECK(worst_case({.length = 8, .extended = true}).nominal == 160);
@@ -111,7 +112,7 @@ TEST_CASE("bus load: known lengths") {
   CHECK(bit_rates{1'000'000, 5'000'000}.nanoseconds({30, 100}) == 50'000);
 }
 
-TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
+TEST_CASE("bus load: the longest possible frame is as long as counted, and no frame is longer") {
   laws::can::frame_source random{std::mt19937_64{4}};
   const auto counted = [](const can_frame& f) {
     const auto worst = worst_case(shape_of(f));
@@ -119,7 +120,7 @@ TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
   };
   for (int i = 0; i < 200'000; ++i) {
     can_frame f = random.frame(true);
-    if (i % 2) {  // few changes: much stuffing
+    if (i % 2) {  // few changes give many stuff bits
       const auto pattern = static_cast<std::uint8_t>(
           std::array{0x00, 0xFF, 0xF0, 0x0F, 0x87, 0x1E, 0x3C, 0x78}[random.below(8)]);
       for (std::size_t k = 0; k < f.payload().size(); ++k)
@@ -127,7 +128,7 @@ TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
     }
     REQUIRE(length_of(f) <= counted(f));
   }
-  // The longest pattern: five equal bits, then four of each kind in turn, each stuffed.
+  // The pattern with most stuff bits: five equal bits, then four of each kind in turn.
   can_frame worst{.id = standard(0x07C), .length = 8};  // 0 00001111100 0 0 0 1000 ...
   std::int64_t longest = 0;
   for (std::uint32_t id = 0; id < 0x800; ++id)
@@ -136,8 +137,8 @@ TEST_CASE("bus load: no frame is longer than counted, and one is as long") {
       for (std::size_t k = 0; k < 8; ++k) worst.data[k] = static_cast<std::uint8_t>(byte);
       longest = std::max(longest, length_of(worst));
     }
-  MESSAGE("longest classic frame of 8 bytes found: " << longest << " of 135 bits");
-  CHECK(longest >= 131);  // ids, code and checksum leave no frame with all of it
+  MESSAGE("longest classic frame of 8 bytes that was found: " << longest << " of 135 bits");
+  CHECK(longest >= 131);  // id, length code and checksum rule out the full 135
 }
 
 // [plan]
@@ -152,17 +153,17 @@ struct left : can_bus_plan<"left",
 static_assert(left::load > 0.43 && left::load < 0.44);  // of the bus's time
 // [plan end]
 
-TEST_CASE("bus load: of a plan") {
+TEST_CASE("bus load: the load of a plan") {
   using plan = can_bus_plan<"left", bit_rates{1'000'000}, cca::rate<400>, joint<1>, joint<2>, joint<3>,
                             joint<4>, joint<5>, joint<6>, joint<7>, joint<8>>;
   CHECK(plan::cycle == 8 * 2 * 135'000);
   CHECK(plan::load == doctest::Approx(0.864));
   const std::span<const can_filter> replies = plan::replies, requests = plan::requests;
   CHECK(requests.size() == 8);
-  CHECK(replies.size() == 1);  // all answer under one id
+  CHECK(replies.size() == 1);  // all drives answer under one id
 }
 
-TEST_CASE("bus load: what is overloaded, and whose ids meet") {
+TEST_CASE("bus load: overloaded buses and shared ids are refused") {
   using detail::plan_check;
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<500>, joint<1>, joint<2>, joint<3>, joint<4>,
                             joint<5>, joint<6>, joint<7>, joint<8>>::sound);
@@ -170,25 +171,26 @@ TEST_CASE("bus load: what is overloaded, and whose ids meet") {
   static_assert(!plan_check<"b", bit_rates{500'000}, cca::rate<1000>, joint<1>, joint<2>, joint<3>>::sound);
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, joint<1>>::sound);
   static_assert(!plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<0>, joint<1>>::sound,
-                "asks under the id that the others reply under");
+                "its requests have the id of the others' replies");
   static_assert(
       plan_check<"b", bit_rates{1'000'000}, cca::rate<100>, joint<1>, mit_drive<ak80_9, 2, 9>>::sound);
 }
 
-TEST_CASE("bus load: an id that belongs to a drive is nobody else's, whether set-points use it or not") {
-  // ODrive: all 32 of a node, of 11 bits or of 29.
+TEST_CASE("bus load: an id of a drive belongs to it alone, whether set points use it or not") {
+  // ODrive: all 32 ids of a node, of 11 or of 29 bits.
   static_assert(!beside<axis<1>, joint<0x20>>() && !beside<axis<1>, joint<0x36>>() &&
                 !beside<axis<1>, joint<0x3F>>());
   static_assert(beside<axis<1>, joint<0x1F>>() && beside<axis<1>, joint<0x40>>() &&
                 beside<axis<1>, axis<2>>());
-  static_assert(!beside<axis<1>, mit_drive<ak80_9, 1, 0x24>>(), "its SDO, as the id of another's answers");
+  static_assert(!beside<axis<1>, mit_drive<ak80_9, 1, 0x24>>(),
+                "the other's answers have the id of its settings");
   static_assert(!beside<axis<2>, sensor_board<0x3B>>() && beside<axis<1>, sensor_board<0x40>>());
   static_assert(!beside<axis<0x402>, moteus<n1, 65>>() &&
                 beside<axis<0x402>, moteus<n1, 1>>());  // 29 bits: 8040h to 805Fh
-  static_assert(!beside<axis<4>, node<5>>(), "SYNC, 80h, is what asks axis 4 for its version");
+  static_assert(!beside<axis<4>, node<5>>(), "SYNC, 80h, asks axis 4 for its version");
   static_assert(beside<axis<1>, node<5>>());
 
-  // CANopen: all process data, SDO, NMT and the heartbeat of a node.
+  // CANopen: all process data, SDO, NMT and heartbeat of a node.
   constexpr auto meets_node_5 = []<std::uint32_t... Id>(std::integer_sequence<std::uint32_t, Id...>) {
     return (!beside<node<5>, mit_drive<ak80_9, 1, Id>>() && ...);
   };
@@ -198,18 +200,18 @@ TEST_CASE("bus load: an id that belongs to a drive is nobody else's, whether set
                 beside<node<1>, node<127>>());
   static_assert(!beside<node<5>, cia402<n1, 5, cia402_mode::position>>());
 
-  // moteus: what is sent to its number, whoever says it; an answer to a source that is also a servo moves
-  // that one.
+  // moteus: every frame to its number, from any source. An answer to a source that is also a servo moves that
+  // servo.
   static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 3, 1>>() &&
                 beside<moteus<n1, 3, 0>, moteus<n1, 4, 1>>());
   static_assert(!beside<moteus<n1, 3, 0>, moteus<n1, 4, 3>>());
   static_assert(!beside<moteus<n1, 3>, joint<3>>() && beside<moteus<n1, 3>, mit_drive<ak80_9, 4, 1>>());
 
-  // Answers under one id: told apart by their first byte, of which a Damiao uses half.
+  // Answers under one id: the first byte tells them apart; a Damiao uses half of it.
   static_assert(beside<joint<1>, joint<2>>() && beside<joint<1>, damiao<2>>() &&
                 beside<damiao<1>, damiao<2>>());
   static_assert(!beside<joint<0x15>, damiao<5>>() && beside<joint<0x15>, damiao<5, 0x100>>() &&
                 beside<joint<0x16>, damiao<5>>());
   static_assert(!beside<mit_drive<ak80_9, 9, 0x41>, sensor_board<0x40>>(),
-                "the board does not say by a byte who it is");
+                "no byte of the board's frames names it");
 }

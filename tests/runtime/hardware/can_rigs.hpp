@@ -1,6 +1,6 @@
-// Real CAN for the tests: interfaces that the machine has, or the guest that the preset test-can-guest boots
-// (tests/can_guest). In a guest (CCA_CAN_GUEST is set) what is missing is a failure; elsewhere the test says
-// that it was left out.
+// Real CAN for the tests: interfaces of this machine, or of the guest that the preset test-can-guest boots
+// (tests/can_guest). In a guest (CCA_CAN_GUEST is set) a missing interface fails the test; elsewhere the test
+// says that it was left out.
 #pragma once
 
 #include <cerrno>
@@ -29,7 +29,7 @@ inline void wait_ms(long ms) {
   nanosleep(&t, nullptr);
 }
 
-// As `ip link set NAME up`; false where we may not. The kernel lets frames through some time later, after a
+// Like `ip link set NAME up`; false: we may not. The kernel lets frames through some time later, after
 // bus-off up to a second.
 inline bool set_link(const std::string& name, bool up) {
   const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -48,7 +48,7 @@ inline bool set_link(const std::string& name, bool up) {
   return done;
 }
 
-// Whether the test can run; where it must and can't, it has failed.
+// Whether the test can run. Where it must run and can't, it fails.
 inline bool present(const char* name) {
   std::string why;
   try {
@@ -56,7 +56,7 @@ inline bool present(const char* name) {
     if (set_link(name, true)) return true;
     why = std::string("no right to set ") + name + " up and down";
   } catch (const cca::refused& r) { why = r.what(); }
-  if (in_guest()) FAIL("the guest lacks what it was to have: " << why);
+  if (in_guest()) FAIL("the guest lacks: " << why);
   MESSAGE("left out: " << why);
   return false;
 }
@@ -76,19 +76,19 @@ struct vcan {
   ~vcan() { set_link("vcan0", true); }
 };
 
-// The same without what is dear.
+// The same without confirmations and times.
 struct frugal_vcan : vcan {
   frugal_vcan() : vcan({.fd = true, .confirmations = false, .times = false}) {}
 };
 
-// Two controllers on one bus, as the emulator has them (SJA1000).
+// Two controllers on one bus, as QEMU emulates them (SJA1000).
 struct controllers {
   static constexpr bool has_fd = false, asks_for_bytes = false;
   static constexpr std::size_t most_waiting = 16;
   socket_can a{"can0"}, b{"can1"};
 
   socket_can& end(std::size_t i) { return i == 0 ? a : b; }
-  void settle() { wait_ms(40); }  // an emulated card on a busy machine takes its time
+  void settle() { wait_ms(40); }  // an emulated card on a busy machine is slow
   void away(std::size_t) { REQUIRE(set_link("can0", false)); }
   void back(std::size_t) { REQUIRE(set_link("can0", true)); }
   ~controllers() { set_link("can0", true); }

@@ -1,5 +1,5 @@
-// CiA 402: status words, the walk to operation enabled against a drive that keeps to the standard, process
-// data, emergencies.
+// CiA 402: status words, the way to operation enabled with a drive that follows the standard, process data,
+// emergencies.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -29,7 +29,7 @@ static_assert(torque::set_point({.torque = 0.8}).frames[0].id == standard(0x206)
 
 constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
 
-// Every 65521st of 32 bits, and the ends.
+// Every 65521st number of 32 bits, and the ends.
 template <class F>
 void for_counts(F&& f) {
   for (std::int64_t n = lowest; n <= 2147483647; n += 65521) f(static_cast<std::int32_t>(n));
@@ -103,7 +103,7 @@ TEST_CASE("cia402: status words") {
     CHECK(cia402_state_of(static_cast<std::uint16_t>(word)) <= cia402_state::unknown);
 }
 
-TEST_CASE("cia402: frames as they are mapped") {
+TEST_CASE("cia402: frames follow the mapping") {
   const auto f = position::set_point({.position = turn}).frames[0];
   CHECK(f == classic(standard(0x205), std::array<std::uint8_t, 8>{0x0F, 0, 0, 0x10, 0, 0, 0, 0}));
   CHECK(torque::set_point({.torque = -0.8}).frames[0] ==
@@ -112,7 +112,7 @@ TEST_CASE("cia402: frames as they are mapped") {
   CHECK(canopen_start(5) == classic(standard(0), std::array<std::uint8_t, 2>{1, 5}));
 }
 
-TEST_CASE("cia402: every number comes back as it was") {
+TEST_CASE("cia402: every number survives encoding and decoding") {
   drive_report r;
   std::uint16_t word = 0;
   drive_command c;
@@ -141,7 +141,7 @@ TEST_CASE("cia402: every number comes back as it was") {
   });
 }
 
-TEST_CASE("cia402: every number that a frame can hold is told, the most negative one as well") {
+TEST_CASE("cia402: every number that a frame can hold is reported, the most negative one too") {
   can_frame data = position::reply(0x0237, 0, 0), speed = position::velocity_frame(0),
             asked = position::set_point({}).frames[0];
   drive_report r;
@@ -165,7 +165,7 @@ TEST_CASE("cia402: every number that a frame can hold is told, the most negative
     REQUIRE(c.position == r.position);
     REQUIRE(word == 0x000F);
   });
-  // It is never said: a set-point ends one before it.
+  // A set point never has it: it ends one before.
   const auto s = position::set_point({.position = -2147483648.0 / 4096 * turn});
   CHECK(s.cut == of_position);
   CHECK(detail::got<std::uint32_t>(s.frames[0].payload(), 2) == 0x80000001u);
@@ -174,7 +174,7 @@ TEST_CASE("cia402: every number that a frame can hold is told, the most negative
   CHECK(detail::got<std::uint16_t>(t.frames[0].payload(), 6) == 0x8001u);
 }
 
-TEST_CASE("cia402: counts that wrap are told as they are, and unwrapped go on; set-points do not wrap") {
+TEST_CASE("cia402: counts that wrap are reported as they are, and can be unwrapped; set points do not wrap") {
   const double range = 4294967296.0 / 4096 * turn, count = turn / 4096;
   can_frame f = position::reply(0x0237, 0, 0);
   const auto told = [&f](std::int64_t counts) {
@@ -185,10 +185,10 @@ TEST_CASE("cia402: counts that wrap are told as they are, and unwrapped go on; s
     return r.position;
   };
   CHECK(told(2147483648) ==
-        doctest::Approx(-range / 2).epsilon(1e-14));  // one on from the last, as two's complement has it
+        doctest::Approx(-range / 2).epsilon(1e-14));  // one behind the last, as in two's complement
   CHECK(told(2147483647) - told(2147483648) == doctest::Approx(range - count).epsilon(1e-14));
   CHECK(told(-2147483649) == told(2147483647));
-  for (const std::int64_t step : {70'000'001, -70'000'001}) {  // over the end many times
+  for (const std::int64_t step : {70'000'001, -70'000'001}) {  // many times over the end
     position_unwrap unwrap(range);
     for (std::int64_t k = 0, at = 0; k < 1000; ++k, at += step)
       REQUIRE(std::fabs(unwrap(told(at)) - static_cast<double>(at) * count) < 0.01 * count);
@@ -202,7 +202,7 @@ TEST_CASE("cia402: counts that wrap are told as they are, and unwrapped go on; s
     }
 }
 
-TEST_CASE("cia402: NMT and SYNC are frames of their own, which no command makes") {
+TEST_CASE("cia402: no command looks like NMT or SYNC") {
   for (const double x : {-1e30, -1.0, 0.0, 1.0, 1e30}) {
     CHECK(position::set_point({x, x, x, x, x}).frames[0].id == standard(0x205));
     CHECK(torque::set_point({x, x, x, x, x}).frames[0].id == standard(0x206));
@@ -216,7 +216,7 @@ TEST_CASE("cia402: NMT and SYNC are frames of their own, which no command makes"
   CHECK(position::disable()[0] == classic(standard(0x205), std::array<std::uint8_t, 8>{0}));
 }
 
-TEST_CASE("cia402: from off, and from a fault, to operation enabled, where it stands") {
+TEST_CASE("cia402: enables from off and from a fault, at its present position") {
   for (const auto from : {cia402_state::switch_on_disabled, cia402_state::fault, cia402_state::ready}) {
     drive d;
     d.state = from;
@@ -237,7 +237,7 @@ TEST_CASE("cia402: from off, and from a fault, to operation enabled, where it st
   }
 }
 
-TEST_CASE("cia402: a fault that stays is told") {
+TEST_CASE("cia402: a lasting fault makes enabling fail") {
   position::enabling enabling;
   drive_report r;
   REQUIRE(position::decode(position::reply(0x0218, 0, 0), r));
@@ -300,7 +300,7 @@ TEST_CASE("cia402: emergencies and heartbeats") {
   CHECK(r.activity == drive_activity::enabled);
   REQUIRE(position::decode(classic(standard(0x705), std::array<std::uint8_t, 1>{5}), r));
   CHECK(r.activity == drive_activity::enabled);
-  REQUIRE(position::decode(classic(standard(0x705), std::array<std::uint8_t, 1>{0}),
-                           r));  // it has booted: it was reset
+  // A boot-up heartbeat: the drive was reset.
+  REQUIRE(position::decode(classic(standard(0x705), std::array<std::uint8_t, 1>{0}), r));
   CHECK(r.activity == drive_activity::disabled);
 }

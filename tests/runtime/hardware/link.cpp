@@ -1,4 +1,4 @@
-// The link supervisor: what stops it, that it stays stopped, what it takes to start.
+// The link supervisor: what stops it, that it stays stopped, and what a start needs.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::int64_t ms = 1'000'000;
 
-// A robot that sends a numbered set-point each beat as long as it may, and a drive that notes which came.
+// A robot that sends a numbered set point each beat as long as it may, and a drive that records which ones
+// came.
 struct robot {
   std::vector<bus_fault> faults;
   memory_bus<2, 4> wire{{.script = faults}};
@@ -56,7 +57,8 @@ TEST_CASE("link: nothing moves before a deliberate start") {
   CHECK(r.got.size() == 19);
 }
 
-TEST_CASE("link: off or down, even for less than a beat, is safe at once, and stays so") {
+TEST_CASE(
+    "link: bus-off or link down, even for less than a beat, leads to `safe` at once, and it stays there") {
   for (const auto away : {bus_trouble::bus_off, bus_trouble::link_down})
     for (const std::int64_t lasts : {ms / 100, ms / 2, 10 * ms}) {
       robot r({{.what = away, .from = 20 * ms + ms / 2, .until = 20 * ms + ms / 2 + lasts, .end = 0}});
@@ -64,13 +66,13 @@ TEST_CASE("link: off or down, even for less than a beat, is safe at once, and st
       CHECK(r.link.state() == link_state::safe);
       CHECK(r.link.first_cause() ==
             (away == bus_trouble::bus_off ? link_cause::bus_off : link_cause::link_down));
-      CHECK(r.link.first_beat() == 20);  // counted from 0, the beat after
+      CHECK(r.link.first_beat() == 20);  // counted from 0: the beat after it
       CHECK(r.got.size() == 20);
       CHECK(r.got.back() == 20);
     }
 }
 
-TEST_CASE("link: a start is refused while the bus is away, and while it holds something") {
+TEST_CASE("link: a start is refused while the bus is away, and while it holds frames") {
   robot r({{.what = bus_trouble::link_down, .from = 20 * ms, .until = 40 * ms, .end = 0}});
   r.until(30);
   CHECK(r.link.start(0) == start_refusal::bus_away);
@@ -83,11 +85,11 @@ TEST_CASE("link: a start is refused while the bus is away, and while it holds so
   CHECK(r.link.first_cause() == link_cause::none);
   r.until(60);
   CHECK(r.got.size() == 19 + 15 - 1);
-  CHECK(r.got[19] == 46);  // nothing of the time between
+  CHECK(r.got[19] == 46);  // no set point from the time between
 }
 
-TEST_CASE("link: a full queue drops, and after three beats is safe") {
-  robot r({{.what = bus_trouble::link_down, .from = 20 * ms, .end = 1}});  // nobody acknowledges any more
+TEST_CASE("link: a full queue drops frames, and after three beats leads to `safe`") {
+  robot r({{.what = bus_trouble::link_down, .from = 20 * ms, .end = 1}});  // nobody acknowledges from here on
   r.until(60);
   CHECK(r.link.state() == link_state::safe);
   CHECK(r.link.first_cause() == link_cause::queue_full);
@@ -95,7 +97,7 @@ TEST_CASE("link: a full queue drops, and after three beats is safe") {
   CHECK(r.wire.end(0).counters().dropped_full == 3);
 }
 
-TEST_CASE("link: full now and then is no reason") {
+TEST_CASE("link: a queue that is full now and then stops nothing") {
   link_supervisor<3> link;
   link.observe(bus_state::active, {});
   REQUIRE(link.start(0) == start_refusal::none);
@@ -122,7 +124,7 @@ TEST_CASE("link: another sender of our frames stops it; the first cause is kept"
   CHECK(link.first_beat() == 1);
 }
 
-TEST_CASE("link: warning and passive stop nothing, and are told") {
+TEST_CASE("link: warning and passive stop nothing, and are reported") {
   link_supervisor<3> link;
   link.observe(bus_state::active, {});
   REQUIRE(link.start(0) == start_refusal::none);

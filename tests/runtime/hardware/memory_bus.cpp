@@ -1,4 +1,4 @@
-// The bus in memory: the laws of a bus, and what a script does to frames and ends.
+// The bus in memory: the laws of a bus, and the effects of a script on frames and ends.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t ms = 1'000'000;
 
-// Times of a script that begin and end when a law says so: the clock is then moved there.
+// A script whose faults begin and end when a law asks for it: the clock is then moved there.
 struct script {
   std::array<bus_fault, 1> faults;
 };
@@ -49,7 +49,7 @@ struct outcome {
   bus_counters sender, receiver;
 };
 
-// A frame each millisecond for 200 of them, from end 0 to end 1.
+// A frame each millisecond for 200 ms, from end 0 to end 1.
 outcome with(std::vector<bus_fault> faults, std::uint64_t seed = 1) {
   memory_bus<2> wire({.seed = seed, .script = faults});
   outcome o;
@@ -66,12 +66,12 @@ outcome with(std::vector<bus_fault> faults, std::uint64_t seed = 1) {
 
 }  // namespace
 
-TEST_CASE("memory bus: the laws of a bus, where a link goes down") {
+TEST_CASE("memory bus: the laws of a bus, with a link that goes down") {
   laws::can_bus<rig<bus_trouble::link_down>>();
 }
-TEST_CASE("memory bus: the laws of a bus, where it goes off") { laws::can_bus<rig<bus_trouble::bus_off>>(); }
+TEST_CASE("memory bus: the laws of a bus, with bus-off") { laws::can_bus<rig<bus_trouble::bus_off>>(); }
 
-TEST_CASE("memory bus: without a script all arrive, each after the longest time of such a frame") {
+TEST_CASE("memory bus: without a script all frames arrive, each after the longest time of such a frame") {
   const auto o = with({});
   REQUIRE(o.got.size() == 200);
   for (std::size_t i = 0; i < 200; ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("memory bus: without a script all arrive, each after the longest time 
   }
 }
 
-TEST_CASE("memory bus: lost, by chance and by id") {
+TEST_CASE("memory bus: frames are lost, by chance and by id") {
   const auto o = with({{.what = bus_trouble::lose, .from = 50 * ms, .until = 150 * ms, .chance = 0.5}});
   CHECK(o.got.size() > 120);
   CHECK(o.got.size() < 180);
@@ -91,7 +91,7 @@ TEST_CASE("memory bus: lost, by chance and by id") {
   CHECK(with({{.what = bus_trouble::lose, .end = 0}}).got.size() == 200);
 }
 
-TEST_CASE("memory bus: late") {
+TEST_CASE("memory bus: frames are late") {
   const auto o = with({{.what = bus_trouble::delay, .from = 10 * ms, .until = 20 * ms, .delay = 30 * ms}});
   REQUIRE(o.got.size() == 200);
   std::size_t late = 0;
@@ -99,24 +99,24 @@ TEST_CASE("memory bus: late") {
   CHECK(late == 10);
 }
 
-TEST_CASE("memory bus: twice") {
+TEST_CASE("memory bus: frames come twice") {
   const auto o = with({{.what = bus_trouble::duplicate, .from = 0, .until = 100 * ms}});
   REQUIRE(o.got.size() == 300);
   CHECK(o.got[0].frame == o.got[1].frame);
   CHECK(o.sender.sent == 200);
 }
 
-TEST_CASE("memory bus: overtaken by the next") {
+TEST_CASE("memory bus: a frame is overtaken by the next one") {
   const auto o = with({{.what = bus_trouble::reorder, .from = 5 * ms, .until = 6 * ms, .delay = 10 * ms}});
   REQUIRE(o.got.size() == 200);
   CHECK(o.got[5].frame.data[0] == 6);
   CHECK(o.got[6].frame.data[0] == 5);
   CHECK(o.got[7].frame.data[0] == 7);
   const auto alone = with({{.what = bus_trouble::reorder, .from = 199 * ms, .delay = ms / 2}});
-  CHECK(alone.got.size() == 200);  // no next one: it comes all the same
+  CHECK(alone.got.size() == 200);  // without a next one it comes too
 }
 
-TEST_CASE("memory bus: damaged, and seldom shortened") {
+TEST_CASE("memory bus: frames are damaged, and some of them cut short") {
   const auto o = with({{.what = bus_trouble::corrupt}});
   REQUIRE(o.got.size() == 200);
   std::size_t equal = 0, shortened = 0;
@@ -125,12 +125,14 @@ TEST_CASE("memory bus: damaged, and seldom shortened") {
     shortened += o.got[i].frame.length < 2;
     CHECK(o.got[i].frame.valid());
   }
-  CHECK(equal < 20);  // a bit turned twice
+  CHECK(equal < 20);  // a bit flipped twice
   CHECK(shortened > 20);
   CHECK(shortened < 80);
 }
 
-TEST_CASE("memory bus: the same seed gives the same, another one another; a copy goes on alike") {
+TEST_CASE(
+    "memory bus: a seed gives always the same result, another seed another; a copy goes on like the "
+    "original") {
   const std::vector<bus_fault> faults{{.what = bus_trouble::lose, .chance = 0.3},
                                       {.what = bus_trouble::corrupt, .chance = 0.3}};
   const auto a = with(faults, 3), b = with(faults, 3), c = with(faults, 4);
@@ -153,14 +155,13 @@ TEST_CASE("memory bus: the same seed gives the same, another one another; a copy
   CHECK(wire.end(1).counters().received == copy.end(1).counters().received);
 }
 
-TEST_CASE("memory bus: the lowest id goes first, a standard one before an extended one that begins alike") {
+TEST_CASE("memory bus: the lowest id goes first, an 11-bit id before a 29-bit one with the same first bits") {
   memory_bus<3> wire;
-  wire.end(0).send(
-      std::array{numbered(0x300, 0)});  // has the bus already, or wins it: nobody else is there yet
+  wire.end(0).send(std::array{numbered(0x300, 0)});  // wins the bus: nobody else is there yet
   wire.advance(1);
   wire.end(0).send(std::array{can_frame{.id = extended(0x123u << 18)}});
   wire.end(1).send(std::array{numbered(0x123, 1)});
-  wire.end(1).send(std::array{numbered(0x001, 2)});  // behind its own first one
+  wire.end(1).send(std::array{numbered(0x001, 2)});  // waits behind the first frame of this end
   wire.advance(10 * ms);
   const auto got = all_from(wire.end(2));
   REQUIRE(got.size() == 4);
@@ -170,7 +171,9 @@ TEST_CASE("memory bus: the lowest id goes first, a standard one before an extend
   CHECK(got[3].frame.id == extended(0x123u << 18));
 }
 
-TEST_CASE("memory bus: alone on the wire it gets passive, not off, and its queue fills; then it recovers") {
+TEST_CASE(
+    "memory bus: an end alone on the wire gets passive, not bus-off, its queue fills, and later it "
+    "recovers") {
   const std::vector<bus_fault> faults{{.what = bus_trouble::link_down, .until = 50 * ms, .end = 1}};
   memory_bus<2, 4> wire({.script = faults});
   auto robot = wire.end(0);
@@ -186,14 +189,13 @@ TEST_CASE("memory bus: alone on the wire it gets passive, not off, and its queue
 }
 
 TEST_CASE(
-    "memory bus: one-shot: what loses the arbitration, or is acknowledged by nobody, is given up; what waits "
-    "for a free bus is "
-    "not") {
+    "memory bus: one-shot gives up frames that lose the arbitration or are not acknowledged, but not those "
+    "that wait for a free bus") {
   memory_bus<3> wire({.one_shot = true});
   wire.end(0).send(std::array{numbered(0x300, 0)});
   wire.advance(1);
   wire.end(0).send(
-      std::array{numbered(0x200, 1), numbered(0x200, 2)});  // the first one loses, the second is alone
+      std::array{numbered(0x200, 1), numbered(0x200, 2)});  // the first one loses; the second one is alone
   wire.end(1).send(std::array{numbered(0x100, 3)});
   wire.advance(10 * ms);
   const auto got = all_from(wire.end(2));
@@ -213,7 +215,7 @@ TEST_CASE(
   CHECK(alone.end(0).in_flight() == 0);
 }
 
-TEST_CASE("memory bus: a bus that is off or down loses what it was to send") {
+TEST_CASE("memory bus: a bus that goes off or down loses the frames in its queue") {
   for (const auto away : {bus_trouble::bus_off, bus_trouble::link_down}) {
     const std::vector<bus_fault> faults{{.what = away, .from = ms / 4, .until = 20 * ms, .end = 0}};
     memory_bus<2> wire({.script = faults});
@@ -225,7 +227,7 @@ TEST_CASE("memory bus: a bus that is off or down loses what it was to send") {
   }
 }
 
-TEST_CASE("memory bus: warning and passive work") {
+TEST_CASE("memory bus: frames pass in the states warning and passive") {
   for (const auto state : {bus_trouble::warning, bus_trouble::passive}) {
     const std::vector<bus_fault> faults{{.what = state, .until = 20 * ms, .end = 0}};
     memory_bus<2> wire({.script = faults});
@@ -238,7 +240,7 @@ TEST_CASE("memory bus: warning and passive work") {
   }
 }
 
-TEST_CASE("memory bus: what nobody fetches is lost and counted") {
+TEST_CASE("memory bus: frames that nobody fetches are lost and counted") {
   memory_bus<2, 16, 8> wire;
   for (std::uint8_t k = 0; k < 12; ++k) {
     wire.end(0).send(std::array{numbered(1, k)});

@@ -1,4 +1,4 @@
-// The MIT mini-cheetah protocol: known frames, every representable number, special frames, what is no number,
+// The MIT mini-cheetah protocol: known frames, every possible number, special frames, NaN and infinity,
 // replies.
 #include <doctest/doctest.h>
 
@@ -24,7 +24,7 @@ std::array<std::uint8_t, 8> bytes(const can_frame& f) {
   return b;
 }
 
-// A frame is known at compile time.
+// Frames are known at compile time.
 static_assert(ak::set_point({.position = 1, .stiffness = 20, .damping = 0.5}).frames[0].id == standard(3));
 
 }  // namespace
@@ -35,11 +35,11 @@ TEST_CASE("mit: the laws of a drive") {
   laws::drive<damiao>();
 }
 
-TEST_CASE("mit: nothing asked for is the frame that everyone sends") {
+TEST_CASE("mit: the zero command is the frame that every driver sends") {
   CHECK(bytes(ak::still()) == std::array<std::uint8_t, 8>{0x7F, 0xFF, 0x7F, 0xF0, 0x00, 0x00, 0x07, 0xFF});
 }
 
-TEST_CASE("mit: each number in its place") {
+TEST_CASE("mit: each number has its place") {
   const auto at = [](drive_command c) { return bytes(ak::set_point(c).frames[0]); };
   CHECK(at({.position = 12.5, .velocity = -50, .torque = -18}) ==
         std::array<std::uint8_t, 8>{0xFF, 0xFF, 0, 0, 0, 0, 0, 0});
@@ -53,7 +53,7 @@ TEST_CASE("mit: each number in its place") {
         std::array<std::uint8_t, 8>{0, 0, 0, 0, 0, 0, 0x0F, 0xFF});
 }
 
-TEST_CASE("mit: every number that a command can say comes back as it was") {
+TEST_CASE("mit: every number of a command survives encoding and decoding") {
   const auto back = [](const wire::command& w) {
     std::uint8_t cut = 0;
     const auto again = wire::to_wire(wire::from_wire(w), cut);
@@ -74,7 +74,7 @@ TEST_CASE("mit: every number that a command can say comes back as it was") {
   }
 }
 
-TEST_CASE("mit: every number that a reply can say comes back as it was") {
+TEST_CASE("mit: every number of a reply survives encoding and decoding") {
   drive_report r;
   for (std::uint32_t p = 0; p <= 0xFFFF; ++p) {
     REQUIRE(ak::decode(ak::reply(wire::position.from_step(p), 0, 0), r));
@@ -88,7 +88,7 @@ TEST_CASE("mit: every number that a reply can say comes back as it was") {
   }
 }
 
-TEST_CASE("mit: no command is ever a special frame") {
+TEST_CASE("mit: no command looks like a special frame") {
   const auto is_special = [](const can_frame& f) {
     for (std::size_t i = 0; i < 7; ++i)
       if (f.data[i] != 0xFF) return false;
@@ -108,7 +108,7 @@ TEST_CASE("mit: no command is ever a special frame") {
   }
   CHECK(near >= 40);
   CHECK(is_special(mit_special_frame(standard(3), mit_special::enter)));
-  // With one number lower it is none, and is left alone.
+  // With one number lower it does not look like one, and is left alone.
   CHECK(ak::set_point(
             {.position = 99, .velocity = 99, .torque = 18 - 3 * step, .stiffness = 499, .damping = 99})
             .frames[0]
@@ -123,7 +123,7 @@ TEST_CASE("mit: NaN does not become the end of a range") {
   CHECK(asked.frames.empty());
 }
 
-TEST_CASE("mit: replies of others, of other lengths, of other kinds are not taken") {
+TEST_CASE("mit: replies of other drives, lengths and kinds are not taken") {
   drive_report r;
   const can_frame good = ak::reply(1, 2, 3);
   REQUIRE(ak::decode(good, r));
@@ -179,7 +179,7 @@ TEST_CASE("mit: faults of AK and Damiao") {
   CHECK(cheetah::reply(1, 2, 3).length == 6);
 }
 
-TEST_CASE("mit: it enters with nothing asked for, and is in when it has answered") {
+TEST_CASE("mit: enters with a zero command, and is enabled with its answer") {
   ak::enabling enabling;
   drive_report r;
   const auto first = enabling.next(r);

@@ -1,5 +1,5 @@
-// moteus over CAN FD: the frames of its documentation, every representable number, bytes that make no sense,
-// its timeout.
+// moteus over CAN FD: the frames of its documentation, every possible number, bytes that make no sense, its
+// timeout.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ struct motor {
 using servo = moteus<motor, 1>;
 using ninth = moteus<motor, 9>;
 constexpr double turn = detail::radians_in_turn;
-constexpr std::uint32_t stride = 99991;  // of floats
+constexpr std::uint32_t stride = 99991;  // step through the bits of all floats
 
 can_frame from_hex(can_id id, std::string_view hex) {
   std::array<std::uint8_t, 64> bytes{};
@@ -52,7 +52,7 @@ can_frame one_register(moteus_kind kind, moteus_value as, moteus_register which,
   return f;
 }
 
-// Every 65521st of 32 bits, and the ends.
+// Every 65521st number of 32 bits, and the ends.
 template <class F>
 void for_integers(F&& f) {
   for (std::int64_t n = -2147483648; n <= 2147483647; n += 65521) f(static_cast<std::int32_t>(n));
@@ -88,7 +88,7 @@ TEST_CASE("moteus: the request and the reply of its documentation") {
   CHECK(r.fault == drive_fault::none);
 }
 
-TEST_CASE("moteus: a command is heard as it was given, floats exactly") {
+TEST_CASE("moteus: a command survives encoding and decoding, floats exactly") {
   servo::request q;
   REQUIRE(
       servo::hear(servo::set_point(
@@ -112,7 +112,7 @@ TEST_CASE("moteus: a command is heard as it was given, floats exactly") {
   }
 }
 
-TEST_CASE("moteus: each number of a command is heard as it was given") {
+TEST_CASE("moteus: each number of a command survives encoding and decoding") {
   servo::request q;
   const auto hear = [&q](const auto& s) { return servo::hear(s.frames[0], q); };
   for_floats(stride, [&](float x) {
@@ -127,7 +127,7 @@ TEST_CASE("moteus: each number of a command is heard as it was given") {
     REQUIRE(s.cut == (part > 12 ? of_torque : no_quantity));
     REQUIRE(hear(s));
     REQUIRE(q.command.torque == std::fmax(-12, std::fmin(12, number)));
-    s = servo::set_point({}, part);  // the most torque that it may use
+    s = servo::set_point({}, part);  // the torque that it may use at most
     REQUIRE(hear(s));
     REQUIRE(q.most_torque == part);
     if (part > 1) return;
@@ -152,13 +152,14 @@ TEST_CASE("moteus: each number of a command is heard as it was given") {
   timeout(moteus<waits<100'000>, 1>{});
 }
 
-// Each register that a request or a reply may have, in each of the forms, every number of 8 and 16 bits.
-// Steps: registers.md.
-TEST_CASE("moteus: every number of a register is read as it was, the most negative integer is none") {
+// Each register of a request or a reply, in each form, with every number of 8 and 16 bits. Steps:
+// registers.md.
+TEST_CASE(
+    "moteus: every number of a register is read as it was written; the most negative integer means none") {
   using enum moteus_register;
   struct known {
     moteus_register which;
-    double steps[3];  // of 8, 16, 32 bits
+    double steps[3];  // with 8, 16, 32 bits
   };
   const known all[] = {{position, {0.01, 0.0001, 0.00001}},
                        {velocity, {0.1, 0.00025, 0.00001}},
@@ -209,7 +210,7 @@ TEST_CASE("moteus: every number of a register is read as it was, the most negati
 }
 
 TEST_CASE(
-    "moteus: replies in all forms are told in SI units; NaN and infinity are numbers that it has not got") {
+    "moteus: replies in all forms are reported in SI units; NaN and infinity mean that it lacks the number") {
   using enum moteus_register;
   struct known {
     moteus_register which;
@@ -241,12 +242,12 @@ TEST_CASE(
     for_floats(stride, [&](float x) {
       REQUIRE(tells(moteus_value::float32, std::bit_cast<std::uint32_t>(x), static_cast<double>(x)));
     });
-    // What a request writes or asks for under these registers is no reply.
+    // Registers that a request writes or asks for are no reply.
     drive_report r;
     CHECK(!servo::decode(one_register(moteus_kind::write, moteus_value::int16, k.which, 1), r));
     CHECK(!servo::decode(one_register(moteus_kind::read, moteus_value::int16, k.which, 0), r));
   }
-  // As the simulated drive says them, there and back.
+  // As a virtual drive sends them.
   for_integers([](std::int32_t n) {
     if (n == std::numeric_limits<std::int32_t>::min()) return;
     drive_report r;
@@ -258,7 +259,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("moteus: a position that is further than 32 bits say stays at their end, and does not wrap") {
+TEST_CASE("moteus: a position beyond 32 bits stays at their end and does not wrap") {
   drive_report r;
   for (const double sign : {-1, 1}) {
     double before = 0;
@@ -272,7 +273,7 @@ TEST_CASE("moteus: a position that is further than 32 bits say stays at their en
   }
 }
 
-TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
+TEST_CASE("moteus: each mode and each fault; a reply without a mode reports no activity") {
   using enum drive_fault;
   const std::pair<unsigned, drive_fault> faults[] = {
       {32, configuration},    {33, power_stage},     {34, over_voltage},
@@ -286,7 +287,7 @@ TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
     for (const auto& [known, fault] : faults)
       if (known == code) expected = fault;
     drive_report r;
-    if (code < 128) {  // as int8, which is how it is asked for
+    if (code < 128) {  // as int8, the form that we ask for
       REQUIRE(servo::decode(servo::reply(1, 0, 0, 0, static_cast<std::uint8_t>(code)), r));
       CHECK_MESSAGE(r.fault == expected, code);
       CHECK(r.code == code);
@@ -310,7 +311,7 @@ TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
                          : mode <= 4               ? drive_activity::enabling
                                                    : drive_activity::enabled));
   }
-  // No mode at all: it says nothing of what the drive does, and is not counted as if it did.
+  // Without a mode it says nothing about what the drive does, and is not counted as if it did.
   for (const float x : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                         -1.0f, 256.0f, 4e9f}) {
     drive_report r;
@@ -324,7 +325,7 @@ TEST_CASE("moteus: modes and faults, each of them; of none it tells none") {
   }
 }
 
-TEST_CASE("moteus: stiffness and damping are parts of its own, damping no larger a part") {
+TEST_CASE("moteus: stiffness and damping are parts of kp and kd, damping no larger a part than stiffness") {
   servo::request q;
   auto s = servo::set_point({.stiffness = 160, .damping = 1});
   CHECK(s.cut == of_stiffness);
@@ -334,11 +335,11 @@ TEST_CASE("moteus: stiffness and damping are parts of its own, damping no larger
   CHECK(q.command.damping == doctest::Approx(0.1));
   CHECK(servo::set_point({.torque = 13, .stiffness = -1}).cut == (of_torque | of_stiffness));
   REQUIRE(servo::hear(servo::stay(), q));
-  CHECK(std::isnan(q.command.position));  // on this bus: stay
+  CHECK(std::isnan(q.command.position));  // means stay here
   CHECK(q.command.stiffness == 1);
 }
 
-TEST_CASE("moteus: bytes that make no sense are not taken, whole or in part") {
+TEST_CASE("moteus: bytes that make no sense are not taken, not even in part") {
   for (const std::string_view hex : {"24", "2404", "24040a", "24ff0f00", "2c0100", "280400", "40", "60", "ff",
                                      "20ffffffffff0100", "2100", "3001", "1004"}) {
     drive_report r;
@@ -350,11 +351,11 @@ TEST_CASE("moteus: bytes that make no sense are not taken, whole or in part") {
   CHECK(!servo::decode(from_hex(standard(0x100), "2101002404"), r));  // a mode, and then the bytes end
   CHECK(r.activity == drive_activity::unknown);
   CHECK(!servo::decode(from_hex(standard(0x200), "21000a"), r));
-  CHECK(!servo::decode(from_hex(standard(0x100), "5050"), r));  // says nothing
+  CHECK(!servo::decode(from_hex(standard(0x100), "5050"), r));  // has no contents
   CHECK(servo::decode(from_hex(extended(0x100), "21000a"), r));
 }
 
-TEST_CASE("moteus: its timeout is a fault, its limits are none") {
+TEST_CASE("moteus: its timeout is a fault, its limits are not") {
   drive_report r;
   REQUIRE(servo::decode(servo::reply(11, 0, 0, 0), r));
   CHECK(r.activity == drive_activity::faulted);
@@ -368,10 +369,10 @@ TEST_CASE("moteus: its timeout is a fault, its limits are none") {
   CHECK(servo::watchdog.nanoseconds == 50'000'000);
 }
 
-TEST_CASE("moteus: stopped first, then held where it is") {
+TEST_CASE("moteus: enabling stops it first, then holds it where it is") {
   servo::enabling enabling;
   drive_report r;
-  REQUIRE(servo::decode(servo::reply(11, 0, 0, 0), r));  // from before
+  REQUIRE(servo::decode(servo::reply(11, 0, 0, 0), r));  // a report from before
   auto s = enabling.next(r);
   CHECK(s.frames[0] == servo::disable()[0]);
   REQUIRE(servo::decode(servo::reply(0, 0, 0, 0), r));

@@ -1,4 +1,4 @@
-// ODrive's CAN Simple: known frames, every representable number, what differs between 0.5 and 0.6, the way to
+// ODrive's CAN Simple: known frames, every possible number, differences between 0.5 and 0.6, the way to
 // closed loop.
 #include <doctest/doctest.h>
 
@@ -23,10 +23,10 @@ using torque = odrive<3, odrive_mode::torque>;
 using old = odrive<4, odrive_mode::position, odrive_firmware::v0_5>;
 using far = odrive<0x1234, odrive_mode::torque>;
 constexpr double turn = detail::radians_in_turn;
-constexpr std::uint32_t stride = 9973;  // of floats
+constexpr std::uint32_t stride = 9973;  // step through the bits of all floats
 
 static_assert(position::set_point({.position = turn}).frames[0].id ==
-              standard(0x2C));  // the example of ODrive's page
+              standard(0x2C));  // the example in ODrive's documentation
 
 }  // namespace
 
@@ -48,7 +48,7 @@ TEST_CASE("odrive: known frames") {
   CHECK(position::axis_state(8) == classic(standard(0x27), std::array<std::uint8_t, 8>{8}));
 }
 
-TEST_CASE("odrive: every number of a command comes back as it was") {
+TEST_CASE("odrive: every number of a command survives encoding and decoding") {
   const auto again = [](const can_frame& f, auto drive) {
     drive_command c;
     if (!decltype(drive)::hear(f, c)) return false;
@@ -65,7 +65,7 @@ TEST_CASE("odrive: every number of a command comes back as it was") {
     REQUIRE(std::lround(c.velocity / turn * 1000) == n);
     REQUIRE(std::lround(c.torque * 1000) == -n);
   }
-  detail::put(f.data, 4, std::uint16_t{0x8000});  // -32768 is heard as it stands, and never said
+  detail::put(f.data, 4, std::uint16_t{0x8000});  // -32768 is understood, but never sent
   detail::put(f.data, 6, std::uint16_t{0x8000});
   REQUIRE(position::hear(f, c));
   CHECK(c.velocity == -32.768 * turn);
@@ -95,7 +95,8 @@ TEST_CASE("odrive: every number of a command comes back as it was") {
 }
 
 TEST_CASE(
-    "odrive: every number of a report is told as it was; NaN and infinity are numbers that it has not got") {
+    "odrive: every number of a report is reported as it was; NaN and infinity mean that it lacks the "
+    "number") {
   const auto is = [](double told, float x, double unit) {
     return std::isfinite(x) ? told == static_cast<double>(x) * unit : std::isnan(told);
   };
@@ -109,7 +110,7 @@ TEST_CASE(
     REQUIRE(is(r.velocity, -x, turn));
     REQUIRE(r.told == (of_position | of_velocity));
     if (std::isfinite(x)) REQUIRE(position::estimates(r.position, r.velocity) == f);
-    f.id = position::id(odrive_command::temperature);  // of the power stage, then of the motor
+    f.id = position::id(odrive_command::temperature);  // the power stage's, then the motor's
     REQUIRE(position::decode(f, r));
     REQUIRE(is(r.temperature, x, 1));
     REQUIRE(r.told == of_temperature);
@@ -117,15 +118,15 @@ TEST_CASE(
     REQUIRE(position::decode(f, r));
     REQUIRE(is(r.torque, -x, 1));
     REQUIRE(r.told == of_torque);
-    REQUIRE(is(r.position, x, turn));  // what the other frames told stays
+    REQUIRE(is(r.position, x, turn));  // what other frames reported stays
     REQUIRE(r.frames == 3);
   });
   drive_report r;
   for (const auto c : {odrive_command::temperature, odrive_command::torques})
-    CHECK(!old::decode({.id = old::id(c), .length = 8}, r));  // of 0.5 something else
+    CHECK(!old::decode({.id = old::id(c), .length = 8}, r));  // means something else in 0.5
 }
 
-TEST_CASE("odrive: a position has no end and does not wrap; it only grows coarser") {
+TEST_CASE("odrive: a position has no end and does not wrap; it only gets coarser") {
   drive_report r;
   double before = 0;
   for (double turns = 0.5; turns < 3e38; turns *= 2) {
@@ -136,7 +137,7 @@ TEST_CASE("odrive: a position has no end and does not wrap; it only grows coarse
     REQUIRE(r.at_end == 0);
     before = r.position;
   }
-  // A million turns away a step is a sixteenth of a turn, in what it tells and in what it is told.
+  // A million turns away a step is a sixteenth of a turn, in reports and in commands.
   REQUIRE(position::decode(position::estimates((1e6 + 0.03) * turn, 0), r));
   CHECK(r.position == 1e6 * turn);
   drive_command c;
@@ -144,7 +145,7 @@ TEST_CASE("odrive: a position has no end and does not wrap; it only grows coarse
   CHECK(c.position == (1e6 + 0.0625) * turn);
 }
 
-TEST_CASE("odrive: what stops, reboots or changes it has an id of its own, which no command uses") {
+TEST_CASE("odrive: frames that stop, reboot or configure it have ids that no command uses") {
   CHECK(position::estop() == can_frame{.id = standard(0x22)});
   CHECK(position::clear_errors() == classic(standard(0x38), std::array<std::uint8_t, 1>{}));
   CHECK(old::clear_errors() == can_frame{.id = standard(0x98)});
@@ -152,8 +153,8 @@ TEST_CASE("odrive: what stops, reboots or changes it has an id of its own, which
   CHECK(position::disable()[0] == position::axis_state(1));
   CHECK(old::axis_state(1) == classic(standard(0x87), std::array<std::uint8_t, 4>{1}));
   drive_report r;
-  for (std::uint32_t command = 0; command < 32;
-       ++command) {  // from the drive it tells five things, and takes no more
+  // Of the drive's frames, five are reports.
+  for (std::uint32_t command = 0; command < 32; ++command) {
     const auto c = static_cast<odrive_command>(command);
     const bool told = c == odrive_command::heartbeat || c == odrive_command::error ||
                       c == odrive_command::estimates || c == odrive_command::temperature ||
@@ -166,7 +167,7 @@ TEST_CASE("odrive: what stops, reboots or changes it has an id of its own, which
     CHECK(velocity::set_point(all).frames[0].id == standard(0x4D));
     CHECK(torque::set_point(all).frames[0].id == standard(0x6E));
   }
-  // Stopped so, it says so, and is a fault until it is cleared.
+  // After that it reports a fault until the fault is cleared.
   REQUIRE(position::decode(position::heartbeat(1, 0x02000000), r));
   CHECK(r.fault == drive_fault::emergency_stop);
   CHECK(r.activity == drive_activity::faulted);
@@ -213,13 +214,13 @@ TEST_CASE("odrive: each error and each state, in heartbeats and in error frames"
     CHECK(r.code == error);
     CHECK(r.activity == drive_activity::faulted);
     CHECK(r.states == 1);
-    detail::put(f.data, 0, std::uint32_t{0});  // no error any more, and why it was disarmed
+    detail::put(f.data, 0, std::uint32_t{0});  // no error any more, and the reason why it was disarmed
     r = {};
     REQUIRE(position::decode(f, r));
     CHECK(r.code == ~error);
     CHECK(r.fault == none);
     CHECK(r.activity == drive_activity::unknown);
-    CHECK_MESSAGE(r.states == 0, "whether it drives is what the heartbeat says");
+    CHECK_MESSAGE(r.states == 0, "only the heartbeat says whether it drives");
     f.id = old::id(odrive_command::error);  // 64 bits of the motor's errors
     for (const std::size_t at : {0u, 4u}) {
       detail::put(f.data, 4 - at, std::uint32_t{0});
@@ -241,7 +242,7 @@ TEST_CASE("odrive: each error and each state, in heartbeats and in error frames"
   }
 }
 
-TEST_CASE("odrive: estimates, and those that it has not got") {
+TEST_CASE("odrive: estimates, and those that it lacks") {
   drive_report r;
   REQUIRE(position::decode(position::estimates(1.5, -2), r));
   CHECK(r.position == doctest::Approx(1.5).epsilon(1e-6));
@@ -265,7 +266,7 @@ TEST_CASE("odrive: states and faults of 0.6 and 0.5") {
   }
   const auto fault = [&r](auto drive, std::uint32_t error) {
     REQUIRE(decltype(drive)::decode(decltype(drive)::heartbeat(8, error), r));
-    CHECK(r.activity == drive_activity::faulted);  // closed loop or not
+    CHECK(r.activity == drive_activity::faulted);  // in closed loop or not
     return r.fault;
   };
   CHECK(fault(position{}, 0x01000000) == drive_fault::watchdog);
@@ -278,24 +279,25 @@ TEST_CASE("odrive: states and faults of 0.6 and 0.5") {
   CHECK(fault(old{}, 0x40000) == drive_fault::over_temperature);
   CHECK(fault(old{}, 0x40) == drive_fault::power_stage);
   can_frame f = old::heartbeat(8);
-  f.data[6] = 1;  // the encoder's flag, of 0.5 alone
+  f.data[6] = 1;  // the encoder's flag, in 0.5 only
   REQUIRE(old::decode(f, r));
   CHECK(r.fault == drive_fault::position_sensor);
   f = position::heartbeat(8);
-  f.data[6] = 1;  // trajectory done, of 0.6
+  f.data[6] = 1;  // trajectory done, in 0.6
   REQUIRE(position::decode(f, r));
   CHECK(r.activity == drive_activity::enabled);
-  CHECK(!old::decode({.id = old::id(odrive_command::torques), .length = 8}, r));  // of 0.5 something else
+  CHECK(!old::decode({.id = old::id(odrive_command::torques), .length = 8},
+                     r));  // means something else in 0.5
 }
 
-TEST_CASE("odrive: into closed loop from where it stands") {
+TEST_CASE("odrive: goes to closed loop from where it is") {
   position::enabling enabling;
   drive_report r;
   auto s = enabling.next(r);
   REQUIRE(s.frames.size() == 2);
   CHECK(s.frames[0] == position::clear_errors());
   CHECK(s.frames[1] == position::controller_mode());
-  CHECK(enabling.next(r).frames.empty());  // where is it?
+  CHECK(enabling.next(r).frames.empty());  // it waits for a position
   position::decode(position::estimates(0.7, 0), r);
   s = enabling.next(r);
   REQUIRE(s.frames.size() == 2);
@@ -307,12 +309,12 @@ TEST_CASE("odrive: into closed loop from where it stands") {
 
   position::enabling failing;
   failing.next(r);
-  position::decode(position::heartbeat(1, 0x200), r);  // may be from before
+  position::decode(position::heartbeat(1, 0x200), r);  // this may be from before
   CHECK(failing.next(r).progress == enable_progress::going);
   position::decode(position::heartbeat(1, 0x200), r);
   CHECK(failing.next(r).progress == enable_progress::failed);
 
-  // In closed loop from before; that there is no error doesn't say that it still is.
+  // It was in closed loop before. That there is no error does not say that it still is.
   position::enabling again;
   position::decode(position::heartbeat(8), r);
   again.next(r);

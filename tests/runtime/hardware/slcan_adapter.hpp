@@ -1,7 +1,7 @@
-// A CAN adapter on a serial line, played by the test: the kernel's slcan driver at one end of a
-// pseudo-terminal, this at the other. It can go bus-off and stop listening, which no emulated controller
-// does. To the laws it's an end of a bus like any other. Source: Linux, drivers/net/can/slcan; Lawicel's
-// CAN232 commands (t, T, r, R; s and e for states, as the driver of Linux 6 reads them).
+// A CAN adapter on a serial line, played by the test: the kernel's slcan driver is at one end of a
+// pseudo-terminal, this class at the other. It can go bus-off and stop listening, which no emulated
+// controller does. For the laws it is an end of a bus like any other. Source: Linux, drivers/net/can/slcan;
+// Lawicel's CAN232 commands (t, T, r, R; s and e for states, as the driver of Linux 6 reads them).
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ public:
       cfmakeraw(&t);
       tcsetattr(fd, TCSANOW, &t);
     }
-    reader = std::thread([this] { read_on(); });  // the driver waits for its commands to be read
+    reader = std::thread([this] { read_on(); });  // the driver waits until its commands are read
     const int discipline = 17;                    // N_SLCAN
     REQUIRE(ioctl(line, TIOCSETD, &discipline) == 0);
     ifreq r{};
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  // Frames; what sets up the adapter (C, O, S6) is not for anyone.
+  // Only frames; the commands that set up the adapter (C, O, S6) are skipped.
   std::size_t parse(const std::string& text, received_frame& into) {
     if (text.empty() || std::string("tTrR").find(text[0]) == std::string::npos) return 0;
     const bool extended = std::isupper(static_cast<unsigned char>(text[0])) != 0;
@@ -145,7 +145,7 @@ private:
 };
 static_assert(CanBus<slcan_adapter>);
 
-// The kernel's end and the adapter's; away by bus-off, as a controller that heard only errors.
+// The kernel's end and the adapter's. It goes away by bus-off, like a controller that only heard errors.
 struct slcan {
   static constexpr bool has_fd = false;
   static constexpr int rounds = 8;
@@ -168,7 +168,7 @@ struct slcan {
     std::uint64_t in_flight() const noexcept { return i == 0 ? rig->bus.in_flight() : 0; }
   };
   either end(std::size_t i) { return {this, i}; }
-  // A frame takes up to 30 ms here, so: until 100 ms long nothing has come.
+  // A frame takes up to 30 ms here, so wait until nothing has come for 100 ms.
   void settle() {
     std::size_t before = 0;
     do {

@@ -1,11 +1,11 @@
-// SocketCAN against a real kernel, on vcan and on two controllers; without CAN the kernel's frames and what
-// can't be opened.
+// SocketCAN with a real kernel, on vcan and on two controllers. Without CAN: the kernel's frame format, and
+// what can't be opened.
 #include <doctest/doctest.h>
 
 #include <array>
 #include <vector>
 
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 #include "../../laws/can_bus_laws.hpp"
 #include "can_rigs.hpp"
@@ -16,7 +16,7 @@ using laws::can::all_from;
 
 namespace {
 
-// A socket of another program, that sends what it likes, error frames too.
+// A socket of another program, which sends what it likes, also error frames.
 class raw_socket {
 public:
   explicit raw_socket(const char* name)
@@ -76,7 +76,7 @@ TEST_CASE("kernel frames: there and back") {
   }
 }
 
-TEST_CASE("kernel frames: whatever the kernel says, it is a frame and reads nothing past its end") {
+TEST_CASE("kernel frames: any bytes of the kernel give a frame, and nothing past its end is read") {
   std::mt19937_64 bits(2);
   for (int i = 0; i < 20'000; ++i) {
     canfd_frame k{};
@@ -141,7 +141,7 @@ TEST_CASE("error frames: states and counters") {
   CHECK(s == bus_state::bus_off);
   CHECK(c.bus_offs == 1);
   error(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_WARNING);
-  CHECK(s == bus_state::bus_off);  // only a restart ends it
+  CHECK(s == bus_state::bus_off);  // only a restart ends this
   error(CAN_ERR_RESTARTED);
   CHECK(s == bus_state::active);
   CHECK(c.restarts == 1);
@@ -155,7 +155,7 @@ TEST_CASE("error frames: states and counters") {
   CHECK(detail::after_error(bus_state::active, odd, c) == bus_state::active);
 }
 
-TEST_CASE("socket can: what can't be opened is refused, with what to do") {
+TEST_CASE("socket can: what can't be opened is refused, and the message says what to do") {
   CHECK(refusal("").find("no name of an interface") != std::string::npos);
   CHECK(refusal("a_name_that_is_far_too_long").find("no name of an interface") != std::string::npos);
   const int fd = socket(PF_CAN, SOCK_RAW, CAN_RAW);
@@ -180,8 +180,8 @@ TEST_CASE("socket can on vcan: the laws of a bus, without confirmations and time
 }
 
 TEST_CASE(
-    "socket can on vcan: without confirmations an intruder is told all the same, and a time is that of the "
-    "reading") {
+    "socket can on vcan: without confirmations intruders are still reported, and a frame's time is that of "
+    "the call") {
   if (!can_rigs::present("vcan0")) return;
   const std::array replies{can_filter{standard(0x200)}}, ours{can_filter{standard(0x100)}};
   socket_can robot("vcan0", {.replies = replies, .ours = ours, .confirmations = false, .times = false}),
@@ -198,7 +198,7 @@ TEST_CASE(
   CHECK(robot.in_flight() == 0);
 }
 
-TEST_CASE("socket can on vcan: only what the filters name, and intruders are told") {
+TEST_CASE("socket can on vcan: only frames of the filters come in, and intruders are reported") {
   if (!can_rigs::present("vcan0")) return;
   const std::array replies{can_filter{standard(0x200)}, can_filter{extended(0x300)}};
   const std::array ours{can_filter{standard(0x100)}};
@@ -230,10 +230,10 @@ TEST_CASE("socket can on vcan: times of arrival, on the monotonic clock") {
   const auto got = all_from(b);
   REQUIRE(got.size() == 1);
   CHECK(got[0].time >= before - 1'000'000);
-  CHECK(got[0].time <= after + 5'000'000);  // not when it was fetched
+  CHECK(got[0].time <= after + 5'000'000);  // not the time of fetching
 }
 
-TEST_CASE("socket can on vcan: what doesn't fit into the receive queue is lost and counted") {
+TEST_CASE("socket can on vcan: frames beyond the receive queue are lost and counted") {
   if (!can_rigs::present("vcan0")) return;
   socket_can a("vcan0", {.most_in_flight = 1'000'000}), b("vcan0");
   std::uint64_t sent = 0;
@@ -246,7 +246,7 @@ TEST_CASE("socket can on vcan: what doesn't fit into the receive queue is lost a
   can_rigs::wait_ms(5);
   const auto second = all_from(b).size();
   CHECK(first + second + b.counters().lost == sent);
-  // Confirmations were lost as well; the sender goes on all the same.
+  // Confirmations were lost too; the sender goes on all the same.
   all_from(a);
   CHECK(a.counters().confirmed < a.counters().sent);
 }
@@ -259,9 +259,10 @@ TEST_CASE("socket can on vcan: lost confirmations don't stop the sender") {
   CHECK(a.in_flight() <= 4);
 }
 
-TEST_CASE("socket can on vcan: what a controller in one-shot never confirms is given up, and counted") {
+TEST_CASE("socket can on vcan: frames that a one-shot controller never confirms are given up and counted") {
   if (!can_rigs::present("vcan0")) return;
-  const std::array<can_filter, 1> others{{{standard(0x700)}}};  // own frames don't come back: never confirmed
+  const std::array<can_filter, 1> others{
+      {{standard(0x700)}}};  // own frames don't come back, so they are never confirmed
   socket_can patient("vcan0", {.replies = others}),
       one_shot("vcan0", {.replies = others, .gives_up_after = 200'000'000});
   for (socket_can* bus : {&patient, &one_shot}) {
@@ -276,7 +277,7 @@ TEST_CASE("socket can on vcan: what a controller in one-shot never confirms is g
   CHECK(one_shot.counters().dropped_away == 2);
 }
 
-TEST_CASE("socket can on vcan: states by error frames; off means nothing goes out") {
+TEST_CASE("socket can on vcan: error frames give the state; at bus-off nothing goes out") {
   if (!can_rigs::present("vcan0")) return;
   socket_can robot("vcan0"), drive("vcan0");
   const raw_socket other("vcan0");
@@ -293,19 +294,19 @@ TEST_CASE("socket can on vcan: states by error frames; off means nothing goes ou
   CHECK(all_from(drive).empty());
   REQUIRE(other.error(CAN_ERR_RESTARTED));
   can_rigs::wait_ms(2);
-  CHECK(all_from(robot).empty());  // error frames are not for the caller
+  CHECK(all_from(robot).empty());  // the caller gets no error frames
   CHECK(robot.state() == bus_state::active);
   CHECK(robot.counters().errors == 3);
   CHECK(robot.counters().restarts == 1);
 }
 
-TEST_CASE("socket can on vcan: what goes out although the bus was off is counted as stale") {
+TEST_CASE("socket can on vcan: frames that go out after bus-off are counted as stale") {
   if (!can_rigs::present("vcan0")) return;
   socket_can robot("vcan0");
   const raw_socket other("vcan0");
   REQUIRE(other.error(CAN_ERR_BUSOFF));
   CHECK(robot.send(std::array{numbered(1, 1), numbered(1, 2)}).sent ==
-        2);  // it has not read yet that the bus is off
+        2);  // it has not yet read that the bus is off
   can_rigs::wait_ms(2);
   all_from(robot);
   CHECK(robot.state() == bus_state::bus_off);
@@ -323,7 +324,7 @@ TEST_CASE("socket can on vcan: a link that is down for less than a beat is seen"
   CHECK(bus.send(std::array{numbered(1, 1)}).sent == 1);
 }
 
-TEST_CASE("socket can on vcan: opened while the link is down, it is down, and comes up") {
+TEST_CASE("socket can on vcan: opened while the link is down, it is down until the link comes up") {
   if (!can_rigs::present("vcan0")) return;
   REQUIRE(can_rigs::set_link("vcan0", false));
   socket_can bus("vcan0");
@@ -335,7 +336,7 @@ TEST_CASE("socket can on vcan: opened while the link is down, it is down, and co
   CHECK(bus.send(std::array{numbered(1, 1)}).sent == 1);
 }
 
-TEST_CASE("socket can on vcan: an adapter that is pulled and put in again") {
+TEST_CASE("socket can on vcan: an adapter that is unplugged and plugged in again") {
   if (!can_rigs::in_guest() || !can_rigs::present("vcan0")) return;
   const auto run = [](const char* command) { return std::system(command) == 0; };
   if (!run("/bin/ip link add vcan9 type vcan")) FAIL("no vcan9");
@@ -357,7 +358,7 @@ TEST_CASE("socket can on vcan: an adapter that is pulled and put in again") {
   run("/bin/ip link del vcan9");
 }
 
-TEST_CASE("socket can on vcan: many frames, both ways, none lost, none twice") {
+TEST_CASE("socket can on vcan: many frames both ways: none is lost, none comes twice") {
   if (!can_rigs::present("vcan0")) return;
   socket_can robot("vcan0", {.most_in_flight = 64}), drives("vcan0", {.most_in_flight = 64});
   std::uint32_t asked = 0, answered = 0;

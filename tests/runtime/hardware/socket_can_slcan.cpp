@@ -1,5 +1,5 @@
-// SocketCAN where the adapter is played by the test: bus-off, error states, a transmit queue that fills, an
-// adapter that is pulled.
+// SocketCAN with an adapter that the test plays: bus-off, error states, a full transmit queue, an adapter
+// that is unplugged.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -19,7 +19,7 @@ can_frame numbered(std::uint32_t id, std::uint8_t n) {
   return {.id = standard(id), .length = 1, .data = {n}};
 }
 
-// Only the guest surely has the driver and lets us make an interface.
+// Only in the guest we can count on the driver and may make an interface.
 bool guest_has_slcan() { return can_rigs::in_guest() && std::system("grep -q '^slcan ' /proc/modules") == 0; }
 
 }  // namespace
@@ -47,7 +47,8 @@ TEST_CASE("socket can on slcan: the states of the controller, with its error cou
   CHECK(rig.bus.counters().errors >= 3);
 }
 
-TEST_CASE("socket can on slcan: bus-off stops a robot that moves, and what it sends afterwards is new") {
+TEST_CASE(
+    "socket can on slcan: bus-off stops a moving robot, and after the restart it sends only new frames") {
   if (!guest_has_slcan()) return;
   can_rigs::slcan rig;
   link_supervisor<3> link;
@@ -71,7 +72,7 @@ TEST_CASE("socket can on slcan: bus-off stops a robot that moves, and what it se
   CHECK(link.start(rig.bus.in_flight()) == start_refusal::bus_away);
   rig.back(0);
   for (int i = 0; i < 10; ++i) step();
-  CHECK(link.state() == link_state::safe);  // back is not enough
+  CHECK(link.state() == link_state::safe);  // the bus is back, but that is not enough
   rig.settle();
   CHECK(all_from(rig.adapter).empty());
   CHECK(rig.bus.stale() == 0);
@@ -84,7 +85,7 @@ TEST_CASE("socket can on slcan: bus-off stops a robot that moves, and what it se
   CHECK(got[0].frame.data[0] == first);
 }
 
-TEST_CASE("socket can on slcan: a queue that fills drops the rest, counted, and leads to the safe state") {
+TEST_CASE("socket can on slcan: a full queue drops and counts the rest, and leads to the state `safe`") {
   if (!guest_has_slcan()) return;
   can_rigs::slcan rig;
   rig.adapter.listen(false);  // the line fills, then the interface's queue

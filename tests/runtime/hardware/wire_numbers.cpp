@@ -1,4 +1,4 @@
-// Numbers in bytes: every step of 12 and 16 bits, ends, middles, and what lies beyond.
+// Numbers in bytes: every step of 12 and 16 bits, ends, middles, and numbers beyond the range.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -6,12 +6,12 @@
 #include <limits>
 
 #include <cca/hardware/position_unwrap.hpp>
-#include <cca/hardware/wire_number.hpp>
+#include <cca/hardware/drives/wire_number.hpp>
 
 using namespace cca::hardware;
 using namespace cca::hardware::detail;
 
-TEST_CASE("wire numbers: every step is its own, and the nearest to what lies around it") {
+TEST_CASE("wire numbers: every step comes back, and is the nearest to the numbers around it") {
   for (const steps r : {steps{-12.5, 12.5, 16}, steps{-50, 50, 12}, steps{0, 500, 12}, steps{0, 5, 12},
                         steps{-18, 18, 12}, steps{-144, 144, 12}}) {
     const double width = (r.upper - r.lower) / r.count();
@@ -31,14 +31,14 @@ TEST_CASE("wire numbers: every step is its own, and the nearest to what lies aro
   }
 }
 
-TEST_CASE("wire numbers: zero in the middle goes down, as in drivers that truncate") {
+TEST_CASE("wire numbers: zero in the middle of a range takes the lower step, as in drivers that truncate") {
   bool cut = false;
   CHECK(steps{-12.5, 12.5, 16}.to_step(0, cut) == 0x7FFF);
   CHECK(steps{-18, 18, 12}.to_step(0, cut) == 0x7FF);
   CHECK(steps{0, 5, 12}.to_step(0, cut) == 0);
 }
 
-TEST_CASE("wire numbers: integers to the nearest, but never the most negative") {
+TEST_CASE("wire numbers: integers are rounded to the nearest, but never to the most negative one") {
   for (const int bits : {8, 16, 32}) {
     const std::int64_t most = (std::int64_t{1} << (bits - 1)) - 1;
     for (const std::int64_t n :
@@ -59,7 +59,7 @@ TEST_CASE("wire numbers: integers to the nearest, but never the most negative") 
   }
 }
 
-TEST_CASE("wire numbers: floats end where they end") {
+TEST_CASE("wire numbers: floats are limited to their range") {
   bool cut = false;
   CHECK(to_float(1.5, cut) == 1.5f);
   CHECK(!cut);
@@ -68,7 +68,7 @@ TEST_CASE("wire numbers: floats end where they end") {
   CHECK(to_float(-1e300, cut) == -std::numeric_limits<float>::max());
 }
 
-TEST_CASE("wire numbers: bytes that are not there are zero, and are not written") {
+TEST_CASE("wire numbers: missing bytes are read as zero and not written") {
   std::array<std::uint8_t, 3> bytes{1, 2, 3};
   CHECK(got<std::uint16_t>(bytes, 0) == 0x0201);
   CHECK(got<std::uint32_t>(bytes, 1) == 0x00000302);
@@ -77,7 +77,7 @@ TEST_CASE("wire numbers: bytes that are not there are zero, and are not written"
   CHECK(bytes == std::array<std::uint8_t, 3>{1, 0xDD, 0xCC});
 }
 
-TEST_CASE("unwrap: follows over the end of the range, both ways, for many turns") {
+TEST_CASE("unwrap: a position goes on over the end of the range, both ways, for many turns") {
   position_unwrap unwrap(25);
   const auto wrapped = [](double q) { return q - 25 * std::floor((q + 12.5) / 25); };
   double worst = 0;

@@ -1,5 +1,5 @@
-// Chains for the tests of kinematics: a plane arm, redundant ones, one that slides, one of six joints, and
-// Oncilla's leg.
+// Chains for the tests of kinematics: a plane arm, redundant arms, one with a prismatic joint, one of six
+// joints, and Oncilla's leg.
 #pragma once
 
 #include <cca/mapping/inverse_kinematics.hpp>
@@ -30,27 +30,27 @@ struct plane_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2>> {
   static constexpr std::array joints{revolute(along_y), revolute(along_y, at(0.3, 0, 0))};
   static constexpr auto tip = at(0.2, 0, 0);
 };
-// Three joints for three coordinates, skew, its axes not along x, y or z.
+// Three joints for three coordinates, with skew axes, none along x, y or z.
 struct skew_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a3>> {
   static constexpr std::array joints{revolute({0.1, 0.2, 1}, at(0.1, 0, 0.2)),
                                      revolute({0, 2, 0.3}, at(0, 0.1, 0.1) * turned_about({1, 1, 0}, 0.4)),
                                      revolute({-0.2, 1, 0}, at(0.3, 0.02, 0))};
   static constexpr auto tip = at(0.25, 0, 0.05) * turned_about(along_x, 1);
 };
-// Four for three, the last one sliding.
+// Four joints for three coordinates, the last one prismatic.
 struct sliding_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a4, slide>> {
   static constexpr std::array joints{revolute(along_z), revolute(along_y, at(0.1, 0, 0.1)),
                                      revolute(along_x, at(0.2, 0, 0)),
                                      prismatic({0, 1, 1}, at(0.2, 0, 0) * turned_about(along_y, -0.5))};
   static constexpr auto tip = at(0.1, 0, 0);
 };
-// Two sections that slide together, the second half as far.
+// Two sections that slide together, the second half as far as the first.
 struct telescope : cca::serial_chain<trunk, hip, cca::axes<a1, slide>> {
   static constexpr std::array joints{revolute(along_z), prismatic(along_x, at(0.1, 0, 0)).driven_by(1),
                                      prismatic(along_x, at(0.1, 0, 0)).driven_by(1, 0.5, 0.02)};
   static constexpr auto tip = at(0.1, 0, 0);
 };
-// Six with a wrist.
+// Six joints with a wrist.
 struct whole_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a3, a4, a5, a6>> {
   static constexpr std::array joints{
       revolute(along_z, at(0, 0, 0.3)),  revolute(along_y), revolute(along_y, at(0.3, 0, 0)),
@@ -58,7 +58,7 @@ struct whole_arm : cca::serial_chain<trunk, hip, cca::axes<a1, a2, a3, a4, a5, a
   static constexpr auto tip = at(0.1, 0, 0);
 };
 
-// The leg of the simulated robot, its axes with its limits; but inward half as far, so that the sides differ.
+// The leg of the simulated robot with its limits, but with half the range inward, so that the sides differ.
 inline constexpr cca::sim::oncilla_model oncilla = cca::sim::oncilla_defaults;
 struct abduction : cca::dimension<"abduction"> {
   static constexpr auto limits =
@@ -85,7 +85,7 @@ struct leg_in_plane : cca::pantograph_leg<hip, world, cca::axes<hip_joint, knee>
 struct left_leg : cca::pantograph_leg<trunk, world, cca::axes<abduction, hip_joint, knee>, placed_leg(1)> {};
 struct right_leg : cca::pantograph_leg<trunk, world, cca::axes<abduction, hip_joint, knee>, placed_leg(-1)> {
 };
-// On hips that are turned.
+// Legs on turned hips.
 constexpr cca::pantograph turned_leg_by(const std::array<double, 3>& axis, double angle) {
   auto leg = leg_on(1);
   leg.hip = at(0.1, 0.05, 0.02) * turned_about(axis, angle);
@@ -101,7 +101,7 @@ struct turned_leg : cca::pantograph_leg<trunk,
                                         world,
                                         cca::axes<abduction, hip_joint, knee>,
                                         turned_leg_by({1, 2, -1}, 0.7)> {};
-// The same, but solved as any chain.
+// The same leg, but solved like any chain.
 template <class Leg>
 struct as_chain : cca::serial_chain<typename Leg::base, typename Leg::tip_frame, typename Leg::axes> {
   static constexpr auto joints = Leg::joints;
@@ -111,7 +111,7 @@ struct as_chain : cca::serial_chain<typename Leg::base, typename Leg::tip_frame,
 template <class Chain>
 struct angles_of : cca::space<cca::joint_angles, typename Chain::axes> {};
 
-// Random angles within the limits, and a little beyond them if `part` is more than 1.
+// Random angles within the limits, or a little beyond them if `part` is more than 1.
 template <class Chain>
 auto random_angles(laws::source& random, double part = 1) {
   using limits = cca::detail::chain_limits<Chain, angles_of<Chain>>;

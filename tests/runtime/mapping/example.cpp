@@ -20,20 +20,20 @@ struct in_hip : cca::space<cca::cartesian_position<hip>, xyz> {};
 struct in_trunk : cca::space<cca::cartesian_position<trunk>, xyz> {};
 struct height : cca::space<cca::number, cca::axes<cca::z>> {};
 
-// A placement: where the hip's frame stands in the trunk's.
+// A placement: the frame of the hip in that of the trunk.
 struct hip_in_trunk : cca::placed<hip, trunk> {
   static constexpr auto where = cca::at(0.12, 0.07, 0) * cca::turned_about(cca::along_z, cca::pi / 2);
 };
 
 // Function objects.
-struct mirrored {  // left and right change places
+struct mirrored {  // swaps left and right
   Eigen::Vector3d operator()(const Eigen::Vector3d& v) const { return {v[0], -v[1], v[2]}; }
 };
 struct above_trunk {
   double operator()(const cca::sample<in_trunk>& p) const { return p[cca::z{}]; }
 };
 
-// A chain is one component. Were the first left out, it would not compile: mapping.chain.
+// A chain is one component. Without the first mapping it would not compile: mapping.chain.
 struct height_of : cca::mapping_chain<cca::frame_change<hip_in_trunk, in_hip, in_trunk>,  //
                                       cca::transformation<in_trunk, mirrored>,            //
                                       cca::mapping<in_trunk, height, above_trunk>> {};
@@ -84,6 +84,6 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of a mapping between two components is that of its page") {
+TEST_CASE("the picture of a mapping between two components is the one on its page") {
   test::check_picture<paw::walk>(picture);
 }

@@ -15,7 +15,7 @@ using forward = cca::forward_kinematics<Chain, angles_of<Chain>, Tip>;
 template <class Chain, class Tip>
 using inverse = cca::inverse_kinematics<Chain, angles_of<Chain>, Tip>;
 
-// The inverse called by hand.
+// Calls the inverse directly.
 template <class Ik, class Vector>
 auto solve(Ik& ik, const Vector& target) {
   const auto all = laws::map_all(ik, target);
@@ -35,15 +35,15 @@ double apart(const typename Tip::vector_type& a, const typename Tip::vector_type
   else return (a - b).norm();
 }
 
-// Of a target that can be reached, the inverse finds angles that lead there.
+// For a reachable target the inverse finds angles that lead there.
 template <class Chain, class Tip, int Most>
 struct chain_model {
   using chain = Chain;
   using tip = Tip;
-  static constexpr int most_missed = Most;  // of 1000, for which only a local minimum is found
+  static constexpr int most_missed = Most;  // of 1000 targets: for these it finds only a local minimum
 };
 
-// From where a foot can be to the angles, in closed form, and back.
+// From a reachable foot position to the angles, in closed form, and back.
 template <class Leg, class Tip>
 struct leg_model {
   using forward = cca::inverse_kinematics<Leg, angles_of<Leg>, Tip>;
@@ -117,7 +117,7 @@ TEST_SUITE("kinematics") {
     CHECK(solve(ik, Eigen::Vector2d(0.9, 0.2)).status == cca::reaching::nearest);
   }
 
-  TEST_CASE_TEMPLATE("the Jacobian is what differences of the positions say", Chain, plane_arm, skew_arm,
+  TEST_CASE_TEMPLATE("the Jacobian agrees with differences of positions", Chain, plane_arm, skew_arm,
                      sliding_arm, telescope, whole_arm, left_leg, right_leg, leg_in_plane) {
     laws::source random{std::mt19937_64{21}};
     for (int i = 0; i < laws::rounds; ++i) {
@@ -139,7 +139,7 @@ TEST_SUITE("kinematics") {
     }
   }
 
-  TEST_CASE("positions, orientations and poses are of one tip") {
+  TEST_CASE("positions, orientations and poses agree on one tip") {
     laws::source random{std::mt19937_64{22}};
     for (int i = 0; i < laws::rounds; ++i) {
       const auto q = random_angles<whole_arm>(random);
@@ -156,7 +156,7 @@ TEST_SUITE("kinematics") {
     }
   }
 
-  TEST_CASE("the angles may stand in another order, among others") {
+  TEST_CASE("the angles may have another order and other axes between") {
     cca::forward_kinematics<skew_arm, more, foot_in_trunk> position;
     CHECK(laws::map(position, Eigen::Vector4d(-0.3, 9, 0.1, 0.2)) ==
           cca::chain_pose<skew_arm>(Eigen::Vector3d(0.1, 0.2, -0.3)).tip().at);
@@ -168,7 +168,7 @@ TEST_SUITE("kinematics") {
   }
 
   TEST_CASE_TEMPLATE(
-      "the inverse reaches what can be reached", Model, chain_model<plane_arm, foot_in_base_plane, 2>,
+      "the inverse reaches reachable targets", Model, chain_model<plane_arm, foot_in_base_plane, 2>,
       chain_model<skew_arm, foot_in_trunk, 20>, chain_model<sliding_arm, foot_in_trunk, 40>,
       chain_model<whole_arm, foot_in_trunk, 2>, chain_model<whole_arm, turn_in_trunk, 6>,
       chain_model<whole_arm, pose_in_trunk, 300>, chain_model<left_leg, foot_in_trunk, 0>,
@@ -182,7 +182,7 @@ TEST_SUITE("kinematics") {
     forward<chain, tip> there;
     int missed = 0;
     for (int i = 0; i < 1000; ++i) {
-      inverse<chain, tip> back;  // which knows nothing of the one before
+      inverse<chain, tip> back;  // without any earlier answer
       const auto target = laws::map(there, random_angles<chain>(random));
       const std::size_t before = laws::allocations();
       const auto found = solve(back, target);
@@ -195,7 +195,7 @@ TEST_SUITE("kinematics") {
     CHECK(missed <= Model::most_missed);
   }
 
-  TEST_CASE_TEMPLATE("the laws of an inverse hold for the kinematics of a leg", Model,
+  TEST_CASE_TEMPLATE("the kinematics of a leg obey the laws of an inverse", Model,
                      leg_model<left_leg, foot_in_trunk>, leg_model<right_leg, foot_in_trunk>,
                      leg_model<leg_in_plane, foot_in_plane>) {
     laws::inverse<Model>();
@@ -221,13 +221,13 @@ TEST_SUITE("kinematics") {
     CHECK((q - to).norm() < 1e-6);
   }
 
-  TEST_CASE("starting from the stretched arm, towards its base") {
+  TEST_CASE("it moves from the stretched arm towards its base") {
     inverse<plane_arm, foot_in_base_plane> ik;
     const auto found = solve(ik, Eigen::Vector2d(0.4, 0));
     CHECK(found.status == cca::reaching::reached);
   }
 
-  TEST_CASE("the nearest point of a circle is known") {
+  TEST_CASE("it finds the nearest point of a circle") {
     laws::source random{std::mt19937_64{24}};
     for (int i = 0; i < laws::rounds; ++i) {
       inverse<free_arm, foot_in_base_plane> ik;
@@ -241,8 +241,8 @@ TEST_SUITE("kinematics") {
     }
   }
 
-  TEST_CASE_TEMPLATE("what is no position is answered with the angles from before", Ik, of_skew_arm,
-                     of_left_leg, of_right_leg) {
+  TEST_CASE_TEMPLATE("a target that is not finite gives the last angles", Ik, of_skew_arm, of_left_leg,
+                     of_right_leg) {
     Ik ik;
     const auto before = solve(ik, Eigen::Vector3d(0.15, 0.1, -0.16)).q;
     for (const double bad : {not_a_number, inf, -inf})
@@ -263,7 +263,7 @@ TEST_SUITE("kinematics") {
       }
   }
 
-  TEST_CASE("a start that is no number is passed over") {
+  TEST_CASE("a start that is not finite is ignored") {
     of_skew_arm ik, other;
     const auto q = solve(ik, Eigen::Vector3d(0.4, 0.1, 0.3)).q;
     (void)solve(other, Eigen::Vector3d(0.4, 0.1, 0.3));
@@ -274,7 +274,7 @@ TEST_SUITE("kinematics") {
     CHECK(angles.vector() == solve(other, next).q);
   }
 
-  TEST_CASE("a start beyond the limits is taken as the nearest within") {
+  TEST_CASE("a start beyond the limits is moved to the nearest angles within") {
     const Eigen::Vector3d beyond(2.0, 0.1, -0.3);
     cca::optional_in<"near", angles_of<skew_arm>> near(beyond, 0, true);
     near.set_wired();
@@ -284,7 +284,7 @@ TEST_SUITE("kinematics") {
     CHECK(within_limits<skew_arm>(q.vector()));
   }
 
-  TEST_CASE("after a start it knows nothing of before") {
+  TEST_CASE("after on_start earlier answers have no effect") {
     of_skew_arm used, fresh;
     (void)solve(used, Eigen::Vector3d(0.4, 0.1, 0.3));
     used.on_start();
@@ -293,7 +293,7 @@ TEST_SUITE("kinematics") {
   }
 
   TEST_CASE(
-      "sections that slide together move by their ratios from where they rest, and within their limits") {
+      "sections that slide together move by their ratios from their rest positions, within their limits") {
     CHECK(cca::chain_pose<telescope>(Eigen::Vector2d(0, 0.1)).tip().at[0] ==
           doctest::Approx(0.3 + 0.1 + 0.05 + 0.02));
     inverse<telescope, foot_in_trunk> ik;
@@ -301,7 +301,7 @@ TEST_SUITE("kinematics") {
     CHECK(solve(ik, Eigen::Vector3d(0.1, 0, 0)).q[1] == -0.1);
   }
 
-  TEST_CASE("a quaternion of any length is the rotation that it names") {
+  TEST_CASE("a quaternion of any length means the same rotation") {
     const auto target = [](double length) {
       forward<whole_arm, pose_in_trunk> there;
       auto pose = laws::map(there, Eigen::Matrix<double, 6, 1>{0.1, 0.2, -0.8, 0.3, 0.5, -0.2});
@@ -318,7 +318,7 @@ TEST_SUITE("kinematics") {
 }
 
 TEST_SUITE("Oncilla's leg") {
-  TEST_CASE("as the simulator has it") {
+  TEST_CASE("its kinematics are those of the simulator") {
     laws::source random{std::mt19937_64{25}};
     for (int i = 0; i < laws::rounds; ++i) {
       const auto q = random_angles<leg_in_plane>(random);
@@ -329,7 +329,7 @@ TEST_SUITE("Oncilla's leg") {
       const auto angles = cca::sim::leg_angles_for(oncilla, foot);
       CHECK((solve(ik, Eigen::Vector2d(foot.x, foot.z)).q - Eigen::Vector2d(angles.hip, angles.knee)).norm() <
             1e-7);
-      // The abduction turns the plane about x, outward.
+      // The abduction turns the plane outward about x.
       for (const double side : {1.0, -1.0}) {
         const double tilt = side * random(-0.3, 0.3);
         const Eigen::Vector3d a(side * tilt, q[0], q[1]);
@@ -343,8 +343,8 @@ TEST_SUITE("Oncilla's leg") {
     }
   }
 
-  // Out of reach: of a fine grid of angles none leads nearer.
-  TEST_CASE_TEMPLATE("nothing that can be reached is nearer", Leg, left_leg, right_leg) {
+  // Out of reach: no angles of a fine grid lead nearer.
+  TEST_CASE_TEMPLATE("no reachable point is nearer", Leg, left_leg, right_leg) {
     laws::source random{std::mt19937_64{26}};
     const double side = std::is_same_v<Leg, left_leg> ? 1 : -1;
     std::vector<Eigen::Vector3d> grid;
@@ -370,7 +370,7 @@ TEST_SUITE("Oncilla's leg") {
       CHECK((found.status == cca::reaching::reached) == (distance < 1e-9));
       outside += distance > 1e-9;
       above += target[2] > 0 && distance > 1e-9;
-      // The general solver agrees, or stays in a local minimum.
+      // The general solver agrees, or stops in a local minimum.
       inverse<as_chain<Leg>, foot_in_trunk> general;
       const auto other = solve(general, target);
       CHECK((cca::chain_pose<Leg>(other.q).tip().at - target).norm() >= distance - 1e-9);
@@ -379,7 +379,8 @@ TEST_SUITE("Oncilla's leg") {
     CHECK(above > 50);
   }
 
-  TEST_CASE_TEMPLATE("nearer to the hip than a leg can fold, it folds", Knee, folding, folding_back) {
+  TEST_CASE_TEMPLATE("for a target nearer to the hip than the leg can fold, it folds", Knee, folding,
+                     folding_back) {
     const double shortest = std::abs(oncilla.upper_length + oncilla.foot_lever() - oncilla.middle_length);
     inverse<folding_leg<Knee>, foot_in_plane> ik;
     const Eigen::Vector2d target = 0.5 * shortest * Eigen::Vector2d(0.6, -0.8);
@@ -387,8 +388,8 @@ TEST_SUITE("Oncilla's leg") {
     CHECK((Eigen::Vector2d(at[0], at[2]) - 2 * target).norm() < 1e-9);
   }
 
-  // A knee that may bend either way, as in the leg of the README.
-  TEST_CASE("a knee of negative angles, and one of both") {
+  // A knee that bends both ways, as in the leg of the README.
+  TEST_CASE("a knee with negative angles, and one with both signs") {
     laws::source random{std::mt19937_64{27}};
     for (int i = 0; i < laws::rounds; ++i) {
       const auto q = random_angles<backward>(random);
@@ -398,7 +399,7 @@ TEST_SUITE("Oncilla's leg") {
       const auto found = solve(ik, foot);
       CHECK(found.status == cca::reaching::reached);
       CHECK((laws::map(there, found.q) - foot).norm() < 1e-9);
-      // Of two solutions the one that is nearer to where the leg is.
+      // Of two solutions the one nearer to the current angles.
       inverse<either, foot_in_plane> one;
       cca::optional_in<"near", angles_of<either>> near(q, 0, true);
       near.set_wired();

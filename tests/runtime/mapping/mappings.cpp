@@ -9,7 +9,7 @@ using namespace mapping_test;
 
 namespace {
 
-// By Eigen's matrices, along another way than the library's.
+// The expected values, by Eigen's matrices instead of the library's quaternions.
 Eigen::Matrix3d matrix(const cca::placement& p) {
   const auto [x, y, z, w] = p.rotation;
   Eigen::Matrix3d m;
@@ -49,7 +49,7 @@ struct height {
 };
 struct heights : cca::space<cca::number, cca::axes<cca::z>> {};
 
-// With two outputs, one of them a status, an optional input and the beat: a mapping still.
+// Still a mapping: two outputs, one of them a status, an optional input and the beat.
 struct mode : cca::dimension<"mode"> {};
 struct modes : cca::space<cca::status, cca::axes<mode>> {};
 struct counting {
@@ -64,7 +64,7 @@ struct two_inputs {
     return b;
   }
 };
-// Tells where what it takes comes from, and whether it's new.
+// Outputs the origin of its input, and whether it is fresh.
 struct noting {
   auto process(cca::in<"a", foot_in_hip> a) -> cca::out<"b", foot_in_hip> {
     return Eigen::Vector3d(static_cast<double>(a.origin()), a.fresh(), 0);
@@ -113,7 +113,7 @@ struct scale_model {
   static bool close(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm() < 1e-12; }
 };
 
-// There and back, each a chain.
+// There and back, each as a chain.
 struct chain_model {
   using forward = cca::mapping_chain<cca::frame_change<hip_in_trunk, foot_in_hip, foot_in_trunk>,
                                      cca::frame_change<trunk_in_world, foot_in_trunk, foot_in_world>>;
@@ -138,7 +138,7 @@ struct undone {
   static constexpr auto where = cca::inverse(Motion::where);
 };
 
-// Within a frame, by a motion and the one that undoes it.
+// Within a frame, a motion and its inverse.
 template <template <class, class> class By, class Motion, class Space>
 struct motion_model {
   using forward = By<Space, Motion>;
@@ -153,10 +153,11 @@ struct motion_model {
 
 TEST_SUITE("mappings") {
   TEST_CASE_TEMPLATE(
-      "an inverse takes back", Model, scale_model, chain_model, change_model<foot_in_hip, foot_in_trunk>,
-      change_model<turn_in_hip, turn_in_trunk>, change_model<pose_in_hip, pose_in_trunk>,
-      change_model<twist_at_hip, twist_at_trunk>, change_model<wrench_at_hip, wrench_at_trunk>,
-      change_model<twist_at_hip, twist_at_hip_in_trunk>, change_model<wrench_at_hip, wrench_at_hip_in_trunk>,
+      "an inverse undoes its mapping", Model, scale_model, chain_model,
+      change_model<foot_in_hip, foot_in_trunk>, change_model<turn_in_hip, turn_in_trunk>,
+      change_model<pose_in_hip, pose_in_trunk>, change_model<twist_at_hip, twist_at_trunk>,
+      change_model<wrench_at_hip, wrench_at_trunk>, change_model<twist_at_hip, twist_at_hip_in_trunk>,
+      change_model<wrench_at_hip, wrench_at_hip_in_trunk>,
       motion_model<cca::translation_by, lifted, foot_in_hip>,
       motion_model<cca::rotation_by, turned, foot_in_hip>, motion_model<cca::rigid_motion, both, pose_in_hip>,
       motion_model<cca::rotation_by, turned, turn_in_hip>) {
@@ -178,7 +179,7 @@ TEST_SUITE("mappings") {
     CHECK(laws::map(by_lambda, v) == v.reverse());
   }
 
-  TEST_CASE("a chain hands on what its mappings give, their statuses and the beat") {
+  TEST_CASE("a chain passes on the outputs of its mappings, their statuses and the beat") {
     using chain = cca::mapping_chain<counting, cca::transformation<foot_in_hip, doubled>>;
     static_assert(cca::Mapping<chain>);
     chain c;
@@ -189,7 +190,7 @@ TEST_SUITE("mappings") {
     CHECK(mode.vector()[0] == 5);
   }
 
-  TEST_CASE("each mapping of a chain hears the origin of the chain's input, and whether that is new") {
+  TEST_CASE("each mapping of a chain sees the origin and freshness of the chain's input") {
     cca::mapping_chain<noting, noting> c;
     for (const bool fresh : {true, false})
       CHECK(std::get<0>(c.process(cca::in<"a", foot_in_hip>(Eigen::Vector3d(1, 2, 3), 7, fresh),
@@ -197,7 +198,7 @@ TEST_SUITE("mappings") {
                 .vector() == Eigen::Vector3d(7, fresh, 0));
   }
 
-  TEST_CASE("placements are those of matrices") {
+  TEST_CASE("placements agree with matrices") {
     constexpr auto a = hip_in_trunk::where, b = trunk_in_world::where * cca::turned_about({-1, 0.5, 3}, 2.0);
     CHECK((matrix(b * a) - matrix(b) * matrix(a)).norm() < 1e-15);
     CHECK((vector(b * a) - (matrix(b) * vector(a) + vector(b))).norm() < 1e-15);
@@ -215,7 +216,7 @@ TEST_SUITE("mappings") {
       CHECK(cca::detail::constant_root(square) == doctest::Approx(std::sqrt(square)).epsilon(1e-15));
   }
 
-  TEST_CASE("frame changes are those of matrices") {
+  TEST_CASE("frame changes agree with matrices") {
     laws::source random{std::mt19937_64{12}};
     const Eigen::Matrix3d R = matrix(hip_in_trunk::where);
     const Eigen::Vector3d t = vector(hip_in_trunk::where);
@@ -224,7 +225,7 @@ TEST_SUITE("mappings") {
       cca::frame_change<hip_in_trunk, foot_in_hip, foot_in_trunk> position;
       CHECK((laws::map(position, p) - (R * p + t)).norm() < 1e-14);
 
-      // Of things turned and placed in the hip's frame: the rows of their rotation, and their place.
+      // Poses in the frame of the hip: rotation and position.
       const Eigen::Vector4d q = quaternion(random);
       cca::frame_change<hip_in_trunk, turn_in_hip, turn_in_trunk> turn;
       CHECK(
@@ -240,7 +241,7 @@ TEST_SUITE("mappings") {
 
       Eigen::Matrix<double, 6, 1> v;
       v << random.vector(2), random.vector(2);
-      // Spatial transforms (Featherstone 2008, chapter 2), from the hip's coordinates to the trunk's.
+      // Spatial transforms (Featherstone 2008, chapter 2) from hip to trunk coordinates.
       Eigen::Matrix<double, 6, 6> motion, force;
       motion << R, Eigen::Matrix3d::Zero(), skew(t) * R, R;
       force << R, skew(t) * R, Eigen::Matrix3d::Zero(), R;
@@ -263,7 +264,7 @@ TEST_SUITE("mappings") {
     CHECK((laws::map(translation, p) - (p + vector(lifted::where))).norm() < 1e-15);
     CHECK((laws::map(rotation, p) - matrix(turned::where) * p).norm() < 1e-14);
     CHECK((laws::map(motion, p) - laws::map(translation, laws::map(rotation, p))).norm() < 1e-14);
-    cca::translation_by<foot_in_plane, lifted> in_plane;  // only along the axes that there are
+    cca::translation_by<foot_in_plane, lifted> in_plane;  // only along the axes of the space
     CHECK((laws::map(in_plane, Eigen::Vector2d(1, 3)) - Eigen::Vector2d(1.1, 3.3)).norm() < 1e-15);
   }
 }

@@ -1,5 +1,5 @@
-// What no movement takes in: a start that has not come, and a sample that is not finite. It waits, publishes
-// nothing meanwhile, and goes on where it was.
+// No movement uses a start that has not arrived or a sample that is not finite. It waits, publishes nothing
+// meanwhile, and continues where it was.
 #include <limits>
 #include <utility>
 
@@ -23,7 +23,7 @@ using number = Eigen::Matrix<double, 1, 1>;
 using two = Eigen::Vector2d;
 const two somewhere(0.4, -0.3), bad(0.1, no_number);
 
-// A port that is wired, on which nothing has arrived.
+// A wired port without a sample.
 template <class Port>
 Port waiting() {
   Port port;
@@ -31,7 +31,7 @@ Port waiting() {
   return port;
 }
 
-// Each is a movement of two axes to a goal: `to(goal, start, k)` gives its position, if there is one.
+// Each is a movement of two axes to a goal; `to(goal, start, k)` returns its position, if it publishes one.
 struct reach {
   cca::vite<leg> it;
   auto to(const two& goal, const cca::optional_in<"start", leg>& start, int k) {
@@ -72,7 +72,7 @@ hand_pose::vector_type upright(double x) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a movement begins where it is told, once it is told",
+TEST_CASE_TEMPLATE("a movement begins at its start, once that has arrived",
                    Movement,
                    reach,
                    primitive,
@@ -85,13 +85,13 @@ TEST_CASE_TEMPLATE("a movement begins where it is told, once it is told",
   const auto first = m.to({1, 1}, wired<start>(somewhere), 25);
   REQUIRE(first);
   CHECK((first.vector() - somewhere).norm() < 0.02);
-  // From then on it looks there no more.
+  // Later samples of the start have no effect.
   const auto next = m.to({1, 1}, wired<start>(bad), 26);
   REQUIRE(next);
   CHECK((next.vector() - somewhere).norm() < 0.05);
 }
 
-TEST_CASE_TEMPLATE("a goal that is not finite is not followed, and does not stay",
+TEST_CASE_TEMPLATE("a goal that is not finite is not followed and leaves no trace",
                    Movement,
                    reach,
                    primitive,
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("a goal that is not finite is not followed, and does not stay
   CHECK((m.to({1, 1}, from, 4000).vector() - two(1, 1)).norm() < 1e-2);
 }
 
-TEST_CASE("without a start a rhythmic movement begins at its goal, so not before that has come") {
+TEST_CASE("without a start a rhythmic movement begins at its goal, once that has arrived") {
   rhythm m;
   const auto nowhere = cca::in<"goal", leg>{};
   const auto go = [&](const cca::in<"goal", leg>& goal, double phase, int k) {
@@ -117,11 +117,11 @@ TEST_CASE("without a start a rhythmic movement begins at its goal, so not before
   };
   CHECK(!go(nowhere, 0, 0));
   CHECK((go(given<cca::in<"goal", leg>>(somewhere), 0, 1).vector() - somewhere).norm() < 1e-12);
-  CHECK(!go(given<cca::in<"goal", leg>>(somewhere), no_number, 2));  // a phase that is none
+  CHECK(!go(given<cca::in<"goal", leg>>(somewhere), no_number, 2));  // a phase that is not finite
   CHECK((go(given<cca::in<"goal", leg>>(somewhere), 0, 3).vector() - somewhere).norm() < 1e-12);
 }
 
-TEST_CASE("a duration that is none changes nothing") {
+TEST_CASE("a duration that is not finite changes nothing") {
   primitive plain, disturbed;
   using duration = cca::optional_in<"duration", cca::movement_duration>;
   for (int k = 0; k < 500; ++k) {
@@ -134,7 +134,7 @@ TEST_CASE("a duration that is none changes nothing") {
   }
 }
 
-TEST_CASE("a pose waits, too, and keeps a quaternion of unit length") {
+TEST_CASE("a pose waits too, and keeps a quaternion of unit length") {
   cca::dmp_pose<hand_pose, hand, 5> m;
   using start = cca::optional_in<"start", hand_pose>;
   const auto go = [&](const hand_pose::vector_type& goal, const start& from, int k) {
@@ -147,7 +147,7 @@ TEST_CASE("a pose waits, too, and keeps a quaternion of unit length") {
   CHECK((go(upright(1), wired<start>(upright(0.5)), 3000).vector() - upright(1)).norm() < 1e-2);
 }
 
-TEST_CASE("oscillators stay where they are while what is wanted of them is no number") {
+TEST_CASE("oscillators keep their state while an input is not finite") {
   cca::hopf<stride> one_leg;
   const auto hopf = [&](double amplitude, int k) {
     const auto all = one_leg.process(

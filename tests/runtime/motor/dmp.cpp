@@ -1,5 +1,5 @@
-// Movement primitives: the spring without forcing term, shapes fitted by regression, changes of goal and
-// duration, limit cycles.
+// Movement primitives: the spring without forcing term, shapes from regression, changes of goal and duration,
+// limit cycles.
 #include <cca/motor/dmp_discrete.hpp>
 #include <cca/motor/dmp_rhythmic.hpp>
 #include <vector>
@@ -39,7 +39,7 @@ struct discrete_case {
     u[4] = random(0.8, 2);
     return u;
   }
-  static auto equilibrium(laws::ode_source& random) {  // at the goal, long after
+  static auto equilibrium(laws::ode_source& random) {  // at the goal, long after the end
     const auto u = input(random);
     auto x = ode::at_rest(u.head<2>(), u.head<2>());
     x[6] = 0;
@@ -74,8 +74,7 @@ point minimum_jerk(double y0, double g, double tau, double t) {
           w / tau * 30 * s * s * (1 - s) * (1 - s), w / tau / tau * (60 * s - 180 * s * s + 120 * s * s * s)};
 }
 
-// Weights that reproduce minimum jerk over a way of 1 in 1 s, by least squares over a thousand points of
-// time.
+// Weights that reproduce minimum jerk over a distance of 1 in 1 s, by least squares over a thousand times.
 reach::weight_matrix fitted(const reach& dmp) {
   const reach::ode::parameters p{dmp.p.weights, dmp.p.stiffness, dmp.p.decay, dmp.p.goal_rate, true};
   Eigen::Matrix<double, N, N> A = 1e-10 * Eigen::Matrix<double, N, N>::Identity();
@@ -121,7 +120,7 @@ auto swung(swing& dmp,
 
 }  // namespace
 
-TEST_CASE("the laws of an ode hold for discrete and rhythmic movement primitives") {
+TEST_CASE("discrete and rhythmic movement primitives obey the laws of an ode") {
   laws::ode<discrete_case>();
   laws::ode<rhythmic_case>();
 }
@@ -156,14 +155,14 @@ void check_rhythmic_activations() {
   }
 }
 
-TEST_CASE("rhythmic activations are equation 2.7, for many functions and few") {
+TEST_CASE("rhythmic activations equal equation 2.7, for many functions and few") {
   check_rhythmic_activations<1>();
   check_rhythmic_activations<7>();
   check_rhythmic_activations<40>();
-  check_rhythmic_activations<200>();  // the least of them are too small for a double
+  check_rhythmic_activations<200>();  // the smallest underflow in a double
 }
 
-TEST_CASE("without weights it is a critically damped spring") {
+TEST_CASE("without weights a primitive is a critically damped spring") {
   reach dmp;
   dmp.p.duration = 2;
   for (int k = 0; k < 3000; ++k) {
@@ -177,7 +176,7 @@ TEST_CASE("without weights it is a critically damped spring") {
 }
 
 TEST_CASE(
-    "with fitted weights it reproduces minimum jerk to 0.2 % of the way, to another goal, and in another "
+    "with fitted weights it reproduces minimum jerk to 0.2 % of the way, also to another goal and in another "
     "time") {
   reach dmp;
   dmp.p.weights = fitted(dmp);
@@ -195,7 +194,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a goal that changes under way is reached, without a jump of velocity") {
+TEST_CASE("a goal that changes during the movement is reached without a jump of the velocity") {
   reach dmp;
   dmp.p.weights = fitted(dmp);
   double last = 0, jump = 0, y = 0, status = 0;
@@ -210,7 +209,7 @@ TEST_CASE("a goal that changes under way is reached, without a jump of velocity"
   CHECK(status == cca::status_of(cca::ode_status::converged));
 }
 
-TEST_CASE("a duration that changes under way changes the speed there, and not the path") {
+TEST_CASE("a duration that changes during the movement changes the speed, not the path") {
   reach dmp, slow;
   dmp.p.weights = slow.p.weights = fitted(dmp);
   std::vector<double> plain, slowed;
@@ -220,7 +219,7 @@ TEST_CASE("a duration that changes under way changes the speed there, and not th
   for (std::size_t k = 0; k < 600; ++k) CHECK(std::abs(slowed[399 + 2 * k] - plain[399 + k]) < 1e-6);
 }
 
-TEST_CASE("a restart begins the shape anew from where it is; an unscaled shape may end where it began") {
+TEST_CASE("a restart begins the shape at the current position; an unscaled shape may end where it began") {
   reach dmp;
   dmp.p.weights = fitted(dmp);
   for (int k = 0; k < 3000; ++k) (void)step(dmp, k, {1, 0});
@@ -239,7 +238,7 @@ TEST_CASE("a restart begins the shape anew from where it is; an unscaled shape m
 }
 
 TEST_CASE(
-    "a rhythmic primitive with fitted weights swings as the demonstration, times its amplitude, around its "
+    "a rhythmic primitive with fitted weights follows the demonstration, scaled by its amplitude, around its "
     "goal") {
   const double hertz = 1.5, tau = 1 / (2 * cca::pi * hertz), w = 2 * cca::pi * hertz;
   swing dmp;
@@ -263,12 +262,12 @@ TEST_CASE(
   for (int k = 0; k < 4000; ++k) {
     const auto y = std::get<0>(swung(dmp, k, hertz, 0.3, {0.2, -0.1}));
     if (k > 2000) worst = std::max(worst, std::abs(y[hip{}] - (0.2 + 0.3 * shape(w * (k + 1) * 1e-3))));
-    CHECK(std::abs(y[knee{}] + 0.1) < 1e-12);  // no weights: it stays at its goal
+    CHECK(std::abs(y[knee{}] + 0.1) < 1e-12);  // without weights it stays at its goal
   }
   CHECK(worst < 0.3 * 0.01);
 }
 
-TEST_CASE("the limit cycle attracts as the closed form says, and at amplitude 0 or less the goal does") {
+TEST_CASE("the limit cycle attracts as in the closed form; at amplitude 0 or less the goal attracts") {
   swing one, other;
   for (int i = 0; i < N; ++i)
     one.p.weights.col(i) = other.p.weights.col(i) = 60 * Eigen::Vector2d(std::sin(i), std::cos(i));
@@ -288,7 +287,7 @@ TEST_CASE("the limit cycle attracts as the closed form says, and at amplitude 0 
   CHECK(status == cca::status_of(cca::ode_status::converged));
 }
 
-TEST_CASE("a duration or a frequency that is none is taken for the least that there is") {
+TEST_CASE("a duration or a frequency below the minimum counts as the minimum") {
   reach one, least;
   CHECK(
       std::get<0>(one.process(given<goal>({1, 0}), {}, wired<duration>(number(0.0)), {}, at(0))).vector() ==

@@ -1,4 +1,4 @@
-// A pose on one phase: closed form of its orientation, goals that change, unit length.
+// A pose on one phase: closed form of the orientation, changing goals, unit length.
 #include <cca/motor/dmp_pose.hpp>
 
 #include "rig.hpp"
@@ -32,7 +32,7 @@ struct pose_case {
     return p;
   }
   static vector7 random_pose(
-      laws::ode_source& random) {  // turned by less than a quarter, so that the shorter way stays it
+      laws::ode_source& random) {  // less than a quarter turn, so the shorter way stays the same
     return pose(random.vector<v3>(-1, 1), cca::rotation::exp(random.vector<v3>(-0.4, 0.4)));
   }
   static ode::state state(laws::ode_source& random) {
@@ -63,9 +63,9 @@ auto step(reach& dmp, int k, const vector7& to, const vector7& from, bool again 
 
 }  // namespace
 
-TEST_CASE("the laws of an ode hold for the movement primitive of a pose") { laws::ode<pose_case>(); }
+TEST_CASE("the movement primitive of a pose obeys the laws of an ode") { laws::ode<pose_case>(); }
 
-TEST_CASE("without weights the angle left falls as the distance does, about a fixed axis, on one phase") {
+TEST_CASE("without weights the remaining angle falls like the distance, about a fixed axis, on one phase") {
   reach dmp;
   dmp.p.duration = 1.5;
   const v3 axis = v3(1, 2, -1).normalized();
@@ -84,7 +84,7 @@ TEST_CASE("without weights the angle left falls as the distance does, about a fi
   }
 }
 
-TEST_CASE("the same weights give position and rotation the same course") {
+TEST_CASE("with the same weights position and rotation take the same course") {
   reach dmp;
   for (int j = 0; j < 10; ++j) dmp.p.weights.col(j).setConstant(50 * std::sin(j));
   const v3 way(0.3, -0.5, 0.2);
@@ -94,16 +94,16 @@ TEST_CASE("the same weights give position and rotation the same course") {
         step(dmp, k, pose(way, cca::rotation::exp(v3(way[0], 0, 0))), pose({0, 0, 0}, {0, 0, 0, 1})));
     const v3 turned = cca::rotation::log(v4(at_now.vector().tail<4>()));
     CHECK(std::abs(turned[0] - at_now.vector()[0]) <
-          1e-8);  // about one axis it is a scalar, as the coordinate along x
+          1e-8);  // about one axis the rotation is a scalar, like the coordinate x
     most = std::max(most, std::abs(at_now.vector()[0] -
                                    0.3 * (1 - (1 + 0.0125 * (k + 1)) * std::exp(-0.0125 * (k + 1)))));
   }
-  CHECK(most > 0.01);  // the weights do something
+  CHECK(most > 0.01);  // the weights have an effect
 }
 
 TEST_CASE(
-    "a goal that changes under way is reached, without a jump of the acceleration; a restart begins from "
-    "where it is") {
+    "a goal that changes during the movement is reached without a jump of the acceleration; a restart begins "
+    "at the current pose") {
   reach dmp;
   const vector7 from = pose({0, 0, 0}, {0, 0, 0, 1}), first = pose({1, 0, 0}, about(v3(0, 0, 1), 1.5)),
                 second = pose({0, 1, 0}, about(v3(0, 1, 0), -1.0));
@@ -114,7 +114,7 @@ TEST_CASE(
     const Eigen::Matrix<double, 6, 1> gain = velocity.vector() - last;
     if (k > 200)
       jump = std::max(
-          jump, (gain - gained).norm());  // of the acceleration, which at the beginning leaps as a spring's
+          jump, (gain - gained).norm());  // of the acceleration; that of a spring jumps at the beginning
     gained = gain;
     last = velocity.vector();
     angle = cca::rotation::angle(
@@ -132,11 +132,11 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "after a restart it goes as one that begins there, and a quaternion that is not of unit length is taken "
-    "for the one that is") {
+    "after a restart it moves like a new one from there, and it normalises a quaternion that is not of unit "
+    "length") {
   double length = 0;
   SUBCASE("longer") { length = 3; }
-  SUBCASE("hardly any") { length = 1e-12; }
+  SUBCASE("almost zero") { length = 1e-12; }
   reach used, fresh;
   for (int j = 0; j < 10; ++j)
     used.p.weights.col(j) = fresh.p.weights.col(j) = Eigen::Matrix<double, 6, 1>::Constant(40 * std::cos(j));

@@ -1,5 +1,5 @@
-// The example of docs/motor.md: the way from locomotion to reaching of the seed's section 6.3, for one leg;
-// and a graph of all motor components, which the rules accept.
+// The example of docs/motor.md: from locomotion to reaching (seed, section 6.3), for one leg; and a graph of
+// all motor components, which the rules accept.
 #include <string>
 #include <string_view>
 
@@ -97,7 +97,7 @@ static_assert(cca::well_formed<heard> && cca::well_formed<all_of_them>);
 
 }  // namespace
 
-TEST_CASE("a leg swings around a goal, and, when the oscillator rests, reaches another one") {
+TEST_CASE("a leg swings around a goal and, when the oscillator rests, reaches another goal") {
   cca::controller<heard> c;
   for (int i = 0; i < 10; ++i)
     c.get<"leg.dmp">().p.weights.col(i) =
@@ -117,7 +117,7 @@ TEST_CASE("a leg swings around a goal, and, when the oscillator rests, reaches a
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 4000; ++k) c.step();
   CHECK(laws::allocations() == before);
-  // The ember that is left of the oscillation is a thousandth of it.
+  // The remaining oscillation, `ember`, is a thousandth.
   CHECK((c.get<"ear">().angles - Eigen::Vector2d(0.6, -1.2)).norm() < 2e-3);
 }
 
@@ -147,6 +147,6 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of the way from locomotion to reaching is that of its page") {
+TEST_CASE("the picture of locomotion to reaching is the one on its page") {
   test::check_picture<skills>(picture);
 }

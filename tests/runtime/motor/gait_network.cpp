@@ -1,4 +1,4 @@
-// Coupled oscillators: closed forms of two, and gaits of four.
+// Coupled oscillators: closed forms for two, gaits for four.
 #include <cca/motor/gait_network.hpp>
 
 #include "rig.hpp"
@@ -47,7 +47,7 @@ struct pair_case {
   static ode::parameters parameters() { return coupled<2>(1.5); }
 };
 
-// How far the legs are from the gait: the largest deviation of a phase difference.
+// The largest error of a phase difference against the gait.
 double off(const Eigen::Vector4d& phases, cca::gait which) {
   const auto wanted = cca::phase_matrix(which);
   double most = 0;
@@ -65,10 +65,10 @@ auto step(network& net, int k, std::optional<cca::gait> which = {}) {
 
 }  // namespace
 
-TEST_CASE("the laws of an ode hold for the network") { laws::ode<network_case>(); }
+TEST_CASE("the network obeys the laws of an ode") { laws::ode<network_case>(); }
 
 TEST_CASE(
-    "phase matrices: antisymmetric, consistent round each triangle, and the gaits are what they are called") {
+    "phase matrices are antisymmetric, consistent round each triangle, and match the names of the gaits") {
   using cca::gait;
   for (const auto which : {gait::walk, gait::trot, gait::pace, gait::bound}) {
     const auto m = cca::phase_matrix(which);
@@ -88,7 +88,7 @@ TEST_CASE(
     CHECK(cca::wrap_signed(cca::phase_matrix(gait::walk)(i, j)) == doctest::Approx(cca::pi / 2));
 }
 
-TEST_CASE("two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t), and amplitudes come critically damped") {
+TEST_CASE("two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t); amplitudes converge critically damped") {
   using ode = pair_case::ode;
   for (const double start : {0.5, 2.0, -3.0})
     for (const double t : {0.2, 0.7, 1.5}) {
@@ -106,7 +106,7 @@ TEST_CASE("two oscillators lock as tan(D/2) = tan(D0/2) exp(-2 w t), and amplitu
     }
 }
 
-TEST_CASE("coupling acts through the amplitudes") {
+TEST_CASE("the coupling is proportional to the amplitude") {
   using ode = pair_case::ode;
   ode::state x;
   x << 0.3, 0.3 + 0.7 + 2, 0.5, 0.5, 0, 0;
@@ -118,8 +118,8 @@ TEST_CASE("coupling acts through the amplitudes") {
 }
 
 TEST_CASE(
-    "frequencies of its own for each leg; without coupling each runs by itself; amplitudes come as fast as "
-    "is asked") {
+    "each leg may have its own frequency; without coupling each runs by itself; `convergence` sets the speed "
+    "of the amplitudes") {
   network net;
   net.p.coupling = 0, net.p.convergence = 10;
   const Eigen::Vector4d hertz(0.5, 1, 1.5, 2);
@@ -148,7 +148,7 @@ TEST_CASE("a small disturbance of four decays as exp(-4 w t)") {
     CHECK((end[i + 1] - end[i] - 0.7) / 1e-5 == doctest::Approx(std::exp(-4 * 3 * 0.25)).epsilon(1e-4));
 }
 
-TEST_CASE("from any phases the ode comes to each gait's matrix") {
+TEST_CASE("from any phases the ode converges to the matrix of each gait") {
   using cca::gait;
   laws::ode_source random{std::mt19937_64{9}};
   for (const auto which : {gait::walk, gait::trot, gait::pace, gait::bound})
@@ -163,7 +163,7 @@ TEST_CASE("from any phases the ode comes to each gait's matrix") {
     }
 }
 
-TEST_CASE("every change of gait arrives, also where all differences change by pi") {
+TEST_CASE("every change of gait arrives, even if all differences change by pi") {
   using cca::gait;
   for (const auto from : {gait::walk, gait::trot, gait::pace, gait::bound})
     for (const auto to : {gait::walk, gait::trot, gait::pace, gait::bound}) {
@@ -180,12 +180,12 @@ TEST_CASE("every change of gait arrives, also where all differences change by pi
         status = state[cca::ode_axis{}];
       }
       CHECK(off(before, to) < 1e-4);
-      CHECK(jump < 0.03);  // a beat of turning, of coupling and the nudge: no leap
+      CHECK(jump < 0.03);  // turning, coupling and the nudge of one beat: no jump
       CHECK(status == cca::status_of(cca::ode_status::converged));
     }
 }
 
-TEST_CASE("the gait is the parameter unless it is wired; the frequency is kept") {
+TEST_CASE("an unwired gait comes from the parameter; the frequency is kept") {
   network net;
   net.p.gait = cca::gait::bound;
   net.p.frequency = 1.5;

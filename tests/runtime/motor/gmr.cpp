@@ -1,4 +1,4 @@
-// Gaussian mixture regression and the hidden Markov model against their formulas, written out densely.
+// Gaussian mixture regression and the hidden Markov model against their formulas, written out.
 #include <cca/motor/gmr.hpp>
 #include <cca/motor/hmm_motion.hpp>
 
@@ -69,7 +69,7 @@ dense reference(const Model& m, const Eigen::VectorXd& priors, const Eigen::Vect
 
 }  // namespace
 
-TEST_CASE("Gaussian mixture regression is its formula, mean and spread") {
+TEST_CASE("Gaussian mixture regression equals its formula, mean and spread") {
   laws::ode_source random{std::mt19937_64{1}};
   for (int run = 0; run < 50; ++run) {
     motion m;
@@ -103,10 +103,10 @@ TEST_CASE(
   CHECK(far[hip{}] == doctest::Approx(7));
 }
 
-TEST_CASE("a covariance that is none over the output gives no spread, not NaN") {
+TEST_CASE("a covariance that is indefinite over the output gives spread 0, not NaN") {
   motion m;
   m.p.mixture.priors << 1, 0, 0;
-  m.p.mixture.covariances[0] << 1, 2, 0, 2, 1, 0, 0, 0, 0.25;  // of the hip what is left is 1 - 2 * 2
+  m.p.mixture.covariances[0] << 1, 2, 0, 2, 1, 0, 0, 0, 0.25;  // the hip's conditional variance is 1 - 2 * 2
   CHECK_NOTHROW(cca::check_parameters(m.p));
   const auto spread = std::get<1>(m.process(given<cca::in<"input", timeline>>(number(0.3)))).vector();
   CHECK(spread[0] == 0);
@@ -123,14 +123,14 @@ TEST_CASE("over a phase the Gaussians lie on the circle") {
       CHECK((std::get<0>(r.process(given<cca::in<"input", turn>>(number(f)))).vector() -
              std::get<0>(r.process(given<cca::in<"input", turn>>(number(f + full)))).vector())
                 .norm() < 1e-9);
-  // Just left and right of the cut it's the same place.
+  // Left and right of the cut it is the same point.
   for (auto& one : r.p.mixture.covariances) one(0, 0) += 1;
   CHECK((std::get<0>(r.process(given<cca::in<"input", turn>>(number(1e-9)))).vector() -
          std::get<0>(r.process(given<cca::in<"input", turn>>(number(2 * cca::pi - 1e-9)))).vector())
             .norm() < 1e-6);
 }
 
-TEST_CASE("the hidden Markov model is its forward recursion, written out") {
+TEST_CASE("the hidden Markov model equals its forward recursion, written out") {
   laws::ode_source random{std::mt19937_64{3}};
   hidden h;
   h.p.mixture = random_model<hidden::model, 4>(random);
@@ -152,9 +152,8 @@ TEST_CASE("the hidden Markov model is its forward recursion, written out") {
   }
 }
 
-TEST_CASE(
-    "where a movement crosses itself the hidden state tells which way to go on; the mixture alone can't") {
-  // A first stroke to the right through the origin, then one upwards through it.
+TEST_CASE("where a movement crosses itself the hidden state gives the direction; the mixture alone cannot") {
+  // First a stroke to the right through the origin, then one upwards through it.
   hidden h;
   auto& m = h.p.mixture;
   m.priors << 1, 1e-6, 1e-6;
@@ -182,7 +181,7 @@ TEST_CASE(
   CHECK(std::abs(blind.mean[0] - blind.mean[1]) < 0.1);
 }
 
-TEST_CASE("models that are none are refused; a lost position is survived; nothing allocates") {
+TEST_CASE("invalid models are refused; a position that is not finite does no harm; nothing allocates") {
   motion m;
   CHECK_NOTHROW(cca::check_parameters(m.p));
   auto bad = m.p;

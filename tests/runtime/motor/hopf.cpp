@@ -20,7 +20,7 @@ struct hopf_case {
   static auto equilibrium(laws::ode_source& random) { return std::pair(ode::state(0, 0), input(random)); }
 };
 
-// The radius after t, from r0.
+// The radius at time t, from r0.
 double radius(double r0, double a, double c, double t) {
   const double m = a * std::abs(a);
   return std::sqrt(m / (1 + (m / (r0 * r0) - 1) * std::exp(-2 * c * m * t)));
@@ -44,7 +44,7 @@ struct stop_and_go : cca::graph<cca::rate<1000>,
 
 }  // namespace
 
-TEST_CASE("the laws of an ode hold for the Hopf oscillator") { laws::ode<hopf_case>(); }
+TEST_CASE("the Hopf oscillator obeys the laws of an ode") { laws::ode<hopf_case>(); }
 
 TEST_CASE(
     "the radius of the Hopf oscillator follows the closed form, inwards, outwards and at negative "
@@ -77,8 +77,8 @@ TEST_CASE("the oscillator runs at its frequency, on a circle of the wanted ampli
 }
 
 TEST_CASE(
-    "without a wire the frequency is the parameter; with Euler's method the circle is wider by what it has "
-    "to be") {
+    "an unwired frequency comes from the parameter; with Euler's method the circle is wider by the predicted "
+    "amount") {
   oscillator cpg;
   cpg.p.frequency = 2.0;
   cca::hopf<stride, cca::explicit_euler> rough;
@@ -116,14 +116,13 @@ TEST_CASE("a negative amplitude brings the oscillator to rest, a positive one wa
   (void)run(-1, 1);
   CHECK(cca::wrap_signed(phase_now(cpg) - before) ==
         doctest::Approx(2 * cca::pi * 1e-3).epsilon(1e-6));  // at rest it still has a phase
-  // Closed form: from the ember e it has reached half the amplitude after ln((1/e^2 - 1) / 3) / (2 c) = 0.64
-  // s.
+  // Closed form: from the radius e it reaches half the amplitude after ln((1/e^2 - 1) / 3) / (2 c) = 0.64 s.
   const double half = std::log((1 / (1e-3 * 1e-3) - 1) / 3) / 20;
   CHECK(run(1, static_cast<int>(half * 1000)).first == doctest::Approx(0.5).epsilon(0.01));
   CHECK(run(1, 2000).first == doctest::Approx(1).epsilon(1e-6));
 }
 
-TEST_CASE("the Hopf oscillator in a controller stops when it is told to, without allocation") {
+TEST_CASE("the Hopf oscillator in a controller stops on demand, without allocation") {
   cca::controller<stop_and_go> c;
   c.load();
   c.start();

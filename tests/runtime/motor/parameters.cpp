@@ -1,5 +1,4 @@
-// The parameters of the motor elements from a TOML file: with their units, and refused by name where they are
-// wrong.
+// The parameters of the motor components from a TOML file: read with their units, wrong ones refused by name.
 #include <string>
 #include <string_view>
 
@@ -71,7 +70,7 @@ void refuses(std::string_view text, std::string_view words) {
 
 }  // namespace
 
-TEST_CASE("the parameters of the motor elements are read with their units") {
+TEST_CASE("the parameters of the motor components are read with their units") {
   elements e;
   CHECK_EQ(e.refusal(R"([cpg]
 frequency = "2500 mHz"
@@ -116,7 +115,7 @@ priors = [1.0, 0.0]
   CHECK_EQ(e.network.p.coupling, 6);
   CHECK_EQ(e.reach.p.rise.value(), 0.25);
   CHECK_EQ(e.reach.p.exponent, 3);
-  CHECK_EQ(e.reach.p.speed, 7.5);  // what the file lacks stays
+  CHECK_EQ(e.reach.p.speed, 7.5);  // a parameter that the file lacks stays
   CHECK_EQ(e.stroke.p.duration.value(), 0.8);
   CHECK_EQ(e.stroke.p.weights(1, 0), 4);
   CHECK_EQ(e.stroke.p.scaled, false);
@@ -140,7 +139,7 @@ priors = [1.0, 0.0]
   CHECK_EQ(again.text(), e.text());
 }
 
-TEST_CASE("wrong parameters of the motor elements are refused by name") {
+TEST_CASE("wrong parameters of the motor components are refused by name") {
   refuses("[cpg]\nfrequency = \"2.5 s\"",
           "motor.toml:2: cpg.frequency: unknown unit \"s\" in \"2.5 s\", expected Hz, mHz or kHz");
   refuses("[cpg]\nfrequency = -1.0",
@@ -163,21 +162,23 @@ TEST_CASE("wrong parameters of the motor elements are refused by name") {
           "\"fast\"");
   refuses("[pattern]\nleak = 1.5", "motor.toml:2: pattern.leak: 1.5 is out of range, expected 0 to 1");
   refuses("[cpg]\nsettling = {below = 0.2, above = 0.1}",
-          "motor.toml:2: cpg.settling: `below` lies above `above`");
+          "motor.toml:2: cpg.settling: `below` is larger than `above`");
   refuses("[grasp]\nduration = \"1.5 m\"",
           "motor.toml:2: grasp.duration: unknown unit \"m\" in \"1.5 m\", expected s, ms, us or min");
   refuses(
       "[grasp]\nscaled = 1",
       "motor.toml:2: grasp.scaled: expected true or false, got the integer 1; for example `scaled = true`");
-  refuses("[motion.mixture]\npriors = [0.5, -0.5]",
-          "motor.toml:1: motion.mixture: the priors are not weights: none negative, not all zero");
+  refuses(
+      "[motion.mixture]\npriors = [0.5, -0.5]",
+      "motor.toml:1: motion.mixture: the priors are not weights: no prior may be negative, and not all may "
+      "be zero");
   refuses(
       "[motion.mixture]\ncovariances = [[[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [[1.0, 0.0, "
       "0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]]",
       "motor.toml:1: motion.mixture: a covariance is not positive definite over the input");
-  refuses(
-      "[parts]\ntransitions = [[0.9, 0.2], [0.25, 0.75]]",
-      "motor.toml:1: parts: a row of `transitions` is not a distribution: its sum is 1, none of it negative");
+  refuses("[parts]\ntransitions = [[0.9, 0.2], [0.25, 0.75]]",
+          "motor.toml:1: parts: a row of `transitions` is not a probability distribution: no entry may be "
+          "negative, the sum must be 1");
   refuses("[parts.mixture]\npriors = [1.0]",
           "motor.toml:2: parts.mixture.priors: expected an array of 2, got one of 1");
 }

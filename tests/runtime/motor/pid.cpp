@@ -1,4 +1,4 @@
-// PID against closed forms of step responses, saturation, and transfers without a bump.
+// PID against closed forms of step responses; saturation; bumpless transfers.
 #include <cca/motor/pid.hpp>
 #include <vector>
 
@@ -45,7 +45,7 @@ double u_of(limited& pid, double r, double y, double manual = 0, std::optional<d
   return command<limited, elbow_angle, elbow_torque>(pid, r, y, manual, automatic);
 }
 
-// y' = u from 0, reference 1, beats of 1 ms: the response.
+// The step response of y' = u from 0 to reference 1, with beats of 1 ms.
 template <class Pid>
 std::vector<double> response(Pid& pid, int beats, double load = 0) {
   std::vector<double> all;
@@ -79,7 +79,7 @@ TEST_CASE("PD on a double integrator is a critically damped spring: the derivati
   }
 }
 
-TEST_CASE("a step of the reference does not kick the derivative, a step of the measurement does, filtered") {
+TEST_CASE("a step of the reference makes no kick; one of the measurement makes a filtered one") {
   auto pid = gains(2, 0, 5, 0.05);
   CHECK(u_of(pid, 0, 0) == 0);
   CHECK(u_of(pid, 1, 0) == doctest::Approx(2));
@@ -92,17 +92,17 @@ TEST_CASE("a step of the reference does not kick the derivative, a step of the m
     filtered += (1 - filtered) / 51;
   }
   auto begun = gains(0, 0, 5, 0.05);
-  CHECK(u_of(begun, 3, 3) == 0);  // nor does the first measurement
+  CHECK(u_of(begun, 3, 3) == 0);  // the first measurement makes no kick either
 }
 
-TEST_CASE("the integral takes away a constant load, P alone does not") {
+TEST_CASE("the integral compensates a constant load, P alone does not") {
   auto pi = gains(8, 16, 0);
   CHECK(response(pi, 6000, 0.5).back() == doctest::Approx(1).epsilon(1e-4));
   auto p = gains(8, 0, 0);
   CHECK(response(p, 6000, 0.5).back() == doctest::Approx(1 - 0.5 / 8).epsilon(1e-4));
 }
 
-TEST_CASE("the command keeps the limits of its axes and `largest`") {
+TEST_CASE("the command stays within the limits of its axes and `largest`") {
   limited pid;
   pid.p.proportional[0] = 10;
   CHECK(u_of(pid, 3, 0) == 2);
@@ -125,14 +125,14 @@ TEST_CASE(
   };
   CHECK(overshoot(0.1) < 0.2);
   CHECK(overshoot(1000) > 2);  // wound up
-  // In saturation the integral comes to where v = u + ki tracking e: bounded.
+  // In saturation the integral settles where v = u + ki tracking e: it is bounded.
   limited pid;
   pid.p.proportional[0] = 1, pid.p.integral[0] = 10, pid.p.tracking = 0.1;
   for (int k = 0; k < 100'000; ++k) CHECK(u_of(pid, 3, 0) == 2);
   CHECK(u_of(pid, -3, 0) < 2);
 }
 
-TEST_CASE("a tracking time that is shorter than a beat is taken for a beat") {
+TEST_CASE("a tracking time shorter than a beat counts as one beat") {
   limited one, other;
   one.p.proportional[0] = other.p.proportional[0] = 1, one.p.integral[0] = other.p.integral[0] = 10;
   one.p.tracking = 1e-3, other.p.tracking = 1e-5;
@@ -142,27 +142,27 @@ TEST_CASE("a tracking time that is shorter than a beat is taken for a beat") {
   }
 }
 
-TEST_CASE("from manual to automatic without a bump, and the way back follows the hand") {
+TEST_CASE("from manual to automatic without a bump; back in manual it follows the manual command") {
   limited pid;
   pid.p.proportional[0] = 3, pid.p.integral[0] = 2, pid.p.derivative[0] = 0.1;
   for (int k = 0; k < 100; ++k) CHECK(u_of(pid, 1, 0.2, 0.7, 0.0) == 0.7);
   CHECK(u_of(pid, 1, 0.2, 0.7, 0.0) == 0.7);
   CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) ==
-        doctest::Approx(0.7).epsilon(1e-12));  // error 0.8: without, it would leap to 2
+        doctest::Approx(0.7).epsilon(1e-12));  // error 0.8: without bumpless transfer it would jump to 2
   CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) == doctest::Approx(0.7 + 1e-3 * 2 * 0.8).epsilon(1e-9));
-  CHECK(u_of(pid, 1, 0.2, 9.0, 0.0) == 2);           // also the hand's is limited
-  CHECK(u_of(pid, 1, 0.2, std::nan(""), 0.0) == 2);  // and not taken where it is no number
+  CHECK(u_of(pid, 1, 0.2, 9.0, 0.0) == 2);           // the manual command is limited too
+  CHECK(u_of(pid, 1, 0.2, std::nan(""), 0.0) == 2);  // and ignored if it is not finite
   CHECK(std::isfinite(u_of(pid, 1, 0.2, 0.0, 1.0)));
 }
 
-TEST_CASE("gains that are set while it runs make no bump") {
+TEST_CASE("a change of gains at run time makes no bump") {
   auto pid = gains(8, 16, 0.5, 0.01);
   double y = 0, last = 0;
   for (int k = 0; k < 300; ++k) y += 1e-3 * (last = u_of(pid, 1, y));
   auto copy = pid;
   pid.p.proportional[0] = 2, pid.p.derivative[0] = 3;
   CHECK(u_of(pid, 1, y) == doctest::Approx(u_of(copy, 1, y)).epsilon(1e-9));
-  // Without integral action what was taken up fades in the tracking time.
+  // Without integral action the difference decays within the tracking time.
   auto p = gains(8, 0, 0);
   CHECK(u_of(p, 1, 0) == 8);
   p.p.proportional[0] = 2;
@@ -171,7 +171,7 @@ TEST_CASE("gains that are set while it runs make no bump") {
   CHECK(u_of(p, 1, 0) == doctest::Approx(2 + 6 * std::pow(0.99, 100)).epsilon(1e-9));
 }
 
-TEST_CASE("what is not a number is not taken; negative gains are refused; nothing allocates") {
+TEST_CASE("numbers that are not finite are ignored; negative gains are refused; nothing allocates") {
   auto pid = gains(8, 16, 0);
   const double before = u_of(pid, 1, 0);
   CHECK(u_of(pid, std::nan(""), 0) == before);

@@ -1,4 +1,4 @@
-// A reservoir that goes on by itself with what it was taught.
+// A reservoir continues the pattern of its teacher by itself.
 #include <cca/motor/rcpg.hpp>
 #include <vector>
 
@@ -15,7 +15,7 @@ constexpr int N = 100;
 using generator = cca::rcpg<plane, N>;
 using teacher = cca::optional_in<"teacher", plane>;
 
-// Two axes, a period of 50 firings, with harmonics.
+// Two axes with harmonics, period 50 firings.
 Eigen::Vector2d pattern(double k) {
   const double f = 2 * cca::pi * k / 50;
   return {0.5 * std::sin(f) + 0.2 * std::sin(2 * f + 1), 0.4 * std::cos(f) + 0.15 * std::cos(3 * f)};
@@ -33,7 +33,7 @@ generator trained() {
   laws::ode_source noise{std::mt19937_64{4}};
   for (int k = 0; k < 3000; ++k) {
     const Eigen::Vector2d y = pattern(k);
-    // Noise in what is fed back makes the readout robust against its own errors.
+    // Noise in the feedback makes the readout robust against its own errors.
     g.process(wired<teacher>(Eigen::Vector2d(y + noise.vector<Eigen::Vector2d>(-0.01, 0.01))));
     if (k < 200) continue;
     A += g.activity() * g.activity().transpose(), b += g.activity() * y.transpose();
@@ -44,7 +44,7 @@ generator trained() {
 
 }  // namespace
 
-TEST_CASE("the spectral radius is the one that is asked for, and the seed decides on the network") {
+TEST_CASE("the spectral radius is the requested one, and the seed determines the network") {
   cca::reservoir<2, 60, 10> one, same, other;
   one.make({7, 0.9, 1, 0.2}), same.make({7, 0.9, 1, 0.2}), other.make({8, 0.9, 1, 0.2});
   const auto matrix = [](const auto& r) {
@@ -60,8 +60,8 @@ TEST_CASE("the spectral radius is the one that is asked for, and the seed decide
 }
 
 TEST_CASE(
-    "a unit alone leaks to its bias; a teacher is heard through the feedback, each sample once; a load "
-    "begins anew") {
+    "a single unit leaks to its bias; a teacher acts through the feedback, each sample once; a load resets "
+    "the network") {
   generator g;
   g.p.spectral_radius = 0, g.p.feedback = 0, g.p.bias = 3, g.p.leak = 0.25;
   g.on_load();
@@ -73,7 +73,7 @@ TEST_CASE(
   g.on_load();
   CHECK(g.activity().head<N>().norm() == 0);
   for (int k = 0; k < 20; ++k) {
-    (void)taught(g, k);  // not heard: the feedback is 0
+    (void)taught(g, k);  // no effect: the feedback is 0
     CHECK((g.activity().head<N>() - (1 - std::pow(0.75, k + 1)) * last).norm() < 1e-9);
   }
   generator a = trained(), b = a;
@@ -87,7 +87,7 @@ TEST_CASE(
   for (int k = 0; k < 10; ++k) CHECK(free_run(used) == free_run(fresh));
 }
 
-TEST_CASE("echo states: two networks in different states become one under the same input") {
+TEST_CASE("echo states: two networks in different states converge under the same input") {
   generator a, b;
   a.on_load(), b.on_load();
   for (int k = 0; k < 100; ++k) (void)a.process(wired<teacher>(Eigen::Vector2d(0.9, -0.9)));
@@ -96,21 +96,21 @@ TEST_CASE("echo states: two networks in different states become one under the sa
   CHECK((a.activity() - b.activity()).norm() < 1e-6);
 }
 
-TEST_CASE("a trained generator goes on for twenty periods without its teacher") {
+TEST_CASE("a trained generator continues for twenty periods without its teacher") {
   generator g = trained();
   int k = 0;
   for (; k < 300; ++k) CHECK(taught(g, k) == pattern(k));
   double worst = 0;
   for (; k < 1300; ++k) worst = std::max(worst, (free_run(g) - pattern(k)).norm());
-  CHECK(worst < 0.05);  // of an amplitude of 0.6, with the drift of twenty periods
+  CHECK(worst < 0.05);  // the amplitude is 0.6; includes the drift of twenty periods
 }
 
-TEST_CASE("an untaught network, trained, falls into the pattern from rest: it's a limit cycle") {
+TEST_CASE("a trained network without a teacher falls into the pattern from rest: it is a limit cycle") {
   generator g = trained();
   g.on_load();
   std::vector<Eigen::Vector2d> seen;
   for (int k = 0; k < 3000; ++k) seen.push_back(free_run(g));
-  double best = 1e9;  // at whatever phase
+  double best = 1e9;  // over all phases
   for (int shift = 0; shift < 500; ++shift) {
     double worst = 0;
     for (int k = 0; k < 50; ++k)
@@ -121,7 +121,7 @@ TEST_CASE("an untaught network, trained, falls into the pattern from rest: it's 
 }
 
 TEST_CASE(
-    "without readout it is silent; the first firing makes the network; NaN is not taken; nothing allocates") {
+    "without readout it is silent; the first firing makes the network; NaN is ignored; nothing allocates") {
   generator g;
   const std::size_t before = laws::allocations();
   for (int k = 0; k < 100; ++k) CHECK(free_run(g).norm() == 0);
@@ -131,6 +131,6 @@ TEST_CASE(
   const std::size_t after = laws::allocations();
   CHECK(g.activity().allFinite());
   CHECK(one.allFinite());
-  CHECK(one.head<N>().norm() > 0);  // by the bias
+  CHECK(one.head<N>().norm() > 0);  // because of the bias
   CHECK(before == after);
 }

@@ -1,4 +1,4 @@
-// A component between scripted inputs: what the tests of motor components share.
+// Shared by the tests of motor components: a component between scripted inputs.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct knee : cca::dimension<"knee"> {};
 struct leg : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
 struct plane : cca::space<cca::number, cca::axes<hip, knee>> {};
 
-// A port as the loop would fill it.
+// A port, filled as the loop does it.
 template <class Port>
 Port given(const typename Port::vector_type& v, bool fresh = true) {
   return Port(v, 0, fresh);

@@ -50,7 +50,7 @@ int peak(const std::vector<double>& v) {
 
 }  // namespace
 
-TEST_CASE("the laws of an ode hold for VITE") { laws::ode<vite_case>(); }
+TEST_CASE("VITE obeys the laws of an ode") { laws::ode<vite_case>(); }
 
 TEST_CASE(
     "VITE with a constant GO signal, critically damped, follows the closed form; its velocity has its peak "
@@ -86,12 +86,12 @@ TEST_CASE("VITE with the rising GO signal agrees with a reference integration") 
 }
 
 TEST_CASE(
-    "the velocity is a bell: it rises once, falls once, has its peak well inside, and the target is not "
-    "overrun by 1 %") {
+    "the velocity is bell-shaped: it rises once, falls once, peaks well inside, and overshoots the target by "
+    "less than 1 %") {
   reach arm;
   const auto m = run(arm, {0.8, 0}, 2000);
   const int top = peak(m.velocity);
-  CHECK(m.velocity.front() < 1e-3);  // begins smoothly
+  CHECK(m.velocity.front() < 1e-3);  // it begins smoothly
   for (std::size_t k = 1; k < m.velocity.size(); ++k) {
     if (static_cast<int>(k) <= top) CHECK(m.velocity[k] >= m.velocity[k - 1]);
     else if (m.velocity[k] > 0.01) CHECK(m.velocity[k] <= m.velocity[k - 1]);
@@ -108,7 +108,7 @@ TEST_CASE(
   CHECK(m.position.back() == doctest::Approx(0.8).epsilon(1e-3));
 }
 
-TEST_CASE("twice the way takes the same time, to the bit of the profile; a larger GO signal takes less") {
+TEST_CASE("twice the distance takes the same time with the same profile; a larger GO signal is faster") {
   reach near, far, quick;
   const auto a = run(near, {0.4, 0}, 800), b = run(far, {0.8, 0}, 800), c = run(quick, {0.4, 0}, 800, 1.5);
   for (std::size_t k = 0; k < 800; ++k)
@@ -117,7 +117,7 @@ TEST_CASE("twice the way takes the same time, to the bit of the profile; a large
   CHECK(peak(c.velocity) < peak(a.velocity));
 }
 
-TEST_CASE("both axes are in step, whatever their ways; it begins where `start` says") {
+TEST_CASE("both axes move in step, whatever their distances; the movement begins at `start`") {
   reach arm;
   for (int k = 0; k < 700; ++k) {
     const auto x = std::get<0>(arm.process(given<target>({1.0, -0.2}), wired<start>({0.2, 0.4}), {}, at(k)));
@@ -125,8 +125,7 @@ TEST_CASE("both axes are in step, whatever their ways; it begins where `start` s
   }
 }
 
-TEST_CASE(
-    "go = 0 holds still; the status says when it has arrived, and a second movement is the first one again") {
+TEST_CASE("go = 0 holds still; the status reports arrival, and a second movement equals the first") {
   reach arm;
   for (const double v : run(arm, {0.8, 0}, 100, 0).velocity) CHECK(v == 0);
   reach twice;
@@ -138,7 +137,7 @@ TEST_CASE(
   for (std::size_t k = 0; k < 1000; ++k) CHECK(std::abs(back.velocity[k] + there.velocity[k]) < 3e-3);
 }
 
-TEST_CASE("a target that jumps under way makes no jump of the velocity, and nothing allocates") {
+TEST_CASE("a target that jumps during the movement makes no jump of the velocity; nothing allocates") {
   reach arm;
   const std::size_t before = laws::allocations();
   double last = 0, jump = 0;

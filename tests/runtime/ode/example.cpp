@@ -85,6 +85,6 @@ flowchart LR
 
 }  // namespace
 
-TEST_CASE("the picture of a component with an ode is that of its page") {
+TEST_CASE("the picture of a component with an ode is the one on its page") {
   test::check_picture<filtered>(picture);
 }

@@ -1,4 +1,4 @@
-// Integrators against closed forms: their order, and what semi-implicit Euler keeps.
+// Integrators against closed forms: their order, and the energy with semi-implicit Euler.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@ using namespace ode_test;
 
 namespace {
 
-// The order that is seen when the step is halved, at t = 1.
+// The order at t = 1, measured by halving the step.
 template <class Integrator>
 double order_on_decay(int steps) {
   const double exact = std::exp(-3.0);
@@ -47,7 +47,7 @@ TEST_CASE("orders of convergence to the closed forms") {
 
 TEST_CASE("rk4 is exact for a cubic in time") {
   struct cubic {
-    using state = Eigen::Vector2d;  // time, and t^4
+    using state = Eigen::Vector2d;  // time and t^4
     using input = Eigen::Matrix<double, 0, 1>;
     struct parameters {};
     static state derivative(const state& x, const input&, const parameters&) {

@@ -13,7 +13,7 @@ namespace ode_test {
 using number = Eigen::Matrix<double, 1, 1>;
 
 // [ode]
-// x' = a (u - x): from x0 it comes to u as u + (x0 - u) e^(-a t).
+// x' = a (u - x): from x0 it converges to u as u + (x0 - u) e^(-a t).
 struct decay {
   using state = Eigen::Matrix<double, 1, 1>;
   using input = Eigen::Matrix<double, 1, 1>;
@@ -24,7 +24,7 @@ struct decay {
 };
 // [ode end]
 
-// q' = v, v' = w^2 (u - q): turns about (u, 0) at w.
+// q' = v, v' = w^2 (u - q): oscillates about u with angular frequency w.
 struct oscillator {
   using state = Eigen::Vector2d;
   using input = number;

@@ -41,7 +41,7 @@ double order(int steps) {
 
 }  // namespace
 
-TEST_CASE("steppers of odeint obey the laws, each to its order") {
+TEST_CASE("odeint's steppers obey the laws, each with its order") {
   laws::ode_with<oscillator_case, cca::odeint<classical>>(4);
   laws::ode_with<oscillator_case, cca::odeint<cash_karp>>(5);
   laws::ode_with<oscillator_case, cca::odeint<dopri5>>(5);
@@ -51,7 +51,7 @@ TEST_CASE("steppers of odeint obey the laws, each to its order") {
   CHECK(order<cca::odeint<fehlberg>>(5) > 7);
 }
 
-TEST_CASE("odeint's classical method is ours, to rounding") {
+TEST_CASE("odeint's classical Runge-Kutta method equals rk4, to rounding") {
   const Eigen::Vector2d start(1, 0.5);
   const auto ours = laws::after<oscillator_case, cca::rk4>(start, number(0.3), 1.0, 100);
   const auto theirs = laws::after<oscillator_case, cca::odeint<classical>>(start, number(0.3), 1.0, 100);

@@ -1,4 +1,4 @@
-// What the README says of its example, out of the program: its picture, and the message of a wire to a wrong
+// What the README shows of its example comes from here: the picture, and the message of a wire to a wrong
 // space.
 #include <algorithm>
 #include <string>
@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wreturn-type"  // only of main
+#pragma GCC diagnostic ignored "-Wreturn-type"  // its main() is renamed
 #define main quickstart
 #include "../../../examples/quickstart/quickstart.cpp"
 #undef main
@@ -26,7 +26,7 @@ flowchart LR
   n1 -- "safe → command<br/>leg_angles, 1000 Hz" --> n2
 )";  // [picture end]
 
-// The leg, as one that expects its angles in the order knee, hip.
+// A leg that expects its angles in the order knee, hip.
 struct foot_angles : cca::space<cca::joint_angles, cca::axes<knee, hip>, cca::rate<1000>> {};
 struct other_leg {
   void act(cca::in<"command", foot_angles>) {}
@@ -47,8 +47,8 @@ foot_angles (joint_angles over knee, hip at 1000 Hz): the axes are in another or
 TEST_CASE("the picture of the README's example") { test::check_picture<swinging>(picture); }
 
 TEST_CASE("the README's message") {
-  std::string told = test::on_page(message);
-  told.pop_back();
-  std::replace(told.begin(), told.end(), '\n', ' ');
-  CHECK_EQ(std::string(cca::diagnosis<wrong>.message), told);
+  std::string expected = test::on_page(message);
+  expected.pop_back();
+  std::replace(expected.begin(), expected.end(), '\n', ' ');
+  CHECK_EQ(std::string(cca::diagnosis<wrong>.message), expected);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Two joints and what is measured and commanded along them.
+// Two joints with their measurements and commands.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ struct hip : cca::dimension<"hip"> {
       cca::limits{cca::angle{-0.9, 0.8}, cca::velocity{-5, 4},        cca::acceleration{-50, 40},
                   cca::torque{-3, 2},    cca::torque_rate{-100, 200}, cca::stiffness{2, 60}};
 };
-struct knee : cca::dimension<"knee"> {  // its angle may change at will, and never reaches 0
+struct knee : cca::dimension<"knee"> {  // its angle has no rate limit and never reaches 0
   static constexpr auto limits =
       cca::limits{cca::angle{-1.8, -0.2}, cca::torque{-3, 3}, cca::stiffness{0, 30}};
 };
@@ -29,7 +29,7 @@ struct leg_angles : leg<cca::joint_angles> {};
 struct leg_torques : leg<cca::joint_torques> {};
 struct hip_and_wheel : cca::space<cca::joint_velocities, cca::axes<hip, wheel>, cca::rate<1000>> {};
 
-// A leg that is at once where it is told to be.
+// A leg that follows its command at once.
 struct perfect_leg {
   auto sense() -> cca::out<"angles", leg_angles> { return at; }
   void act(cca::in<"command", leg_angles> to) {

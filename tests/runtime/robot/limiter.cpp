@@ -1,5 +1,4 @@
-// The limiter: what it publishes is finite and within the limits, whatever comes in, and changes no faster
-// than allowed.
+// The limiter: for any input its output is finite, within the limits, and changes no faster than allowed.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -11,7 +10,7 @@ using namespace robot_test;
 
 namespace {
 
-// A limiter that is called by hand, beat by beat.
+// Calls a limiter directly, beat by beat.
 template <class Space>
 struct bench {
   using vector = typename Space::vector_type;
@@ -39,7 +38,7 @@ private:
   }
 };
 
-// What the header says, slowly: of the allowed numbers, the nearest to the command.
+// The header's definition, computed slowly: the allowed number nearest to the command.
 template <class Space>
 double expected(int axis, double command, double last, double dt) {
   using quantity = typename Space::domain::quantity;
@@ -90,7 +89,7 @@ void sweep() {
 }
 
 // [limiter]
-struct reckless {  // asks for more than the hip can, and once for nonsense
+struct reckless {  // commands more than the hip can do, and NaN once
   auto process(cca::beat now) -> cca::out<"angles", leg_angles> {
     if (now.index() == 70) return leg_angles::vector_type{no_number, -1};
     return leg_angles::vector_type{0.1 + 0.01 * static_cast<double>(now.index()), -1};
@@ -101,7 +100,7 @@ struct careful : cca::graph<cca::node<"gait", reckless>,
                             cca::node<"limits", cca::limiter<leg_angles>>,
                             cca::node<"leg", perfect_leg>,
                             cca::wire<"gait.angles", "limits.command">,
-                            cca::wire<"leg.angles", "limits.measured">,  // it starts where the leg is
+                            cca::wire<"leg.angles", "limits.measured">,  // it begins where the leg is
                             cca::wire<"limits.safe", "leg.command">> {};
 // [limiter end]
 
@@ -126,14 +125,14 @@ static_assert(cca::diagnosis<bare>.rule == "robot.unlimited_command");
 }  // namespace
 
 TEST_SUITE("limiter") {
-  TEST_CASE("whatever comes in, what goes out is the nearest allowed number") {
+  TEST_CASE("for any input the output is the nearest allowed number") {
     SUBCASE("angles") { sweep<leg<cca::joint_angles>>(); }
     SUBCASE("velocities") { sweep<hip_and_wheel>(); }
     SUBCASE("torques") { sweep<leg<cca::joint_torques>>(); }
     SUBCASE("stiffness") { sweep<leg<cca::joint_stiffness>>(); }
   }
 
-  TEST_CASE("NaN and infinity: an angle stays where it was") {
+  TEST_CASE("NaN and infinity: an angle keeps its last value") {
     bench<leg_angles> limit;
     limit({0.3, -1});
     for (const double lost : {no_number, inf, -inf}) CHECK_EQ(limit({lost, lost}), Eigen::Vector2d(0.3, -1));
@@ -144,21 +143,21 @@ TEST_SUITE("limiter") {
     CHECK_EQ(limit.under_test.first_intervention().beat, 1);
   }
 
-  TEST_CASE("NaN: a torque goes to zero, as fast as it may") {
+  TEST_CASE("NaN: a torque goes to zero as fast as allowed") {
     bench<leg_torques> limit;
     limit({1, 1});
     CHECK_EQ(limit({no_number, no_number}),
-             Eigen::Vector2d(0.9, 0));  // 100 N m/s down in the hip, at will in the knee
+             Eigen::Vector2d(0.9, 0));  // the hip falls at 100 N m/s, the knee has no rate limit
     CHECK_EQ(limit({no_number, no_number}), Eigen::Vector2d(0.9 - 0.1, 0));
   }
 
-  TEST_CASE("NaN first of all: the allowed numbers nearest to zero, or what is measured") {
+  TEST_CASE("NaN as first command: the allowed numbers nearest to zero, or the measurement") {
     bench<leg_angles> limit, informed;
     CHECK_EQ(limit({no_number, inf}), Eigen::Vector2d(0, -0.2));
     CHECK_EQ(informed({no_number, inf}, {0.3, -1}), Eigen::Vector2d(0.3, -1));
   }
 
-  TEST_CASE("what is measured counts once it has come: before that, the first command is taken as it is") {
+  TEST_CASE("a measurement counts once it has arrived; before that the first command is taken as it is") {
     cca::limiter<leg_angles> limit;
     cca::optional_in<"measured", leg_angles> none;
     none.set_wired();
@@ -169,7 +168,7 @@ TEST_SUITE("limiter") {
     CHECK(limit.interventions() == 0);
   }
 
-  TEST_CASE("what need not be changed is not, to the bit") {
+  TEST_CASE("an allowed command passes unchanged, bit for bit") {
     bench<leg_torques> limit;
     for (const double small : {5e-324, -5e-324, -0.0, 0.0, 1e-310}) {
       const auto safe = limit({small, small});
@@ -195,7 +194,7 @@ TEST_SUITE("limiter") {
     CHECK_EQ(limit.under_test.first_intervention().axis, 0);
     CHECK_EQ(limit.under_test.first_intervention().beat, 2);
 
-    bench<leg_angles> far;  // too far and too fast: outside of the range, whatever came before
+    bench<leg_angles> far;  // too far and too fast: the cause is the range
     far({0.1, -1});
     far({7, -1});
     CHECK(far.under_test.first_intervention().cause == cca::limited_by::range);
@@ -204,36 +203,37 @@ TEST_SUITE("limiter") {
     CHECK_EQ(other.under_test.first_intervention().axis, 1);
   }
 
-  TEST_CASE("the rate counts from the last safe command, not from where the joint is") {
+  TEST_CASE("the rate counts from the last safe command, not from the measurement") {
     bench<leg_angles> limit;
     limit({0, -1}, {0, -1});
     for (int i = 1; i <= 100; ++i)
       CHECK_EQ(limit({0.8, -1}, {0, -1})[0], doctest::Approx(0.004 * i));  // the joint is stuck
   }
 
-  TEST_CASE("it starts where the joint is, and stays there until a command has come") {
+  TEST_CASE("it begins where the joint is, and stays there until the first command") {
     bench<leg_angles> limit;
     CHECK_EQ(limit({0, 0}, {0.5, -1}, false), Eigen::Vector2d(0.5, -1));
     CHECK_EQ(limit({0, 0}, {0.4, -1.1}, false), Eigen::Vector2d(0.4, -1.1));  // moved by hand
     CHECK_EQ(limit.under_test.interventions(), 0);
     CHECK_EQ(limit({-0.5, -1}, {0.4, -1.1}), Eigen::Vector2d(0.4 - 0.005, -1));
-    bench<leg_angles> outside;  // it was pushed beyond its range
+    bench<leg_angles> outside;  // pushed beyond its range
     CHECK_EQ(outside({0, -1}, {1.5, -1}), Eigen::Vector2d(0.8 - 0.005, -1));
-    bench<leg_angles> blind;  // a broken sensor: as if there were none
+    bench<leg_angles> blind;  // a broken sensor counts as none
     CHECK_EQ(blind({0.5, -1}, {no_number, -1}), Eigen::Vector2d(0.5, -1));
   }
 
-  TEST_CASE("after a pause it goes on, and does not jump") {
+  TEST_CASE("after a pause it continues without a jump") {
     bench<leg_angles> limit;  // 1 kHz
     limit({0, -1});
     CHECK_EQ(limit({0.8, -1}, 500)[0], 0.004);
     struct slow : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
     bench<slow> unstated;
     unstated({0, -1});
-    CHECK_EQ(unstated({0.8, -1}, 10)[0], 0.04);  // no rate is stated: the time since it last fired
+    CHECK_EQ(unstated({0.8, -1}, 10)[0],
+             0.04);  // the space has no rate: the time since the last firing counts
   }
 
-  TEST_CASE("in no time an axis with a rate stays, and one without goes where it likes") {
+  TEST_CASE("in zero time an axis with a rate limit stays, and one without may jump") {
     bench<leg_angles> limit;
     limit({0.3, -1});
     CHECK_EQ(limit({0.8, -1.5}, 0), Eigen::Vector2d(0.3, -1.5));
@@ -248,7 +248,7 @@ TEST_SUITE("limiter") {
     double before = 0.1;
     c.run(cca::for_beats<200>{}, cca::as_fast_as_possible{}, [&](auto& running) {
       const double hip_angle = running.template get<"leg">().at[0];
-      CHECK_LE(hip_angle - before, 0.004 + 1e-15);  // the gait asks for 10 rad/s, the hip may do 4
+      CHECK_LE(hip_angle - before, 0.004 + 1e-15);  // the gait commands 10 rad/s, the hip allows 4
       CHECK_LE(hip_angle, 0.8);
       before = hip_angle;
     });
@@ -257,7 +257,7 @@ TEST_SUITE("limiter") {
     CHECK_EQ(c.get<"limits">().first_intervention().beat, 1);
     CHECK_GT(c.get<"limits">().interventions(), 190);
 
-    // Stopped and started anew, it begins where the leg is then.
+    // After a stop and a start it begins where the leg is then.
     c.stop();
     c.get<"leg">().at[0] = -0.5;
     c.start();

@@ -1,5 +1,4 @@
-// The watchdog: faults when a command grows stale, by the age of its data, also when nothing arrives any
-// more.
+// The watchdog faults when a command becomes stale, by the age of its data, even if nothing arrives any more.
 #include <doctest/doctest.h>
 
 #include "../picture.hpp"
@@ -10,7 +9,7 @@ using namespace robot_test;
 namespace {
 
 // [watchdog]
-struct link {  // a command from afar, which may fail to come
+struct link {  // a remote command that may stop arriving
   bool up = true;
   auto process() -> cca::maybe<"angles", leg_angles> {
     if (!up) return {};
@@ -41,8 +40,8 @@ flowchart LR
   n2 -- "safe → command<br/>leg_angles" --> n3
 )";  // [picture end]
 
-// Commands come slowly, are of data 2 beats old, and pass a limiter first.
-struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};  // of any rate
+// Commands come slowly, from data 2 beats old, and pass a limiter first.
+struct slow_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};  // without a rate
 struct claiming {
   auto process(cca::beat now) -> cca::out<"angles", slow_angles> {
     cca::out<"angles", slow_angles> y(slow_angles::vector_type{0.1, -1});
@@ -107,7 +106,7 @@ TEST_SUITE("watchdog") {
     auto c = started<guarded>();
     CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::started);
     CHECK_EQ(c.get<"leg">().at[0], 0.1);
-    c.get<"link">().up = false;  // the last command is of beat 99
+    c.get<"link">().up = false;  // the last command is from beat 99
     CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
     CHECK_EQ(c.get<"leg">().stops, 0);
     CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
@@ -116,7 +115,7 @@ TEST_SUITE("watchdog") {
     CHECK_EQ(c.fault_path(), "watchdog.watch");
     CHECK_EQ(c.get<"leg">().stops, 1);
 
-    // It faults again as long as nothing comes, and goes on once something has.
+    // It faults again while nothing arrives, and continues once something does.
     c.resume();
     CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::faulted);
     CHECK_EQ(c.beat_index(), 107);
@@ -125,26 +124,26 @@ TEST_SUITE("watchdog") {
     CHECK_EQ(c.run(cca::for_beats<5>{}), cca::state::started);
   }
 
-  TEST_CASE("its picture") { test::check_picture<guarded>(picture); }
+  TEST_CASE("its picture is the one on its page") { test::check_picture<guarded>(picture); }
 
-  TEST_CASE("no command at all: the age counts from the first beat, and nothing is passed on until then") {
+  TEST_CASE("no command at all: the age counts from the first beat, and nothing is passed on") {
     auto c = started<guarded>();
     c.get<"link">().up = false;
     CHECK_EQ(steps_until_fault(c, 50), 6);
     CHECK_EQ(c.get<"leg">().at, Eigen::Vector2d(0.1, -0.9));
     c.stop();
     c.start();
-    CHECK_EQ(steps_until_fault(c, 50), 6);  // started again, it waits anew
+    CHECK_EQ(steps_until_fault(c, 50), 6);  // after a start it waits again
   }
 
-  TEST_CASE("the origin is passed on also where the wire closes a loop") {
+  TEST_CASE("the origin is passed on even if the wire closes a loop") {
     auto c = started<loop>();
     c.run(cca::for_beats<10>{});
     CHECK_EQ(c.get<"leg">().origin, (9 - 3) * millisecond);
   }
 
   TEST_CASE("the age is that of the data, and the origin is passed on") {
-    // Fired in beats 0, 10, ..., data 2 beats old: in beat 9 of age 11.
+    // Fires in beats 0, 10, ... with data 2 beats old: the age in beat 9 is 11.
     auto c = started<slow<11>>();
     CHECK_EQ(steps_until_fault(c, 100), -1);
     CHECK_EQ(c.get<"leg">().origin, (90 - 2) * millisecond);
@@ -152,7 +151,7 @@ TEST_SUITE("watchdog") {
     CHECK_EQ(steps_until_fault(stale, 100), 9);
   }
 
-  TEST_CASE("a command of the future grows stale by its arrival") {
+  TEST_CASE("a command from the future becomes stale by its time of arrival") {
     auto c = started<slow<9>>();
     c.get<"far">().offset = 1'000'000'000;
     CHECK_EQ(steps_until_fault(c, 100), -1);

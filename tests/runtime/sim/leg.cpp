@@ -1,5 +1,5 @@
-// The leg against closed forms: geometry there and back, springs as the derivative of their energy, motors
-// within their lines.
+// The leg compared with closed forms: kinematics and its inverse, springs as the derivative of their energy,
+// motors within their torque-speed lines.
 #include <array>
 #include <cmath>
 
@@ -56,7 +56,7 @@ TEST_SUITE("sim leg") {
     }
   }
 
-  TEST_CASE("a motor drives along its line and brakes with all it has") {
+  TEST_CASE("a motor drives within its line and brakes with its full torque") {
     const sim::motor_line line{6, 14};
     CHECK(sim::limit_torque(line, 9, 0) == 6);
     CHECK(sim::limit_torque(line, 9, 7) == 6);

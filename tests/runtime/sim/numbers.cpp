@@ -1,4 +1,4 @@
-// The table of docs/simulator.md has every number of the model, as the model has it.
+// The table of docs/simulator.md has every number of the model, with the model's value.
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -22,7 +22,7 @@ std::string text(const char* format, Numbers... numbers) {
 constexpr double mm(double length) { return 1000 * length; }
 constexpr double deg(double angle) { return angle / sim::degrees(1); }
 
-// What the page says of each, from its table.
+// The values on the page, from its table.
 std::map<std::string, std::string> on_page() {
   std::ifstream page(CCA_DOCS "/simulator.md");
   std::map<std::string, std::string> rows;
@@ -41,7 +41,7 @@ std::map<std::string, std::string> on_page() {
 
 }  // namespace
 
-TEST_CASE("the table of all numbers is that of the model") {
+TEST_CASE("the table of all numbers on the page agrees with the model") {
   const std::map<std::string, std::string> of_model{
       {"total mass", text("%g kg", m.mass())},
       {"hip height, standing", "0.16 to 0.18 m"},  // tests/runtime/sim/world.cpp
@@ -94,6 +94,6 @@ TEST_CASE("the table of all numbers is that of the model") {
   CHECK(found.size() == of_model.size());
   for (const auto& [what, value] : found)
     CHECK_MESSAGE((of_model.contains(what) && of_model.at(what) == value), what, ": ", value);
-  // A number more in the model is a row more on the page.
+  // A new number in the model needs a row on the page.
   CHECK(sizeof(sim::oncilla_model) == 60 * sizeof(double));
 }

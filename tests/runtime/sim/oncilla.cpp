@@ -124,7 +124,7 @@ TEST_SUITE("sim oncilla") {
     sim::world bare = c.get<"robot.simulator">().world();
     for (int k = 0; k < 500; ++k) {
       c.step();
-      // What passed the limiter is what the motors follow.
+      // The motors follow the commands that passed the limiter.
       const sim::robot_command wanted = c.get<"robot.simulator">().world().targets();
       bare.advance(wanted);
       REQUIRE(bare.hash() == c.get<"robot.simulator">().world().hash());

@@ -1,4 +1,4 @@
-// The picture of the trot, as the simulator's page shows it: the robot as one node.
+// The picture of the trot on the simulator's page, with the robot as one node.
 #include <string_view>
 
 #include <doctest/doctest.h>

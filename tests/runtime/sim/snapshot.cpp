@@ -9,10 +9,10 @@
 using namespace test;
 
 TEST_SUITE("sim snapshot") {
-  TEST_CASE("two worlds built alike and commanded alike are bit-identical") {
+  TEST_CASE("two equal worlds with equal commands are bit-identical") {
     sim::world a(sim::oncilla_defaults, sim::terrain::flat(), crouched());
     sim::world b(sim::oncilla_defaults, sim::terrain::flat(), crouched());
-    for (int part = 0; part < 4; ++part) {  // stepped in turns, so that state shared by accident would show
+    for (int part = 0; part < 4; ++part) {  // stepped in turns: state that they share by mistake would show
       run(a, 250 * part, 250 * (part + 1));
       run(b, 250 * part, 250 * (part + 1));
       REQUIRE(a.hash() == b.hash());
@@ -78,7 +78,7 @@ TEST_SUITE("sim snapshot") {
     }
   }
 
-  TEST_CASE("two worlds in two threads are what one is alone") {
+  TEST_CASE("two worlds in two threads give the same bits as one world alone") {
     const auto hash_of_run = [] {
       sim::world w(sim::oncilla_defaults, sim::terrain::flat(), crouched());
       run(w, 0, 1500);

@@ -1,5 +1,5 @@
 #pragma once
-// A robot to test with: how it is put down, and the command that lets it stand.
+// A robot to test with: its posture at the start, and the command with which it stands.
 #include <cmath>
 #include <cstdint>
 
@@ -25,7 +25,7 @@ inline sim::robot_command stand() {
   return c;
 }
 
-// Legs swinging out of phase: a motion without meaning that moves everything.
+// Legs that swing out of phase: a motion that moves every joint.
 inline sim::robot_command swinging(std::int64_t beat) {
   sim::robot_command c = stand();
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -38,8 +38,8 @@ inline sim::robot_command swinging(std::int64_t beat) {
   return c;
 }
 
-// Returns the last command: made anew it may differ in its last bit, where a compiler calculates a sine in
-// advance.
+// Returns the last command. Do not compute it again: its last bit may differ where a compiler evaluates a
+// sine at compile time.
 inline sim::robot_command run(sim::world& w, std::int64_t from, std::int64_t to) {
   sim::robot_command last;
   for (std::int64_t k = from; k < to; ++k) {

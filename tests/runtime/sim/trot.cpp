@@ -17,14 +17,14 @@
 
 #include <cca/config.hpp>
 
-#include "../../../examples/trot/cma_es.hpp"
-#include "../../../examples/trot/command_line.hpp"
-#include "../../../examples/trot/csv.hpp"
-#include "../../../examples/trot/parallel.hpp"
+#include "../../../tools/gait_search/cma_es.hpp"
+#include "../../../examples/trot/report/command_line.hpp"
+#include "../../../examples/trot/report/csv.hpp"
+#include "../../../examples/trot/report/parallel.hpp"
 #include "../../../examples/trot/rollout.hpp"
-#include "../../../examples/trot/statistics.hpp"
-#include "../../../examples/trot/summary.hpp"
-#include "../../../examples/trot/svg.hpp"
+#include "../../../examples/trot/report/statistics.hpp"
+#include "../../../examples/trot/report/summary.hpp"
+#include "../../../examples/trot/report/svg.hpp"
 
 namespace {
 
@@ -178,7 +178,7 @@ TEST_SUITE("trot") {
     std::filesystem::remove(path);
   }
 
-  TEST_CASE("the command line says what it doesn't understand") {
+  TEST_CASE("a mistake on the command line is refused with its name") {
     const trot::options o =
         trot::parse({"--seconds", "2.5", "--seed", "7", "--terrain", "slope:4", "--quiet"});
     CHECK(o.seconds == 2.5);
@@ -188,7 +188,7 @@ TEST_SUITE("trot") {
     CHECK(!trot::parse({"--seed", "none"}).seed);
     CHECK(trot::parse({"--help"}).help);
     for (const char* option : {"--seconds", "--seed", "--terrain", "--speed", "--config", "--summary",
-                               "--csv", "--svg"}) {  // what the help lists
+                               "--csv", "--svg"}) {  // listed by --help
       CHECK(trot::usage.find(option) != std::string_view::npos);
       const std::string value = option == std::string("--terrain") ? "flat" : "1";
       CHECK_NOTHROW(trot::parse({option, value}));
@@ -204,7 +204,7 @@ TEST_SUITE("trot") {
       CHECK_THROWS_AS(trot::parse(bad), trot::command_line_error);
   }
 
-  TEST_CASE("what is written is complete: table, JSON, CSV, picture") {
+  TEST_CASE("table, JSON, CSV and picture are complete") {
     const trot::recording recorded = run(2.5, 0);
     const trot::statistics s = trot::evaluate(recorded);
     std::ostringstream table, json, csv, svg;
@@ -232,7 +232,7 @@ TEST_SUITE("trot") {
       const double a = x[0] - 0.3, b = x[1] - 0.6 - a * a, c = x[2] - 0.5;
       return -(a * a + 100 * b * b + 10 * c * c);
     };
-    trot::cma_es search(Eigen::VectorXd::Constant(3, 0.8), 0.2, 10, 1);
+    gait_search::cma_es search(Eigen::VectorXd::Constant(3, 0.8), 0.2, 10, 1);
     for (int generation = 0; generation < 120; ++generation) {
       std::vector<double> values;
       for (const auto& x : search.ask()) values.push_back(hill(x));

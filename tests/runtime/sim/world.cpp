@@ -1,5 +1,4 @@
-// The world: what the robot weighs and how tall it stands, forces that balance, limits that hold, input that
-// is not a number.
+// The world: the robot's weight and height, balance of forces, limits, and input that is not a number.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,7 +70,7 @@ TEST_SUITE("sim world") {
       double sum = 0;
       for (const auto& l : w.reading().legs) {
         sum += std::abs(l.toe.angle) / 4;
-        CHECK(std::abs(l.toe.torque + stiffness * l.toe.angle) < 0.02);  // but for the damping
+        CHECK(std::abs(l.toe.torque + stiffness * l.toe.angle) < 0.02);  // except for the damping
       }
       return sum;
     };
@@ -80,7 +79,7 @@ TEST_SUITE("sim world") {
     CHECK(bent(2, 0) < 0.005);
   }
 
-  TEST_CASE("torques stay within the motors whatever is commanded") {
+  TEST_CASE("torques stay within the limits of the motors for any command") {
     sim::world w(m, sim::terrain::flat(), crouched());
     for (int k = 0; k < 1500; ++k) {
       sim::robot_command wild;
@@ -102,7 +101,7 @@ TEST_SUITE("sim world") {
     }
   }
 
-  TEST_CASE("a target that is not finite is not taken: the last finite one is kept, bit for bit") {
+  TEST_CASE("a target that is not finite is ignored: the last finite one is kept, bit for bit") {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
     sim::world sound(m, sim::terrain::flat(), crouched()), fed(sound);
@@ -152,7 +151,7 @@ TEST_SUITE("sim world") {
     CHECK(moved_by_push(0.02) > 0.15);
   }
 
-  TEST_CASE("on a slope that falls away under it, every foot finds the ground") {
+  TEST_CASE("on a slope that falls away, every foot finds the ground") {
     const sim::terrain ramp = sim::terrain::slope(sim::degrees(-6), 0.0);
     sim::world w(m, ramp, crouched());
     for (int k = 0; k < 1000; ++k) w.advance(stand());
@@ -162,7 +161,7 @@ TEST_SUITE("sim world") {
     }
   }
 
-  TEST_CASE("terrain: heights, names and what is refused") {
+  TEST_CASE("terrain: heights, names and refused names") {
     CHECK(sim::terrain::flat().height(7) == 0);
     const sim::terrain slope = sim::terrain::named("slope:5");
     CHECK(slope.height(1.0) == 0);

@@ -1,4 +1,4 @@
-// The arbiter: which of several writers is heard.
+// The arbiter: which of several writers it passes on.
 #include <doctest/doctest.h>
 
 #include <string_view>
@@ -25,11 +25,11 @@ struct two_writers : cca::graph<cca::rate<1000>,
                                 cca::wire<"gait.y", "legs.gait">,
                                 cca::wire<"legs.angles", "robot.x">> {};
 
-struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};  // the reflex, as long as it speaks
-struct by_age : two_writers<cca::by_freshness<"reflex", "gait">> {};  // whose data is younger
+struct by_rank : two_writers<cca::by_priority<"reflex", "gait">> {};  // the reflex, while it publishes
+struct by_age : two_writers<cca::by_freshness<"reflex", "gait">> {};  // the writer with the latest origin
 // [arbiter end]
 
-// Three of them, asked in each beat, whether one speaks or not; and who is heard.
+// Three arbiters that fire in each beat, with and without new samples, and the writer each one chose.
 template <class Policy>
 struct three_writers : cca::graph<cca::rate<1000>,
                                   cca::node<"a", by_hand<leg_angles>>,
@@ -64,36 +64,36 @@ TEST_SUITE("arbiter") {
     auto c = started<by_rank>();
     auto& reflex = c.get<"reflex">();
     auto& gait = c.get<"gait">();
-    const auto said = [&](bool reflex_speaks, bool gait_speaks) {
-      reflex.speaks = reflex_speaks, gait.speaks = gait_speaks;
+    const auto output_after_step = [&](bool reflex_publishes, bool gait_publishes) {
+      reflex.publishes = reflex_publishes, gait.publishes = gait_publishes;
       reflex.now = number<leg_angles>(100 + static_cast<double>(c.beat_index()));
       gait.now = number<leg_angles>(200 + static_cast<double>(c.beat_index()));
       c.step();
       return c.get<"robot">().last[knee{}];
     };
     const auto fired = [&] { return c.get<"robot">().all.size(); };
-    CHECK_EQ(said(false, false), 0);
+    CHECK_EQ(output_after_step(false, false), 0);
     CHECK_EQ(fired(), 0);
-    CHECK_EQ(said(true, true), 101);
-    CHECK_EQ(said(false, true), 202);
-    CHECK_EQ(said(true, false), 103);
-    CHECK_EQ(said(false, false), 103);
-    CHECK_EQ(said(true, true), 105);
+    CHECK_EQ(output_after_step(true, true), 101);
+    CHECK_EQ(output_after_step(false, true), 202);
+    CHECK_EQ(output_after_step(true, false), 103);
+    CHECK_EQ(output_after_step(false, false), 103);
+    CHECK_EQ(output_after_step(true, true), 105);
     CHECK_EQ(fired(), 4);
     CHECK_EQ(c.get<"robot">().last.origin(), 5 * c.period());
   }
 
-  TEST_CASE("a writer may fall silent for a while") {
+  TEST_CASE("a writer may pause") {
     auto c = started<by_rank>();
     c.set<"legs">({0.003});
     c.get<"reflex">().now = number<leg_angles>(1);
     c.get<"gait">().now = number<leg_angles>(2);
     c.step();
-    c.get<"reflex">().speaks = false;
+    c.get<"reflex">().publishes = false;
     for (int k = 1; k < 8; ++k) {
       c.step();
       CHECK_EQ(c.get<"robot">().last[hip{}], k <= 3 ? 1 : 2);
-      CHECK_EQ(c.get<"robot">().last.origin(), k <= 3 ? 0 : k * c.period());  // that of the one that is heard
+      CHECK_EQ(c.get<"robot">().last.origin(), k <= 3 ? 0 : k * c.period());  // that of the chosen writer
     }
   }
 
@@ -102,24 +102,24 @@ TEST_SUITE("arbiter") {
     auto& reflex = c.get<"reflex">();
     auto& gait = c.get<"gait">();
     const auto ms = c.period();
-    const auto said = [&](std::int64_t of_reflex, std::int64_t of_gait) {
+    const auto output_after_step = [&](std::int64_t of_reflex, std::int64_t of_gait) {
       reflex.now = number<leg_angles>(1, of_reflex), gait.now = number<leg_angles>(2, of_gait);
       c.step();
       return c.get<"robot">().last[hip{}];
     };
-    CHECK_EQ(said(-5 * ms, -3 * ms), 2);
+    CHECK_EQ(output_after_step(-5 * ms, -3 * ms), 2);
     CHECK_EQ(c.get<"robot">().last.origin(), -3 * ms);
-    CHECK_EQ(said(0, -3 * ms), 1);
-    CHECK_EQ(said(2 * ms, 2 * ms), 1);  // as young: the first
-    reflex.speaks = false;
-    CHECK_EQ(said(0, 3 * ms), 2);
-    CHECK_EQ(said(0, ms), 1);  // it says again what is older than what it was heard to say
+    CHECK_EQ(output_after_step(0, -3 * ms), 1);
+    CHECK_EQ(output_after_step(2 * ms, 2 * ms), 1);  // equal origins: the first
+    reflex.publishes = false;
+    CHECK_EQ(output_after_step(0, 3 * ms), 2);
+    CHECK_EQ(output_after_step(0, ms), 1);  // its new sample is older than its last one
   }
 
-  TEST_CASE("the one that was heard last stays, and it says which one that is") {
+  TEST_CASE("the choice stays, and writer says which it is") {
     auto c = started<three_writers<cca::by_priority<"a", "b", "c">>>();
     const auto who = [&](bool a, bool b, bool w) {
-      c.get<"a">().speaks = a, c.get<"b">().speaks = b, c.get<"c">().speaks = w;
+      c.get<"a">().publishes = a, c.get<"b">().publishes = b, c.get<"c">().publishes = w;
       c.step();
       return c.get<"who">().last.vector()[0];
     };
@@ -139,19 +139,19 @@ TEST_SUITE("arbiter") {
       CHECK_EQ(c.get<"robot">().last[hip{}], 1 + c.get<"who">().last.vector()[0]);
       return c.get<"who">().last.vector()[0];
     };
-    CHECK_EQ(who(3, 1, 2), 0);  // not the youngest of the last two
+    CHECK_EQ(who(3, 1, 2), 0);  // not only the last two count
     CHECK_EQ(who(4, 6, 5), 1);
     CHECK_EQ(who(7, 8, 9), 2);
   }
 
-  TEST_CASE("starts anew") {
+  TEST_CASE("a restart forgets the choice") {
     auto c = started<by_rank>();
     c.set<"legs">({1});
     c.get<"reflex">().now = number<leg_angles>(1);
     c.step();
     c.stop();
     c.start();
-    c.get<"reflex">().speaks = false;
+    c.get<"reflex">().publishes = false;
     c.step();
     CHECK_EQ(c.get<"robot">().last[hip{}], 0);
   }

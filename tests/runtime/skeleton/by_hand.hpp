@@ -1,5 +1,4 @@
-// What the tests of skeletons put around them: sources that a test moves by hand, and a listener that notes
-// what comes.
+// Used by all tests of skeletons: sources whose values a test sets, and a sink that records what arrives.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +9,13 @@
 
 namespace skeleton_test {
 
-// `speaks` false: it publishes nothing. `of` is not `never`: the origin of what it says.
+// Publishes `now` with its origin, only if `publishes`.
 template <class Space, int Number = 0>
 struct by_hand {
   cca::sample<Space> now;
-  bool speaks = true;
+  bool publishes = true;
   auto process(cca::beat) -> cca::maybe<"y", Space> {
-    if (!speaks) return {};
+    if (!publishes) return {};
     return cca::maybe<"y", Space>(now).with_origin(now.origin());
   }
 };

@@ -1,4 +1,4 @@
-// Every skeleton under the laws of skeletons.
+// Runs the laws of skeletons over every skeleton.
 #include "../../laws/skeleton_laws.hpp"
 
 #include <cca/skeleton/farm_on_threads.hpp>
@@ -10,17 +10,17 @@ struct signal_at : cca::space<cca::number, cca::axes<cca::x, cca::y>, cca::rate<
 using signal = signal_at<1000>;
 struct part : cca::space<cca::number, cca::axes<cca::x>> {};
 
-constexpr double said = 0.75;
+constexpr double constant = 0.75;
 
 template <class Space = signal>
 struct always {
-  auto process(cca::beat) -> cca::out<"y", Space> { return Space::vector_type::Constant(said).eval(); }
+  auto process(cca::beat) -> cca::out<"y", Space> { return Space::vector_type::Constant(constant).eval(); }
 };
 template <int Every>
 struct at_times {
   auto process(cca::beat now) -> cca::maybe<"y", signal> {
     if (now.index() % Every != 0) return {};
-    return signal::vector_type::Constant(said).eval();
+    return signal::vector_type::Constant(constant).eval();
   }
 };
 template <class Space = signal>
@@ -40,7 +40,7 @@ struct same {
 struct same_part {
   auto process(cca::in<"a", part> x) -> cca::out<"b", part> { return x; }
 };
-struct changing_choice {  // one source after the other
+struct changing_choice {  // chooses one source after the other
   auto process(cca::beat now) -> cca::out<"y", cca::choice> {
     return static_cast<double>(now.index() / 20 % 2);
   }
@@ -57,13 +57,13 @@ struct one : cca::space<cca::amplitude, cca::axes<cca::x>> {};
 template <class Graph, int Lag>
 struct law_case {
   using graph = Graph;
-  static constexpr double value = said;
+  static constexpr double value = constant;
   static constexpr auto name = cca::detail::type_name<Graph>();
   static void feed(cca::controller<Graph>&) {}
   static std::int64_t oldest(std::int64_t beat) { return beat - Lag; }
 };
 
-// Through it from one source.
+// Skeletons with one source.
 template <class Skeleton,
           class From = signal,
           class To = signal,
@@ -76,7 +76,7 @@ struct through : cca::graph<cca::rate<1000>,
                             cca::node<"end", ending<To>>,
                             cca::wire<"source.y", "skeleton.input", Policy...>,
                             cca::wire<"skeleton.output", "end.x">> {};
-// From two sources.
+// Skeletons with two sources.
 template <class Skeleton, class A, class B, class... More>
 struct from_two : cca::graph<cca::rate<1000>,
                              cca::node<"first", A>,
@@ -133,7 +133,7 @@ struct interpolated : through<cca::interpolate<signal_at<100>, signal>,
 struct picked : through<cca::decimate<signal, signal_at<100>>, signal, signal_at<100>> {};
 struct averaged : through<cca::decimate<signal, signal_at<100>, cca::averaged>, signal, signal_at<100>> {};
 
-// With nothing left to do before the next beat, it is one beat late.
+// If all work is done before the next beat, the result is one beat late.
 template <class Graph>
 struct settled : law_case<Graph, 1> {
   static void settle(cca::controller<Graph>& c) {

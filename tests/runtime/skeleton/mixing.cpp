@@ -1,4 +1,4 @@
-// Blend and switch: what lies between sources, on a line, on a circle, between orientations.
+// Blend and switch: mixtures of sources on a line, on a circle and between orientations.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -122,7 +122,7 @@ TEST_SUITE("blend") {
     test::check_picture<modes<leg_angles>>(picture_of_switch);
   }
 
-  TEST_CASE("by an amplitude") {
+  TEST_CASE("a blend by an amplitude") {
     auto c = started<paw_command>();
     const Eigen::Vector2d low(-0.5, 0.25), high(0.5, 1.25);
     c.get<"reach">().now = cca::sample<leg_angles>(low);
@@ -145,12 +145,12 @@ TEST_SUITE("blend") {
     CHECK_THROWS_AS(c.set<"blend">({1, 1}), cca::refused);
   }
 
-  TEST_CASE("what has no part in it has no say") {
+  TEST_CASE("a source with weight zero has no influence") {
     auto c = started<paw_command>();
     c.get<"trot">().now = number<leg_angles>(not_a_number);
     c.step();
     const auto old = c.beat_index() - 1;
-    c.get<"trot">().speaks = false;
+    c.get<"trot">().publishes = false;
     c.run(cca::for_beats<9>{});
     CHECK_EQ(c.get<"paw">().last.vector(), Eigen::Vector2d(0, 0));
     CHECK_EQ(c.get<"paw">().last.origin(), 9 * c.period());
@@ -159,15 +159,15 @@ TEST_SUITE("blend") {
     c.step();
     CHECK(c.get<"paw">().last.vector().hasNaN());
     CHECK_EQ(c.get<"paw">().last.origin(), old);
-    // Nor has the first one where the weight is full, to the bit.
+    // At full weight the first source has no influence either, to the bit.
     c.get<"reach">().now = number<leg_angles>(not_a_number);
-    c.get<"trot">().speaks = true;
+    c.get<"trot">().publishes = true;
     c.get<"cpg">().now = number<cpg_amplitude>(1);
     c.step();
     CHECK_EQ(c.get<"paw">().last.vector(), Eigen::Vector2d(1, 1));
   }
 
-  TEST_CASE("by a weight for each") {
+  TEST_CASE("a blend by one weight per source") {
     auto c = started<mixed_by_three>();
     c.get<"a">().now = number<leg_angles>(1);
     c.get<"b">().now = number<leg_angles>(2);
@@ -184,8 +184,8 @@ TEST_SUITE("blend") {
     CHECK(at(1, 1, 2) == doctest::Approx(2.75));
     CHECK(at(3, -5, 1) == doctest::Approx(1.75));
     CHECK_EQ(at(not_a_number, 0, 1), 4);
-    // The oldest of those that have a part in it: neither b nor the weights.
-    c.get<"b">().speaks = c.get<"w">().speaks = false;
+    // The oldest origin of the sources that contribute: neither b nor the weights.
+    c.get<"b">().publishes = c.get<"w">().publishes = false;
     for (int i = 0; i < 3; ++i) {
       c.step();
       CHECK_EQ(c.get<"end">().last.origin(), (c.beat_index() - 1) * c.period());
@@ -221,13 +221,12 @@ TEST_SUITE("switch") {
       step();
       CHECK_EQ(value(), c.get<"stand">().now[hip{}]);
     }
-    // Nowhere faster than the sources themselves and their distance along s(u), whose slope is at most 15/8;
-    // and smooth.
+    // Smooth, and never faster than the sources plus their distance times the slope of s(u), at most 15/8.
     double before = value(), speed_before = 0;
     choice.now = number<cca::choice>(1);
     for (int i = 0; i < 1000; ++i) {
       if (i == 700) choice.now = number<cca::choice>(2);
-      if (i == 900) choice.now = number<cca::choice>(0);  // in the midst of a hand-over
+      if (i == 900) choice.now = number<cca::choice>(0);  // during a hand-over
       step();
       const double speed = value() - before;
       CHECK(std::abs(speed) < 0.001 + 2.2 * 15 / 8 / 500 + 1e-9);
@@ -237,7 +236,7 @@ TEST_SUITE("switch") {
     }
   }
 
-  TEST_CASE("along minimum jerk, and it tells when only the chosen one is left") {
+  TEST_CASE("along minimum jerk, and settled says when only the chosen source contributes") {
     auto c = started<modes_and_settled<leg_angles>>();
     const auto settled = [&] { return c.get<"settled">().last.vector()[0]; };
     c.get<"operator">().now = number<cca::choice>(not_a_number);
@@ -256,14 +255,14 @@ TEST_SUITE("switch") {
       if (k < 500) CHECK_EQ(settled(), 0);
     }
     CHECK_EQ(settled(), 1);
-    // How old the choice is does not count.
-    c.get<"operator">().speaks = false;
+    // The age of the choice does not matter.
+    c.get<"operator">().publishes = false;
     c.step();
     c.step();
     CHECK_EQ(c.get<"robot">().last.origin(), (c.beat_index() - 1) * c.period());
   }
 
-  TEST_CASE("another duration holds from the next hand-over on") {
+  TEST_CASE("another duration takes effect at the next hand-over") {
     auto c = started<modes_and_settled<leg_angles>>();
     const auto value = [&](double choice, int beats = 1) {
       c.get<"operator">().now = number<cca::choice>(choice);
@@ -275,7 +274,7 @@ TEST_SUITE("switch") {
     value(0);
     CHECK(value(1, 250) == doctest::Approx(0.5));
     c.set<"mode">({20.0});
-    CHECK(value(1) == doctest::Approx(0.5).epsilon(0.01));  // no bump in the midst of one
+    CHECK(value(1) == doctest::Approx(0.5).epsilon(0.01));  // no bump during a hand-over
     CHECK_EQ(value(1, 249), 1);
     CHECK_EQ(value(1, 9), 1);  // nor after it
     CHECK_EQ(c.get<"settled">().last.vector()[0], 1);
@@ -283,11 +282,12 @@ TEST_SUITE("switch") {
     CHECK_EQ(value(0), 0);
     CHECK_EQ(value(1), 1);
     c.set<"mode">({0.5});
-    CHECK(value(2) == doctest::Approx(1).epsilon(1e-5));  // from where it is, though it came there at once
-    // What is settled stays so, also where a long time between firings ended it and a short one follows.
+    CHECK(value(2) ==
+          doctest::Approx(1).epsilon(1e-5));  // from the current weights, which it reached at once
+    // It stays settled, even if a long pause between firings ended the hand-over and a short one follows.
     const auto speak = [&](bool they) {
-      c.get<"stand">().speaks = c.get<"trot">().speaks = c.get<"reach">().speaks =
-          c.get<"operator">().speaks = they;
+      c.get<"stand">().publishes = c.get<"trot">().publishes = c.get<"reach">().publishes =
+          c.get<"operator">().publishes = they;
       c.step();
     };
     value(2, 600);
@@ -301,7 +301,7 @@ TEST_SUITE("switch") {
     }
   }
 
-  TEST_CASE("starts anew") {
+  TEST_CASE("a restart forgets the choice") {
     auto c = started<modes_and_settled<leg_angles>>();
     c.get<"trot">().now = number<leg_angles>(1);
     c.get<"operator">().now = number<cca::choice>(0);
@@ -311,7 +311,7 @@ TEST_SUITE("switch") {
     CHECK_EQ(c.get<"settled">().last.vector()[0], 0);
     c.stop();
     c.start();
-    c.step();  // the first choice is taken at once, again
+    c.step();  // the first choice takes effect at once, again
     CHECK_EQ(c.get<"robot">().last[hip{}], 1);
     c.get<"operator">().now = number<cca::choice>(2);
     c.run(cca::for_beats<100>{});
@@ -320,29 +320,29 @@ TEST_SUITE("switch") {
     c.get<"operator">().now = number<cca::choice>(not_a_number);
     c.get<"stand">().now = number<leg_angles>(7);
     c.step();
-    CHECK_EQ(c.get<"robot">().last[hip{}], 7);  // until one is chosen it is the first
+    CHECK_EQ(c.get<"robot">().last[hip{}], 7);  // before a choice it is the first source
   }
 
-  TEST_CASE("what can't be chosen") {
+  TEST_CASE("invalid choices") {
     auto c = started<modes<leg_angles>>();
     c.get<"stand">().now = number<leg_angles>(1);
     c.get<"trot">().now = number<leg_angles>(2);
-    c.get<"reach">().speaks = false;
+    c.get<"reach">().publishes = false;
     const auto end = [&](double choice) {
       c.get<"operator">().now = number<cca::choice>(choice);
       c.run(cca::for_beats<600>{});
       return c.get<"robot">().last[hip{}];
     };
     for (const double none : {-1.0, 3.0, not_a_number, 1e300}) CHECK_EQ(end(none), 1);
-    CHECK_EQ(end(2), 1);  // it has not spoken yet
+    CHECK_EQ(end(2), 1);  // it has not published yet
     CHECK_EQ(end(1), 2);
     CHECK_EQ(end(7), 2);
     CHECK_EQ(end(2), 2);
-    c.get<"reach">().speaks = true;
+    c.get<"reach">().publishes = true;
     CHECK_EQ(end(2), 0);
   }
 
-  TEST_CASE("the first choice is taken at once, and one of no duration") {
+  TEST_CASE("the first choice takes effect at once, and so does one without duration") {
     auto c = started<modes<leg_angles>>();
     c.get<"trot">().now = number<leg_angles>(2);
     c.get<"operator">().now = number<cca::choice>(1);

@@ -1,4 +1,4 @@
-// Pipelines and farms: the same as their stages and workers by hand.
+// Pipelines and farms give the same as their stages and workers called by hand.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct offset {
 };
 struct without_spikes {
   auto process(cca::in<"x", reading> x) -> cca::maybe<"clean", reading> {
-    if (std::abs(x[cca::x{}]) > 10) return {};  // nothing goes on, so what comes after does not fire
+    if (std::abs(x[cca::x{}]) > 10) return {};  // publishes nothing, so the next stage does not fire
     return cca::sample<reading>(x);
   }
 };
@@ -55,7 +55,7 @@ struct in_three_beats
 struct paw : cca::space<cca::cartesian_position<trunk>, cca::axes<cca::x, cca::z>> {};
 struct leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};
 
-struct leg_ik {  // of a leg of two links, 0.2 m each
+struct leg_ik {  // for a leg of two links of 0.2 m
   auto process(cca::in<"paw", paw> p) -> cca::out<"angles", leg_angles> {
     const double length = std::hypot(p[cca::x{}], p[cca::z{}]), bend = std::acos(std::fmin(length / 0.4, 1));
     return Eigen::Vector2d(std::atan2(p[cca::x{}], -p[cca::z{}]) + bend, -2 * bend);
@@ -154,7 +154,7 @@ TEST_SUITE("pipeline") {
     test::check_picture<four_paws>(picture_of_farm);
   }
 
-  TEST_CASE("passes all stages in a beat") {
+  TEST_CASE("a sample passes all stages in one beat") {
     auto c = started<conditioned>();
     smooth last;
     std::size_t clean = 0;
@@ -170,7 +170,7 @@ TEST_SUITE("pipeline") {
     }
   }
 
-  TEST_CASE("or one a beat") {
+  TEST_CASE("or one stage per beat") {
     auto c = started<in_three_beats>();
     for (int k = 0; k < 20; ++k) {
       c.get<"sensor">().now = number<reading>(k);
@@ -182,7 +182,7 @@ TEST_SUITE("pipeline") {
 }
 
 TEST_SUITE("farm") {
-  TEST_CASE("each worker its part") {
+  TEST_CASE("each worker gets its part") {
     auto c = started<four_paws>();
     Eigen::Matrix<double, 8, 1> paws;
     paws << 0.01, -0.3, 0.02, -0.32, -0.05, -0.35, 0.1, -0.25;
@@ -200,7 +200,7 @@ TEST_SUITE("farm") {
     CHECK_EQ(angles.origin(), 0);
   }
 
-  TEST_CASE("over the axes of one's own, and with pipelines as workers") {
+  TEST_CASE("with axes of its own, and with pipelines as workers") {
     auto c = started<with_own_axes>();
     c.get<"a">().now = cca::sample<all_angles>(Eigen::Vector4d(1, 2, 3, 4));
     for (int k = 1; k < 9; ++k) {
@@ -210,11 +210,11 @@ TEST_SUITE("farm") {
     CHECK_EQ(c.get<"farm">().get<"worker1">().get<"stage1">().part, doctest::Approx(0.008));
   }
 
-  TEST_CASE("an array of what has no number per axis") {
+  TEST_CASE("an array of a space without numbers per axis") {
     auto c = started<of_three>();
     CHECK_EQ(c.get<"a">().now.vector(), cca::sample<three_orientations>().vector());
     for (int i = 0; i < 3; ++i)
-      CHECK_EQ(c.get<"a">().now.part<1>().vector()[3], 1);  // the zero is that of each
+      CHECK_EQ(c.get<"a">().now.part<1>().vector()[3], 1);  // the zero of each element
     Eigen::Matrix<double, 12, 1> v;
     for (int i = 0; i < 3; ++i)
       v.segment<4>(4 * i) =

@@ -1,4 +1,4 @@
-// Hold, decimate, interpolate: from one rate to another.
+// Hold, decimate and interpolate lead from one rate to another.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ struct up_and_down : cca::graph<cca::node<"planner", planner, cca::timed<10>>,
                                 cca::wire<"mean.output", "m.x">> {};
 // [rates end]
 
-// A strategy that does not make To's rate is refused.
+// A strategy with another rate than To's is refused.
 struct slow_hold : cca::graph<cca::rate<1000>,
                               cca::node<"planner", planner, cca::timed<10>>,
                               cca::node<"steps", cca::hold<goal_100, goal_1000>>,
@@ -70,7 +70,7 @@ struct freezing : cca::graph<cca::rate<1000>,
                              cca::wire<"stop.y", "hold.freeze">,
                              cca::wire<"hold.output", "b.x">> {};
 
-// Fed with what it says: the sample's origin stays that of the sample.
+// Reads its own output: the sample keeps its origin.
 template <class Skeleton>
 struct in_a_loop : cca::graph<cca::rate<1000>,
                               cca::node<"a", Skeleton, cca::timed<1>>,
@@ -114,7 +114,7 @@ flowchart LR
 TEST_SUITE("rates") {
   TEST_CASE("the picture") { test::check_picture<up_and_down>(picture_of_rates); }
 
-  TEST_CASE("up and down") {
+  TEST_CASE("to a faster rate and back") {
     auto c = started<up_and_down>();
     CHECK_EQ(c.period(), 1'000'000);
     c.run(cca::for_beats<100>{});
@@ -144,23 +144,23 @@ TEST_SUITE("rates") {
     }
   }
 
-  TEST_CASE("samples that come late, or early") {
+  TEST_CASE("late and early samples") {
     auto c = started<interpolating<goal_100, goal_1000>>();
     auto& a = c.get<"a">();
-    const auto said = [&](double x) {
-      a.speaks = x >= 0;
-      if (a.speaks) a.now = number<goal_100>(x);
+    const auto output_after_step = [&](double x) {
+      a.publishes = x >= 0;
+      if (a.publishes) a.now = number<goal_100>(x);
       c.step();
       return c.get<"b">().last.vector()[0];
     };
-    CHECK_EQ(said(-1), 0);
-    CHECK_EQ(said(5), 5);
-    for (int i = 0; i < 15; ++i) CHECK_EQ(said(-1), 5);
-    CHECK(said(6) == doctest::Approx(5.1));
-    for (int i = 2; i <= 5; ++i) CHECK(said(-1) == doctest::Approx(5 + 0.1 * i));
-    CHECK(said(3.5) == doctest::Approx(5.3));  // early: from where it is
-    for (int i = 2; i <= 10; ++i) CHECK(said(-1) == doctest::Approx(5.5 - 0.2 * i));
-    for (int i = 0; i < 15; ++i) CHECK_EQ(said(-1), 3.5);
+    CHECK_EQ(output_after_step(-1), 0);
+    CHECK_EQ(output_after_step(5), 5);
+    for (int i = 0; i < 15; ++i) CHECK_EQ(output_after_step(-1), 5);
+    CHECK(output_after_step(6) == doctest::Approx(5.1));
+    for (int i = 2; i <= 5; ++i) CHECK(output_after_step(-1) == doctest::Approx(5 + 0.1 * i));
+    CHECK(output_after_step(3.5) == doctest::Approx(5.3));  // early: from the current value
+    for (int i = 2; i <= 10; ++i) CHECK(output_after_step(-1) == doctest::Approx(5.5 - 0.2 * i));
+    for (int i = 0; i < 15; ++i) CHECK_EQ(output_after_step(-1), 3.5);
   }
 
   TEST_CASE("on a circle and between orientations") {
@@ -170,7 +170,7 @@ TEST_SUITE("rates") {
     c.step();
     a.now = number<at<cca::phase, 100, cca::x>>(0.2);
     c.step();
-    a.speaks = false;
+    a.publishes = false;
     for (int i = 2; i <= 5; ++i) c.step();
     CHECK(cca::wrap_signed(c.get<"b">().last.vector()[0] - 6.2 - 0.5 * (0.2 + 2 * cca::pi - 6.2)) ==
           doctest::Approx(0));
@@ -179,7 +179,7 @@ TEST_SUITE("rates") {
     o.step();
     o.get<"a">().now = cca::sample<slow>::about({0, 1, 0}, 1);
     o.step();
-    o.get<"a">().speaks = false;
+    o.get<"a">().publishes = false;
     o.step();
     CHECK(o.get<"b">().last.pitch() == doctest::Approx(0.2));
   }
@@ -192,12 +192,12 @@ TEST_SUITE("rates") {
     }
     auto d = started<slower_in_a_loop>();
     for (int k = 0; k < 60; ++k) d.step();
-    for (const auto& heard : d.get<"b">().all)
-      CHECK_EQ(heard.sample.origin(), 0);  // that of the first beat, round and round
+    for (const auto& arrived : d.get<"b">().all)
+      CHECK_EQ(arrived.sample.origin(), 0);  // the origin of the first beat, in every round
     CHECK(d.get<"b">().all.size() > 3);
   }
 
-  TEST_CASE("each starts anew") {
+  TEST_CASE("a restart begins again") {
     auto c = started<up_and_down>();
     c.run(cca::for_beats<23>{});
     c.stop();
@@ -205,8 +205,10 @@ TEST_SUITE("rates") {
     c.get<"r">().all.clear(), c.get<"p">().all.clear(), c.get<"m">().all.clear();
     for (int k = 23; k < 60; ++k) c.step();
     const auto& ramps = c.get<"r">().all;
-    CHECK_EQ(ramps[0].sample.vector()[0], c.get<"planner">().at - 3);  // the ramp that it was in is over
-    CHECK_EQ(ramps[7].sample.vector()[0], c.get<"planner">().at - 2);  // the first new one is taken at once
+    CHECK_EQ(ramps[0].sample.vector()[0],
+             c.get<"planner">().at - 3);  // the ramp from before the restart is over
+    CHECK_EQ(ramps[7].sample.vector()[0],
+             c.get<"planner">().at - 2);  // the first new sample is taken at once
     CHECK_EQ(c.get<"p">().all[0].beat, 23);
     CHECK_EQ(c.get<"p">().all[1].beat, 33);
     CHECK_EQ(c.get<"m">().all[0].beat, 32);
@@ -218,26 +220,26 @@ TEST_SUITE("rates") {
     f.get<"a">().now = number<goal_1000>(2);
     f.get<"stop">().now = number<cca::flag>(1);
     f.step();
-    CHECK_EQ(f.get<"b">().last.vector()[0], 2);  // what it kept is gone
+    CHECK_EQ(f.get<"b">().last.vector()[0], 2);  // it forgot the held sample
   }
 
-  TEST_CASE("hold may be frozen") {
+  TEST_CASE("hold can be frozen") {
     auto c = started<freezing<goal_1000>>();
     auto& a = c.get<"a">();
     auto& stop = c.get<"stop">();
-    const auto said = [&](double x, double freeze) {
+    const auto output_after_step = [&](double x, double freeze) {
       a.now = number<goal_1000>(x);
       stop.now = number<cca::flag>(freeze);
       c.step();
       return c.get<"b">().last.vector()[0];
     };
-    CHECK_EQ(said(1, 1), 1);  // there is nothing to keep yet
-    CHECK_EQ(said(2, 1), 1);
+    CHECK_EQ(output_after_step(1, 1), 1);  // there is no sample to hold yet
+    CHECK_EQ(output_after_step(2, 1), 1);
     CHECK_EQ(c.get<"b">().last.origin(), 0);
-    CHECK_EQ(said(3, 0), 3);
-    CHECK_EQ(said(4, 0), 4);
-    CHECK_EQ(said(5, -1), 4);
+    CHECK_EQ(output_after_step(3, 0), 3);
+    CHECK_EQ(output_after_step(4, 0), 4);
+    CHECK_EQ(output_after_step(5, -1), 4);
     CHECK_EQ(c.get<"b">().last.origin(), 3 * c.period());
-    CHECK_EQ(said(6, 0), 6);
+    CHECK_EQ(output_after_step(6, 0), 6);
   }
 }

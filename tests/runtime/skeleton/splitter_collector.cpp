@@ -1,4 +1,4 @@
-// Splitter and collector: what is taken apart by axis and put together again is the same, to the bit.
+// Splitter and collector: a sample that is split and collected is the same, to the bit.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ struct hip_only {  // a component for one joint
 
 struct halved_hip
     : cca::graph<cca::node<"gait", gait>,
-                 cca::node<"split", cca::splitter<"angles", leg_angles>>,  // a port an axis: hip, knee, toe
+                 cca::node<"split", cca::splitter<"angles", leg_angles>>,  // ports hip, knee, toe
                  cca::node<"half", hip_only>,
                  cca::node<"whole", cca::collector<"angles", leg_angles>, cca::moderate>,  // once each axis
                                                                                            // has a new sample
@@ -72,7 +72,7 @@ struct listening : cca::graph<cca::node<"inner", halved_hip>,
                               cca::wire<"outer.angles", "note.before">,
                               cca::wire<"inner.angles", "note.after">> {};
 
-// Each of them keeps within the limits of what it is given, and so a limiter before it is enough.
+// Both keep the limits of their inputs, so a limiter before them is enough.
 struct leg {
   void act(cca::in<"hip", hip_angle> h) { angle = h[hip{}]; }
   double angle = 0;
@@ -118,7 +118,7 @@ flowchart LR
 TEST_SUITE("splitter and collector") {
   TEST_CASE("the picture") { test::check_picture<halved_hip>(picture_of_splitter); }
 
-  TEST_CASE("apart and together again") {
+  TEST_CASE("split and collected") {
     auto c = started<round_trip>();
     for (int k = 0; k < 100; ++k) {
       c.step();
@@ -131,7 +131,7 @@ TEST_SUITE("splitter and collector") {
     }
   }
 
-  TEST_CASE("one axis taken out on its way") {
+  TEST_CASE("one axis takes another way") {
     auto c = started<listening>();
     c.run(cca::for_beats<300>{});
     const auto& note = c.get<"note">();

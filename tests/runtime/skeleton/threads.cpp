@@ -1,4 +1,4 @@
-// The farm on threads: late, never in the way, and the same results as the farm in the loop.
+// The farm on threads: results may be late, the loop never waits, and the results equal those of a farm.
 #include <doctest/doctest.h>
 
 #include <atomic>
@@ -21,7 +21,7 @@ struct spot : cca::space<cca::number, cca::axes<cca::x>> {};
 using image = cca::array_of<spot, 2>;
 using thoughts = cca::array_of<spot, 2>;
 
-// How many tasks in all may be begun: the tests hold workers up by it.
+// How many tasks may begin in all: the tests stop workers with it.
 std::atomic<int> allowed[2];
 void allow(int first, int second) { allowed[0] = first, allowed[1] = second; }
 constexpr int all = 1'000'000;
@@ -40,7 +40,7 @@ struct deep_thought {
   void on_start() { ++begun; }
   void on_stop() { ++stops; }
 
-  // Which of the two it is it tells from what it is given.
+  // It finds out which of the two workers it is from its input.
   auto process(cca::in<"x", spot> x, cca::optional_in<"more", spot> more, cca::beat now)
       -> std::tuple<cca::maybe<"y", spot>, cca::out<"ok", cca::flag>> {
     auto& mine = allowed[x[cca::x{}] >= 1000];
@@ -48,7 +48,7 @@ struct deep_thought {
     --mine;
     ++done;
     sum += p.gain * x[cca::x{}] + now.dt() + (more ? 1 : 0) + (x.fresh() ? 0 : 2) + (begun - 1);
-    if (done % 5 == 0) return {cca::maybe<"y", spot>{}, 0};  // nothing to say
+    if (done % 5 == 0) return {cca::maybe<"y", spot>{}, 0};  // publishes nothing
     if (done % 7 == 0) return {cca::maybe<"y", spot>(sum).with_origin(x.origin() - 1), 1};
     return {sum, 1};
   }
@@ -115,23 +115,23 @@ flowchart LR
 TEST_SUITE("farm on threads") {
   TEST_CASE("the picture") { test::check_picture<on_threads>(picture_of_threads); }
 
-  TEST_CASE("the same results, in order, of the same origins") {
+  TEST_CASE("the same results, in order, with the same origins") {
     allow(all, all);
     auto inline_ = started<at_once>();
     inline_.run(cca::for_beats<40>{});
     auto c = started<on_threads>();
     c.run(cca::for_beats<40>{});
     crew(c).wait();
-    c.get<"eye">().every = 1'000'000;  // nothing more to see
+    c.get<"eye">().every = 1'000'000;  // no more samples
     c.run(cca::for_beats<40>{});
     const auto &a = inline_.get<"act">().all, &b = c.get<"act">().all;
-    CHECK_EQ(a.size(), 32);  // of every five one is not published
+    CHECK_EQ(a.size(), 32);  // one of every five is not published
     CHECK_EQ(b.size(), 32);
     check_same(a, b, 32);
     for (const auto& late : b) CHECK(late.beat * c.period() > late.sample.origin());
   }
 
-  TEST_CASE("a worker's time is that of its tasks, and their origin that of the results") {
+  TEST_CASE("a worker sees the time of its task, and the result has the origin of its task") {
     allow(all, all);
     auto inline_ = started<at_once>();
     auto c = started<on_threads>();
@@ -145,7 +145,7 @@ TEST_SUITE("farm on threads") {
     CHECK_EQ(c.get<"act">().all.front().sample.origin(), -5'000'000);
   }
 
-  TEST_CASE("a worker that hangs holds up nobody") {
+  TEST_CASE("the loop does not wait for a worker that hangs") {
     allow(2, 2);
     auto c = started<four_at_most>();
     c.run(cca::for_beats<1>{});
@@ -158,8 +158,8 @@ TEST_SUITE("farm on threads") {
     const auto end = std::chrono::steady_clock::now();
     CHECK_EQ(before, 1);
     CHECK_EQ(c.get<"act">().all.size(), 2);
-    CHECK(end - begin < std::chrono::seconds(2));  // with the worker still in its task
-    // Four under way, all that came later are lost, and counted.
+    CHECK(end - begin < std::chrono::seconds(2));  // while the worker is still in its task
+    // Four are under way; all later ones are lost and counted.
     const auto [output, waiting, dropped] =
         crew(c).process({Eigen::Vector2d(0, 0), 0, false}, cca::beat(c.beat_index(), c.period(), 1));
     CHECK(!output);
@@ -169,14 +169,14 @@ TEST_SUITE("farm on threads") {
     crew(c).wait();
     c.get<"eye">().every = 1'000'000;
     c.run(cca::for_beats<10>{});
-    const auto& heard = c.get<"act">().all;
-    REQUIRE_EQ(heard.size(), 5);  // the fifth of the six published nothing
-    CHECK_EQ(heard[2].sample.origin(), 2 * c.period());
-    CHECK_EQ(heard[3].sample.origin(), 3 * c.period());
-    CHECK_EQ(heard[4].sample.origin(), 5 * c.period());
+    const auto& arrived = c.get<"act">().all;
+    REQUIRE_EQ(arrived.size(), 5);  // the fifth of six published nothing
+    CHECK_EQ(arrived[2].sample.origin(), 2 * c.period());
+    CHECK_EQ(arrived[3].sample.origin(), 3 * c.period());
+    CHECK_EQ(arrived[4].sample.origin(), 5 * c.period());
   }
 
-  TEST_CASE("as they come") {
+  TEST_CASE("results as they come") {
     allow(1, 3);  // the first worker hangs in its second task, the second worker in its fourth
     auto c = started<newest>();
     c.run(cca::for_beats<3>{});
@@ -190,15 +190,15 @@ TEST_SUITE("farm on threads") {
     CHECK_EQ(last.origin(), 0);  // the older part
     const auto [output, waiting, dropped] =
         crew(c).process({Eigen::Vector2d(0, 0), 0, false}, cca::beat(c.beat_index(), c.period(), 1));
-    CHECK_EQ(waiting.vector()[0], 4);  // the first worker's, though the second one has done nearly all
+    CHECK_EQ(waiting.vector()[0], 4);  // the first worker's; the second one has done nearly all
     allow(all, all);
   }
 
-  TEST_CASE("a copy has threads, workers and results of its own") {
+  TEST_CASE("a copy has its own threads, workers and results") {
     allow(all, all);
     auto c = started<on_threads>();
     c.run(cca::for_beats<25>{});
-    auto copy = c;  // with tasks under way, perhaps, and results that wait
+    auto copy = c;  // there may be tasks under way and results to take
     c.get<"eye">().every = copy.get<"eye">().every = 1'000'000;
     for (auto* one : {&c, &copy}) {
       one->run(cca::for_beats<40>{});
@@ -212,7 +212,7 @@ TEST_SUITE("farm on threads") {
     CHECK_EQ(b.size(), 20);
     check_same(a, b, 20);
     check_same(a, inline_.get<"act">().all, 20);
-    // Each goes on alone.
+    // Both go on independently.
     c.get<"eye">().every = 1;
     c.run(cca::for_beats<5>{});
     crew(c).wait();
@@ -221,7 +221,7 @@ TEST_SUITE("farm on threads") {
     CHECK_EQ(copy.get<"act">().all.size(), 20);
   }
 
-  TEST_CASE("a copy waits for the task that a worker is at") {
+  TEST_CASE("a copy waits for tasks under way") {
     allow(3, 3);
     auto c = started<on_threads>();
     c.run(cca::for_beats<4>{});
@@ -241,7 +241,7 @@ TEST_SUITE("farm on threads") {
     }
   }
 
-  TEST_CASE("what has not been taken back counts as waiting") {
+  TEST_CASE("a result that is not published yet counts as waiting") {
     allow(0, 0);
     auto c = started<on_threads>();
     c.run(cca::for_beats<3>{});
@@ -249,7 +249,7 @@ TEST_SUITE("farm on threads") {
     crew(c).wait();
     const auto [output, waiting, dropped] =
         crew(c).process({Eigen::Vector2d(0, 0), 0, false}, cca::beat(3, c.period(), 1));
-    CHECK(output);  // one a beat
+    CHECK(output);  // one per beat
     CHECK_EQ(waiting.vector()[0], 2);
   }
 
@@ -278,16 +278,16 @@ TEST_SUITE("farm on threads") {
     CHECK(copy.state() == cca::state::started);
   }
 
-  TEST_CASE("what is assigned goes on from there: its last results, its tasks, and what was lost") {
+  TEST_CASE("an assigned controller goes on with the results, tasks and losses of the other") {
     allow(all, 1);
     auto a = started<newest>();
-    a.run(cca::for_beats<9>{});  // the second worker hangs in its second task: of nine at most five have been
-                                 // handed out
+    a.run(cca::for_beats<9>{});  // the second worker hangs in its second task, so at most five of nine
+                                 // were handed out
     for (int i = 0; i < 1000 && allowed[1] > 0; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     a.get<"eye">().every = 1'000'000;
-    a.run(cca::for_beats<5>{});  // what the first worker has done is taken
+    a.run(cca::for_beats<5>{});  // takes the first worker's results
     allow(all, all);
     auto b = started<newest>();
     b = a;
@@ -314,13 +314,13 @@ TEST_SUITE("farm on threads") {
     CHECK_EQ(dropped(a), dropped(b));
   }
 
-  TEST_CASE("stops and starts; its workers keep what they know, and take their parameters") {
+  TEST_CASE("after a restart workers keep their state and take the new parameters") {
     allow(all, all);
     const int loads = deep_thought::loads, saves = deep_thought::saves, stops = deep_thought::stops;
     auto c = started<four_at_most>();
-    CHECK_EQ(deep_thought::loads - loads, 2);  // each worker's
+    CHECK_EQ(deep_thought::loads - loads, 2);  // one per worker
     allow(0, 0);
-    c.run(cca::for_beats<6>{});  // four under way, two are lost
+    c.run(cca::for_beats<6>{});  // four are under way, two are lost
     allow(all, all);
     crew(c).wait();
     c.get<"eye">().every = 1'000'000;
@@ -337,19 +337,19 @@ TEST_SUITE("farm on threads") {
     c.start();
     CHECK_EQ(dropped(), 0);
     c.get<"eye">().every = 1;
-    for (int k = 0; k < 2; ++k) {  // the first one is a worker's fifth and says nothing
+    for (int k = 0; k < 2; ++k) {  // the first one is a worker's fifth, which publishes nothing
       c.step();
       crew(c).wait();
     }
     c.step();
-    // Started twice, each adds 1 to its sum; the first task after a start is a beat long, and so is the next.
+    // Each start adds 1 to a worker's sum; for the first two tasks after a start dt is one beat.
     CHECK((c.get<"act">().last.vector() - known - Eigen::Vector2d::Constant(2 * (0.001 + 1))).norm() < 1e-12);
     c.stop();
     c.save();
     CHECK_EQ(deep_thought::saves - saves, 2);
   }
 
-  TEST_CASE("ends in the midst of its work") {
+  TEST_CASE("a controller may end while workers are busy") {
     allow(all, all);
     for (int i = 0; i < 20; ++i) {
       auto c = started<four_at_most>();

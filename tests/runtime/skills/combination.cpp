@@ -1,4 +1,4 @@
-// The Combination of Skills of the example: one skill after the other, the paw at the ball, on its feet.
+// The Combination of Skills of the example: one skill after the other, the paw at the ball, no fall.
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -74,7 +74,8 @@ TEST_CASE("the right paw comes to a ball that hangs inside") {
 }
 
 TEST_CASE(
-    "the right paw comes to a ball fixed in the world, at which the robot arrives; the table tells of each "
+    "the right paw comes to a ball fixed in the world, to which the robot trots; the table has a row for "
+    "each "
     "skill") {
   auto c = short_run(5, skills::paw_side::right, skills::target::world);
   skills::set_seconds(c, 6);
@@ -118,7 +119,7 @@ TEST_CASE("the same seed gives the same bits, and another seed others") {
   CHECK(run(other).reach_error != first.reach_error);
 }
 
-TEST_CASE("what the status ports don't say in time is given up, by a way out") {
+TEST_CASE("a condition that does not come true in time: the plan takes its way out") {
   // The ball is out of reach: the paw goes as near as it can, is drawn back, and the robot trots on.
   auto c = short_run(1, skills::paw_side::left, skills::target::ahead);
   skills::combined controller;
@@ -135,7 +136,7 @@ TEST_CASE("what the status ports don't say in time is given up, by a way out") {
   CHECK(!r.fell);
 }
 
-TEST_CASE("without a ball it trots, with the shape that it was taught") {
+TEST_CASE("without a ball it trots, with the learned shape") {
   idling c;
   load_idle(c);
   c.run(cca::for_<3>{});
@@ -160,14 +161,14 @@ TEST_CASE("locomotion and reaching are blended by the oscillator's amplitude") {
   CHECK(c.get<"sequencer">().steps.step() > plan::at<"stop">);
   auto& robot = c.get<"robot">();
   c.run(cca::for_<1>{});
-  // At rest: nothing swings any more, whatever the phase.
+  // At rest nothing swings, at any phase.
   const auto before = robot.legs;
   c.run(cca::for_beats<50>{});
   CHECK((robot.legs - before).cwiseAbs().maxCoeff() < 1e-2);
   CHECK(robot.hips[0] > 100);
 }
 
-TEST_CASE("a paw at the ball goes with it at once, before its Reaching Controllers do") {
+TEST_CASE("a paw at the ball follows it at once, before its Reaching Controllers do") {
   idling c;
   load_idle(c);
   auto& camera = c.get<"camera">();
@@ -186,13 +187,13 @@ TEST_CASE("a paw at the ball goes with it at once, before its Reaching Controlle
         .norm();
   };
   c.run(cca::for_beats<300>{});
-  CHECK(off() < 1e-3);  // what the aim added up on the way is not gone yet
+  CHECK(off() < 1e-3);  // the integral of the aim has not decayed yet
   // Sideways, up and back by 6 mm: so far the trunk may sway in 30 ms.
   camera.ball += Eigen::Vector3d(-0.002, 0.004, 0.004);
   CHECK(off() > 5e-3);
   c.run(cca::for_beats<30>{});
   CHECK(off() < 1e-3);
-  // Away from the ball again, what the Reaching Controllers ask for is what the leg does.
+  // Away from the ball the leg does what the Reaching Controllers ask for.
   while (c.get<"sequencer">().steps.step() != plan::at<"put down"> && c.beat_index() < 40'000) c.step();
   CHECK(c.get<"sequencer">().steps.step() == plan::at<"put down">);
   c.run(cca::for_beats<20>{});
@@ -225,7 +226,7 @@ TEST_CASE("the summary is a list of runs") {
   CHECK(text.str().find("\"fell\": true, \"speed_after_m_s\": 0, ") != std::string::npos);
 }
 
-TEST_CASE("a command line that can't be understood is refused") {
+TEST_CASE("a mistake on the command line is refused") {
   CHECK(skills::parse({"--paw", "right", "--target", "world", "--seed", "none"}).run.paw ==
         skills::paw_side::right);
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{

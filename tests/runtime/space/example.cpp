@@ -7,7 +7,7 @@
 
 namespace leg {
 
-// Axes, with a limit for each quantity that is measured along them.
+// Axes, each with a limit per quantity.
 struct hip : cca::dimension<"hip"> {
   static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}, cca::torque{-3.0, 3.0}};
 };
@@ -15,11 +15,11 @@ struct knee : cca::dimension<"knee"> {
   static constexpr auto limits = cca::limits{cca::angle{-1.8, 0.0}, cca::torque{-3.0, 3.0}};
 };
 
-// Frames: any class type.
+// Frames: any class type will do.
 struct world : cca::frame<"world"> {};
 struct trunk : cca::frame<"trunk"> {};
 
-// Spaces: a domain type, its axes, and a rate where it has one.
+// Spaces: a domain type, its axes and, optionally, a rate.
 using xyz = cca::axes<cca::x, cca::y, cca::z>;
 struct angles : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<1000>> {};
 struct trunk_pose : cca::space<cca::pose<world>, xyz> {};
@@ -32,8 +32,8 @@ TEST_SUITE("space example") {
   TEST_CASE("angles") {
     // [methods]
     const cca::sample<leg::angles> rest;                                         // the zero
-    const cca::sample<leg::angles> wish(Eigen::Vector2d(1.2, -0.6), 5'000'000);  // of 5 ms
-    const auto safe = wish.clamped();                                            // to the axes' limits
+    const cca::sample<leg::angles> wish(Eigen::Vector2d(1.2, -0.6), 5'000'000);  // with origin 5 ms
+    const auto safe = wish.clamped();                                            // into the axes' limits
     CHECK(safe[leg::hip{}] == 0.9);
     CHECK(safe.origin() == 5'000'000);
     CHECK(rest.interpolated(safe, 0.5)[leg::knee{}] == -0.3);

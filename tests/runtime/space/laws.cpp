@@ -1,4 +1,4 @@
-// Every law over every model that claims it.
+// Runs each law over all models that it applies to.
 #include "spaces.hpp"
 
 using namespace spaces;
@@ -10,7 +10,7 @@ TEST_SUITE("space laws") {
     laws::origins<Model>([](const auto& a, const auto& b) { return a * b; });
   }
 
-  TEST_CASE_TEMPLATE("differences lead there", Model, angle_model, phase_model, orientation_model,
+  TEST_CASE_TEMPLATE("b plus the difference is a", Model, angle_model, phase_model, orientation_model,
                      plain_model<foot>) {
     laws::differences<Model>();
   }
@@ -24,7 +24,8 @@ TEST_SUITE("space laws") {
     laws::origins<Model>([](const auto& a, const auto& b) { return a.interpolated(b, 0.5); });
   }
 
-  TEST_CASE_TEMPLATE("a straight way", Model, plain_model<foot>, phase_model, orientation_model) {
+  TEST_CASE_TEMPLATE("interpolation at constant speed", Model, plain_model<foot>, phase_model,
+                     orientation_model) {
     laws::straight<Model>();
   }
 

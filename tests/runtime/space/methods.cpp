@@ -1,4 +1,4 @@
-// The methods of each domain type, by examples whose results are known.
+// The methods of each domain type, by examples with known results.
 #include "spaces.hpp"
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@ bool near(const auto& a, const auto& b) { return (a - b).norm() < 1e-12; }
 }  // namespace
 
 TEST_SUITE("space methods") {
-  TEST_CASE("angles wrap into half-open turns, and what lies there is left alone") {
+  TEST_CASE("angles wrap into half-open turns, and an angle inside keeps every bit") {
     const double tiny = 1e-300, below = std::nextafter(cca::pi, 0), above = std::nextafter(cca::pi, 4);
     CHECK(cca::wrap_signed(cca::pi) == cca::pi);
     CHECK(cca::wrap_signed(-cca::pi) == cca::pi);
@@ -154,7 +154,7 @@ TEST_SUITE("space methods") {
     }
   }
 
-  TEST_CASE("roll, pitch and yaw: there and back") {
+  TEST_CASE("roll, pitch and yaw, and back") {
     using sample = cca::sample<attitude>;
     laws::source random{std::mt19937_64{10}};
     for (int i = 0; i < 200; ++i) {
@@ -167,12 +167,12 @@ TEST_SUITE("space methods") {
       const Eigen::Vector3d ex(1, 0, 0), ey(0, 1, 0), ez(0, 0, 1);
       CHECK(near(o.vector(), (axis(yaw, ez) * axis(pitch, ey) * axis(roll, ex)).coeffs()));
     }
-    const double up = 0.70710678118654768;  // 2 * up * up > 1, by rounding
+    const double up = 0.70710678118654768;  // rounding makes 2 * up * up > 1
     CHECK(sample(Eigen::Vector4d(0, up, 0, up)).pitch() == cca::pi / 2);
     CHECK(sample(Eigen::Vector4d(0, -up, 0, up)).pitch() == -cca::pi / 2);
   }
 
-  TEST_CASE("orientations: two names of one rotation, and small ones") {
+  TEST_CASE("orientations: q and -q are one rotation, and small rotations") {
     using sample = cca::sample<attitude>;
     const sample a(Eigen::Vector4d(0.5, -0.5, 0.5, -0.5)), b(Eigen::Vector4d(-0.5, 0.5, -0.5, 0.5));
     CHECK(a == b);
@@ -203,15 +203,15 @@ TEST_SUITE("space methods") {
     static_assert(std::is_same_v<decltype(p.express(cca::sample<foot_in_trunk>()))::space::domain,
                                  cca::cartesian_position<world>>);
     CHECK(p.position().vector() == Eigen::Vector3d(1, 2, 3));
-    const bool same = p.orientation() == quarter;  // of two spaces that match, by two names
+    const bool same = p.orientation() == quarter;  // two matching spaces with different names
     CHECK(same);
     CHECK(p.interpolated(sample(), 0.5).position().vector() == Eigen::Vector3d(0.5, 1, 1.5));
     CHECK(p.interpolated(sample(), 0.5).orientation().yaw() == Approx(cca::pi / 4));
     CHECK(sample().vector().tail<4>() == Eigen::Vector4d(0, 0, 0, 1));
   }
 
-  // A wheel of radius 1 rolls along x: its centre moves on, the point that touches the ground is at rest.
-  TEST_CASE("twists: the point that they act at, and the frame along whose axes they are") {
+  // A wheel of radius 1 rolls along x: its centre moves, the point on the ground is at rest.
+  TEST_CASE("twists: another point, and another frame") {
     struct centre;
     struct contact;
     struct wheel : cca::space<cca::twist<centre, world>, xyz> {};
@@ -227,14 +227,14 @@ TEST_SUITE("space methods") {
     CHECK(near(turned.linear(), Eigen::Vector3d(0, 2, 0)));
   }
 
-  // A force of 10 N on a lever of 1 m is 10 N m, by the right hand.
+  // A force of 10 N on a lever of 1 m is a torque of 10 N m, by the right-hand rule.
   TEST_CASE("wrenches") {
     using six = Eigen::Matrix<double, 6, 1>;
     struct here;
     struct there;
     struct push : cca::space<cca::wrench<there, world>, xyz> {};
     const cca::sample<push> up((six() << 0, 0, 0, 0, 0, 10).finished());
-    // `there` lies at +y of `here`, so the lever from there to here is -y.
+    // `there` is at +y of `here`, so the lever from there to here is -y.
     const auto about = up.moved_to<here>(cca::sample<foot>(Eigen::Vector3d(0, -1, 0)));
     CHECK(about.torque() == Eigen::Vector3d(10, 0, 0));
     CHECK(about.force() == Eigen::Vector3d(0, 0, 10));
@@ -255,7 +255,7 @@ TEST_SUITE("space methods") {
     }
   }
 
-  TEST_CASE("a sample takes the other name of its space") {
+  TEST_CASE("a sample converts to a matching space of another name") {
     struct same : cca::space<cca::joint_angles, leg> {};
     const cca::sample<leg_angles> q(Eigen::Vector2d(1, 2), 3);
     const cca::sample<same> other = q;

@@ -1,4 +1,4 @@
-// Spaces for the tests: one of each domain type, and the laws' models of them.
+// Spaces for the tests, one of each domain type, and their models for the laws.
 #pragma once
 
 #include "../../laws/space_laws.hpp"
@@ -35,7 +35,7 @@ struct frequencies : cca::space<cca::frequency, leg> {};
 struct numbers : cca::space<cca::number, leg> {};
 struct modes : cca::space<cca::status, leg> {};
 
-// One number after another, each its own.
+// Independent numbers.
 template <class Space, int Size = 3>
 struct plain_model {
   static auto random(laws::source& random) {
@@ -52,7 +52,7 @@ struct plain_model {
   }
 };
 
-// Joint angles up to whole turns.
+// Joint angles; close up to whole turns.
 struct angle_model : plain_model<leg_angles, 10> {
   static bool close(const cca::sample<leg_angles>& a, const cca::sample<leg_angles>& b) {
     return a.difference(b).norm() < 1e-9;
@@ -70,7 +70,7 @@ struct orientation_model {
   using sample = cca::sample<attitude>;
   static auto random(laws::source& random) {
     const auto q = sample::from_rotation_vector(random.vector(1.8));
-    return random(0, 1) < 0.5 ? q : sample(-q.vector());  // the other name of the same rotation
+    return random(0, 1) < 0.5 ? q : sample(-q.vector());  // the same rotation
   }
   static bool close(const sample& a, const sample& b) {
     return a.angle_to(b) < 1e-9 && std::abs(a.vector().norm() - 1) < 1e-12;

@@ -1,4 +1,4 @@
-// The commands, on a bus in memory with drives at its other end.
+// The commands, on a bus in memory with drives at the other end.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <cca/config.hpp>
-#include <cca/hardware/can_synchronizer.hpp>
+#include <cca/hardware/robot/can_synchronizer.hpp>
 
 #include "../../../tools/cca_can/commands.hpp"
 #include "rig.hpp"
@@ -24,8 +24,8 @@ std::size_t count(const std::vector<hw::can_frame>& all, const hw::can_frame& f)
   return static_cast<std::size_t>(std::count(all.begin(), all.end(), f));
 }
 
-// What the drive does is looked at in every half millisecond: the torque of its law where it is, and where it
-// is told to go.
+// Every half millisecond it looks at the drive: the torque of its law at its position, and the position that
+// it is commanded to.
 struct jog_rig : rig {
   explicit jog_rig(std::span<const hw::bus_fault> script = {}) : rig({name}, script) {
     each = [this] {
@@ -56,17 +56,17 @@ struct jog_rig : rig {
 }  // namespace
 
 TEST_SUITE("list and watch") {
-  TEST_CASE("an MIT drive is found by being asked, and by nothing that moves") {
+  TEST_CASE("an MIT drive is found by asking, and no frame moves it") {
     rig r({"mit:ak80-9:3", name});
     CHECK(list(r.bus, {.ask = {"mit"}, .first = 1, .last = 10}, r, r.say) == done);
-    CHECK(r.told("  mit:3  answers 000#03"));
-    CHECK(r.told("  mit:7  answers 000#07"));
-    CHECK_FALSE(r.told("mit:4"));
+    CHECK(r.printed("  mit:3  answers 000#03"));
+    CHECK(r.printed("  mit:7  answers 000#07"));
+    CHECK_FALSE(r.printed("mit:4"));
     for (const hw::can_frame& f : r.seen)
       if (f.id != hw::standard(0)) CHECK(f == hw::mit_special_frame(f.id, hw::mit_special::leave));
     CHECK(r.seen.size() == 12);
   }
-  TEST_CASE("without a question nothing is sent, and what tells of itself is found") {
+  TEST_CASE("without --ask nothing is sent, and drives that report by themselves are found") {
     rig r({name});
     r.each = [&] {
       if (r.clock % (100 * ms) == 0)
@@ -74,21 +74,21 @@ TEST_SUITE("list and watch") {
                               hw::can_frame{.id = hw::standard(0x709), .length = 1, .data = {0x7F}}});
     };
     CHECK(list(r.bus, {}, r, r.say) == done);
-    CHECK(r.told("  odrive:5  "));
-    CHECK(r.told("enabled"));
-    CHECK(r.told("  cia402:9  heartbeat: pre-operational"));
+    CHECK(r.printed("  odrive:5  "));
+    CHECK(r.printed("enabled"));
+    CHECK(r.printed("  cia402:9  heartbeat: pre-operational"));
     CHECK(r.bus.counters().sent == 0);
   }
-  TEST_CASE("where someone sends, nothing is asked") {
+  TEST_CASE("a number under whose id somebody sends is not asked") {
     rig r({name});
     r.each = [&] {
       if (r.clock % (10 * ms) == 0) r.spy.send(std::array{drive_named(name)->set_point({}, 0).frames[0]});
     };
     CHECK(list(r.bus, {.ask = {"mit"}, .first = 7, .last = 7}, r, r.say) == failed);
-    CHECK(r.told("mit:7  not asked: someone sends under its id, 007#7FFF7FF0000007FF"));
+    CHECK(r.printed("mit:7  not asked: someone sends under its id, 007#7FFF7FF0000007FF"));
     CHECK(r.bus.counters().sent == 0);
   }
-  TEST_CASE("a CANopen drive answers the question for its type, a moteus that for its registers") {
+  TEST_CASE("a CANopen drive answers for its type, a moteus for its registers") {
     rig r;
     r.each = [&] {
       std::array<hw::received_frame, 8> frames;
@@ -102,33 +102,33 @@ TEST_SUITE("list and watch") {
       }
     };
     CHECK(list(r.bus, {.ask = {"cia402", "moteus"}, .first = 1, .last = 9}, r, r.say) == done);
-    CHECK(r.told("  cia402:9  answers 589#4300100092010200"));
-    CHECK(r.told("  moteus:4  answers 400##1"));
+    CHECK(r.printed("  cia402:9  answers 589#4300100092010200"));
+    CHECK(r.printed("  moteus:4  answers 400##1"));
   }
-  TEST_CASE("a bus that is down, or on which nobody is, is told") {
+  TEST_CASE("a bus that is down, or empty, is reported") {
     const std::array away{
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 0}};
     rig r({name}, away);
     CHECK(list(r.bus, {.ask = {"mit"}}, r, r.say) == failed);
-    CHECK(r.told("the bus is down"));
+    CHECK(r.printed("the bus is down"));
     const std::array alone{
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 1},
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
     rig q({name}, alone);
     CHECK(list(q.bus, {.ask = {"mit"}}, q, q.say) == failed);
-    CHECK(q.told("nobody acknowledges"));
+    CHECK(q.printed("nobody acknowledges"));
   }
-  TEST_CASE("watch tells what drives tell, and which are silent") {
+  TEST_CASE("watch prints what drives report, and which are silent") {
     rig r({name});
     r.drives[0]->motor.now.position = 0.2502;
     std::vector<std::unique_ptr<any_drive>> drives;
     drives.push_back(drive_named(name));
     CHECK(watch(r.bus, drives, true, 2, r, r.say) == done);
-    CHECK(r.told("damiao:12.5/45/20:7    0.250"));
-    CHECK(r.told("disabled"));
+    CHECK(r.printed("damiao:12.5/45/20:7    0.250"));
+    CHECK(r.printed("disabled"));
     drives.push_back(drive_named("mit:ak80-9:3"));
     CHECK(watch(r.bus, drives, true, 2, r, r.say) == failed);
-    CHECK(r.told("mit:ak80-9:3  silent"));
+    CHECK(r.printed("mit:ak80-9:3  silent"));
     rig quiet({name});
     CHECK(watch(quiet.bus, drives, false, 2, quiet, quiet.say) == failed);
     CHECK(quiet.bus.counters().sent == 0);
@@ -136,11 +136,11 @@ TEST_SUITE("list and watch") {
 }
 
 TEST_SUITE("enable") {
-  TEST_CASE("enabled, without torque, and disabled at the end") {
+  TEST_CASE("it enables without torque, and disables at the end") {
     jog_rig r;
     CHECK(enable(r.bus, "can0", *r.drive, 2, r, r.say) == done);
-    CHECK(r.told("enabled"));
-    CHECK(r.told("disabled"));
+    CHECK(r.printed("enabled"));
+    CHECK(r.printed("disabled"));
     CHECK(r.strongest < 0.01);
     CHECK(r.is_off());
   }
@@ -154,11 +154,11 @@ TEST_SUITE("enable") {
     CHECK(enable(early.bus, "can0", *early.drive, 2, early, early.say) == interrupted);
     CHECK(early.is_off());
   }
-  TEST_CASE("nothing is sent before someone says yes") {
+  TEST_CASE("nothing is sent before somebody confirms") {
     jog_rig r;
     r.say.yes = false;
     CHECK(enable(r.bus, "can0", *r.drive, 2, r, r.say) == not_confirmed);
-    CHECK(r.told("nobody is at a terminal to say yes; --yes says it beforehand"));
+    CHECK(r.printed("there is no terminal to ask at; --yes confirms beforehand"));
     r.say.someone_is_there = true;
     r.in.str("no\n");
     CHECK(enable(r.bus, "can0", *r.drive, 2, r, r.say) == not_confirmed);
@@ -168,27 +168,27 @@ TEST_SUITE("enable") {
     r.in.str("yes\n");
     CHECK(enable(r.bus, "can0", *r.drive, 1, r, r.say) == done);
   }
-  TEST_CASE("one that is not there, or refuses") {
+  TEST_CASE("a drive that is not there, or refuses") {
     rig r;
     const auto drive = drive_named(name);
     CHECK(enable(r.bus, "can0", *drive, 2, r, r.say) == failed);
-    CHECK(r.told("it does not answer: is it powered, is this its number, its bus, its bit rate?"));
+    CHECK(r.printed("it does not answer: is it powered, is this its number, its bus, its bit rate?"));
     CHECK(count(r.seen, enter) == 0);
   }
 }
 
 TEST_SUITE("jog") {
-  TEST_CASE("goes there slowly, within its limits, and is disabled") {
+  TEST_CASE("moves slowly to the goal, within the limits, and is disabled") {
     jog_rig r;
     CHECK(r.run() == done);
     CHECK(r.angle() == doctest::Approx(0.15).epsilon(0.1));
-    CHECK(r.strongest <= 0.5 + 0.03);  // steps of the wire
+    CHECK(r.strongest <= 0.5 + 0.03);  // steps of the numbers on the wire
     CHECK(r.fastest < 0.55);
     CHECK(r.farthest <= 0.2);
     CHECK(r.is_off());
-    CHECK(r.told("disabled"));
+    CHECK(r.printed("disabled"));
   }
-  TEST_CASE("by so much from where it stands, and back") {
+  TEST_CASE("moves by an angle, and back") {
     jog_rig r;
     r.drives[0]->motor.now.position = 0.1;
     r.order.relative = true;
@@ -197,11 +197,11 @@ TEST_SUITE("jog") {
     CHECK(r.angle() == doctest::Approx(-0.1).epsilon(0.1));
   }
   TEST_CASE(
-      "held fast it pulls with no more than half of the torque, does not jump when let go, and gives up") {
+      "a joint that is held gets at most half of the torque, does not jump when released, and jog gives up") {
     jog_rig r;
     r.drives[0]->motor.inertia = 1e6;
     CHECK(r.run() == failed);
-    CHECK(r.told("it does not get there: something holds it, or the torque is too small"));
+    CHECK(r.printed("it does not get there: something holds it, or the torque is too small"));
     CHECK(r.strongest <= 0.5 + 0.03);
     CHECK(r.is_off());
     jog_rig freed;
@@ -211,62 +211,62 @@ TEST_SUITE("jog") {
     };
     CHECK(freed.run() == done);
     CHECK(freed.strongest <=
-          0.5 + 0.1);  // what the drive's own law makes of a speed that the last frame did not know
+          0.5 + 0.1);  // the drive's own law acts on a speed that the last frame did not have
     CHECK(freed.farthest <= 0.2);
   }
   TEST_CASE("a start or a goal outside of the range is refused, and nothing is enabled") {
     jog_rig r;
     r.drives[0]->motor.now.position = 0.3;
     CHECK(r.run() == failed);
-    CHECK(r.told("it stands at 0.30"));
-    CHECK(r.told("outside of the range; turn it by hand, or state another range"));
+    CHECK(r.printed("it is at 0.30"));
+    CHECK(r.printed("outside of the range: turn it by hand, or give another range"));
     jog_rig far;
     far.order.relative = true;
     far.order.goal = 0.25;
     CHECK(far.run() == failed);
-    CHECK(far.told("rad, is outside of the range"));
+    CHECK(far.printed("rad, is outside of the range"));
     CHECK(count(r.seen, enter) + count(far.seen, enter) == 0);
   }
-  TEST_CASE("pushed out of its range it is let go") {
+  TEST_CASE("a drive that is pushed out of its range is disabled") {
     jog_rig r;
     r.drives[0]->load = 3;
     CHECK(r.run() == failed);
-    CHECK((r.told("it left its range") || r.told("it is faster than twice the speed")));
-    CHECK(r.strongest <= 1);  // its damping brakes with what the push has sped it up to since the last frame
+    CHECK((r.printed("it left its range") || r.printed("it is faster than twice the speed")));
+    CHECK(r.strongest <= 1);  // its damping acts on the speed gained since the last frame
     CHECK(r.is_off());
   }
-  TEST_CASE("a fault, silence, a bus that goes away and ctrl-c each end it, disabled") {
+  TEST_CASE("a fault, silence, a bus that goes away and ctrl-c each end it, and the drive is disabled") {
     jog_rig fault;
     fault.then = [&] {
       if (fault.clock == 200 * ms) fault.drives[0]->fail(0xA);
     };
     CHECK(fault.run() == failed);
-    CHECK(fault.told("it tells of a fault: over-current (code 10)"));
+    CHECK(fault.printed("it reports a fault: over-current (code 10)"));
     CHECK(fault.last_of(leave.id) == leave);
 
     jog_rig silent;
     silent.then = [&] { silent.drives[0]->go_silent(silent.clock > 200 * ms); };
     CHECK(silent.run() == failed);
-    CHECK(silent.told("it does not answer any more"));
-    CHECK(silent.told("told to disable, and does not answer"));
+    CHECK(silent.printed("it does not answer any more"));
+    CHECK(silent.printed("told to disable, and does not answer"));
     CHECK(silent.is_off());
 
     const std::array script{
         hw::bus_fault{.what = hw::bus_trouble::link_down, .from = 200 * ms, .until = 230 * ms, .end = 0}};
     jog_rig away(script);
     CHECK(away.run() == failed);
-    CHECK(away.told("the bus is down"));
+    CHECK(away.printed("the bus is down"));
     CHECK(away.angle() < 0.14);
 
     jog_rig ctrl_c;
     ctrl_c.ctrl_c = 200 * ms;
     CHECK(ctrl_c.run() == interrupted);
-    CHECK(ctrl_c.told("ended by ctrl-c"));
+    CHECK(ctrl_c.printed("ended by ctrl-c"));
     CHECK(ctrl_c.is_off());
     CHECK(ctrl_c.angle() < 0.14);
     CHECK(ctrl_c.angle() > 0.01);
   }
-  TEST_CASE("no command breaks a limit, whatever the drive tells") {
+  TEST_CASE("no command breaks a limit, whatever the drive reports") {
     const jog_limits l{.low = -0.2, .high = 0.3, .speed = 0.5, .torque = 0.5, .stiffness = 20, .damping = 2};
     std::uint64_t seed = 1;
     const auto some = [&seed](double most) {
@@ -345,7 +345,8 @@ TEST_SUITE("calibrate") {
     std::remove(file.c_str());
   }
   TEST_CASE(
-      "nothing is written over what someone else has written, for a joint that moves, or beyond a radian") {
+      "a file with other contents, a joint that moves and an offset beyond 1 rad are refused: nothing is "
+      "written") {
     const std::string file = "cca_can_other.toml";
     const std::string foreign = "[robot.synchronizer]\noffset = [0,0,0,0,0,0,0,0]\n[cpg]\nfrequency = 2\n";
     cca::detail::write_file(file, foreign);
@@ -353,9 +354,8 @@ TEST_SUITE("calibrate") {
     const auto drive = drive_named(name);
     calibrate_order o{.joint = 0, .at = 0.5, .file = file};
     CHECK_THROWS_WITH_AS(calibrate(r.bus, "can0", *drive, o, r, r.say),
-                         (file + ": has more in it than the offsets of [robot.synchronizer]; let calibrate "
-                                 "write into a file of its own, "
-                                 "and copy them from there")
+                         (file + ": has more in it than the offsets of [robot.synchronizer]: write into "
+                                 "another file, and copy the offsets from there")
                              .c_str(),
                          cca::refused);
     CHECK(cca::detail::read_file(file) == foreign);
@@ -363,11 +363,11 @@ TEST_SUITE("calibrate") {
 
     r.drives[0]->motor.now.velocity = 0.5;
     CHECK(calibrate(r.bus, "can0", *drive, o, r, r.say) == failed);
-    CHECK(r.told("hold it still; nothing was written"));
+    CHECK(r.printed("hold it still; nothing was written"));
     rig far({name});
     o.at = 2;
     CHECK(calibrate(far.bus, "can0", *drive, o, far, far.say) == failed);
-    CHECK(far.told("more than 1 rad; is the sign, the gear or the angle wrong?"));
+    CHECK(far.printed("more than 1 rad; is the sign, the gear or the angle wrong?"));
     rig nobody;
     CHECK(calibrate(nobody.bus, "can0", *drive, o, nobody, nobody.say) == failed);
     far.say.yes = false;
@@ -378,7 +378,7 @@ TEST_SUITE("calibrate") {
 }
 
 TEST_SUITE("record and replay") {
-  TEST_CASE("what was recorded goes out again: the same frames, in their order, at their pace") {
+  TEST_CASE("a recorded log goes out again: the same frames in the same order, at their pace") {
     rig r;
     std::vector<hw::can_frame> frames;
     for (std::uint8_t i = 0; i < 40; ++i)
@@ -390,7 +390,7 @@ TEST_SUITE("record and replay") {
     };
     std::ostringstream file;
     CHECK(record(r.bus, "can7", {.frames = 40}, file, r, r.say) == done);
-    CHECK(r.told("40 frames recorded"));
+    CHECK(r.printed("40 frames recorded"));
     CHECK(file.str().starts_with("(1436509052.005"));
 
     std::istringstream text(file.str());
@@ -407,7 +407,7 @@ TEST_SUITE("record and replay") {
     CHECK(fast.seen == frames);
     CHECK(fast.clock < 50 * ms);
   }
-  TEST_CASE("a log that makes no sense is refused with its line; of two interfaces one is to be named") {
+  TEST_CASE("a log that makes no sense is refused with the line; of two interfaces one must be named") {
     std::istringstream bad("(1.0) can0 123#11\n\n(1.1) can0 123#1\n");
     CHECK_THROWS_WITH_AS(
         read_log(bad, "my.log"),
@@ -418,17 +418,16 @@ TEST_SUITE("record and replay") {
     CHECK(log.errors == 1);
     rig r;
     CHECK_THROWS_WITH_AS(replay(r.bus, "can0", log, {}, r, r.say),
-                         "the log is of several interfaces, can0, can1: --from says of which", usage_error);
+                         "the log has several interfaces, can0, can1: choose one by --from", usage_error);
     CHECK_THROWS_WITH_AS(replay(r.bus, "can0", log, {.only = "can2"}, r, r.say),
                          "the log has no frame of can2, but of can0, can1", cca::refused);
     CHECK(replay(r.bus, "can0", log, {.only = "can1"}, r, r.say) == done);
     r.wait_until(r.clock + ms);
     REQUIRE(r.seen.size() == 1);
     CHECK(r.seen[0].id == hw::standard(0x124));
-    CHECK(r.told("1 error frames left out"));
+    CHECK(r.printed("1 error frames not sent"));
   }
-  TEST_CASE(
-      "replay asks first, stops at ctrl-c, and tells of a queue that stays full or a bus that is gone") {
+  TEST_CASE("replay asks first, stops at ctrl-c, and reports a queue that stays full or a bus that is away") {
     std::ostringstream text;
     for (int i = 0; i < 100; ++i)
       text << text_of(log_line{.time = i * 100 * ms, .bus = "can0", .frame = {.id = hw::standard(1)}})
@@ -449,17 +448,17 @@ TEST_SUITE("record and replay") {
         hw::bus_fault{.what = hw::bus_trouble::link_down, .until = 1'000'000'000'000, .end = 2}};
     rig nobody({}, alone);
     CHECK(replay(nobody.bus, "can0", log, {.speed = 0}, nobody, nobody.say) == failed);
-    CHECK(nobody.told("the queue stays full: does anybody acknowledge?"));
+    CHECK(nobody.printed("the queue stays full: does anybody acknowledge?"));
     const std::array gone{
         hw::bus_fault{.what = hw::bus_trouble::bus_off, .until = 1'000'000'000'000, .end = 0}};
     rig off({}, gone);
     CHECK(replay(off.bus, "can0", log, {}, off, off.say) == failed);
-    CHECK(off.told("the bus is bus-off"));
+    CHECK(off.printed("the bus is bus-off"));
   }
 }
 
 TEST_SUITE("the whole line") {
-  TEST_CASE("words become a command, and what is wrong with them becomes an exit code and a sentence") {
+  TEST_CASE("words become a command; wrong words give an exit code and a message") {
     rig r({name});
     const auto open = [&](const std::string&, bool) { return r.bus; };
     const auto ends = [&](std::vector<std::string> line) {
@@ -471,9 +470,9 @@ TEST_SUITE("the whole line") {
     CHECK(r.drives[0]->motor.now.position == doctest::Approx(0.1).epsilon(0.2));
     CHECK(ends({"enable", "can0", name, "--seconds", "0.5"}) == done);
     CHECK(ends({}) == done);
-    CHECK(r.told("cca-can: CAN buses and the drives on them, by hand"));
+    CHECK(r.printed("cca-can: CAN buses and the drives on them, by hand"));
     CHECK(ends({"jg", "can0"}) == misunderstood);
-    CHECK(r.error.str() == "cca-can: `jg` is no command; `cca-can help` says what there is\n");
+    CHECK(r.error.str() == "cca-can: there is no command `jg`; see `cca-can help`\n");
     CHECK(ends({"jog", "can0", name, "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == misunderstood);
     CHECK(r.error.str() ==
           "cca-can: --range is missing: the angles that the drive may be at, in rad, as -0.2,0.2\n");
@@ -488,11 +487,11 @@ TEST_SUITE("the whole line") {
                 "0.1", "--by", "0.1"}) == misunderstood);
     CHECK(ends({"jog", "can0", "odrive:3", "--range", "-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
                 "0.1"}) == failed);
-    CHECK(r.told("odrive:3 on can0: it does not answer"));
+    CHECK(r.printed("odrive:3 on can0: it does not answer"));
     CHECK(ends({"replay", "can0", "no/such.log"}) == refused);
-    CHECK(r.told("no/such.log: cannot be read: No such file or directory"));
+    CHECK(r.printed("no/such.log: cannot be read: No such file or directory"));
     CHECK(ends({"calibrate", "can0", name, "--joint", "hip", "--file", "f", "--at", "0"}) == misunderstood);
-    CHECK(r.told("--joint hip: expected one of left_front_hip, right_front_hip,"));
+    CHECK(r.printed("--joint hip: expected one of left_front_hip, right_front_hip,"));
     CHECK(ends({"list", "can0", "--ask", "odrive"}) == misunderstood);
     CHECK(ends({"list", "can0", "--ids", "5-3"}) == misunderstood);
     CHECK(ends({"list", "can0", "--ask", "mit", "--ids", "6-8"}) == done);
@@ -500,12 +499,12 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"pretend", "can0", "servo:3"}) == misunderstood);
     r.say.yes = false;
     CHECK(ends({"pretend", "can0", "odrive:3", "--seconds", "0.1"}) == not_confirmed);
-    CHECK(r.told("On can0 it answers in the place of drives"));
+    CHECK(r.printed("On can0 this answers instead of drives"));
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1"}) == done);
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--seconds", "0.1", "--silent-at", "0", "--silent-for",
                 "0.05", "--fault-at", "0.01", "--code", "64", "--load", "-1"}) == done);
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--fault-at", "0.01"}) == misunderstood);
-    CHECK(r.told("--code is missing: the firmware's number of a fault"));
+    CHECK(r.printed("--code is missing: the firmware's number of a fault"));
     CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1", "--yes"}) == done);
   }
 }
@@ -530,9 +529,9 @@ TEST_SUITE("pretend") {
                    .load = 0.25},
                   r) == done);
     CHECK(at_half > 4);
-    CHECK(at_one <= at_half + 2);  // what was under way
+    CHECK(at_one <= at_half + 2);  // answers that were under way
     CHECK(at_three_halves > at_one + 4);
-    CHECK(r.seen.size() > at_three_halves + 4);  // with a fault it goes on telling
+    CHECK(r.seen.size() > at_three_halves + 4);  // with a fault it goes on reporting
     const hw::can_frame heartbeat = r.last_of(hw::standard(3 << 5 | 0x01));
     CHECK((heartbeat.data[0] | heartbeat.data[1] << 8) == 0x4000);
     CHECK(drives[0]->load == 0.25);
@@ -540,7 +539,7 @@ TEST_SUITE("pretend") {
 }
 
 TEST_SUITE("interfaces") {
-  TEST_CASE("what the kernel tells of an interface") {
+  TEST_CASE("what the kernel says about an interface") {
     std::vector<std::byte> message(sizeof(ifinfomsg));
     ifinfomsg head{};
     head.ifi_type = ARPHRD_CAN;

@@ -1,4 +1,4 @@
-// Drives by name say and hear what the codecs of that number and those ranges do.
+// Drives by name send and decode the same frames as the codecs with that number and those ranges.
 #include <array>
 #include <random>
 
@@ -27,9 +27,9 @@ struct n1 {
 
 namespace {
 
-// `reply(random)`: a frame of the drive. Clocked ones have a SYNC behind.
+// `reply(random)` is a frame of the drive. Clocked drives have a SYNC after it.
 template <class Drive, class Reply>
-void alike(const char* name, Reply reply, double most_torque = 0) {
+void same_as_codec(const char* name, Reply reply, double most_torque = 0) {
   CAPTURE(name);
   const auto named = drive_named(name);
   std::mt19937 random(5);
@@ -66,35 +66,40 @@ std::string complaint(const char* name) {
 }  // namespace
 
 TEST_SUITE("drives by name") {
-  TEST_CASE("an MIT drive is the one of its number and ranges") {
+  TEST_CASE("an MIT drive has the number and ranges of its name") {
     using ak = hw::mit_drive<hw::ak80_9, 3>;
-    alike<ak>("mit:ak80-9:3",
-              [](auto& some, auto& r) { return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
+    same_as_codec<ak>("mit:ak80-9:3", [](auto& some, auto& r) {
+      return ak::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1);
+    });
     using dm = hw::mit_drive<dm8006, 7, 16, hw::mit_firmware::damiao>;
-    alike<dm>("damiao:12.5/45/20:7@16",
-              [](auto& some, auto& r) { return dm::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1); });
+    same_as_codec<dm>("damiao:12.5/45/20:7@16", [](auto& some, auto& r) {
+      return dm::reply(10 * some(r), 40 * some(r), 9 * some(r), 30, 1);
+    });
     using plain = hw::mit_drive<hw::ak10_9, 255, 0, hw::mit_firmware::original>;
-    alike<plain>("mit-original:12.5/50/65:255",
-                 [](auto& some, auto& r) { return plain::reply(10 * some(r), 40 * some(r), 9 * some(r)); });
+    same_as_codec<plain>("mit-original:12.5/50/65:255", [](auto& some, auto& r) {
+      return plain::reply(10 * some(r), 40 * some(r), 9 * some(r));
+    });
   }
   TEST_CASE("so are an ODrive, a moteus and a CANopen drive") {
     using o = hw::odrive<5, hw::odrive_mode::position>;
-    alike<o>("odrive:5", [](auto& some, auto& r) { return o::estimates(10 * some(r), some(r)); });
+    same_as_codec<o>("odrive:5", [](auto& some, auto& r) { return o::estimates(10 * some(r), some(r)); });
     using wide = hw::odrive<70, hw::odrive_mode::position, hw::odrive_firmware::v0_5>;
-    alike<wide>("odrive-0.5:70", [](auto& some, auto& r) { return wide::estimates(10 * some(r), some(r)); });
+    same_as_codec<wide>("odrive-0.5:70",
+                        [](auto& some, auto& r) { return wide::estimates(10 * some(r), some(r)); });
     using c = hw::cia402<epos, 9, hw::cia402_mode::position>;
-    alike<c>("cia402:4096/0.8:9", [](auto& some, auto& r) { return c::reply(0x27, 10 * some(r), some(r)); });
+    same_as_codec<c>("cia402:4096/0.8:9",
+                     [](auto& some, auto& r) { return c::reply(0x27, 10 * some(r), some(r)); });
     using t = hw::cia402<epos, 9, hw::cia402_mode::torque>;
-    alike<t>("cia402-torque:4096/0.8:9",
-             [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
+    same_as_codec<t>("cia402-torque:4096/0.8:9",
+                     [](auto& some, auto& r) { return t::reply(0x27, 10 * some(r), some(r)); });
     using m = hw::moteus<n1, 4>;
-    alike<m>(
+    same_as_codec<m>(
         "moteus:80/2:4", [](auto& some, auto& r) { return m::reply(10, some(r), some(r), some(r)); }, 12);
     using far = hw::moteus<n1, 127>;
-    alike<far>(
+    same_as_codec<far>(
         "moteus:80/2:127", [](auto& some, auto& r) { return far::reply(10, some(r), some(r), some(r)); }, 12);
   }
-  TEST_CASE("a CANopen drive is started by its own number, as the first step of enabling it") {
+  TEST_CASE("enabling a CANopen drive begins by starting its own node") {
     const hw::drive_frames first = drive_named("cia402:4096/0.8:9")->enable({}).frames;
     hw::cia402<epos, 9, hw::cia402_mode::position>::enabling way;
     const hw::drive_frames expected = way.next({}).frames;
@@ -102,7 +107,7 @@ TEST_SUITE("drives by name") {
     for (std::size_t i = 0; i < expected.size(); ++i) CHECK(first[i] == expected[i]);
     CHECK(first[0] == hw::canopen_start(9));
   }
-  TEST_CASE("a moteus may use no more torque than is stated with each command, and none to be enabled") {
+  TEST_CASE("a moteus gets its largest torque with each command, and enabling uses none") {
     const auto drive = drive_named("moteus:80/2:4");
     hw::moteus<n1, 4>::request q;
     REQUIRE(hw::moteus<n1, 4>::hear(
@@ -114,7 +119,7 @@ TEST_SUITE("drives by name") {
       for (const hw::can_frame& f : drive->enable(r).frames)
         if (hw::moteus<n1, 4>::hear(f, q) && q.mode != 0) CHECK(q.most_torque < 0.002);
   }
-  TEST_CASE("frames of another drive of the same bus are not its own") {
+  TEST_CASE("frames of another drive on the same bus are not taken") {
     const auto drive = drive_named("mit:ak80-9:3");
     hw::drive_report r;
     CHECK_FALSE(drive->decode(hw::mit_drive<hw::ak80_9, 4>::reply(0, 0, 0), r));
@@ -124,7 +129,7 @@ TEST_SUITE("drives by name") {
     CHECK_FALSE(drive_named("moteus:80/2:4")->decode(hw::moteus<n1, 5>::reply(10, 0, 0, 0), r));
     CHECK(r.frames == 0);
   }
-  TEST_CASE("what is asked of a drive can't move it") {
+  TEST_CASE("questions to a drive can't move it") {
     const hw::drive_frames leave = drive_named("mit:ak80-9:3")->ask();
     REQUIRE(leave.size() == 1);
     CHECK(leave[0] == hw::mit_special_frame(hw::standard(3), hw::mit_special::leave));
@@ -141,14 +146,15 @@ TEST_SUITE("drives by name") {
     CHECK(object[0].id == hw::standard(0x609));
     CHECK(object[0].data[0] == 0x40);  // an upload: reads
   }
-  TEST_CASE("a name that is none says how it is written") {
+  TEST_CASE("a wrong name gives a message with the right form") {
     CHECK(complaint("mit") ==
-          "`mit` names no drive: written as one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
+          "`mit` names no drive: expected one of mit:MODEL:NUMBER, damiao:P/V/T:NUMBER, "
           "mit-original:P/V/T:NUMBER, odrive:NUMBER, odrive-0.5:NUMBER, moteus:KP/KD:NUMBER, "
           "cia402:COUNTS/TORQUE:NUMBER, "
           "cia402-torque:COUNTS/TORQUE:NUMBER");
-    CHECK(complaint("mit:3") ==
-          "`mit:3` names no drive: it needs the ranges of its firmware, which no frame tells: mit:RANGES:3");
+    CHECK(
+        complaint("mit:3") ==
+        "`mit:3` names no drive: it needs the ranges of its firmware, which no frame reports: mit:RANGES:3");
     CHECK(
         complaint("mit:ak99:3") ==
         "`mit:ak99:3` names no drive: expected a model (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64) or "

@@ -1,4 +1,4 @@
-// Every family of drives, played at the other end of a bus in memory: found, watched, enabled, jogged,
+// Every family of drives, played at the other end of a bus in memory: listed, watched, enabled, jogged,
 // calibrated.
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ struct family {
   bool damps_by_itself;  // between two commands
   double torque = 0.5;   // N m, of jog
 };
-// The last one's greatest torque (6072h) is 0.8 N m.
+// The largest torque of the last one (6072h) is 0.8 N m.
 constexpr std::array families{
     family{"mit:ak80-9:3", "  mit:3  answers 000#03", true},
     family{"damiao:12.5/45/20:7", "  mit:7  answers 000#07", true},
@@ -70,27 +70,27 @@ TEST_SUITE("every family") {
       CAPTURE(f.name);
       rig r({f.name});
       list(r.bus, {.ask = {"mit", "moteus", "cia402"}, .first = 1, .last = 9, .listen = 0.5}, r, r.say);
-      CHECK_MESSAGE(r.told(f.listed), r.out.str());
+      CHECK_MESSAGE(r.printed(f.listed), r.out.str());
       rig w({f.name});
       w.drives[0]->motor.now.position = 0.2502;
       std::vector<std::unique_ptr<any_drive>> drives;
       drives.push_back(drive_named(f.name));
       CHECK(watch(w.bus, drives, true, 2, w, w.say) == done);
-      CHECK_MESSAGE(w.told("0.25"), w.out.str());
+      CHECK_MESSAGE(w.printed("0.25"), w.out.str());
       CHECK(law_of(*w.drives[0], w.clock) == 0);
     }
   }
-  TEST_CASE("is enabled where it stands, and disabled at the end and at ctrl-c") {
+  TEST_CASE("is enabled at its position, and disabled at the end and at ctrl-c") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig r(f);
       r.drives[0]->motor.now.position = 0.1;
       const auto named = drive_named(f.name);
       CHECK_MESSAGE(enable(r.bus, "can0", *named, 1, r, r.say) == done, r.error.str());
-      // No torque is half a step beside it on the wire of MIT drives: 2 mN m, which nothing opposes for a
+      // On the wire of an MIT drive no torque is half a step off zero: 2 mN m, against no friction, for a
       // second.
       CHECK(std::abs(r.angle() - 0.1) < (named->takes_gains() ? 0.2 : 0.002));
-      CHECK(r.told("disabled"));
+      CHECK(r.printed("disabled"));
       CHECK(r.is_off());
       family_rig c(f);
       c.ctrl_c = 700 * ms;
@@ -112,30 +112,30 @@ TEST_SUITE("every family") {
     }
   }
   TEST_CASE(
-      "pushed, it makes no more than was asked for at what it told; by torque alone never more at all") {
+      "when pushed, it makes no more torque than allowed at its last report; in torque mode never more") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig r(f);
       r.drives[0]->load = 3;
       CHECK(r.jogs() == failed);
-      CHECK((r.told("it left its range") || r.told("it is faster than twice the speed")));
+      CHECK((r.printed("it left its range") || r.printed("it is faster than twice the speed")));
       CHECK(r.strongest <= (f.damps_by_itself ? 2 * f.torque : f.torque + 1e-3));
       CHECK(r.is_off());
     }
   }
-  TEST_CASE("held fast it is pulled with half of the torque, and let go; a fault and silence end it") {
+  TEST_CASE("held, it gets half of the torque and is then disabled; a fault and silence end jog") {
     for (const family& f : families) {
       CAPTURE(f.name);
       family_rig held(f);
       held.drives[0]->motor.inertia = 1e6;
       CHECK(held.jogs() == failed);
-      CHECK_MESSAGE(held.told("it does not get there"), held.error.str());
+      CHECK_MESSAGE(held.printed("it does not get there"), held.error.str());
       CHECK(held.strongest <= f.torque + 0.03);
       CHECK(held.is_off());
       family_rig silent(f);
       silent.then = [&] { silent.drives[0]->go_silent(silent.clock > 400 * ms); };
       CHECK(silent.jogs() == failed);
-      CHECK_MESSAGE(silent.told("it does not answer any more"), silent.error.str());
+      CHECK_MESSAGE(silent.printed("it does not answer any more"), silent.error.str());
       CHECK(silent.is_off());
       family_rig ctrl_c(f);
       ctrl_c.ctrl_c = 400 * ms;
@@ -160,7 +160,7 @@ TEST_SUITE("every family") {
     }
     std::remove(file.c_str());
   }
-  TEST_CASE("a CANopen drive in another mode, or with more torque of its own, is not enabled") {
+  TEST_CASE("a CANopen drive in another mode, or with a larger torque setting, is not enabled") {
     const family torque = families[6], position = families[7];
     rig other({position.name});
     const auto as_torque_drive = drive_named(torque.name);
@@ -168,12 +168,12 @@ TEST_SUITE("every family") {
         .limits = {.low = -0.2, .high = 0.2, .speed = 0.5, .torque = 0.5, .stiffness = 5, .damping = 0.2},
         .goal = 0.15};
     CHECK(jog(other.bus, "can0", *as_torque_drive, o, other, other.say) == failed);
-    CHECK(other.told("it is configured for mode 8 (6061h), and its name says 10"));
+    CHECK(other.printed("it is configured for mode 8 (6061h), and its name says 10"));
     CHECK(enable(other.bus, "can0", *as_torque_drive, 1, other, other.say) == failed);
     rig strong({position.name});
     const auto as_position_drive = drive_named(position.name);
     CHECK(jog(strong.bus, "can0", *as_position_drive, o, strong, strong.say) == failed);
-    CHECK_MESSAGE(strong.told("may use 0.800000 N m (6072h): set that to at most 625 thousandths"),
+    CHECK_MESSAGE(strong.printed("may use 0.800000 N m (6072h): set that to at most 625 thousandths"),
                   strong.error.str());
     CHECK(law_of(*strong.drives[0], strong.clock) == 0);
     rig mute({torque.name});

@@ -1,4 +1,4 @@
-// The tool on a bus in memory, with drives that are played at its other end, in virtual time.
+// The tool on a bus in memory, with played drives at the other end, in virtual time.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct rig : pace {
   wire_type wire;
   wire_type::end_type bus = wire.end(0), far = wire.end(1), spy = wire.end(2);
   std::vector<std::unique_ptr<any_virtual>> drives{};
-  std::function<void()> each = [] {};  // every half a millisecond
+  std::function<void()> each = [] {};  // called every half millisecond
   std::vector<hw::can_frame> seen{};   // all that was on the wire
   std::int64_t clock = 0, ctrl_c = -1;
 
@@ -62,7 +62,7 @@ struct rig : pace {
         std::find_if(seen.rbegin(), seen.rend(), [&](const hw::can_frame& f) { return f.id == id; });
     return at == seen.rend() ? hw::can_frame{} : *at;
   }
-  bool told(const char* text) const { return (out.str() + error.str()).find(text) != std::string::npos; }
+  bool printed(const char* text) const { return (out.str() + error.str()).find(text) != std::string::npos; }
 };
 
 }  // namespace tool_test

@@ -1,4 +1,4 @@
-// What stands on a command line, and how a log is written.
+// The words of a command line, and the lines of a log.
 #include <cstdio>
 #include <random>
 #include <string>
@@ -25,7 +25,7 @@ std::string complaint(F f) {
 }  // namespace
 
 TEST_SUITE("command line") {
-  TEST_CASE("options, flags and words in any order; what is left is told") {
+  TEST_CASE("options, flags and words in any order; the rest is reported") {
     words w({"can0", "--speed", "0.5", "--yes", "mit:ak80-9:3", "--to", "-0.1", "--wrong"});
     CHECK(w.flag("--yes"));
     CHECK_FALSE(w.flag("--yes"));
@@ -36,9 +36,9 @@ TEST_SUITE("command line") {
     CHECK(w.next() == "mit:ak80-9:3");
     CHECK_FALSE(w.next());
     CHECK(complaint([&] { w.nothing_left(); }) ==
-          "`--wrong`: nothing of this command; `cca-can help` says what there is");
+          "`--wrong`: this command does not know it; see `cca-can help`");
   }
-  TEST_CASE("a number that is none, or too large, says what was expected") {
+  TEST_CASE("for a wrong number the message says what was expected") {
     CHECK(complaint([] { words({"--speed", "fast"}).number("--speed", "rad/s", 0, 20); }) ==
           "--speed fast: expected rad/s, from 0 to 20");
     CHECK(complaint([] { words({"--speed", "21"}).number("--speed", "rad/s", 0, 20); }) ==
@@ -65,7 +65,7 @@ TEST_SUITE("command line") {
 }
 
 TEST_SUITE("log") {
-  TEST_CASE("lines as candump -L writes them") {
+  TEST_CASE("lines of candump -L") {
     struct known {
       const char* text;
       hw::can_frame frame;
@@ -90,7 +90,7 @@ TEST_SUITE("log") {
       CHECK(text_of(line) == k.text);
     }
   }
-  TEST_CASE("what newer candumps add is read as well") {
+  TEST_CASE("additions of newer candumps are read too") {
     log_line line;
     CHECK(read_line(" (1.5) can0 123#1122334455667788_9 R\r", line) == "");
     CHECK(line.frame.length == 8);
@@ -101,7 +101,7 @@ TEST_SUITE("log") {
     CHECK(read_line("(1.0) can0 20000004#0008000000006000", line) == "");
     CHECK(line.error);
   }
-  TEST_CASE("every frame comes back from its line") {
+  TEST_CASE("every frame survives writing and reading") {
     std::mt19937 random(3);
     for (int i = 0; i < 20000; ++i) {
       const bool extended = random() % 2, fd = random() % 2, remote = !fd && random() % 8 == 0;
@@ -120,26 +120,27 @@ TEST_SUITE("log") {
       REQUIRE(read.bus == "can0");
     }
   }
-  TEST_CASE("what is no line of a log is refused, with what is wrong") {
+  TEST_CASE("a line that is no log line is refused, with the reason") {
     log_line line;
     CHECK(read_line("hello", line) == "a line begins with its time, (SECONDS.MICROSECONDS)");
     CHECK(read_line("(9223372035.999999999) can0 123#", line) == "");
     CHECK(line.time == 9'223'372'035'999'999'999);
-    CHECK(read_line("(9223372036.0) can0 123#", line) == "`(9223372036.0)` is later than the time can say");
-    CHECK(read_line("(now) can0 123#", line) == "`(now)` is no time in seconds");
-    CHECK(read_line("(1.0)", line) == "behind the time stands the name of the interface");
-    CHECK(read_line("(1.0) can0", line) == "behind the name of the interface stands the frame");
+    CHECK(read_line("(9223372036.0) can0 123#", line) ==
+          "`(9223372036.0)` is too late: times end in the year 2262");
+    CHECK(read_line("(now) can0 123#", line) == "`(now)` is not a time in seconds");
+    CHECK(read_line("(1.0)", line) == "after the time comes the name of the interface");
+    CHECK(read_line("(1.0) can0", line) == "after the name of the interface comes the frame");
     CHECK(read_line("(1.0) can0 123", line) == "a frame is written ID#DATA, and there is no `#` in it");
     CHECK(read_line("(1.0) can0 12#", line) == "an id has 3 hexadecimal digits, or 8 for 29 bits");
     CHECK(read_line("(1.0) can0 800#", line) == "an id of 11 bits is at most 7FF");
     CHECK(read_line("(1.0) can0 123#123", line) ==
           "a byte has two hexadecimal digits, and one of them is missing");
-    CHECK(read_line("(1.0) can0 123#1G", line) == "`1G` is no byte in hexadecimal digits");
+    CHECK(read_line("(1.0) can0 123#1G", line) == "`1G` is not a byte in hexadecimal digits");
     CHECK(read_line("(1.0) can0 123#112233445566778899", line) == "a frame of this kind has at most 8 bytes");
     CHECK(read_line("(1.0) can0 123##1112233445566778899", line) == "an FD frame can't have 9 bytes");
-    CHECK(read_line("(1.0) can0 123##", line) == "behind `##` of an FD frame stands a digit of flags");
+    CHECK(read_line("(1.0) can0 123##", line) == "after `##` of an FD frame comes a digit of flags");
     CHECK(read_line("(1.0) can0 123#R9", line) == "a remote frame is `#R`, or `#R` and a length of 0 to 8");
-    CHECK(read_line("(1.0) can0 123#11 X", line) == "there is more behind the frame");
+    CHECK(read_line("(1.0) can0 123#11 X", line) == "there is something after the frame");
   }
 }
 

@@ -1,39 +1,4 @@
-// A position that goes on where the drive's own wraps: some MIT firmware reports +12.5 rad and then -12.5.
-//
-//   position_unwrap unwrap{25.0};         // the width of the range
-//   q = unwrap(report.position);
-//
-// Right as long as it moves less than half the width between two reports: with 25 rad and 50 rad/s, reports
-// may be 250 ms apart. The first report is taken as it is. Only for drives that wrap: one that stays at its
-// end must not be unwrapped.
+// For programs: positions of drives that wrap. The code is in `drives/`.
 #pragma once
 
-namespace cca::hardware {
-
-class position_unwrap {
-public:
-  constexpr explicit position_unwrap(double width_of_range) : width(width_of_range) {}
-
-  // Not finite: what it was before.
-  constexpr double operator()(double reported) {
-    if (!(reported - reported == 0)) return now;
-    if (begun) {
-      double moved = reported - last;
-      if (moved > width / 2) moved -= width;
-      else if (moved < -width / 2) moved += width;
-      now += moved;
-    } else {
-      now = reported;
-    }
-    begun = true;
-    last = reported;
-    return now;
-  }
-  constexpr void restart() { begun = false; }
-
-private:
-  double width, last = 0, now = 0;
-  bool begun = false;
-};
-
-}  // namespace cca::hardware
+#include <cca/hardware/drives/position_unwrap.hpp>

@@ -46,21 +46,20 @@ struct input {
   int next_of_writer = -1;   // the next input of the same output
   bool wired = false;        // by a wire, an observer, or exposed by the outermost graph
   bool counts = true;        // for the time of origin
-  bool is_kept = false;      // read from where it is kept beyond the beat
-  bool in_beat = false;      // always published in the beat in which the reader fires
-  bool is_last = false;      // reads a local that no later function of the beat reads
-  bool own_initial = false;  // its initial value differs from that of the kept sample
+  bool in_beat = false;      // surely published in the beat of the reader's firing
+  bool own_initial = false;  // its initial value differs from that of the stored sample
   int queue = -1;            // number of its queue
 };
+
+// How a sample is stored; decided in graph/plan/storage.hpp. A queue is an input's own.
+enum class storage_kind : std::uint8_t { none, of_beat, newest, past, queue };
 
 struct output {
   int call = 0, port = 0;
   int first_reader = -1;
-  bool watched = false;  // an `observe` of the graph names it
-  bool kept = false;     // a later beat reads it, so it is a member; else a local of the beat
-  bool stamped = false;  // with the beat of its publication
-  bool local = false;    // some input reads it in the same beat
-  int ring = 0;          // how many past samples delayed readers need
+  bool watched = false;  // an `observe` of the graph listens to it
+  storage_kind storage = storage_kind::none;
+  int depth = 0;  // of the past
   ref<item_info> initial_of = nullptr;
 };
 
@@ -86,9 +85,8 @@ struct flat_view {
   int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
       queue_count = 0;
   double hz = 0;
-  std::int64_t period = 0;   // nanoseconds a beat
-  int calls_in_part = 0;     // graph/parts.hpp
-  bool ends_locals = false;  // graph/parts.hpp
+  std::int64_t period = 0;  // nanoseconds a beat
+  int calls_in_part = 0;    // graph/parts.hpp
   bool may_fault = false;
   finding found{};
 };

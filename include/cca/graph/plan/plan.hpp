@@ -8,11 +8,12 @@
 //   find_rate     the length of a beat                                    rate.hpp
 //   order_calls   the order of a beat                                     order.hpp
 //   find_clocks   when each function fires                                clocks.hpp
-//   find_storage  what outlives a beat                                    ../memory.hpp
+//   find_feedback which delayed inputs close a loop                       feedback.hpp
+//   choose_storage  how the samples of each output are stored             storage.hpp
 //   check_whole   the rules about the finished plan                       whole.hpp
 #pragma once
 
-#include <cca/graph/memory.hpp>
+#include <cca/graph/plan/storage.hpp>
 #include <cca/graph/plan/clocks.hpp>
 #include <cca/graph/plan/connect.hpp>
 #include <cca/graph/plan/flatten.hpp>
@@ -79,10 +80,8 @@ inline constexpr flat_of<Graph> clocked_of =
 template <class Graph>
 inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
   g.calls_in_part = calls_in_part<Graph>;
-  g.ends_locals = simplified_once<Graph>;
-  remembering memory{g};
-  memory.run();
-  return check_whole(memory.g, flattened_of<Graph>.names.data(), names_size<Graph> - 1);
+  return check_whole(choose_storage(find_feedback(g)), flattened_of<Graph>.names.data(),
+                     names_size<Graph> - 1);
 });
 
 template <class Graph>

@@ -1,5 +1,5 @@
 #pragma once
-// Orientation of the trunk as a quaternion, and what a reader wants from it: roll, pitch and yaw.
+// Orientation of the trunk as a quaternion, and as roll, pitch and yaw.
 #include <algorithm>
 #include <array>
 #include <cmath>

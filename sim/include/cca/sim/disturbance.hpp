@@ -1,9 +1,9 @@
 #pragma once
-// What goes wrong in a run, drawn from a seed: where the joints start, how the ground grips, when the trunk
-// is pushed.
+// The disturbances of a run, drawn from a seed: the joints' angles at the start, the friction of the ground,
+// pushes on the trunk.
 //
-// The same seed gives the same bits with every compiler: std::mt19937_64 is specified exactly, the
-// distributions are our own.
+// The same seed gives the same bits with every compiler: std::mt19937_64 is specified exactly, and the
+// distribution is written here.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,9 +38,9 @@ struct disturbance {
   std::array<double, 3> trunk_velocity{};                     // m/s, at the start
   double friction = 0.75;
   std::array<push, 3> pushes{};
-  push another{};  // for a program to set, none is drawn
+  push another{};  // set by a program, never drawn
 
-  // None at all: what a run without a seed gets.
+  // For a run without a seed.
   static disturbance none() { return {}; }
 
   static disturbance from_seed(std::uint64_t seed, double duration) {

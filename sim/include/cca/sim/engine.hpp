@@ -1,10 +1,10 @@
 #pragma once
-// One world of the Open Dynamics Engine, owned: the library, this thread's share of it, the world, its
-// threading.
+// The owner of one world of the Open Dynamics Engine: initialises the library and its data of this thread,
+// makes the world and its threading.
 //
-// Each world gets a self-threaded implementation of its own: with the shared default, two worlds stepped in
-// two threads abort in `ReleaseAJob`. The step's memory is reserved at once, so that a beat with more
-// contacts than before does not allocate.
+// Each world has its own self-threaded implementation: with the shared default, two worlds that are stepped
+// in two threads abort in `ReleaseAJob`. The memory of a step is reserved in advance, so a beat with more
+// contacts than any before does not allocate.
 #include <memory>
 #include <stdexcept>
 
@@ -14,7 +14,7 @@
 
 namespace cca::sim {
 
-// The library, once in a process, and its data of the calling thread, once in a thread.
+// Initialises the library once per process, and its data once per thread.
 inline void prepare_engine() {
   static const bool library = dInitODE2(0) != 0;
   thread_local const bool data =
@@ -59,9 +59,9 @@ public:
 private:
   static constexpr unsigned step_memory = 1U << 20;
 
-  engine_handle<dxThreadingImplementation> threading_;  // outlives the world
+  engine_handle<dxThreadingImplementation> threading_;  // must outlive the world
   engine_handle<dxWorld> world_;
-  engine_handle<dxJointGroup> contacts_;  // goes before the world
+  engine_handle<dxJointGroup> contacts_;  // is destroyed before the world
 };
 
 }  // namespace cca::sim

@@ -1,10 +1,10 @@
 #pragma once
 // The terrain in the engine, and the robot's parts that can touch it.
 //
-// Parts are tried against every strip of ground in a fixed order: no space, no broad phase, hence no order
-// that depends on addresses. Parts don't collide with each other. Contacts are springs and dampers, given to
-// the engine as ERP and CFM; friction is a pyramid in proportion to the normal force (dContactApprox1;
-// without it `mu` would be a force in newtons).
+// Each part is tested against every strip of ground in a fixed order, without a space or broad phase of the
+// engine: their order would depend on addresses, and the same run would give other bits. Parts don't collide
+// with each other. Contacts are springs and dampers, given to the engine as ERP and CFM. Friction is a
+// pyramid in proportion to the normal force (dContactApprox1; without it `mu` would be a force in newtons).
 #include <array>
 #include <cmath>
 #include <vector>
@@ -49,7 +49,8 @@ public:
 private:
   static constexpr double depth = 1.0, width = 100.0;
 
-  // A box whose top begins at the strip's edge; what overlaps a neighbour lies below its top.
+  // A box whose top begins at the strip's edge. Where it overlaps a neighbour it lies below the neighbour's
+  // top.
   static engine_handle<dxGeom> box(const ground_strip& s) {
     engine_handle<dxGeom> geom(dCreateBox(nullptr, s.length, width, depth));
     const double c = std::cos(s.pitch), n = std::sin(s.pitch);
@@ -65,7 +66,7 @@ private:
   dSurfaceParameters prototype_{};
 };
 
-// A shape on a body, in no space.
+// A shape on a body, outside of any space of the engine.
 inline engine_handle<dxGeom> sphere_on(dBodyID body, double radius, vector3 offset = {}) {
   engine_handle<dxGeom> geom(dCreateSphere(nullptr, radius));
   dGeomSetBody(geom.get(), body);

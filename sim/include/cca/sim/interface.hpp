@@ -1,6 +1,5 @@
 #pragma once
-// What goes into the simulated robot in a beat and what comes out: commands to the motors, readings of the
-// sensors.
+// Input and output of the simulated robot in a beat: commands to the motors, readings of the sensors.
 #include <array>
 
 #include <cca/sim/attitude.hpp>
@@ -8,23 +7,23 @@
 
 namespace cca::sim {
 
-// Position targets of one leg's motors, rad. The knee's is the flexion that the cable is wound to. A target
-// that isn't finite is not taken: the motor keeps the last finite one (before any, the angle that the robot
-// was put down with). Finite targets are cut to the joint's range.
+// Position targets of one leg's motors, rad. The knee's target is the flexion that the cable is wound to. A
+// target that isn't finite is ignored: the motor keeps the last finite one, at first the angle that the robot
+// was put down with. Finite targets are clamped to the joint's range.
 struct leg_command {
   double hip = 0;
   double knee = 0;
   double abduction = 0;
   double hip_stiffness =
-      oncilla_defaults.hip_stiffness;  // N m/rad, damping goes with it; negative or not finite: kept
+      oncilla_defaults.hip_stiffness;  // N m/rad, scales the damping; negative or not finite: keep the last
 };
 
 using robot_command = std::array<leg_command, leg_count>;
 
-// What a drive with a loop of its own makes of a joint: torque = stiffness (position - q) + damping (velocity
-// - v) + torque, for the whole beat. Of the knee only what flexes it gets through the cable. Neither is cut
-// to the joint's range: that is the business of whoever commands such a drive. Laws that aren't finite are
-// not taken: the drive keeps the last one.
+// The control law of a drive with its own loop, for the whole beat:
+//   torque = stiffness (position - q) + damping (velocity - v) + torque
+// The cable passes on only torques that flex the knee. Targets are not clamped to the joint's range: whoever
+// commands such a drive must do that. A law that isn't finite is ignored: the drive keeps the last one.
 struct joint_law {
   double position = 0;   // rad
   double velocity = 0;   // rad/s
@@ -60,8 +59,8 @@ struct leg_reading {
 struct trunk_reading {
   quaternion orientation;      // turns the trunk's axes into the world's
   vector3 angular_velocity{};  // rad/s
-  vector3 specific_force{};  // m/s^2, what an accelerometer shows: acceleration minus gravity, mean over the
-                             // beat; (0, 0, +9.81) at rest on level ground
+  vector3 specific_force{};    // m/s^2, the reading of an accelerometer: acceleration minus gravity, mean
+                               // over the beat; (0, 0, +9.81) at rest on level ground
 };
 
 struct robot_reading {
@@ -69,7 +68,8 @@ struct robot_reading {
   trunk_reading trunk{};
 };
 
-// How a robot is put down. The trunk is level, its height such that the lowest foot is just above the ground.
+// The posture in which a robot is put down. The trunk is level; its height puts the lowest foot just above
+// the ground.
 struct leg_posture {
   double hip = 0;
   double knee = 1.4;

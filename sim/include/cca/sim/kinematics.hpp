@@ -1,10 +1,9 @@
 #pragma once
-// The leg in its own plane, in closed form: where the foot is, which angles bring it there, how much the
-// springs pull.
+// The leg in its own plane, in closed form: forward and inverse kinematics, and the torques of the springs.
 //
 // Plane: x forward, z up, origin in the hip. A segment at angle t points to (sin t, -cos t). The upper
 // segment stands at `hip`, the middle one at `hip - knee`, the lower one parallel to the upper (the
-// pantograph). With the toe straight the leg is therefore one of two links: upper + lower + toe, and middle.
+// pantograph). So with the toe straight the leg is a chain of two links: upper + lower + toe, and middle.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +26,8 @@ inline foot_in_plane foot_position(const oncilla_model& m, leg_angles_in_plane q
           -along_upper * std::cos(q.hip) - m.middle_length * std::cos(middle_angle)};
 }
 
-// The angles that bring the foot to a point, or, out of reach, towards it: the knee stays inside its range.
+// The angles that bring the foot to a point, or, if it is out of reach, towards it. The knee stays inside its
+// range.
 inline leg_angles_in_plane leg_angles_for(const oncilla_model& m, foot_in_plane foot) {
   const double a = m.upper_length + m.foot_lever(), b = m.middle_length;
   const double cosine = (foot.x * foot.x + foot.z * foot.z - a * a - b * b) / (2 * a * b);
@@ -46,7 +46,8 @@ inline double diagonal_stretch(const oncilla_model& m, double knee) {
   return std::max(0.0, diagonal_length(m, knee) - diagonal_length(m, m.spring_reference) + m.spring_preload);
 }
 
-// Torque that extends the knee: force times d(length)/d(knee). Virtual work, so it stores energy exactly.
+// Torque that extends the knee: force times d(length)/d(knee), by virtual work, so the spring neither gains
+// nor loses energy.
 inline double diagonal_spring_torque(const oncilla_model& m, double knee) {
   const double lever = m.middle_length * m.spring_arm * std::sin(knee) / diagonal_length(m, knee);
   return m.spring_rate * diagonal_stretch(m, knee) * lever;

@@ -1,11 +1,11 @@
 #pragma once
 // One leg in the engine: four bodies, their joints, and the torques of springs and motors between them.
 //
-// Joints: abduction and hip together are a universal joint (axes: forward of the trunk, across the leg);
-// knee, ankle and toe are hinges across the leg; the pantograph keeps the lower segment parallel to the upper
-// by an angular motor of one axis whose stops are both zero (error below 1e-9 rad; a torque between the
-// segments errs by 32 mrad or explodes). Springs are explicit torques: the engine's own (ERP, CFM) would lose
-// their energy within a second.
+// Joints: abduction and hip together are a universal joint (axes: forward of the trunk, across the leg).
+// Knee, ankle and toe are hinges across the leg. The pantograph keeps the lower segment parallel to the upper
+// one: an angular motor of one axis, both of whose stops are zero (error below 1e-9 rad; a torque between the
+// segments errs by 32 mrad or explodes). Springs are explicit torques: the engine's own springs (ERP, CFM)
+// would lose their energy within a second.
 #include <array>
 #include <cmath>
 
@@ -68,8 +68,7 @@ public:
   dBodyID toe() const { return toe_; }
   std::array<dBodyID, 4> bodies() const { return {upper_, middle_, lower_, toe_}; }
 
-  // Angles and velocities, from the rotations of the bodies: they need no memory of how the robot was put
-  // down.
+  // Angles and velocities, from the rotations of the bodies: independent of the posture at the start.
   void read(leg_reading& r) const {
     const dReal* trunk = dBodyGetRotation(trunk_);
     const dReal* upper = dBodyGetRotation(upper_);
@@ -88,7 +87,7 @@ public:
         side_ * ((w[0] - v[0]) * trunk[0] + (w[1] - v[1]) * trunk[4] + (w[2] - v[2]) * trunk[8]);
   }
 
-  // Torques of this physics step by springs and motors; what the motors gave is noted in the reading.
+  // Applies the torques of springs and motors for this physics step, and notes the motors' in the reading.
   void drive(const oncilla_model& m, leg_motors& motors, leg_reading& r, double dt) const {
     const leg_command& target = motors.target;
     const servo_gains hip{target.hip_stiffness, target.hip_stiffness * m.hip_damping_time};
@@ -118,7 +117,7 @@ public:
     r.toe.torque = toe_spring_torque(m, r.toe.angle, r.toe.velocity);
     twist(toe_, lower_, column(lower_, 1), -r.toe.torque);
 
-    // The engine's angular motor in user mode must be told the angle that it holds at zero.
+    // An angular motor in user mode needs its present angle in each step; it holds that at zero.
     dJointSetAMotorAngle(pantograph_, 0, pantograph_error());
   }
 
@@ -133,8 +132,7 @@ private:
     }
   };
 
-  // Where the leg's plane stands in the world: through the hip, turned by the abduction about the forward
-  // axis.
+  // The leg's plane in the world: through the hip, turned by the abduction about the forward axis.
   struct placement {
     vector3 hip;
     double tilt;
@@ -195,15 +193,15 @@ private:
     return {r[i], r[4 + i], r[8 + i]};
   }
 
-  // By how much `to` stands further forward than `from`: the angle about the leg's negative y axis.
+  // The angle from `from` to `to` about the leg's negative y axis: positive if `to` is further forward.
   static double angle_between(dBodyID from, dBodyID to) {
     const dReal* a = dBodyGetRotation(from);
     const dReal* b = dBodyGetRotation(to);
     return std::atan2(-columns(a, 0, b, 2), columns(a, 0, b, 0));
   }
 
-  // How fast `body` swings forward against `other`. All but the trunk have one y axis, so any of the two
-  // bodies' will do; the first one's is taken, which must be a segment.
+  // The speed at which `body` swings forward relative to `other`, about the y axis of `body`, which must be a
+  // segment: all segments of a leg have the same y axis, the trunk has another.
   static double speed_between(dBodyID body, dBodyID other) {
     const dReal* r = dBodyGetRotation(body);
     const dReal* w = dBodyGetAngularVel(body);

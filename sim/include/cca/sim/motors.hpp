@@ -1,9 +1,8 @@
 #pragma once
-// What the motors give: a servo that follows a target within a torque-speed line, and a winch that pulls a
-// knee by a cable.
+// The motors: a servo that follows a target within a torque-speed line, and a winch that pulls a knee by a
+// cable.
 //
-// Both are plain arithmetic on a state of a few numbers, which belongs to the world's state; neither knows
-// the engine.
+// Both are plain arithmetic on a few numbers of the world's state, without the engine.
 #include <algorithm>
 #include <cmath>
 
@@ -16,13 +15,13 @@ inline double available_torque(motor_line line, double speed) {
   return line.torque * std::clamp(2 * (1 - std::abs(speed) / line.no_load_speed), 0.0, 1.0);
 }
 
-// The largest speed that a motor keeps up against a load: the same line, read from the other side.
+// The largest speed that a motor reaches against a load: the inverse of the same line.
 inline double available_speed(motor_line line, double load) {
   if (load >= line.torque) return 0;
   return line.no_load_speed * (1 - std::max(load, 0.0) / (2 * line.torque));
 }
 
-// Braking takes the full torque, driving only what the line leaves.
+// A motor brakes with its full torque, and drives with the torque that the line leaves.
 inline double limit_torque(motor_line line, double torque, double speed) {
   const double limit = torque * speed > 0 ? available_torque(line, speed) : line.torque;
   return std::clamp(torque, -limit, limit);
@@ -38,12 +37,12 @@ inline double servo_torque(
   return limit_torque(line, g.stiffness * angle_error + g.damping * speed_error, speed);
 }
 
-// The knee's cable on its pulley. It can only pull: it flexes the knee or hangs slack, extension is the
-// spring's work.
+// The knee's cable on its pulley. It can only pull: it flexes the knee or hangs slack. The spring extends the
+// knee.
 struct cable_winch {
-  double position = 0;  // rad of knee flexion that the wound cable stands for
+  double position = 0;  // the wound cable as an angle of the knee, rad
   double speed = 0;
-  double torque = 0;  // what it pulled with last, >= 0
+  double torque = 0;  // of the last pull, >= 0
 
   void wind(const oncilla_model& m, double target, double dt) {
     const double wanted = (target - position) / dt;

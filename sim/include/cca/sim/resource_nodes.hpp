@@ -1,59 +1,60 @@
 #pragma once
-// The resource nodes of the Oncilla: a hip and a knee for each leg, and the trunk. They say in the robot's
-// spaces what the synchronizer says in the simulator's; a controller sees only them.
+// The resource nodes of the simulated Oncilla: one for each joint, and the trunk. They publish the raw
+// readings of the synchronizer in the robot's spaces.
 //
-//   hip_node, knee_node   sense: in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m of the
-//   motor)
-//                         act:   in "command" (rad); out "target"
-//   trunk_node            sense: in "measured"; out "orientation", "angular_velocity", "acceleration",
-//   "contacts" (status,
-//                         1: the foot touches), "foot_loads" (N), "abduction" (rad)
+//   joint_node<Axis>   sense: in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m, of the
+//                             motor)
+//                      act:   in "command" (rad); out "target"
+//   trunk_node         sense: in "measured"; out each field of trunk_record, under its name
 //
-// Cost: none after inlining.
+// The command of a knee is the flexion that the cable is wound to: the knee flexes at least as far as the
+// springs let it. Cost: none after inlining.
 #include <tuple>
 
 #include <cca/component/port.hpp>
-
-#include <cca/sim/oncilla_spaces.hpp>
-#include <cca/sim/simulator.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 
 namespace cca::sim {
 
 template <class Axis>
 struct joint_node {
-  auto sense(in<"measured", measured_joint<Axis>> now) -> std::tuple<out<"angle", joint_angle<Axis>>,
-                                                                     out<"velocity", joint_velocity<Axis>>,
-                                                                     out<"torque", joint_torque<Axis>>> {
-    return {now.vector()[0], now.vector()[1], now.vector()[2]};
+  using record = robots::oncilla::joint_record<Axis>;
+
+  auto sense(in<"measured", robots::oncilla::measured_joint<Axis>> now)
+      -> std::tuple<out<"angle", robots::oncilla::joint_angle<Axis>>,
+                    out<"velocity", robots::oncilla::joint_velocity<Axis>>,
+                    out<"torque", robots::oncilla::joint_torque<Axis>>> {
+    const auto& v = now.vector();
+    return {record::template part<"angle">(v), record::template part<"velocity">(v),
+            record::template part<"torque">(v)};
   }
 
-  auto act(in<"command", joint_angle<Axis>> wanted) -> out<"target", joint_angle<Axis>> {
+  auto act(in<"command", robots::oncilla::joint_angle<Axis>> wanted)
+      -> out<"target", robots::oncilla::joint_angle<Axis>> {
     return wanted.vector();
   }
 };
 
+// The names of figure 6.1.
 template <class Axis>
-struct hip_node : joint_node<Axis> {};
-
-// Its command is the flexion that the cable is wound to: the knee flexes at least so far as the springs let
-// it.
+using hip_node = joint_node<Axis>;
 template <class Axis>
-struct knee_node : joint_node<Axis> {};
+using knee_node = joint_node<Axis>;
 
-struct trunk_node {
-  auto sense(in<"measured", measured_trunk> now)
-      -> std::tuple<out<"orientation", trunk_orientation>,
-                    out<"angular_velocity", trunk_angular_velocity>,
-                    out<"acceleration", trunk_acceleration>,
-                    out<"contacts", foot_contacts>,
-                    out<"foot_loads", foot_loads>,
-                    out<"abduction", abduction_angles>> {
-    using at = trunk_record;
-    const auto& v = now.vector();
-    return {v.template segment<4>(at::orientation),    v.template segment<3>(at::angular_velocity),
-            v.template segment<3>(at::specific_force), v.template segment<4>(at::contact),
-            v.template segment<4>(at::foot_load),      v.template segment<4>(at::abduction)};
+namespace detail {
+
+template <class Fields>
+struct trunk_node_of;
+template <class... Fields>
+struct trunk_node_of<robots::items<Fields...>> {
+  auto sense(in<"measured", robots::oncilla::measured_trunk> now)
+      -> std::tuple<out<Fields::name, typename Fields::space>...> {
+    return {robots::oncilla::trunk_record::part<Fields::name>(now.vector())...};
   }
 };
+
+}  // namespace detail
+
+struct trunk_node : detail::trunk_node_of<robots::oncilla::trunk_record::fields> {};
 
 }  // namespace cca::sim

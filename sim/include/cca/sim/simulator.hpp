@@ -1,34 +1,28 @@
 #pragma once
-// The synchronizer of the simulated Oncilla: the one node that knows the simulator. Its `sense` hands each
-// resource node what was measured, its `act` takes what they want, pushes the trunk as the disturbance says
-// and advances the world by a beat.
+// The synchronizer of the simulated Oncilla: the one node that knows the simulator. Its `sense` hands the
+// readings to the resource nodes; its `act` takes their targets, pushes the trunk as the disturbance says and
+// advances the world by a beat.
 //
-//   sense   out "left_front_hip" ... "right_hind_knee"   angle, velocity, torque of a joint
-//           out "trunk"                                  see `trunk_record`
-//   act     in  "left_front_hip" ... "right_hind_knee"   targets, rad
-//           in  "abduction", optional                    targets, rad; unwired: as the robot was put down
-//           in  "stiffness", optional                    of the hips, N m/rad; unwired: the model's
+//   sense   out one port for each joint, under its axis' name: measured_joint
+//           out "trunk"                 measured_trunk, see trunk_record (cca/robots/oncilla/spaces.hpp)
+//   act     in  one port for each joint: the target, rad
+//           in  "abduction", optional   targets, rad; not wired: as the robot was put down
+//           in  "stiffness", optional   of the hips, N m/rad; not wired: the model's
 //
 // `put_down` sets the world; without it the robot stands on level ground. A copy of the node is a snapshot of
 // the world. Cost: a beat of physics, about 0.1 ms; the rest is copying numbers.
+#include <array>
 #include <cstddef>
 #include <tuple>
 #include <utility>
 
 #include <cca/component/port.hpp>
+#include <cca/robots/oncilla/spaces.hpp>
 
 #include <cca/sim/disturbance.hpp>
-#include <cca/sim/oncilla_spaces.hpp>
 #include <cca/sim/world.hpp>
 
 namespace cca::sim {
-
-// Where what stands in the trunk's record.
-struct trunk_record {
-  static constexpr int orientation = 0, angular_velocity = 4, specific_force = 7, foot_load = 10,
-                       contact = 14, abduction = 18, size = 22;
-};
-static_assert(measured_trunk::size == trunk_record::size);
 
 // Feet a little ahead of the hips, where the springs carry the robot.
 inline initial_posture standing_posture(const oncilla_model& model = oncilla_defaults) {
@@ -38,7 +32,33 @@ inline initial_posture standing_posture(const oncilla_model& model = oncilla_def
   return posture;
 }
 
-class simulator {
+namespace detail {
+
+// The trunk's record, as the simulated sensors read.
+inline measured_trunk::vector_type trunk_record_of(const robot_reading& now) {
+  measured_trunk::vector_type v;
+  const trunk_reading& trunk = now.trunk;
+  const quaternion& q = trunk.orientation;
+  trunk_record::part<"orientation">(v) << q.x, q.y, q.z, q.w;
+  trunk_record::part<"angular_velocity">(v) << trunk.angular_velocity[0], trunk.angular_velocity[1],
+      trunk.angular_velocity[2];
+  trunk_record::part<"acceleration">(v) << trunk.specific_force[0], trunk.specific_force[1],
+      trunk.specific_force[2];
+  for (std::size_t leg = 0; leg < leg_count; ++leg) {
+    const leg_reading& r = now.legs[leg];
+    const auto i = static_cast<Eigen::Index>(leg);
+    trunk_record::part<"foot_loads">(v)[i] = r.foot_force[2];
+    trunk_record::part<"contacts">(v)[i] = r.contact() ? 1 : 0;
+    trunk_record::part<"abducted">(v)[i] = r.abduction.angle;
+  }
+  return v;
+}
+
+template <class Axes>
+class simulator_of;
+
+template <class... Axes>
+class simulator_of<axes<Axes...>> {
 public:
   void put_down(sim::world&& world, const sim::disturbance& disturbance = sim::disturbance::none()) {
     world_ = std::move(world);
@@ -50,67 +70,41 @@ public:
 
   const sim::world& world() const { return world_; }
 
-  auto sense() -> std::tuple<out<"left_front_hip", measured_joint<left_front_hip>>,
-                             out<"right_front_hip", measured_joint<right_front_hip>>,
-                             out<"left_hind_hip", measured_joint<left_hind_hip>>,
-                             out<"right_hind_hip", measured_joint<right_hind_hip>>,
-                             out<"left_front_knee", measured_joint<left_front_knee>>,
-                             out<"right_front_knee", measured_joint<right_front_knee>>,
-                             out<"left_hind_knee", measured_joint<left_hind_knee>>,
-                             out<"right_hind_knee", measured_joint<right_hind_knee>>,
-                             out<"trunk", measured_trunk>> {
-    const auto& legs = world_.reading().legs;
-    const auto joint = [](const joint_reading& r) { return Eigen::Vector3d(r.angle, r.velocity, r.torque); };
-    return {joint(legs[0].hip),  joint(legs[1].hip),  joint(legs[2].hip),
-            joint(legs[3].hip),  joint(legs[0].knee), joint(legs[1].knee),
-            joint(legs[2].knee), joint(legs[3].knee), trunk()};
+  auto sense() -> std::tuple<out<Axes::label, measured_joint<Axes>>..., out<"trunk", measured_trunk>> {
+    return {joint<Axes>()..., trunk_record_of(world_.reading())};
   }
 
-  void act(in<"left_front_hip", joint_angle<left_front_hip>> hip_0,
-           in<"right_front_hip", joint_angle<right_front_hip>> hip_1,
-           in<"left_hind_hip", joint_angle<left_hind_hip>> hip_2,
-           in<"right_hind_hip", joint_angle<right_hind_hip>> hip_3,
-           in<"left_front_knee", joint_angle<left_front_knee>> knee_0,
-           in<"right_front_knee", joint_angle<right_front_knee>> knee_1,
-           in<"left_hind_knee", joint_angle<left_hind_knee>> knee_2,
-           in<"right_hind_knee", joint_angle<right_hind_knee>> knee_3,
+  void act(in<Axes::label, joint_angle<Axes>>... targets,
            optional_in<"abduction", abduction_angles> abduction,
            optional_in<"stiffness", hip_stiffnesses> stiffness) {
     robot_command command = world_.targets();
-    const double hips[] = {hip_0.vector()[0], hip_1.vector()[0], hip_2.vector()[0], hip_3.vector()[0]};
-    const double knees[] = {knee_0.vector()[0], knee_1.vector()[0], knee_2.vector()[0], knee_3.vector()[0]};
-    for (std::size_t i = 0; i < leg_count; ++i) {
-      command[i].hip = hips[i];
-      command[i].knee = knees[i];
-      if (abduction) command[i].abduction = abduction.vector()[static_cast<int>(i)];
-      if (stiffness) command[i].hip_stiffness = stiffness.vector()[static_cast<int>(i)];
+    const std::array<double, sizeof...(Axes)> angles{targets.vector()[0]...};
+    for (std::size_t leg = 0; leg < leg_count; ++leg) {
+      command[leg].hip = angles[robots::oncilla::hip_of(leg)];
+      command[leg].knee = angles[robots::oncilla::knee_of(leg)];
+      if (abduction) command[leg].abduction = abduction.vector()[static_cast<Eigen::Index>(leg)];
+      if (stiffness) command[leg].hip_stiffness = stiffness.vector()[static_cast<Eigen::Index>(leg)];
     }
     world_.push(disturbance_.push_at(world_.time()));
     world_.advance(command);
   }
 
 private:
-  measured_trunk::vector_type trunk() const {
-    using at = trunk_record;
-    measured_trunk::vector_type record;
-    const robot_reading& now = world_.reading();
-    const quaternion& q = now.trunk.orientation;
-    record.segment<4>(at::orientation) << q.x, q.y, q.z, q.w;
-    for (int k = 0; k < 3; ++k) {
-      record[at::angular_velocity + k] = now.trunk.angular_velocity[static_cast<std::size_t>(k)];
-      record[at::specific_force + k] = now.trunk.specific_force[static_cast<std::size_t>(k)];
-    }
-    for (int i = 0; i < static_cast<int>(leg_count); ++i) {
-      const leg_reading& leg = now.legs[static_cast<std::size_t>(i)];
-      record[at::foot_load + i] = leg.foot_force[2];
-      record[at::contact + i] = leg.contact() ? 1 : 0;
-      record[at::abduction + i] = leg.abduction.angle;
-    }
-    return record;
+  template <class Axis>
+  Eigen::Vector3d joint() const {
+    constexpr std::size_t at = leg_axes::index_of<Axis>, leg = at % leg_count;
+    constexpr bool is_hip = at == robots::oncilla::hip_of(leg);
+    const leg_reading& readings = world_.reading().legs[leg];
+    const joint_reading& r = is_hip ? readings.hip : readings.knee;
+    return {r.angle, r.velocity, r.torque};
   }
 
   sim::world world_{oncilla_defaults, terrain::flat(), standing_posture()};
   sim::disturbance disturbance_{};
 };
+
+}  // namespace detail
+
+class simulator : public detail::simulator_of<leg_axes> {};
 
 }  // namespace cca::sim

@@ -1,10 +1,10 @@
 #pragma once
-// The state of a world as a plain value: what must be put back for a run to go on bit for bit.
+// The state of a world as a plain value: put it back, and a run goes on bit for bit.
 //
-// The engine's own part is exactly position, rotation (as quaternion and as matrix: the engine keeps both,
-// and normalising one anew would change bits), velocity and angular velocity of every body. Forces are
-// cleared by each step, contacts are made anew in each, joints hold no state that isn't in the bodies
-// (measured: tests/runtime/sim/snapshot.cpp).
+// The engine's part is position, rotation, velocity and angular velocity of every body. The engine keeps a
+// rotation both as quaternion and as matrix; both are saved, since computing one from the other would change
+// bits. Forces are cleared by each step, contacts are made in each step, and joints hold no state of their
+// own (measured: tests/runtime/sim/snapshot.cpp).
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -27,8 +27,8 @@ struct body_state {
   std::array<double, 3> angular_velocity;
 };
 
-// Motors with what they remember: targets that were taken last, the feed-forward's former target, the cable;
-// or the laws that drives with loops of their own follow.
+// The motors' memory: the last targets, the former target for the feed-forward, the cable; or the laws of
+// drives with their own loops.
 struct leg_motors {
   leg_command target;
   double former_hip_target = 0;
@@ -42,12 +42,12 @@ struct world_state {
   std::array<body_state, body_count> bodies;
   std::array<leg_motors, leg_count> motors{};
   robot_reading reading{};
-  vector3 push{};               // N on the trunk, until it is set anew
-  double positive_work = 0;     // J, mechanical work that the motors gave, braking not counted
-  double absolute_work = 0;     // J, the same with braking counted as spent
+  vector3 push{};               // N on the trunk, until it is set again
+  double positive_work = 0;     // J, mechanical work of the motors, without braking
+  double absolute_work = 0;     // J, the same, with braking counted as work
   double pantograph_error = 0;  // rad, the largest so far
   std::int64_t beats = 0;
-  std::int64_t commands = 0;        // that were given
+  std::int64_t commands = 0;        // given so far
   std::int64_t trunk_contacts = 0;  // physics steps with the trunk on the ground
   std::int64_t knee_contacts = 0;   // contacts of knees and ankles
 };
@@ -81,7 +81,7 @@ inline body_state save_body(dBodyID body) {
 inline void restore_body(dBodyID body, const body_state& s) {
   dBodySetPosition(body, s.position[0], s.position[1],
                    s.position[2]);  // also tells the body's geometry that it moved
-  // dBodySetQuaternion would normalise: bits are written where the engine keeps them.
+  // dBodySetQuaternion would normalise and change bits: write to the engine's own memory.
   std::memcpy(const_cast<dReal*>(dBodyGetQuaternion(body)), s.quaternion.data(), sizeof s.quaternion);
   std::memcpy(const_cast<dReal*>(dBodyGetRotation(body)), s.rotation.data(), sizeof s.rotation);
   dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);

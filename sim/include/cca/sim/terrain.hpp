@@ -1,7 +1,7 @@
 #pragma once
 // The ground as a value: level, a slope or steps, and its friction. Built of boxes whose tops are the ground.
 //
-// The robot starts around x = 0 on level ground at z = 0; what makes a terrain interesting begins at `start`.
+// The robot starts around x = 0 on level ground at z = 0; slopes and steps begin at `start`.
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace cca::sim {
 
-// A strip of ground: from `from_x` at height `from_z` on, over `length` along the surface, rising by `pitch`.
+// A strip of ground: begins at `from_x` in the height `from_z`, has `length` along the surface, rises by the
+// angle `pitch`.
 struct ground_strip {
   double from_x, from_z, length, pitch;
 };
@@ -73,7 +74,7 @@ public:
   }
 
 private:
-  static constexpr double reach = 200;  // m; farther than anybody walks
+  static constexpr double reach = 200;  // m; farther than any run goes
 
   terrain(std::string name, std::vector<ground_strip> strips)
       : name_(std::move(name)), strips_(std::move(strips)) {}

@@ -2,12 +2,11 @@
 // The simulated Oncilla on its terrain: commands in, one beat of physics, readings out.
 //
 // A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical,
-// in one thread or in two. `save` and `restore` do the same with a plain value, for worlds built from the
-// same model, terrain and posture. Nothing that is read from the world changes it, and nothing but `advance`,
-// `push`, `restore` and assignment does.
+// in one thread or in two. `save` and `restore` do the same with a plain value, for worlds of the same model,
+// terrain and posture. Only `advance`, `follow`, `push`, `restore` and assignment change a world.
 //
-// Cost: a beat (two physics steps) takes about 0.1 ms on a core of 2023 and allocates nothing once it has run
-// for a while.
+// Cost: a beat (two physics steps) takes about 0.1 ms on a core of 2023. It allocates nothing after the first
+// beats.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,14 +50,14 @@ public:
   }
   ~world() = default;
 
-  // One beat. The first command sets where the targets are, without a speed of their own.
+  // One beat. The speed of the first targets is 0.
   void advance(const robot_command& command) {
     prepare_engine();
     accept(command);
     finish_beat();
   }
 
-  // One beat with drives that have loops of their own.
+  // One beat with drives that have their own loops.
   void follow(const robot_laws& laws) {
     prepare_engine();
     for (std::size_t i = 0; i < leg_count; ++i) {
@@ -77,7 +76,7 @@ public:
     finish_beat();
   }
 
-  // A force on the trunk's centre, in the world's axes, that acts until another is set.
+  // A force on the trunk's centre, in the world's axes, until it is set again.
   void push(const vector3& force) {
     for (std::size_t k = 0; k < 3; ++k)
       if (std::isfinite(force[k])) state_.push[k] = force[k];
@@ -85,14 +84,14 @@ public:
 
   const robot_reading& reading() const { return state_.reading; }
 
-  // What the motors follow: the commands as they were taken.
+  // The targets that the motors follow: the commands after clamping.
   robot_command targets() const {
     robot_command taken;
     for (std::size_t i = 0; i < leg_count; ++i) taken[i] = state_.motors[i].target;
     return taken;
   }
 
-  // What no sensor of the robot knows.
+  // The true state, which no sensor of the robot measures.
   vector3 trunk_position() const { return vector(dBodyGetPosition(trunk_)); }
   vector3 trunk_velocity() const { return velocity(trunk_); }
   vector3 foot_position(std::size_t leg) const { return vector(dBodyGetPosition(legs_.at(leg).toe())); }
@@ -102,28 +101,18 @@ public:
   }
   vector3 centre_of_mass() const {
     vector3 sum{};
-    double mass = 0;
-    for (dBodyID b : bodies_) {
-      dMass m;
-      dBodyGetMass(b, &m);
-      const dReal* p = dBodyGetPosition(b);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += m.mass * p[k];
-      mass += m.mass;
-    }
-    for (double& x : sum) x /= mass;
+    for (dBodyID b : bodies_)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += mass_of(b) * dBodyGetPosition(b)[k];
+    for (double& x : sum) x /= mass();
     return sum;
   }
   double mass() const {
     double sum = 0;
-    for (dBodyID b : bodies_) {
-      dMass m;
-      dBodyGetMass(b, &m);
-      sum += m.mass;
-    }
+    for (dBodyID b : bodies_) sum += mass_of(b);
     return sum;
   }
 
-  // Down: the trunk has touched the ground, or rolled or pitched by 30 degrees.
+  // The trunk has touched the ground, or rolled or pitched by 30 degrees.
   bool fallen() const {
     const roll_pitch_yaw a = attitude(state_.reading.trunk.orientation);
     constexpr double limit = degrees(30);
@@ -281,6 +270,11 @@ private:
   }
 
   static vector3 vector(const dReal* p) { return {p[0], p[1], p[2]}; }
+  static double mass_of(dBodyID body) {
+    dMass m;
+    dBodyGetMass(body, &m);
+    return m.mass;
+  }
   static vector3 velocity(dBodyID body) { return vector(dBodyGetLinearVel(body)); }
 
   static constexpr double clearance = 0.001;

@@ -1,0 +1,125 @@
+// A joint of a robot and the drive that moves it, as a type: axis, drive, mounting, servo, bus.
+//
+//   struct left_front
+//       : cca::hardware::joint<cca::robots::oncilla::left_front_hip,
+//                              cca::hardware::mit_drive<cca::hardware::ak60_6, 1>,
+//                              cca::hardware::mounting{.gear = 1, .sign = -1, .offset = 0.2},
+//                              cca::hardware::joint_servo{.stiffness = 30, .damping = 0.375},
+//                              0> {};
+//
+// Angle of the joint = sign (angle of the drive / gear) + offset; gear is turns of the drive's output per
+// turn of the joint. Torque of the joint = sign gear (torque of the drive). All drives on one bus state the
+// same bit rates, by default 1 Mbit/s, and 5 for fast FD frames (checked by robot_buses.hpp). The limits are
+// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits. Cost:
+// constants, and some multiplications. docs/hardware.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include <cca/hardware/drives/drive.hpp>
+#include <cca/space/limits.hpp>
+#include <cca/space/quantity.hpp>
+#include <cca/space/space.hpp>
+
+namespace cca::hardware {
+
+struct mounting {
+  double gear = 1;
+  double sign = 1;    // -1: the drive turns the other way round
+  double offset = 0;  // rad, the joint's angle where the drive's is 0
+};
+
+struct joint_servo {
+  double stiffness = 0;     // N m/rad, while it follows commands
+  double damping = 0;       // N m s/rad
+  double safe_damping = 1;  // N m s/rad, after a stop
+  double most_stiff = 200;  // N m/rad, the largest that a controller can ask for
+};
+
+struct joint_bounds {
+  double lower, upper;
+  constexpr double nearest(double x) const { return x < lower ? lower : x > upper ? upper : x; }
+  constexpr bool holds(double x) const { return lower <= x && x <= upper; }
+};
+
+template <class Axis,
+          Drive Device,
+          mounting Mounting,
+          joint_servo Servo,
+          std::size_t Bus = 0,
+          bit_rates Rates = bit_rates{}>
+struct joint {
+  using axis = Axis;
+  using drive = Device;
+  static constexpr mounting mounted = Mounting;
+  static constexpr joint_servo servo = Servo;
+  static constexpr std::size_t bus = Bus;
+  static constexpr bit_rates rates = Rates;
+
+  static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1),
+                "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1");
+  static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
+                    cca::detail::axis_has_limits<Axis, cca::velocity> &&
+                    cca::detail::axis_has_limits<Axis, cca::torque>,
+                "space.missing_limits: the axis of this joint lacks limits of angle, velocity or torque; a "
+                "drive is commanded only "
+                "within limits, so state all three in its dimension");
+
+  static constexpr double angle_of(double drive_angle) {
+    return Mounting.sign * drive_angle / Mounting.gear + Mounting.offset;
+  }
+  static constexpr double drive_angle_of(double of_joint) {
+    return Mounting.sign * (of_joint - Mounting.offset) * Mounting.gear;
+  }
+  static constexpr double speed_of(double drive_speed) { return Mounting.sign * drive_speed / Mounting.gear; }
+  static constexpr double drive_speed_of(double of_joint) { return Mounting.sign * of_joint * Mounting.gear; }
+  static constexpr double torque_of(double drive_torque) {
+    return Mounting.sign * drive_torque * Mounting.gear;
+  }
+  static constexpr double drive_torque_of(double of_joint) {
+    return Mounting.sign * of_joint / Mounting.gear;
+  }
+
+  // A command to the joint as a command to its drive, and back. Stiffness and damping scale with the square
+  // of the gear.
+  static constexpr drive_command to_drive(const drive_command& c) {
+    constexpr double square = Mounting.gear * Mounting.gear;
+    return {drive_angle_of(c.position), drive_speed_of(c.velocity), drive_torque_of(c.torque),
+            c.stiffness / square, c.damping / square};
+  }
+  static constexpr drive_command from_drive(const drive_command& c) {
+    constexpr double square = Mounting.gear * Mounting.gear;
+    return {angle_of(c.position), speed_of(c.velocity), torque_of(c.torque), c.stiffness * square,
+            c.damping * square};
+  }
+
+  static constexpr joint_bounds angle = {cca::detail::lower_limit_of<Axis, cca::angle>,
+                                         cca::detail::upper_limit_of<Axis, cca::angle>};
+  static constexpr joint_bounds speed = {cca::detail::lower_limit_of<Axis, cca::velocity>,
+                                         cca::detail::upper_limit_of<Axis, cca::velocity>};
+  static constexpr joint_bounds torque = {cca::detail::lower_limit_of<Axis, cca::torque>,
+                                          cca::detail::upper_limit_of<Axis, cca::torque>};
+  // N m/s, for the torque that a set-point feeds forward. If the axis states no `torque_rate`: the whole
+  // range in 10 ms.
+  static constexpr double torque_rate = [] {
+    if constexpr (cca::detail::axis_has_limits<Axis, cca::torque_rate>)
+      return cca::detail::upper_limit_of<Axis, cca::torque_rate>;
+    else return (torque.upper - torque.lower) / 0.01;
+  }();
+};
+
+// The joints of a robot, in the order of its axes.
+template <class... Joints>
+struct joint_list {
+  static constexpr std::size_t count = sizeof...(Joints);
+  using axes = cca::axes<typename Joints::axis...>;
+  static constexpr std::array<joint_bounds, count> angle{Joints::angle...}, speed{Joints::speed...},
+      torque{Joints::torque...};
+  static constexpr std::array<double, count> torque_rate{Joints::torque_rate...};
+  static constexpr std::array<joint_servo, count> servo{Joints::servo...};
+  static constexpr std::array<std::string_view, count> names{Joints::axis::name...};
+};
+
+}  // namespace cca::hardware

@@ -1,0 +1,121 @@
+// What flows between the synchronizer and the guards: what each joint measures, what each drive shall do, and
+// why it may not.
+//
+// Both spaces hold a few numbers an axis. They are for the guards and the synchronizer only.
+//   joint_state   of an axis: angle, velocity, torque, trip (a safety_rule; 0: none), phase (a motion_phase)
+//   set_point     of an axis: position, velocity, torque, stiffness, damping (a drive_command of the joint),
+//                 and `mark`: before the emergency stop the rule that it broke, behind it the motion_mode
+// Cost: 5 and 6 doubles an axis. docs/hardware.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <cca/hardware/drives/drive.hpp>
+#include <cca/space/domain.hpp>
+#include <cca/space/record.hpp>
+
+namespace cca::hardware {
+
+// Why motion stopped, or why a set point was changed.
+enum class safety_rule : std::uint8_t {
+  none,
+  not_finite,    // a set point has a number that is NaN or infinite
+  stale,         // a command is too old
+  stalled,       // the whole loop stood still
+  silent,        // a drive does not answer
+  sensor_board,  // the sensor board is silent or reports a fault
+  drive_fault,   // a drive reports a fault
+  implausible,   // a drive reports a jump, or no longer its velocity
+  link,          // the bus went off or down, its queue stays full, or somebody else sends our frames
+  enabling,      // a start failed: a drive could not be enabled, or the sensor board is silent
+  pressed,       // the emergency stop
+  asked,         // a soft stop
+  range,         // this one and the following change a set point and stop nothing
+  rate,
+  torque,
+  stop,
+};
+constexpr std::string_view name_of(safety_rule r) {
+  constexpr std::string_view names[] = {"none",   "not finite",   "stale",          "stalled",
+                                        "silent", "sensor board", "fault",          "implausible",
+                                        "link",   "enabling",     "emergency stop", "soft stop",
+                                        "range",  "rate",         "torque",         "stop of the joint"};
+  return names[static_cast<std::size_t>(r)];
+}
+
+// The first cause: the rule, the joint (-1: of no joint), the beat (-1: none).
+struct safety_event {
+  safety_rule rule = safety_rule::none;
+  int joint = -1;
+  std::int64_t beat = -1;
+};
+
+// How far the drives are. `begins`: they are enabled from this beat on, and motion starts where the joints
+// are.
+enum class motion_phase : std::uint8_t { stopped, enabling, begins, running };
+// What the drives may do. `soft`: hold the measured position, softer in each beat. `damped`: only damp.
+enum class motion_mode : std::uint8_t { run, soft, damped };
+
+template <int Numbers>
+struct drive_record : record<Numbers> {};
+
+template <class Joints>
+struct joint_states : cca::space<drive_record<5>, typename Joints::axes, cca::rate<1000>> {};
+template <class Joints>
+struct set_points : cca::space<drive_record<6>, typename Joints::axes, cca::rate<1000>> {};
+
+struct joint_state {
+  double angle = drive_report::untold, velocity = 0, torque = 0;
+  safety_rule trip = safety_rule::none;
+  motion_phase phase = motion_phase::stopped;
+
+  template <class Vector>
+  static joint_state of(const Vector& v, std::size_t axis) {
+    const auto i = static_cast<Eigen::Index>(5 * axis);
+    return {v[i], v[i + 1], v[i + 2], static_cast<safety_rule>(v[i + 3]),
+            static_cast<motion_phase>(v[i + 4])};
+  }
+  template <class Vector>
+  void put(Vector& v, std::size_t axis) const {
+    const auto i = static_cast<Eigen::Index>(5 * axis);
+    v[i] = angle, v[i + 1] = velocity, v[i + 2] = torque;
+    v[i + 3] = static_cast<double>(trip), v[i + 4] = static_cast<double>(phase);
+  }
+  bool known() const { return angle - angle == 0; }
+};
+
+struct set_point : drive_command {
+  double mark = 0;
+
+  template <class Vector>
+  static set_point of(const Vector& v, std::size_t axis) {
+    const auto i = static_cast<Eigen::Index>(6 * axis);
+    return {{v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4]}, v[i + 5]};
+  }
+  template <class Vector>
+  void put(Vector& v, std::size_t axis) const {
+    const auto i = static_cast<Eigen::Index>(6 * axis);
+    v[i] = position, v[i + 1] = velocity, v[i + 2] = torque, v[i + 3] = stiffness, v[i + 4] = damping,
+    v[i + 5] = mark;
+  }
+  void trip(safety_rule r) {
+    if (mark == 0) mark = static_cast<double>(r);
+  }
+  safety_rule broken() const { return static_cast<safety_rule>(mark); }
+  motion_mode mode() const { return static_cast<motion_mode>(mark); }
+  bool finite() const { return (position + velocity + torque + stiffness + damping) * 0 == 0; }
+};
+
+// How often a guard has changed something, and its first change since the start.
+struct safety_record {
+  safety_event first{};
+  std::int64_t count = 0;
+  void note(safety_rule rule, int joint, std::int64_t beat) {
+    ++count;
+    if (first.rule == safety_rule::none) first = {rule, joint, beat};
+  }
+};
+
+}  // namespace cca::hardware

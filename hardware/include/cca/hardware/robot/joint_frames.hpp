@@ -1,0 +1,58 @@
+// From a joint's set point to the frames for its drive, as far as its family can follow it.
+//
+//   frames_for<J>(set_point, angle, speed)   angle and speed in the joint's dimension; no frames for a set
+//                                            point with a number that is not finite. A drive that takes
+//                                            stiffness gets the whole set point. One that takes torque alone
+//                                            gets the torque that the set point makes at this angle and
+//                                            speed. One with gains of its own gets position and velocity. In
+//                                            a mode other than `run` the drive only damps: by damp() where it
+//                                            has that; one without stiffness is disabled
+//   cycle_ends<Buses, J...>()                the frames that end a cycle on each bus (SYNC), each once
+//   patience<J>(beats, ns)                   after how many beats of so many ns a drive counts as silent:
+//                                            more for drives that report by themselves, with a longer period
+//
+// Cost: some multiplications and the codec's. docs/hardware.md.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <cca/hardware/drives/joint.hpp>
+#include <cca/hardware/drives/set_points.hpp>
+
+namespace cca::hardware {
+
+template <class J>
+drive_frames frames_for(set_point s, double angle, double speed) {
+  using D = typename J::drive;
+  constexpr bool by_stiffness = (D::uses & of_stiffness) != 0;
+  constexpr bool by_torque = !by_stiffness && (D::uses & (of_position | of_velocity)) == 0;
+  if (s.mode() != motion_mode::run) {
+    if constexpr (!by_stiffness) return D::disable();
+    else if constexpr (requires { D::damp(); })
+      if (s.stiffness == 0) return D::damp();
+  }
+  if constexpr (by_torque) s.torque += s.stiffness * (s.position - angle) + s.damping * (s.velocity - speed);
+  return D::set_point(J::to_drive(s)).frames;
+}
+
+template <std::size_t Buses, class... J>
+constexpr auto cycle_ends() {
+  std::array<frame_list<4>, Buses> all;
+  const auto add = [](frame_list<4>& ends, const auto& frames) {
+    for (const can_frame& f : frames)
+      if (std::find(ends.begin(), ends.end(), f) == ends.end()) ends.add(f);
+  };
+  (add(all[J::bus], cycle_frames_of<typename J::drive>), ...);
+  return all;
+}
+
+template <class J>
+constexpr int patience(int beats, std::int64_t beat) {
+  return beats *
+         static_cast<int>(std::max<std::int64_t>(1, (report_period_of<typename J::drive> + beat - 1) / beat));
+}
+
+}  // namespace cca::hardware

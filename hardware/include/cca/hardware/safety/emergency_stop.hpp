@@ -1,0 +1,90 @@
+// The emergency stop: collects every trip of the chain and keeps it until somebody starts the robot
+// deliberately.
+//
+//   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points, whose `mark` is now the
+//         motion_mode
+//
+// It trips on what the guards before it have marked, on what the synchronizer reports about a joint, and by
+// hand:
+//   press()         from now on all drives are damped; `release()` alone moves nothing
+//   stop_softly()   the drives hold their position and get softer
+// If the robot is healthy and only its command is stale, not finite or late, it stops softly. A trip by a
+// drive, a sensor or the bus damps at once. The first cause is kept: rule, joint, beat. Motion comes back
+// only when the synchronizer's `start` has enabled the drives again and the button is released.
+//
+// Cost: two comparisons a joint. Example: tests/runtime/drive_chain; docs/hardware.md.
+#pragma once
+
+#include <algorithm>
+
+#include <cca/component/beat.hpp>
+#include <cca/component/port.hpp>
+#include <cca/hardware/drives/set_points.hpp>
+
+namespace cca::hardware {
+
+template <class Joints>
+class emergency_stop {
+public:
+  auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints, beat now)
+      -> out<"safe", set_points<Joints>> {
+    auto v = wanted.vector();
+    const auto phase = joint_state::of(joints.vector(), 0).phase;
+    if (phase == motion_phase::begins && !pressed) {
+      is = motion_mode::run;
+      cause = {};
+      softly = false;
+    }
+    if (pressed) trip(safety_rule::pressed, -1, now);
+    if (softly) trip(safety_rule::asked, -1, now);
+    for (std::size_t i = 0; i < Joints::count; ++i) {
+      trip(joint_state::of(joints.vector(), i).trip, static_cast<int>(i), now);
+      trip(set_point::of(v, i).broken(), static_cast<int>(i), now);
+    }
+    for (std::size_t i = 0; i < Joints::count; ++i) {
+      set_point s = set_point::of(v, i);
+      s.mark = static_cast<double>(is);
+      s.put(v, i);
+    }
+    return v;
+  }
+
+  void press() { pressed = true; }
+  void release() { pressed = false; }
+  void stop_softly() { softly = true; }
+
+  motion_mode mode() const { return is; }
+  safety_event first_cause() const { return cause; }
+
+  void on_start() { *this = {}; }
+
+private:
+  void trip(safety_rule rule, int joint, const beat& now) {
+    if (rule == safety_rule::none) return;
+    is = std::max(is, leads_to(rule));
+    if (cause.rule != safety_rule::none) return;
+    cause = {rule, is_of_joint(rule) ? joint : -1, now.index()};
+  }
+  // The other rules come for all joints at once, so they name none.
+  static constexpr bool is_of_joint(safety_rule rule) {
+    return rule != safety_rule::stale && rule != safety_rule::stalled && rule != safety_rule::sensor_board &&
+           rule != safety_rule::link;
+  }
+  static constexpr motion_mode leads_to(safety_rule rule) {
+    switch (rule) {
+      case safety_rule::not_finite:
+      case safety_rule::stale:
+      case safety_rule::stalled:
+      case safety_rule::asked:
+        return motion_mode::soft;
+      default:
+        return motion_mode::damped;
+    }
+  }
+
+  motion_mode is = motion_mode::damped;  // until the first start
+  safety_event cause{};
+  bool pressed = false, softly = false;
+};
+
+}  // namespace cca::hardware

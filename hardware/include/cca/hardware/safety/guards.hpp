@@ -1,0 +1,76 @@
+// The first guards of the chain: they check set points before the others look at where these lead.
+//
+//   act   in "wanted" set_points, out "safe" set_points. Each guard marks the joints whose set point breaks
+//         its rule (`mark`); the emergency stop behind them acts on that
+//   finite_guard   NaN or infinity: repeats the last finite set point, marked not_finite
+//   stale_guard    data older than the parameter `greatest_age`: marked stale
+//
+// Cost: some comparisons a joint. Example: tests/runtime/drive_chain/safety.cpp; docs/hardware.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <cca/component/beat.hpp>
+#include <cca/component/port.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/base/reflect.hpp>
+#include <cca/hardware/drives/set_points.hpp>
+
+namespace cca::hardware {
+
+template <class Joints>
+class finite_guard {
+public:
+  auto act(in<"wanted", set_points<Joints>> wanted, beat now) -> out<"safe", set_points<Joints>> {
+    auto v = wanted.vector();
+    for (std::size_t i = 0; i < Joints::count; ++i) {
+      set_point s = set_point::of(v, i);
+      if (s.finite()) {
+        last[i] = s;
+        continue;
+      }
+      noted.note(safety_rule::not_finite, static_cast<int>(i), now.index());
+      static_cast<drive_command&>(s) = last[i];
+      s.velocity = s.torque = 0;
+      s.trip(safety_rule::not_finite);
+      s.put(v, i);
+    }
+    return v;
+  }
+  void on_start() { *this = {}; }
+  const safety_record& record() const { return noted; }
+
+private:
+  std::array<drive_command, Joints::count> last{};
+  safety_record noted{};
+};
+
+template <class Joints>
+class stale_guard {
+public:
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::quantity<cca::duration, 0, 3600>, greatest_age));
+  };
+  parameters p{0.05};
+
+  auto act(in<"wanted", set_points<Joints>> wanted, beat now) -> out<"safe", set_points<Joints>> {
+    auto v = wanted.vector();
+    const bool stale =
+        wanted.origin() != never && static_cast<double>(now.time() - wanted.origin()) > 1e9 * p.greatest_age;
+    for (std::size_t i = 0; stale && i < Joints::count; ++i) {
+      set_point s = set_point::of(v, i);
+      s.trip(safety_rule::stale);
+      s.put(v, i);
+    }
+    if (stale) noted.note(safety_rule::stale, -1, now.index());
+    return v;
+  }
+  void on_start() { noted = {}; }
+  const safety_record& record() const { return noted; }
+
+private:
+  safety_record noted{};
+};
+
+}  // namespace cca::hardware

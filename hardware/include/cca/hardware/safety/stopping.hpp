@@ -1,0 +1,75 @@
+// How the drives stop: the guards behind the emergency stop.
+//
+//   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
+//   soft_stop<Joints, Beats>   in the mode `soft` holds each joint at its measured position. Over `Beats`
+//                              beats its stiffness goes to 0, its damping to `safe_damping` of its servo;
+//                              then the mode is `damped`
+//   damping_stop               in the mode `damped`: no stiffness, no torque, `safe_damping` against any
+//                              motion. Not zero torque, because a leg would fall, and not a position, because
+//                              that is stiff against people
+//
+// Cost: a comparison a joint while the robot runs. Source: Unitree's reaction to a lost command
+// (unitree_legged_sdk, cmd_lost_timelimit).
+#pragma once
+
+#include <array>
+
+#include <cca/component/port.hpp>
+#include <cca/hardware/drives/set_points.hpp>
+
+namespace cca::hardware {
+
+template <class Joints, int Beats = 100>
+class soft_stop {
+  static_assert(Beats >= 1,
+                "cca::hardware::soft_stop<Joints, Beats>: the joints get soft within at least 1 beat");
+
+public:
+  auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints)
+      -> out<"safe", set_points<Joints>> {
+    auto v = wanted.vector();
+    if (set_point::of(v, 0).mode() != motion_mode::soft) {
+      since = 0;
+      for (std::size_t i = 0; i < Joints::count; ++i) from[i] = set_point::of(v, i);
+      return v;
+    }
+    const double left = 1 - static_cast<double>(since) / Beats;
+    for (std::size_t i = 0; i < Joints::count; ++i) {
+      const joint_state q = joint_state::of(joints.vector(), i);
+      if (since == 0) from[i].position = q.known() ? q.angle : from[i].position;
+      set_point s;
+      s.position = from[i].position;
+      s.stiffness = left * from[i].stiffness;
+      s.damping = left * from[i].damping + (1 - left) * Joints::servo[i].safe_damping;
+      s.mark = static_cast<double>(since < Beats ? motion_mode::soft : motion_mode::damped);
+      s.put(v, i);
+    }
+    if (since < Beats) ++since;
+    return v;
+  }
+  void on_start() { *this = {}; }
+
+private:
+  std::array<drive_command, Joints::count> from{};
+  int since = 0;
+};
+
+template <class Joints>
+struct damping_stop {
+  auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints)
+      -> out<"safe", set_points<Joints>> {
+    auto v = wanted.vector();
+    if (set_point::of(v, 0).mode() != motion_mode::damped) return v;
+    for (std::size_t i = 0; i < Joints::count; ++i) {
+      const joint_state q = joint_state::of(joints.vector(), i);
+      set_point s;
+      s.position = Joints::angle[i].nearest(q.known() ? q.angle : 0);
+      s.damping = Joints::servo[i].safe_damping;
+      s.mark = static_cast<double>(motion_mode::damped);
+      s.put(v, i);
+    }
+    return v;
+  }
+};
+
+}  // namespace cca::hardware

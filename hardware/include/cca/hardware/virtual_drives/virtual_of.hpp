@@ -1,0 +1,25 @@
+// The virtual drive of each family with its default settings: `virtual_of<Drive>`, for virtual_robot.
+#pragma once
+
+#include <cca/hardware/virtual_drives/virtual_cia402.hpp>
+#include <cca/hardware/virtual_drives/virtual_mit.hpp>
+#include <cca/hardware/virtual_drives/virtual_moteus.hpp>
+#include <cca/hardware/virtual_drives/virtual_odrive.hpp>
+
+namespace cca::hardware {
+
+template <class Drive>
+struct virtual_of;
+
+template <class Ranges, std::uint32_t Number, std::uint32_t Master, mit_firmware Firmware>
+struct virtual_of<mit_drive<Ranges, Number, Master, Firmware>>
+    : virtual_mit<mit_drive<Ranges, Number, Master, Firmware>> {};
+template <std::uint32_t Node, odrive_mode Mode, odrive_firmware Firmware, std::int64_t Period>
+struct virtual_of<odrive<Node, Mode, Firmware, Period>>
+    : virtual_odrive<odrive<Node, Mode, Firmware, Period>> {};
+template <class Motor, std::uint8_t Servo, std::uint8_t Source>
+struct virtual_of<moteus<Motor, Servo, Source>> : virtual_moteus<moteus<Motor, Servo, Source>> {};
+template <class Motor, std::uint8_t Node, cia402_mode Mode>
+struct virtual_of<cia402<Motor, Node, Mode>> : virtual_cia402<cia402<Motor, Node, Mode>> {};
+
+}  // namespace cca::hardware

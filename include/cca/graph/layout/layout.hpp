@@ -1,0 +1,256 @@
+// Where everything lies in memory. Equal things lie side by side in one array, so a place is an array and an
+// index in it.
+//
+// Calls are twins if they call the same function of the same component type, and fire, read and publish in
+// the same way: they differ only in the places that they touch. The code of a call is compiled once for all
+// its twins.
+//
+// Cost: a chain of a thousand equal nodes compiles as two different ones, a thousand times inlined.
+#pragma once
+
+#include <bit>
+
+#include <cca/graph/plan/plan.hpp>
+
+namespace cca::detail {
+
+struct place {
+  int array = -1, index = 0;  // array -1: nowhere
+};
+
+// Samples that are stored in the same way.
+struct sample_array {
+  storage_kind kind = storage_kind::none;
+  int size = 0;               // coordinates of a sample
+  int depth = 0;              // of the past, or of a queue
+  clock published{};          // newest, past
+  int call = -1;              // of_beat: the first call of the same function, whose result it is
+  bool in_each_beat = false;  // of_beat: the result is there in each beat
+  full_kind full = full_kind::drop_oldest;  // queue
+  int count = 0;
+
+  constexpr bool stores_like(const sample_array& other) const {
+    return kind == other.kind && size == other.size && depth == other.depth && published == other.published &&
+           call == other.call && in_each_beat == other.in_each_beat && full == other.full;
+  }
+};
+
+// What differs between twins.
+struct call_place {
+  int node = 0, component = 0;  // index in its array
+  int firing = -1;              // index of its last firing, or -1
+  int result = -1;              // index of what it returns, or -1
+  int first_input = 0, first_output = 0;
+};
+
+// The first number of each key, by open addressing. Keys are 64 well-mixed bits: equal ones mean equal facts.
+template <int Count>
+struct first_of_key {
+  static constexpr auto mask = table_size(Count) - 1;
+  int numbers[mask + 1]{};  // one more than the number; 0: none
+  std::uint64_t keys[mask + 1]{};
+
+  constexpr int first(std::uint64_t key, int number) {
+    auto at = key & mask;
+    while (numbers[at] != 0 && keys[at] != key) at = (at + 1) & mask;
+    if (numbers[at] == 0) {
+      numbers[at] = number + 1;
+      keys[at] = key;
+    }
+    return numbers[at] - 1;
+  }
+};
+
+template <int Nodes, int Calls, int Inputs, int Outputs>
+struct layout {
+  static constexpr int max_arrays = Calls + Outputs + Inputs + 1;
+  place components[Nodes + 1]{};      // array: the first component of the same type
+  int component_counts[Nodes + 1]{};  // of the array of this number
+  int twin[Calls + 1]{};              // the first call that is a twin
+  int input_twin[Inputs + 1]{};       // the first input that reads in the same way
+  int output_twin[Outputs + 1]{};     // the first output that is published in the same way
+  call_place calls[Calls + 1]{};
+  place results[Calls + 1]{};    // what a call returns, where readers of the beat read it
+  place outputs[Outputs + 1]{};  // newest, past
+  place sources[Inputs + 1]{};   // what the input reads; a queue is its own
+  sample_array arrays[max_arrays]{};
+  int array_count = 0, firing_count = 0;
+
+  using node_keys = first_of_key<Nodes>;
+  using call_keys = first_of_key<Calls>;
+  using input_keys = first_of_key<Inputs>;
+  using output_keys = first_of_key<Outputs>;
+};
+
+// Coordinate c of the initial value that a wire gives; without one, of the space's zero.
+constexpr double initial_coordinate(ref<item_info> wire, const space_info& space, int c) {
+  return wire && wire->initial ? wire->initial[wire->initial_count == 1 ? 0 : c] : space.zero[c];
+}
+
+// All facts in one call: a call costs the compilers more than the computation.
+template <class... Facts>
+constexpr std::uint64_t mixed(std::uint64_t key, Facts... facts) {
+  ((key = key * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(facts)), ...);
+  return key ^ key >> 29;
+}
+
+template <class Layout>
+struct layout_step {
+  const flat_view& g;
+  Layout& to;
+
+  constexpr int array_like(const sample_array& wanted) {
+    int array = 0;
+    while (array < to.array_count && !to.arrays[array].stores_like(wanted)) ++array;
+    if (array == to.array_count) to.arrays[to.array_count++] = wanted;
+    return array;
+  }
+  constexpr place place_in(const sample_array& wanted) {
+    const int array = array_like(wanted);
+    return {array, to.arrays[array].count++};
+  }
+
+  constexpr void place_components() {
+    typename Layout::node_keys types;
+    for (int n = 0; n < g.node_count; ++n) {
+      const int first = types.first(g.nodes[n].item->component->key, n);
+      to.components[n] = {first, to.component_counts[first]++};
+    }
+  }
+
+  constexpr bool is_read_in_beat(const call& c) const {
+    for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
+      if (g.outputs[o].storage == storage_kind::of_beat) return true;
+    return false;
+  }
+
+  // Results are used again by each part of a long beat.
+  constexpr void place_results() {
+    typename Layout::call_keys functions;
+    int used[Layout::max_arrays]{};
+    for (int r = 0; r < g.call_count; ++r) {
+      const int index = g.order[r];
+      const auto& c = g.calls[index];
+      if (r % g.calls_in_part == 0)
+        for (int array = 0; array < to.array_count; ++array) used[array] = 0;
+      if (!is_read_in_beat(c)) continue;
+      const int first = functions.first(mixed(to.components[c.node].array, c.phase), index);
+      const int array =
+          array_like({.kind = storage_kind::of_beat, .call = first, .in_each_beat = c.fires.every_beat()});
+      to.results[index] = {array, used[array]++};
+      if (used[array] > to.arrays[array].count) to.arrays[array].count = used[array];
+    }
+  }
+
+  constexpr void place_samples() {
+    for (int o = 0; o < g.output_count; ++o) {
+      const auto& out = g.outputs[o];
+      if (out.storage == storage_kind::of_beat) to.outputs[o] = to.results[out.call];
+      else if (out.storage != storage_kind::none)
+        to.outputs[o] = place_in({.kind = out.storage,
+                                  .size = port_of(g, out).space->size,
+                                  .depth = out.depth,
+                                  .published = published(g, out)});
+    }
+    for (int i = 0; i < g.input_count; ++i) {
+      const auto& in = g.inputs[i];
+      if (in.queue >= 0)
+        to.sources[i] = place_in({.kind = storage_kind::queue,
+                                  .size = port_of(g, in).space->size,
+                                  .depth = in.wire->number,
+                                  .full = in.wire->full});
+      else if (in.writer >= 0) to.sources[i] = to.outputs[in.writer];
+    }
+  }
+
+  constexpr void place_calls() {
+    for (int c = 0; c < g.call_count; ++c) {
+      const auto& one = g.calls[c];
+      to.calls[c] = {one.node,
+                     to.components[one.node].index,
+                     one.fires.dynamic() ? to.firing_count++ : -1,
+                     to.results[c].array < 0 ? -1 : to.results[c].index,
+                     one.first_input,
+                     one.first_output};
+    }
+  }
+
+  // Does it show an initial value of its own, and not only what is stored?
+  constexpr bool shows_initial(const input& in) const {
+    return in.writer < 0 || in.queue >= 0 || in.own_initial ||
+           g.outputs[in.writer].storage == storage_kind::past;
+  }
+
+  constexpr std::uint64_t key_of(const input& in, int source) const {
+    std::uint64_t key = static_cast<std::uint64_t>(source);
+    if (in.writer >= 0) {
+      const auto& from = g.outputs[in.writer];
+      const auto c = published(g, from);
+      key = mixed(key, c.period, c.first, in.delay, in.in_beat | in.own_initial << 1 | in.counts << 2,
+                  from.storage == storage_kind::of_beat ? from.port : -1);
+    }
+    if (shows_initial(in))
+      if (const auto space = port_of(g, in).space)
+        for (int c = 0; c < space->size; ++c)
+          key = mixed(key, std::bit_cast<std::int64_t>(initial_coordinate(in.wire, *space, c)));
+    return key;
+  }
+
+  constexpr std::uint64_t key_of(const output& out, int array) const {
+    const auto c = published(g, out);
+    return mixed(0, c.period, c.first, out.storage, array);
+  }
+
+  constexpr std::uint64_t key_of(const call& c, int result) const {
+    std::uint64_t key = mixed(item_of_call(g, c).strategy_key, to.components[c.node].array, c.phase,
+                              c.fires.period, c.fires.first, result);
+    for (int i = c.first_input; i < c.first_input + c.function->input_count; ++i)
+      key = mixed(key, to.input_twin[i]);
+    for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
+      key = mixed(key, to.output_twin[o]);
+    return key;
+  }
+
+  // Observers read, and queues are filled, by the numbers of the ports: these have no twins.
+  constexpr bool is_unique(const input& in) const { return in.writer < 0 && !port_of(g, in).space; }
+  constexpr bool is_unique(const output& out) const {
+    if (g.queue_count == 0) return false;
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+      if (g.inputs[i].queue >= 0) return true;
+    return false;
+  }
+
+  constexpr void find_twins() {
+    typename Layout::input_keys inputs;
+    typename Layout::output_keys outputs;
+    typename Layout::call_keys calls;
+    for (int i = 0; i < g.input_count; ++i)
+      to.input_twin[i] =
+          is_unique(g.inputs[i]) ? i : inputs.first(key_of(g.inputs[i], to.sources[i].array), i);
+    for (int o = 0; o < g.output_count; ++o)
+      to.output_twin[o] =
+          is_unique(g.outputs[o]) ? o : outputs.first(key_of(g.outputs[o], to.outputs[o].array), o);
+    for (int c = 0; c < g.call_count; ++c)
+      to.twin[c] = calls.first(key_of(g.calls[c], to.results[c].array), c);
+  }
+
+  constexpr void run() {
+    place_components();
+    place_results();
+    place_samples();
+    place_calls();
+    find_twins();
+  }
+};
+
+template <class Graph>
+inline constexpr auto layout_of = [] {
+  constexpr auto& size = graph_size<Graph>;
+  layout<size.nodes, size.calls, size.inputs, size.outputs> result;
+  auto plan = plan_of<Graph>;
+  const auto view = plan.view();
+  layout_step<decltype(result)>{view, result}.run();
+  return result;
+}();
+
+}  // namespace cca::detail

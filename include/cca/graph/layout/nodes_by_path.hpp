@@ -1,0 +1,40 @@
+// Components and inner graphs by path.
+#pragma once
+
+#include <cca/graph/layout/types.hpp>
+
+namespace cca::detail {
+
+template <class Graph>
+constexpr int node_with_hash(std::uint64_t path) {
+  for (int i = 0; i < counts_of<Graph>.node_count; ++i) {
+    const auto& l = plan_of<Graph>.nodes[static_cast<std::size_t>(i)];
+    const auto& s = plan_of<Graph>.scopes[static_cast<std::size_t>(l.scope)];
+    if (path_hash(s, l.item->from, l.item->from_hash) == path) return i;
+  }
+  return -1;
+}
+
+template <class Graph>
+constexpr int node_at(std::string_view path) {
+  return node_with_hash<Graph>(hash(path));
+}
+
+template <class Graph>
+constexpr bool has_scope(std::uint64_t path) {
+  for (int s = 1; s < counts_of<Graph>.scope_count; ++s)
+    if (plan_of<Graph>.scopes[static_cast<std::size_t>(s)].hash == path) return true;
+  return false;
+}
+
+template <class Graph, int Node>
+struct parameters_at {
+  using type = typename node_types<Graph, Node>::component::parameters;
+};
+template <class Graph>
+struct parameters_at<Graph, -1> {
+  static_assert(sizeof(Graph) == 0, "cca::controller::set: no component has this path");
+  struct type {};
+};
+
+}  // namespace cca::detail

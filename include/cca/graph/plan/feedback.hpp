@@ -1,0 +1,106 @@
+// Which delayed inputs close a loop: their writer is fed, over any wires, by their reader. The origin of such
+// an input does not count for what its component publishes (otherwise the age of the data in a loop would
+// grow forever).
+#pragma once
+
+#include <cca/graph/plan/flat.hpp>
+#include <cca/graph/plan/scratch.hpp>
+
+namespace cca::detail {
+
+// Strongly connected components over all wires, delayed ones too (Tarjan 1972, without recursion).
+struct loop_search {
+  const flat_view& g;
+  scratch group, low, number, stack, frame_node, frame_edge, edge_head, edge_next, edge_to;
+  int counter = 0, depth = 0, edges = 0;
+
+  constexpr explicit loop_search(const flat_view& graph)
+      : g(graph),
+        group(g.node_count, -1),
+        low(g.node_count),
+        number(g.node_count, -1),
+        stack(g.node_count),
+        frame_node(g.node_count),
+        frame_edge(g.node_count),
+        edge_head(g.node_count, -1),
+        edge_next(g.input_count + g.link_count),
+        edge_to(g.input_count + g.link_count) {
+    for (int i = 0; i < g.input_count; ++i)
+      if (g.inputs[i].writer >= 0) add_edge(g.outputs[g.inputs[i].writer].call, g.inputs[i].call);
+    for (int l = 0; l < g.link_count; ++l)
+      add_edge(g.outputs[g.links[l].output].call, g.inputs[g.links[l].input].call);
+    for (int v = 0; v < g.node_count; ++v)
+      if (number[v] < 0) visit(v);
+  }
+
+  // Is the writer of this output fed, over any wires, by the one who reads it?
+  constexpr bool closes(int reader_call, int output) const {
+    return group[g.calls[reader_call].node] == group[g.calls[g.outputs[output].call].node];
+  }
+
+  constexpr void add_edge(int from_call, int to_call) {
+    const int from = g.calls[from_call].node;
+    edge_to[edges] = g.calls[to_call].node;
+    edge_next[edges] = edge_head[from];
+    edge_head[from] = edges++;
+  }
+
+  constexpr void visit(int root) {
+    int frames = 0;
+    const auto enter = [&](int v) {
+      number[v] = low[v] = counter++;
+      stack[depth++] = v;
+      frame_node[frames] = v;
+      frame_edge[frames++] = edge_head[v];
+    };
+    enter(root);
+    while (frames > 0) {
+      const int v = frame_node[frames - 1];
+      const int e = frame_edge[frames - 1];
+      if (e >= 0) {
+        frame_edge[frames - 1] = edge_next[e];
+        const int w = edge_to[e];
+        if (number[w] < 0) enter(w);
+        else if (group[w] < 0 && number[w] < low[v]) low[v] = number[w];
+        continue;
+      }
+      if (low[v] == number[v]) {
+        int w = -1;
+        do {
+          w = stack[--depth];
+          group[w] = v;
+        } while (w != v);
+      }
+      if (--frames > 0 && low[v] < low[frame_node[frames - 1]]) low[frame_node[frames - 1]] = low[v];
+    }
+  }
+};
+
+constexpr int delay_of(const flat_view& g, const link& l) {
+  return port_of(g, g.inputs[l.input]).observed_delay;
+}
+
+constexpr bool has_delays(const flat_view& g) {
+  for (int i = 0; i < g.input_count; ++i)
+    if (g.inputs[i].delay > 0) return true;
+  for (int l = 0; l < g.link_count; ++l)
+    if (delay_of(g, g.links[l]) > 0) return true;
+  return false;
+}
+
+// The step.
+constexpr flat_view find_feedback(flat_view g) {
+  if (!has_delays(g)) return g;
+  const loop_search loops(g);
+  for (int i = 0; i < g.input_count; ++i) {
+    auto& in = g.inputs[i];
+    if (in.delay > 0) in.counts = !loops.closes(in.call, in.writer);
+  }
+  for (int l = 0; l < g.link_count; ++l) {
+    auto& link = g.links[l];
+    if (delay_of(g, link) > 0) link.counts = !loops.closes(g.inputs[link.input].call, link.output);
+  }
+  return g;
+}
+
+}  // namespace cca::detail

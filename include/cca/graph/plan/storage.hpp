@@ -1,0 +1,98 @@
+// How the samples of each output are stored. It is decided here, once; runtime/stored_samples.hpp has a type
+// for each way.
+//
+//   none      nobody reads them, or only queues do
+//   of_beat   only read in the beat in which they were published: where the component returned them
+//   newest    some reader may come in a later beat: the newest one
+//   past      some reader has a delay of more than a beat: the last ones
+#pragma once
+
+#include <cca/graph/plan/feedback.hpp>
+#include <cca/graph/plan/long_beats.hpp>
+
+namespace cca::detail {
+
+struct storage_step {
+  flat_view g;
+
+  // The component fires only when this input has just arrived: it is the only one, and no sample waits.
+  constexpr bool fires_with(const input& i) const {
+    const auto& c = g.calls[i.call];
+    if (!strategy_of_call(g, c).fires_on_arrival) return false;
+    int wired = 0;
+    for (int other = c.first_input; other < c.first_input + c.function->input_count; ++other)
+      wired += g.inputs[other].wired;
+    return wired == 1;
+  }
+
+  // How many samples a reader with a delay needs: one less if it comes before the writer in a beat.
+  constexpr int samples_needed(int delay, int reader_call, int writer_call) const {
+    return g.calls[reader_call].rank < g.calls[writer_call].rank ? delay : delay + 1;
+  }
+
+  static constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
+    for (int c = 0; c < size; ++c) {
+      const auto value = [c](ref<item_info> w) {
+        return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0;
+      };
+      if (bool(a && a->initial) != bool(b && b->initial) || value(a) != value(b)) return false;
+    }
+    return true;
+  }
+
+  // A stored sample begins with the initial value of its first reader; other readers may have their own.
+  constexpr void choose_initial(output& out) {
+    bool first = true;
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
+      auto& in = g.inputs[i];
+      if (in.queue >= 0 || in.in_beat) continue;
+      if (first) out.initial_of = in.wire;
+      first = false;
+      in.own_initial = !same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
+    }
+  }
+
+  constexpr void choose_storage(int o) {
+    auto& out = g.outputs[o];
+    const auto published_at = published(g, out);
+    int depth = 0;
+    bool outlives_beat = out.watched, is_read = out.watched;
+    const auto read_later = [&](int delay, int reader_call) {
+      const int needed = samples_needed(delay, reader_call, out.call);
+      depth = needed > depth ? needed : depth;
+      outlives_beat = is_read = true;
+    };
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
+      auto& in = g.inputs[i];
+      if (in.queue >= 0) continue;
+      is_read = true;
+      if (in.delay > 0) {
+        read_later(in.delay, in.call);
+      } else {
+        in.in_beat = contains(published_at, g.calls[in.call].fires) || fires_with(in);
+        if (!in.in_beat || !in_one_part(g, in.call, out.call)) outlives_beat = true;
+      }
+    }
+    for (int l = 0; l < g.link_count; ++l)
+      if (g.links[l].output == o) read_later(delay_of(g, g.links[l]), g.inputs[g.links[l].input].call);
+
+    out.storage = !is_read         ? storage_kind::none
+                  : !outlives_beat ? storage_kind::of_beat
+                  : depth > 1      ? storage_kind::past
+                                   : storage_kind::newest;
+    if (out.storage == storage_kind::past)
+      for (out.depth = 1; out.depth < depth;) out.depth *= 2;
+    if (out.storage == storage_kind::newest) choose_initial(out);
+  }
+};
+
+// The step.
+constexpr flat_view choose_storage(flat_view g) {
+  storage_step step{g};
+  for (int c = 0; c < g.call_count; ++c)
+    g.calls[c].stored_seen = uses_coordination(strategy_of_call(g, g.calls[c]));
+  for (int o = 0; o < g.output_count; ++o) step.choose_storage(o);
+  return step.g;
+}
+
+}  // namespace cca::detail

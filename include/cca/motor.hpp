@@ -1,0 +1,30 @@
+// Movement generators and controllers: oscillators and gaits, movement primitives, VITE, motion models
+// learned from examples, the reservoir pattern generator, PID. Includes every public header of cca/motor/; to
+// compile faster, include only those that you need.
+#pragma once
+
+#include <cca/motor/dmp_basis.hpp>
+#include <cca/motor/dmp_discrete.hpp>
+#include <cca/motor/dmp_discrete_ode.hpp>
+#include <cca/motor/dmp_pose.hpp>
+#include <cca/motor/dmp_pose_ode.hpp>
+#include <cca/motor/dmp_rhythmic.hpp>
+#include <cca/motor/dmp_rhythmic_module.hpp>
+#include <cca/motor/dmp_rhythmic_ode.hpp>
+#include <cca/motor/dmp_shapes.hpp>
+#include <cca/motor/gait.hpp>
+#include <cca/motor/gait_network.hpp>
+#include <cca/motor/gaussian_mixture.hpp>
+#include <cca/motor/gaussian_mixture_learning.hpp>
+#include <cca/motor/generator.hpp>
+#include <cca/motor/gmr.hpp>
+#include <cca/motor/hmm_motion.hpp>
+#include <cca/motor/hopf.hpp>
+#include <cca/motor/hopf_ode.hpp>
+#include <cca/motor/oscillator_network_ode.hpp>
+#include <cca/motor/pid.hpp>
+#include <cca/motor/rcpg.hpp>
+#include <cca/motor/reservoir.hpp>
+#include <cca/motor/spaces.hpp>
+#include <cca/motor/vite.hpp>
+#include <cca/motor/vite_ode.hpp>

@@ -1,0 +1,110 @@
+// What an input shows when its component fires: a sample where it is stored, its origin, and whether it is
+// fresh.
+//
+// `Input` is the number of the first input that reads in the same way (graph/plan/layout.hpp); `index` says
+// where in its array this one reads.
+#pragma once
+
+#include <cca/runtime/beat_context.hpp>
+
+namespace cca::detail {
+
+// What an input shows before a first sample has arrived.
+template <class Graph, int Input>
+inline constexpr auto initial_of_input = [] {
+  std::array<double, static_cast<std::size_t>(size_of_input<Graph, Input>)> initial{};
+  int c = 0;
+  for (double& coordinate : initial)
+    coordinate = initial_coordinate(input_of<Graph, Input>.wire, *input_port_of<Graph, Input>.space, c++);
+  return initial;
+}();
+
+template <class Graph, int Input>
+struct input_reader {
+  static constexpr const auto& in = input_of<Graph, Input>;
+  static constexpr int array = layout_of<Graph>.sources[Input].array;
+  static constexpr storage_kind kind =
+      array < 0 ? storage_kind::none : layout_of<Graph>.arrays[array < 0 ? 0 : array].kind;
+  static constexpr int element = in.writer < 0 ? 0 : output_of<Graph, in.writer>.port;
+
+  // The stored sample that is shown; null: the initial value is.
+  CCA_INLINE static auto shown(const beat_context<Graph>& b, int index) {
+    auto& stored = b.template at<array>(index);
+    if constexpr (kind == storage_kind::of_beat) {
+      return &stored.template output<element>();
+    } else {
+      auto* sample = stored.show(b.k, in.delay);
+      if constexpr (in.own_initial)
+        if (sample->origin() == never) sample = nullptr;
+      return sample;
+    }
+  }
+  static constexpr bool is_never_null =
+      kind == storage_kind::of_beat || (kind == storage_kind::newest && !in.own_initial);
+
+  CCA_INLINE static std::int64_t origin(const beat_context<Graph>& b, int index) {
+    if constexpr (kind == storage_kind::none) {
+      return never;
+    } else {
+      const auto* sample = shown(b, index);
+      if constexpr (is_never_null) return sample->origin();
+      else return sample ? sample->origin() : never;
+    }
+  }
+
+  // After the component has been called: of a queue, of what it took.
+  CCA_INLINE static std::int64_t origin_seen(const beat_context<Graph>& b, int index) {
+    if constexpr (kind == storage_kind::queue) return b.template at<array>(index).origin_of_taken();
+    else return origin(b, index);
+  }
+
+  // The beat in which the sample arrived; -1: nothing has.
+  CCA_INLINE static std::int64_t arrived(const beat_context<Graph>& b, int index) {
+    if constexpr (kind == storage_kind::none) {
+      return -1;
+    } else if constexpr (kind == storage_kind::of_beat) {
+      return b.template at<array>(index).template arrived<element>(b.k);
+    } else {
+      if constexpr (in.in_beat && published_of<Graph, in.writer>.known()) return b.k;
+      else return b.template at<array>(index).arrived(b.k, in.delay);
+    }
+  }
+
+  // A sample has arrived since the component last fired, in beat `last`; with a queue: it is not empty.
+  CCA_INLINE static bool is_fresh(const beat_context<Graph>& b, int index, std::int64_t last) {
+    if constexpr (kind == storage_kind::queue) return !b.template at<array>(index).is_empty();
+    else return arrived(b, index) > last;
+  }
+
+  // The port that the component gets.
+  template <class Port>
+  CCA_INLINE static Port port(const beat_context<Graph>& b, int index, std::int64_t last) {
+    Port port{to_be_filled{}};
+    if constexpr (kind == storage_kind::none) {
+      port.show_initial(initial_of_input<Graph, Input>.data());
+    } else {
+      const auto* sample = shown(b, index);
+      if constexpr (is_never_null) {
+        port.show(sample->vector(), sample->origin(), is_fresh(b, index, last));
+      } else {
+        if (sample) port.show(sample->vector(), sample->origin(), is_fresh(b, index, last));
+        else port.show_initial(initial_of_input<Graph, Input>.data());
+      }
+      if constexpr (requires { port.set_wired(); }) port.set_wired();
+    }
+    return port;
+  }
+
+  // After the component has seen it.
+  CCA_INLINE static void take([[maybe_unused]] const beat_context<Graph>& b, [[maybe_unused]] int index) {
+    if constexpr (kind == storage_kind::queue) b.template at<array>(index).take();
+  }
+};
+
+// Where the input at a position of a call reads.
+template <class Graph>
+CCA_INLINE int index_of_source(const call_place& at, int position) {
+  return layout_of<Graph>.sources[at.first_input + position].index;
+}
+
+}  // namespace cca::detail

@@ -1,0 +1,165 @@
+// The state of a controller: what it keeps between beats, and the samples that live for one beat. Both
+// consist of arrays of equal things (graph/plan/layout.hpp). The state is plain values, so a copy is a
+// snapshot.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include <cca/graph/layout/lookup.hpp>
+#include <cca/runtime/stored_samples.hpp>
+
+namespace cca::detail {
+
+// ---- components ----
+
+template <class Component>
+struct kept_component {
+  static_assert(std::is_default_constructible_v<Component>,
+                "cca::controller: a component starts from its default values, so it needs a constructor "
+                "without arguments; what differs between nodes is "
+                "a template argument or one of its `parameters`");
+  // A constructor of our own: g++ 12 crashes on some components where an aggregate initialises them.
+  kept_component() : component() {}
+  [[no_unique_address]] Component component;
+};
+
+// All components of the type of node `First`, which is the first of them.
+template <class Component, int Count>
+struct components_of_type {
+  kept_component<Component> all[Count];
+  CCA_INLINE Component& at(int index) { return all[index].component; }
+  CCA_INLINE const Component& at(int index) const { return all[index].component; }
+};
+// Those without state are one and the same.
+template <class Component, int Count>
+  requires std::is_empty_v<Component>
+struct components_of_type<Component, Count> {
+  [[no_unique_address]] Component one;
+  components_of_type() : one() {}
+  CCA_INLINE Component& at(int) { return one; }
+  CCA_INLINE const Component& at(int) const { return one; }
+};
+template <class Graph, int First>
+struct component_array : components_of_type<typename node_types<Graph, First>::component,
+                                            layout_of<Graph>.component_counts[First]> {};
+
+// ---- samples ----
+
+template <class Graph, int Call>
+using function_called =
+    function_facts<typename function_of<typename node_types<Graph, call_of<Graph, Call>.node>::component,
+                                        call_of<Graph, Call>.phase>::type>;
+
+template <class Graph, int Array, storage_kind Kind = array_of<Graph, Array>.kind>
+struct stored_in;
+template <class Graph, int Array>
+struct stored_in<Graph, Array, storage_kind::of_beat> {
+  static constexpr const auto& a = array_of<Graph, Array>;
+  using type = result_of_beat<typename function_called<Graph, a.call>::result, a.in_each_beat>;
+};
+template <class Graph, int Array>
+struct stored_in<Graph, Array, storage_kind::newest> {
+  using type = newest_sample<array_of<Graph, Array>.size, array_of<Graph, Array>.published>;
+};
+template <class Graph, int Array>
+struct stored_in<Graph, Array, storage_kind::past> {
+  static constexpr const auto& a = array_of<Graph, Array>;
+  using type = past_samples<a.size, a.depth, a.published>;
+};
+template <class Graph, int Array>
+struct stored_in<Graph, Array, storage_kind::queue> {
+  static constexpr const auto& a = array_of<Graph, Array>;
+  using type = waiting_samples<a.size, a.depth, a.full>;
+};
+
+template <class Graph, int Array, storage_kind Kind = array_of<Graph, Array>.kind>
+struct stored_array {
+  typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
+};
+
+// The newest samples begin with what their first reader sees before there is one.
+template <class Graph, int Array>
+struct stored_array<Graph, Array, storage_kind::newest> {
+  typename stored_in<Graph, Array>::type all[static_cast<std::size_t>(array_of<Graph, Array>.count)];
+
+  stored_array() {
+    const auto& plan = plan_of<Graph>;
+    for (std::size_t o = 0; o < static_cast<std::size_t>(counts_of<Graph>.output_count); ++o) {
+      const place at = layout_of<Graph>.outputs[o];
+      if (at.array != Array) continue;
+      const auto& out = plan.outputs[o];
+      const auto& space = *plan.calls[static_cast<std::size_t>(out.call)].function->outputs[out.port].space;
+      for (int c = 0; c < array_of<Graph, Array>.size; ++c)
+        all[at.index].vector()[c] = initial_coordinate(out.initial_of, space, c);
+    }
+  }
+};
+
+// ---- components whose clock is known only at run time ----
+
+struct last_firing {
+  std::int64_t last = -1;       // beat; -1: it has not fired yet
+  std::int64_t oldest = never;  // origin that it saw then
+};
+template <int Count>
+struct last_firings {
+  last_firing firings[Count]{};
+};
+template <>
+struct last_firings<0> {};
+
+// ---- all of it ----
+
+template <class Graph>
+struct is_first_of_type {
+  static constexpr bool holds(std::size_t n) { return layout_of<Graph>.component_counts[n] > 0; }
+};
+template <class Graph>
+struct outlives_beat {
+  static constexpr bool holds(std::size_t a) {
+    return layout_of<Graph>.arrays[a].kind != storage_kind::of_beat;
+  }
+};
+template <class Graph>
+struct ends_with_beat {
+  static constexpr bool holds(std::size_t a) {
+    return layout_of<Graph>.arrays[a].kind == storage_kind::of_beat;
+  }
+};
+
+template <class Graph, class Components, class Samples>
+struct state_of;
+template <class Graph, int... Component, int... Array>
+struct state_of<Graph, std::integer_sequence<int, Component...>, std::integer_sequence<int, Array...>>
+    : component_array<Graph, Component>...,
+      stored_array<Graph, Array>...,
+      last_firings<layout_of<Graph>.firing_count> {};
+
+// What outlives a beat.
+template <class Graph>
+struct controller_state : state_of<Graph,
+                                   chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>,
+                                   chosen<layout_of<Graph>.array_count, outlives_beat<Graph>>> {};
+
+template <class Part, class Whole>
+CCA_INLINE auto& part_of(Whole& whole) {
+  return static_cast<std::conditional_t<std::is_const_v<Whole>, const Part, Part>&>(whole);
+}
+
+template <class Graph, int First, class State>
+CCA_INLINE auto& component_in(State& state, int index) {
+  return part_of<component_array<Graph, First>>(state).at(index);
+}
+template <class Graph, int Node, class State>
+CCA_INLINE auto& component_at(State& state) {
+  constexpr place at = layout_of<Graph>.components[Node];
+  return component_in<Graph, at.array>(state, at.index);
+}
+
+template <class Graph, int Array, class State>
+CCA_INLINE auto& sample_in(State& state, int index) {
+  return part_of<stored_array<Graph, Array>>(state).all[index];
+}
+
+}  // namespace cca::detail

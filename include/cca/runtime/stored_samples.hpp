@@ -1,0 +1,230 @@
+// Stored samples: each type knows how it is stored, what it shows in beat k, and when that arrived.
+//
+//   put(coordinates, origin, k)   a sample is published in beat k
+//   show(k, delay)                what a reader with this delay sees in beat k; null: nothing has arrived yet
+//   arrived(k, delay)             the beat in which that arrived; -1: nothing has
+//
+// Which type an output has is decided in graph/plan/storage.hpp. All of them are plain values: a copy is a
+// snapshot.
+#pragma once
+
+#include <cstdint>
+#include <new>
+#include <tuple>
+#include <utility>
+
+#include <cca/base/eigen.hpp>
+#include <cca/base/inlining.hpp>
+#include <cca/component/fault.hpp>
+#include <cca/component/clock.hpp>
+#include <cca/graph/plan/items.hpp>
+#include <cca/space/origin.hpp>
+
+namespace cca::detail {
+
+// Coordinates and time of origin. Eigen's vectors are not trivially copyable, but a controller of trivial
+// components is: so the vector lives in bytes.
+template <int Size>
+class stored_sample {
+  using vector_type = Eigen::Matrix<double, Size, 1>;
+
+public:
+  stored_sample() { ::new (static_cast<void*>(bytes)) vector_type(vector_type::Zero()); }
+
+  CCA_INLINE vector_type& vector() { return *std::launder(reinterpret_cast<vector_type*>(bytes)); }
+  CCA_INLINE const vector_type& vector() const {
+    return *std::launder(reinterpret_cast<const vector_type*>(bytes));
+  }
+  CCA_INLINE std::int64_t origin() const { return time; }
+
+  CCA_INLINE void store(const vector_type& v, std::int64_t origin) {
+    vector() = v;
+    time = origin;
+  }
+
+private:
+  alignas(vector_type) unsigned char bytes[sizeof(vector_type)];
+  std::int64_t time = never;
+};
+
+// The newest beat up to k in which a known clock ticks; -1 if none.
+constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
+  if (k < c.first) return -1;
+  return c.period == 1 ? k : k - (k - c.first) % c.period;
+}
+
+// ---- of_beat ----
+
+// What a component returned, where it returned it. Nobody reads it in a later beat. The component may not
+// have been called in this beat, unless `InEachBeat`.
+template <bool InEachBeat>
+struct call_mark {
+  bool was_called = false;
+};
+template <>
+struct call_mark<true> {};
+
+template <class Result, bool InEachBeat>
+class result_of_beat : call_mark<InEachBeat> {
+public:
+  CCA_INLINE result_of_beat() {}
+
+  // Where the result is to be built.
+  CCA_INLINE void* place() {
+    if constexpr (!InEachBeat) this->was_called = true;
+    return &result;
+  }
+
+  // The output number `Position` among the results; a fault is none.
+  template <int Position>
+  CCA_INLINE const auto& output() const {
+    return element<Position>(result);
+  }
+  template <int Position>
+  CCA_INLINE std::int64_t arrived(std::int64_t k) const {
+    if constexpr (!InEachBeat)
+      if (!this->was_called) return -1;
+    if constexpr (requires { output<Position>().operator bool(); }) return output<Position>() ? k : -1;
+    else return k;
+  }
+
+private:
+  template <int Position, class Output>
+  CCA_INLINE static const Output& element(const Output& one) {
+    return one;
+  }
+  template <int Position, class... Outputs>
+  CCA_INLINE static const auto& element(const std::tuple<Outputs...>& all) {
+    constexpr int index = [] {
+      constexpr bool is_output[] = {!std::is_same_v<Outputs, fault>...};
+      int found = 0;
+      for (int seen = -1; (seen += is_output[found]) < Position;) ++found;
+      return found;
+    }();
+    return std::get<static_cast<std::size_t>(index)>(all);
+  }
+
+  union {
+    Result result;
+  };
+};
+
+// ---- newest ----
+
+// The beat of the last publication, where the clock doesn't tell.
+template <bool IsStored>
+struct publication_beat {
+  std::int64_t published_in = -1;
+};
+template <>
+struct publication_beat<false> {};
+
+// The newest sample. It holds an initial value, of origin `never`, until there is one.
+template <int Size, clock Published>
+struct newest_sample : stored_sample<Size>, publication_beat<Published.dynamic()> {
+  template <class Vector>
+  CCA_INLINE void put(const Vector& v, std::int64_t origin, [[maybe_unused]] std::int64_t k) {
+    this->store(v, origin);
+    if constexpr (Published.dynamic()) this->published_in = k;
+  }
+  CCA_INLINE const stored_sample<Size>* show(std::int64_t, int) const { return this; }
+  CCA_INLINE std::int64_t arrived([[maybe_unused]] std::int64_t k, [[maybe_unused]] int delay) const {
+    if constexpr (Published.never()) return -1;
+    else if constexpr (Published.known()) return newest_tick(shifted(Published, delay), k);
+    else return this->published_in < 0 ? -1 : this->published_in + delay;
+  }
+};
+
+// ---- past ----
+
+// The last samples. Depth is a power of two, and enough for all readers.
+template <int Size, int Depth, clock Published>
+class past_samples {
+public:
+  template <class Vector>
+  CCA_INLINE void put(const Vector& v, std::int64_t origin, std::int64_t k) {
+    entry& e = entries[index_in_ring(Published.known() ? (k - Published.first) / Published.period : count++)];
+    e.store(v, origin);
+    e.published_in = k;
+  }
+  CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const {
+    return newest_arrived(k, delay);
+  }
+  CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
+    const entry* e = newest_arrived(k, delay);
+    return e ? e->published_in + delay : -1;
+  }
+
+private:
+  struct entry : stored_sample<Size> {
+    std::int64_t published_in = -1;
+  };
+
+  CCA_INLINE static std::size_t index_in_ring(std::int64_t number) {
+    return static_cast<std::size_t>(number) & static_cast<std::size_t>(Depth - 1);
+  }
+
+  CCA_INLINE const entry* newest_arrived(std::int64_t k, int delay) const {
+    std::int64_t number = -1;
+    if constexpr (Published.known()) {
+      const std::int64_t newest = k - delay;
+      number = newest < Published.first ? -1 : (newest - Published.first) / Published.period;
+    } else {
+      number = count - 1;
+      // At most `Depth` samples are newer than the one that has arrived: older ones have been overwritten.
+      while (number >= 0 && entries[index_in_ring(number)].published_in + delay > k) --number;
+    }
+    return number < 0 ? nullptr : &entries[index_in_ring(number)];
+  }
+
+  entry entries[Depth];
+  std::int64_t count = 0;
+};
+
+// ---- queue ----
+
+// Samples that wait at an input, and the one that its component took last.
+template <int Size, int Capacity, full_kind Full>
+class waiting_samples {
+public:
+  // False: it was full, and the sample is lost.
+  template <class Vector>
+  CCA_INLINE bool put(const Vector& v, std::int64_t origin) {
+    if (count == Capacity) {
+      if constexpr (Full != full_kind::drop_oldest) return false;
+      remove_oldest();
+    }
+    const int at = head + count;
+    ring[at < Capacity ? at : at - Capacity].store(v, origin);
+    ++count;
+    return true;
+  }
+
+  // The oldest that waits, or else what was taken last.
+  CCA_INLINE const stored_sample<Size>* show(std::int64_t = 0, int = 0) const {
+    const stored_sample<Size>& oldest = count > 0 ? ring[head] : taken;
+    return oldest.origin() == never ? nullptr : &oldest;
+  }
+  CCA_INLINE std::int64_t arrived(std::int64_t k, int = 0) const { return count > 0 ? k : -1; }
+  CCA_INLINE bool is_empty() const { return count == 0; }
+  CCA_INLINE std::int64_t origin_of_taken() const { return taken.origin(); }
+
+  // Removes the sample that the component has seen.
+  CCA_INLINE void take() {
+    if (count == 0) return;
+    taken = ring[head];
+    remove_oldest();
+  }
+
+private:
+  CCA_INLINE void remove_oldest() {
+    head = head + 1 == Capacity ? 0 : head + 1;
+    --count;
+  }
+
+  stored_sample<Size> ring[Capacity];
+  stored_sample<Size> taken;
+  int head = 0, count = 0;
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,72 @@
+// The record that a device sends, described once: its fields in order, each with a name and a space. Writers
+// and readers take their places from it, so no offset is written twice.
+//
+//   struct imu_record : cca::robots::record_of<cca::robots::field<"orientation", orientation>,
+//                                              cca::robots::field<"acceleration", acceleration>> {};
+//   imu_record::part<"acceleration">(v) << 0, 0, 9.81;      // a writer
+//   const auto up = imu_record::part<"acceleration">(v)[2];   // a reader
+//
+// The space of a field says unit, frame and how many numbers it has. Cost: constants.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include <cca/base/fixed_string.hpp>
+#include <cca/base/joined_names.hpp>
+#include <cca/robots/items.hpp>
+#include <cca/space/space.hpp>
+
+namespace cca::robots {
+
+template <fixed_string Name, Space Unit>
+struct field {
+  static constexpr auto name = Name;
+  using space = Unit;
+  static constexpr int size = Unit::size;
+};
+
+template <class... Fields>
+struct record_of {
+  using fields = items<Fields...>;
+  static constexpr int size = (Fields::size + ...);  // numbers
+
+  template <fixed_string Name>
+  static constexpr auto part(auto& numbers) {
+    constexpr int i = index_of(Name.view());
+    static_assert(i < int(sizeof...(Fields)), "cca::robots::record_of: the record has no field of this name");
+    return numbers.template segment<sizes[std::size_t(i)]>(starts[std::size_t(i)]);
+  }
+
+private:
+  static constexpr std::array<std::string_view, sizeof...(Fields)> names{Fields::name.view()...};
+  static constexpr std::array<int, sizeof...(Fields)> sizes{Fields::size...};
+  static constexpr auto starts = [] {
+    std::array<int, sizeof...(Fields)> all{};
+    for (std::size_t i = 1; i < all.size(); ++i) all[i] = all[i - 1] + sizes[i - 1];
+    return all;
+  }();
+  static constexpr int index_of(std::string_view name) {
+    int i = 0;
+    while (i < int(names.size()) && names[std::size_t(i)] != name) ++i;
+    return i;
+  }
+};
+
+namespace detail {
+
+template <fixed_string Node, class Fields>
+struct field_ports_of;
+template <fixed_string Node, class... Fields>
+struct field_ports_of<Node, items<Fields...>> {
+  using type = items<expose<cca::detail::joined_name<Node, Fields::name>, Fields::name>...>;
+};
+
+}  // namespace detail
+
+// Exposes each field of a record, which the node `Node` publishes under the field's name.
+template <fixed_string Node, class Record>
+using field_ports = typename detail::field_ports_of<Node, typename Record::fields>::type;
+
+}  // namespace cca::robots

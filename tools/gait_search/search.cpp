@@ -1,0 +1,203 @@
+// Searches parameters for the gait of examples/trot in the simulator, on all cores, and writes the best as a
+// TOML file for `trot --config`.
+//
+//   trot_search --config trot.toml --generations 40 --out found.toml
+//
+// The value of a gait is its speed, less penalties for falling, drifting, rolling and pitching. It is tried
+// on flat ground, over steps and up a slope, with new disturbances in each generation; the worst of the three
+// counts as much as their mean. So a gait that is good by luck is not kept. To adapt the trot to another
+// robot, change the robot (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+
+#include "cma_es.hpp"
+#include "../../examples/trot/report/parallel.hpp"
+#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/progress.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/report/statistics.hpp"
+
+namespace {
+
+constexpr int parameter_count = 13;
+
+// The parameters to search, each within a range.
+struct searched {
+  trot::stride_oscillator::parameters cpg;
+  trot::gait::parameters gait;
+
+  template <class Field>
+  void each(Field field) {
+    int i = 0;
+    field(i++, cpg.frequency, 2.2, 3.8);
+    field(i++, gait.duty, 0.45, 0.65);
+    field(i++, gait.front.hip, 0.5, 1.1);
+    field(i++, gait.hind.hip, 0.5, 1.1);
+    field(i++, gait.front.knee, 1.2, 1.8);
+    field(i++, gait.hind.knee, 1.2, 1.8);
+    field(i++, gait.front.swing, 0.15, 0.45);
+    field(i++, gait.hind.swing, 0.15, 0.45);
+    field(i++, gait.front.lift, 0.2, 1.2);
+    field(i++, gait.hind.lift, 0.2, 1.2);
+    field(i++, gait.give, -0.1, 0.3);
+    field(i++, gait.lead, -0.15, 0.15);
+    double advance = 0.5 - gait.offsets[2];  // of the hind legs before the diagonal front legs
+    field(i++, advance, -0.1, 0.2);
+    gait.offsets = {0, 0.5, 0.5 - advance, -advance};
+  }
+};
+
+// As points of the unit cube.
+Eigen::VectorXd to_point(searched s) {
+  Eigen::VectorXd point(parameter_count);
+  s.each([&](int i, auto& value, double low, double high) { point[i] = (value - low) / (high - low); });
+  return point;
+}
+
+searched at_point(searched s, const Eigen::VectorXd& point) {
+  s.each([&](int i, auto& value, double low, double high) {
+    value = low + (high - low) * std::clamp(point[i], 0.0, 1.0);
+  });
+  return s;
+}
+
+double outside(const Eigen::VectorXd& point) {
+  return (point - point.cwiseMax(0.0).cwiseMin(1.0)).squaredNorm();
+}
+
+struct trial {
+  cca::sim::terrain ground;
+  double seconds, fast_enough;  // m/s; more speed adds no value
+};
+
+double worth(const trot::statistics& s, const trial& t) {
+  if (s.fell) return s.seconds / t.seconds - 2;
+  return 1.5 * std::min(s.cruise, t.fast_enough) - 0.3 * std::abs(s.drift) / s.seconds -
+         0.4 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
+}
+
+// `start` is a controller that is loaded and not started; each run takes a copy of it.
+double worth(const trot::trotting& start,
+             const searched& what,
+             const std::vector<trial>& trials,
+             int generation) {
+  double sum = 0, worst = 1e9;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trot::trotting controller = start;
+    controller.set<"cpg">(what.cpg);
+    controller.set<"gait">(what.gait);
+    const auto seed = 1000 + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
+    const trial& t = trials[i];
+    const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
+                                    t.seconds, [](const cca::sim::world&, double) {});
+    const double value = worth(trot::evaluate(run), t);
+    sum += value;
+    worst = std::min(worst, value);
+  }
+  return 0.5 * sum / static_cast<double>(trials.size()) + 0.5 * worst;
+}
+
+struct options {
+  std::string config, out = "found.toml";
+  int generations = 40, population = 12;
+  double seconds = 7;
+  std::uint64_t seed = 1;
+};
+
+constexpr std::string_view usage =
+    "trot_search: searches gait parameters that make the robot fast and steady, on all cores\n"
+    "\n"
+    "  --config FILE     parameters to begin with (the defaults in the code)\n"
+    "  --out FILE        the best parameters, for trot --config (found.toml)\n"
+    "  --generations N   how long to search (40)\n"
+    "  --population N    gaits per generation (12)\n"
+    "  --seconds S       of each run, simulated (7)\n"
+    "  --seed N          of the search (1)\n"
+    "  --help            this text\n";
+
+options parse(const std::vector<std::string>& arguments) {
+  options o;
+  for (std::size_t i = 0; i < arguments.size(); i += 2) {
+    const std::string& name = arguments[i];
+    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
+    const std::string& value = arguments[i + 1];
+    if (name == "--config") o.config = value;
+    else if (name == "--out") o.out = value;
+    else if (name == "--generations")
+      o.generations = static_cast<int>(trot::detail::number(name, value, 1, 1e5));
+    else if (name == "--population")
+      o.population = static_cast<int>(trot::detail::number(name, value, 4, 1e4));
+    else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 3, 1000);
+    else if (name == "--seed") o.seed = trot::detail::whole_number(name, value);
+    else throw trot::command_line_error(name + ": no such option; --help lists them");
+  }
+  return o;
+}
+
+void search(const options& o) {
+  trot::trotting start;
+  if (o.config.empty()) start.load();
+  else start.load(o.config);
+  const searched first{start.get<"cpg">().p, start.get<"gait">().p};
+  const std::vector<trial> trials{{cca::sim::terrain::flat(), o.seconds, 0.72},
+                                  {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.55},
+                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.55}};
+
+  gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
+  searched best = first;
+  double best_worth = worth(start, first, trials, 0);
+  trot::progress_bar bar("search");
+  const double total = o.generations * static_cast<double>(o.population + 1);
+  for (int generation = 0; generation < o.generations; ++generation) {
+    // The last point is the mean of the generation before: only means become the result.
+    std::vector<Eigen::VectorXd> points = evolution.ask();
+    points.push_back(evolution.mean());
+    std::vector<double> values(points.size());
+    trot::on_all_cores(
+        points.size(),
+        [&](std::size_t i) {
+          const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
+          values[i] = worth(start, at_point(first, points[i]), trials, draw) - outside(points[i]);
+        },
+        [&](std::size_t finished) {
+          char note[80];
+          std::snprintf(note, sizeof note, "generation %d, best %.3f, step %.3f", generation + 1, best_worth,
+                        evolution.step());
+          bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(finished)) / total,
+                   note);
+        });
+    if (values.back() > best_worth) {
+      best_worth = values.back();
+      best = at_point(first, points.back());
+    }
+    values.pop_back();
+    evolution.tell(values);
+  }
+  bar.done();
+
+  trot::trotting found = start;
+  found.set<"cpg">(best.cpg);
+  found.set<"gait">(best.gait);
+  found.save(o.out);
+  std::cout << "worth " << best_worth << "; written to " << o.out << '\n';
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return trot::program("trot_search", [&] {
+    const std::vector<std::string> asked(arguments + 1, arguments + count);
+    if (trot::asks_for_help(asked)) std::cout << usage;
+    else search(parse(asked));
+    return 0;
+  });
+}

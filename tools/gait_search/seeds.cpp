@@ -1,0 +1,126 @@
+// The trot from many disturbance seeds, on all cores: how often it falls, how fast it is, how straight.
+//
+//   trot_seeds --config trot.toml --count 100 --summary seeds.json
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+
+#include "../../examples/trot/report/parallel.hpp"
+#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/progress.hpp"
+#include "../../examples/trot/rollout.hpp"
+#include "../../examples/trot/report/statistics.hpp"
+
+namespace {
+
+struct options {
+  std::string config, summary;
+  cca::sim::terrain ground = cca::sim::terrain::flat();
+  std::uint64_t first = 0, count = 100;
+  double seconds = 20;
+};
+
+constexpr std::string_view usage =
+    "trot_seeds: the trot from many disturbances, on all cores\n"
+    "\n"
+    "  --config FILE     parameters (the defaults in the code)\n"
+    "  --first N         the first seed (0)\n"
+    "  --count N         how many (100)\n"
+    "  --seconds S       of each, simulated (20)\n"
+    "  --terrain T       flat, slope[:degrees] or steps[:millimetres] (flat)\n"
+    "  --summary FILE    falls, speed and drift as one JSON object\n"
+    "  --help            this text\n";
+
+options parse(const std::vector<std::string>& arguments) {
+  options o;
+  for (std::size_t i = 0; i < arguments.size(); i += 2) {
+    const std::string& name = arguments[i];
+    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
+    const std::string& value = arguments[i + 1];
+    if (name == "--config") o.config = value;
+    else if (name == "--summary") o.summary = value;
+    else if (name == "--terrain") o.ground = trot::detail::ground(value);
+    else if (name == "--first") o.first = trot::detail::whole_number(name, value);
+    else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
+    else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 1, 3600);
+    else throw trot::command_line_error(name + ": no such option; --help lists them");
+  }
+  return o;
+}
+
+void run(const options& o) {
+  trot::trotting start;
+  if (o.config.empty()) start.load();
+  else start.load(o.config);
+
+  std::vector<trot::statistics> all(o.count);
+  trot::progress_bar bar("seeds");
+  trot::on_all_cores(
+      all.size(),
+      [&](std::size_t i) {
+        trot::trotting controller = start;
+        const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
+        all[i] = trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
+                                               [](const cca::sim::world&, double) {}));
+      },
+      [&](std::size_t finished) {
+        bar.show(static_cast<double>(finished) / static_cast<double>(all.size()));
+      });
+  bar.done();
+
+  std::size_t falls = 0;
+  double slowest = 1e9, sum = 0, aside = 0, roll = 0, pitch = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const trot::statistics& s = all[i];
+    if (all.size() <= 20 || s.fell)
+      std::printf("  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg%s\n",
+                  static_cast<std::size_t>(o.first) + i, s.speed, s.drift, s.max_roll * 57.2958,
+                  s.max_pitch * 57.2958, s.fell ? "  FELL" : "");
+    roll = std::max(roll, s.max_roll);
+    pitch = std::max(pitch, s.max_pitch);
+    if (s.fell) {
+      ++falls;
+      continue;
+    }
+    sum += s.speed;
+    slowest = std::min(slowest, s.speed);
+    aside = std::max(aside, std::abs(s.drift) / s.distance);
+  }
+  const double stood = static_cast<double>(all.size() - falls),
+               rate = static_cast<double>(falls) / static_cast<double>(all.size());
+  const double mean = stood > 0 ? sum / stood : 0;
+  if (falls == all.size()) slowest = 0;
+  std::printf(
+      "%zu seeds, %.0f s each, %s: %zu fell (%.1f %%); speed %.3f m/s on average, %.3f at least; drift up to "
+      "%.1f %%; "
+      "roll up to %.1f, pitch up to %.1f deg\n",
+      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, mean, slowest, 100 * aside,
+      roll * 57.2958, pitch * 57.2958);
+  if (o.summary.empty()) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, "
+                "\"least_speed_m_s\": %.6g, "
+                "\"greatest_drift_share\": %.6g}\n",
+                all.size(), falls, rate, mean, slowest, aside);
+  trot::write(o.summary, [&](std::ostream& file) { file << text; });
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return trot::program("trot_seeds", [&] {
+    const std::vector<std::string> asked(arguments + 1, arguments + count);
+    if (trot::asks_for_help(asked)) std::cout << usage;
+    else run(parse(asked));
+    return 0;
+  });
+}
