@@ -143,10 +143,7 @@ public:
 
 private:
   void add(const strategy& s, const std::string& where) {
-    constexpr const char* names[] = {"default",  "timed",          "restless",    "moderate",
-                                     "timeout",  "port_triggered", "coordinated", "full_speed",
-                                     "inactive", "any_of",         "all_of",      "user"};
-    ++counts[(s.is == strategy::user ? "user: " + s.names[0] : names[s.is]) + where];
+    ++counts[(s.is == strategy::user ? "user: " + s.names[0] : strategy_names[s.is]) + where];
     if (s.is == strategy::timed && s.phase != 0) ++counts["timed with a phase" + where];
     for (const strategy& part : s.parts) add(part, where);
   }

@@ -14,6 +14,8 @@
 // clang-format on
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -35,20 +37,14 @@ inline strategy read_strategy(std::istream& from) {
     int count = 0;
     for (from >> count; count > 0; --count) s.parts.push_back(read_strategy(from));
   };
-  if (word == "default") s.is = strategy::by_default;
-  else if (word == "timed") s.is = strategy::timed, from >> s.n >> s.phase;
-  else if (word == "restless") s.is = strategy::restless;
-  else if (word == "moderate") s.is = strategy::moderate;
-  else if (word == "timeout") s.is = strategy::timeout, from >> s.n;
-  else if (word == "port_triggered") s.is = strategy::port_triggered, names();
-  else if (word == "coordinated") s.is = strategy::coordinated;
-  else if (word == "full_speed") s.is = strategy::full_speed;
-  else if (word == "inactive") s.is = strategy::inactive;
-  else if (word == "any_of") s.is = strategy::any_of, parts();
-  else if (word == "all_of") s.is = strategy::all_of, parts();
-  else if (word == "user")
-    s.is = strategy::user, s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
-  else throw std::runtime_error("description: no strategy '" + word + "'");
+  const auto found = std::find(std::begin(strategy_names), std::end(strategy_names), word);
+  if (found == std::end(strategy_names)) throw std::runtime_error("description: no strategy '" + word + "'");
+  s.is = static_cast<strategy::kind>(found - std::begin(strategy_names));
+  if (s.is == strategy::timed) from >> s.n >> s.phase;
+  if (s.is == strategy::timeout) from >> s.n;
+  if (s.is == strategy::port_triggered) names();
+  if (s.is == strategy::any_of || s.is == strategy::all_of) parts();
+  if (s.is == strategy::user) s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
   return s;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <iterator>
 #include <vector>
 
 #include "firing.hpp"
@@ -33,6 +34,12 @@ struct strategy {
   std::vector<std::string> names;  // port_triggered; user: its name and its port
   std::vector<strategy> parts;     // any_of, all_of
 };
+
+// In the order of the enumerators; the words of a description, too.
+inline constexpr const char* strategy_names[] = {"default",  "timed",          "restless",    "moderate",
+                                                 "timeout",  "port_triggered", "coordinated", "full_speed",
+                                                 "inactive", "any_of",         "all_of",      "user"};
+static_assert(std::size(strategy_names) == strategy::user + 1, "each strategy has a name");
 
 struct publication {
   std::int64_t beat = 0;

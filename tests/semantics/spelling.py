@@ -156,11 +156,9 @@ def code(made):
     lines.append(f'constexpr char text[] = R"({text(made)})";')
     closed = f"}}  // namespace architecture_{made.seed}\n"
     top = f"architecture_{made.seed}::top"
-    as_long = []  # as graphs of very many functions are: cut into parts, and each function simplified once
+    as_long = []  # cut into parts, as graphs of very many functions are
     if made.seed % 3 == 0:
         as_long.append(f"template <>\nconstexpr int cca::detail::calls_in_part<{top}> = {1 + made.seed % 4};")
-    if made.seed % 5 == 0:
-        as_long.append(f"template <>\nconstexpr bool cca::detail::simplified_once<{top}> = true;")
     if as_long:
         lines += [f"\n{closed}", *as_long, f"namespace architecture_{made.seed} {{"]
     crews = [path for path, leaf, _ in flat(made)[0] if leaf.skeleton and leaf.skeleton[0] == "on_threads"]

@@ -18,9 +18,9 @@ namespace detail {
 
 // A template, so that it is compiled only where a graph is described.
 template <class String>
-class describing {
+class picture_writer {
 public:
-  explicit describing(const flat_view& graph) : g(graph) {}
+  explicit picture_writer(const flat_view& graph) : g(graph) {}
 
   String mermaid() {
     text = "flowchart LR\n";
@@ -140,11 +140,11 @@ template <class Graph>
 struct describe {
   static std::string mermaid() {
     auto plan = detail::plan_of<Graph>;
-    return detail::describing<std::string>(plan.view()).mermaid();
+    return detail::picture_writer<std::string>(plan.view()).mermaid();
   }
   static std::string dot() {
     auto plan = detail::plan_of<Graph>;
-    return detail::describing<std::string>(plan.view()).dot();
+    return detail::picture_writer<std::string>(plan.view()).dot();
   }
 };
 
