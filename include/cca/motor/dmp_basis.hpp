@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include <cca/base/clang_inlining.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca {
@@ -71,7 +72,7 @@ activations<N> discrete_activations(double x, double decay) {
 
 // One sine and cosine for all: the addition theorem turns cos(phi - c_i) on to the next centre.
 template <int N>
-[[gnu::always_inline]] inline activations<N> rhythmic_activations(double phase) {
+[[clang::always_inline]] inline activations<N> rhythmic_activations(double phase) {
   const double turn_cos = std::cos(2 * std::numbers::pi / N), turn_sin = std::sin(2 * std::numbers::pi / N);
   constexpr double least = -700;  // of more than 140 functions: too small to count
   activations<N> psi;
