@@ -72,8 +72,7 @@ struct steadying {
 private:
   // The change of angles that brings the leg's foot to a point.
   template <class Leg>
-  [[gnu::always_inline]] Eigen::Vector3d way(const Eigen::Vector3d& joints,
-                                             const Eigen::Vector3d& point) const {
+  Eigen::Vector3d way(const Eigen::Vector3d& joints, const Eigen::Vector3d& point) const {
     const cca::chain_pose<Leg> leg(joints);
     const Eigen::Matrix3d jacobian = leg.jacobian().template bottomRows<3>();
     const Eigen::Vector3d missing = (point - leg.tip().at).cwiseMax(-p.most).cwiseMin(+p.most);

@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>
@@ -94,14 +95,14 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  // always_inline, here and below: without it clang leaves calls in the beat.
-  [[gnu::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
+  // clang::always_inline, here and below: without it clang leaves calls in the beat.
+  [[clang::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
     return has_learned && Rule::inside(known, x, s);
   }
-  [[gnu::always_inline]] trained_region region(const input& x, const settings& s) const {
+  [[clang::always_inline]] trained_region region(const input& x, const settings& s) const {
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
-  [[gnu::always_inline]] auto status(const input& x, const settings& s) const {
+  [[clang::always_inline]] auto status(const input& x, const settings& s) const {
     return status_of(now, region(x, s));
   }
 
