@@ -3,9 +3,9 @@
 
 usage: markdown.py [--write] [ROOT of the repository | PAGE.md ...]
 
-Checked are paragraphs, list items and quotes; not headings, tables, code, HTML and link definitions. A bold phrase that
-begins a line ("**Faults.** A component ...") is a heading in the line, not a sentence. What stands in brackets or quotation
-marks belongs to the sentence around it. --write rewrites the pages.
+Checked are paragraphs, list items and quotes; not headings, tables, code, formulas, HTML and link definitions. A bold
+phrase that begins a line ("**Faults.** A component ...") is a heading in the line, not a sentence. What stands in brackets
+or quotation marks belongs to the sentence around it. --write rewrites the pages.
 """
 import pathlib
 import re
@@ -91,7 +91,7 @@ def arranged(lines):
 
 def blocks(lines):
     """Yields (first line, end, prefix of the first line, prefix of the others) of what is checked."""
-    i, fence, comment = 0, None, False
+    i, fence, comment, math = 0, None, False, False
     indent = 0  # where the text of the list item begins that we are in
     while i < len(lines):
         line = lines[i]
@@ -102,6 +102,9 @@ def blocks(lines):
             i += 1
         elif comment or line.lstrip().startswith("<!--"):
             comment = "-->" not in line
+            i += 1
+        elif math or line.lstrip().startswith("$$"):
+            math = not line.rstrip().endswith("$$") or not math and line.strip() == "$$"
             i += 1
         elif mark:
             fence = mark[1]

@@ -41,6 +41,7 @@ class Markdown(unittest.TestCase):
         self.passes("# A heading. With a dot\n\nOne sentence.\nAnother one:\n\n- an item\n- one more. \n  With two sentences.\n\n> A quote.\n> It goes on.\n")
         self.passes("| a. B | c |\n|---|---|\n| One. Two. | three |\n")
         self.passes("```cpp\n// One. Two.\nint\nx;\n```\n\n~~~\nOne. Two.\n~~~\n\n    One. Two.\n")
+        self.passes("$$a = b,\\qquad\nc = d$$\nThen.\n\n$$\na = b\n$$\n\n$$a. B = c$$\n")
         self.passes("- An item with code:\n  ```sh\n  one. Two\n  three\n  ```\n")
         self.passes("<!-- One. Two.\nThree. -->\n<p>One. Two.</p>\n\n[a]: http://b.c\n\n---\n")
         self.passes("A sentence that ends here.\ng++ begins the next one in a line of its own.\n")
