@@ -6,16 +6,12 @@
 #include <atomic>
 #include <deque>
 #include <functional>
-#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
-#include <string_view>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -71,28 +67,44 @@ struct ramp {
   auto process(cca::beat) -> cca::out<"angle", angles> { return value += 0.001; }
 };
 
-// A ramp drives every joint through a limiter.
-template <class... Items>
-struct joints_moved : cca::graph<cca::node<"ramp", ramp>,
-                                 cca::node<"limits", cca::limiter<angles>>,
-                                 cca::wire<"ramp.angle", "limits.command">,
-                                 Items...> {};
+template <class Joint>
+struct moved : cca::graph<cca::node<"ramp", ramp>,
+                          cca::node<"limits", cca::limiter<angles>>,
+                          cca::node<"joint", Joint>,
+                          cca::wire<"ramp.angle", "limits.command">,
+                          cca::wire<"limits.safe", "joint.command">> {};
 
-template <cca::fixed_string Name, class Joint>
-struct driven : cca::graph<cca::node<"joint", Joint>, cca::expose<"joint.command", "command">> {};
-
-template <class Graph>
+// What a user's main function does with it.
+template <class Joint>
 void use() {
-  static_assert(cca::well_formed<Graph>);
-  cca::controller<Graph> controller;
+  cca::controller<moved<Joint>> controller;
   controller.load();
   controller.start();
   controller.step();
-  controller.run(cca::for_beats<3>{});
-  if constexpr (std::is_copy_constructible_v<cca::controller<Graph>>) {
-    cca::controller<Graph> copy = controller;
+  if constexpr (std::is_copy_constructible_v<Joint>) {
+    cca::controller<moved<Joint>> copy = controller;
     copy.step();
-    copy = controller;
   }
-  controller.stop();
+}
+
+}  // namespace
+
+void use_members_of_many_kinds();
+void use_members_of_many_kinds() {
+  use<member_after<std::vector<double>>>();
+  use<member_before<std::vector<double>>>();
+  use<member_after<std::unique_ptr<int>>>();
+  use<member_before<std::unique_ptr<int>>>();
+  use<member_after<std::optional<std::vector<int>>>>();
+  use<member_before<std::optional<std::vector<int>>>>();
+  use<member_without_initializer<std::vector<double>>>();
+  use<member_and_constructor<std::unique_ptr<int>>>();
+  use<member_after<std::tuple<color, std::array<double, 3>, Eigen::Vector3d, Eigen::VectorXd>>>();
+  use<member_after<std::pair<aggregate, std::variant<int, std::vector<int>>>>>();
+  use<member_before<std::map<int, std::string>>>();
+  use<member_after<std::function<void()>>>();
+  use<member_before<std::shared_ptr<std::vector<int>>>>();
+  use<member_after<std::deque<std::string>>>();
+  use<member_before<std::atomic<int>>>();
+  use<member_after<std::mutex>>();
 }

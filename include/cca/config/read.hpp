@@ -20,7 +20,9 @@ namespace cca::detail {
 
 inline std::string shortened(std::string_view text) {
   constexpr std::size_t longest = 40;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
+  std::string shown(text.substr(0, longest));
+  if (text.size() > longest) shown.append("...");
+  return shown;
 }
 
 // `a string "fast"`, `the integer 3`
