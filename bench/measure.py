@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, skills, drives, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -31,6 +31,7 @@ COMPILERS = ("g++", "clang++-19")
 FORMS = ("graph", "by_hand", "classical")
 TROT_FLAGS = (["-O2"], ["-O3"], ["-O2", "-march=x86-64-v3"], ["-O3", "-march=x86-64-v3"])
 SIZES = (10, 30, 100, 300)
+COPIES_FLAGS = ["-O3", "-march=x86-64-v3"]
 SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
 SYNTHETIC_BEATS = (200, 600)  # whole periods of the slowest clock, few enough for 300 virtual components under callgrind
@@ -202,6 +203,22 @@ def skeletons(work):
     return rows
 
 
+def copies(work):
+    """Samples of eight axes through 22 nodes: what handing them over costs."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "copies"
+        build(compiler, [*COPIES_FLAGS, "-ffp-contract=off"], HERE / "copies.cpp", program)
+        for style in ("filled", "returned", "expressions"):
+            run([str(program), style, "check"])
+            row = {"style": style, "compiler": compiler}
+            for form in ("graph", "by_hand"):
+                row[form] = {"instructions": instructions(program, style, form)}
+            rows.append(row)
+            print("copies", compiler, style, {f: row[f]["instructions"] for f in ("graph", "by_hand")}, flush=True)
+    return rows
+
+
 def compile_once(compiler, source):
     """User and system seconds, and megabytes."""
     child = subprocess.Popen([compiler, "-std=c++20", "-O2", *INCLUDES, "-c", str(source), "-o", "/dev/null"], stderr=subprocess.DEVNULL)
@@ -278,7 +295,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "skills": skills, "drives": drives, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

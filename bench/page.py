@@ -131,6 +131,23 @@ Calls left in the beats of all of them: {"; ".join(calls_left)}.
 {measured(part)}"""
 
 
+COPIED = {"filled": "fill their output in place", "returned": "return a vector", "expressions": "use Eigen expressions"}
+
+
+def copies(part):
+    rows = [[COPIED[r["style"]], r["compiler"], both(r, "instructions"), f"**{ratio(r)}**"] for r in part["data"]]
+    return f"""## Samples of many axes
+
+A controller of 22 nodes hands on samples of eight axes; eight of the nodes have a single axis and stand between a splitter and a collector (`bench/copies.cpp`).
+It is compared with the same arithmetic by hand: a loop over the axes for each node, or Eigen vectors where the components use Eigen expressions.
+Each run checks that the two give the same bits.
+Flags: `-O3 -march=x86-64-v3`.
+Each cell reads graph / by hand.
+
+{table(["components", "compiler", "instructions per beat", "graph : by hand"], rows)}
+{measured(part)}"""
+
+
 def both(row, what):
     return " / ".join(number(row[f][what]) for f in ("graph", "by_hand"))
 
@@ -226,6 +243,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(synthetic(figures["synthetic"]))
     if "skeletons" in figures:
         parts.append(skeletons(figures["skeletons"]))
+    if "copies" in figures:
+        parts.append(copies(figures["copies"]))
     if "skills" in figures:
         parts.append(skills(figures["skills"]))
     if "drives" in figures:

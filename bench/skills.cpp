@@ -40,7 +40,7 @@ struct echo {
     for (int i = 0; i < 4; ++i) touching[i] = legs[i] < 1.2 ? 1 : 0;
     return touching;
   }
-  [[clang::always_inline]] void take(const vector8& command, const vector4& sideways, const vector4& hips) {
+  [[gnu::always_inline]] void take(const vector8& command, const vector4& sideways, const vector4& hips) {
     legs = command;
     abduction = sideways;
     stiffness = hips;

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import textwrap
 
+import markdown
 import reject
 import rules
 
@@ -126,14 +127,14 @@ def make(root, files, said):
         text += f"\n## {rule}\n\n"
         for one in sorted((r for r in known if r.rule == rule), key=lambda r: r.variant):
             text += section(one, said)
-    return re.sub(r"\n{3,}", "\n\n", text).rstrip() + "\n"
+    return markdown.rewritten(re.sub(r"\n{3,}", "\n\n", text).rstrip() + "\n")[0]
 
 
 def is_stale(file, page, said):
     one = Reject(file)
     if (file.name, COMPILERS[0]) not in said or not re.search(one.expect, said[file.name, COMPILERS[0]][1]):
         return True
-    return section(one, said) not in re.sub(r"\n{3,}", "\n\n", page) + "\n"
+    return markdown.rewritten(section(one, said))[0].strip() not in page
 
 
 def main(arguments):

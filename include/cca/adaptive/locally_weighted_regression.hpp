@@ -16,7 +16,6 @@
 // 1998 (online). Checked against the first formula written out. Example: tests/runtime/adaptive/learners.cpp.
 #pragma once
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/component/field_types.hpp>
 
@@ -43,8 +42,8 @@ struct locally_weighted_regression {
     learned() : function(), evidence(local::Zero()), seen(local::Zero()) {}
   };
 
-  // clang::always_inline: without it clang leaves a call in the beat.
-  [[clang::always_inline]] static bool inside(const learned& known, const input& x, const settings& s) {
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] static bool inside(const learned& known, const input& x, const settings& s) {
     return model::activations(x).dot(known.seen) >= s.least_seen;
   }
 

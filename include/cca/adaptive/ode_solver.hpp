@@ -7,7 +7,6 @@
 // integrator (explicit methods: eigenvalues of at most about 2 / dt). Example: tests/runtime/ode/example.cpp.
 #pragma once
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/numerics/ode_integrators.hpp>
 
 namespace cca {
@@ -26,14 +25,14 @@ public:
   const state& get() const { return x; }
   void set(const state& to) { x = to; }
 
-  // clang::always_inline, here and below: without it clang calls each step and keeps the state in memory.
-  [[clang::always_inline]] void advance(const input& u, const parameters& p, double dt) {
+  // always_inline, here and below: without it clang calls each step and keeps the state in memory.
+  [[gnu::always_inline]] void advance(const input& u, const parameters& p, double dt) {
     Integrator{}.template step<Model>(x, u, p, dt);
     if constexpr (requires { Model::project(x); }) x = Model::project(x);
   }
 
   // The rate of change of the current state under this input.
-  [[clang::always_inline]] state rate(const input& u, const parameters& p) const {
+  [[gnu::always_inline]] state rate(const input& u, const parameters& p) const {
     return Model::derivative(x, u, p);
   }
 

@@ -22,7 +22,6 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>
@@ -95,14 +94,14 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  // clang::always_inline, here and below: without it clang leaves calls in the beat.
-  [[clang::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
+  // always_inline, here and below: without it clang leaves calls in the beat.
+  [[gnu::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
     return has_learned && Rule::inside(known, x, s);
   }
-  [[clang::always_inline]] trained_region region(const input& x, const settings& s) const {
+  [[gnu::always_inline]] trained_region region(const input& x, const settings& s) const {
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;
   }
-  [[clang::always_inline]] auto status(const input& x, const settings& s) const {
+  [[gnu::always_inline]] auto status(const input& x, const settings& s) const {
     return status_of(now, region(x, s));
   }
 

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <utility>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/mapping/serial_chain.hpp>
 
 namespace cca {
@@ -28,8 +27,8 @@ struct rigid {
   matrix3 turn = matrix3::Identity();
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
-  // clang::always_inline, here and below: a chain is constant, and only inlined does clang see that.
-  [[clang::always_inline]] rigid operator*(const placement& p) const {
+  // always_inline, here and below: a chain is constant, and only inlined does clang see that.
+  [[gnu::always_inline]] rigid operator*(const placement& p) const {
     return {turn * rotation::matrix(detail::as_vector(p.rotation)),
             turn * detail::as_vector(p.translation) + at};
   }
@@ -63,9 +62,9 @@ struct placed_link {
 };
 
 template <std::size_t Count, class Coordinates>
-[[clang::always_inline]] inline void place_links(const std::array<body_link, Count>& links,
-                                                 const Coordinates& q,
-                                                 std::array<placed_link, Count>& placed) {
+[[gnu::always_inline]] inline void place_links(const std::array<body_link, Count>& links,
+                                               const Coordinates& q,
+                                               std::array<placed_link, Count>& placed) {
   const rigid base;
   for (std::size_t i = 0; i < Count; ++i) {
     const body_link& l = links[i];
@@ -164,7 +163,7 @@ public:
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 
-  [[clang::always_inline]] explicit chain_pose(const vector_type& q) {
+  [[gnu::always_inline]] explicit chain_pose(const vector_type& q) {
     detail::place_links(detail::chain_links<Chain>, q, links);
   }
 

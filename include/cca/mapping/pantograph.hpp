@@ -26,7 +26,6 @@
 #include <numbers>
 #include <type_traits>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/mapping/damped_least_squares.hpp>
 
 namespace cca {
@@ -77,8 +76,8 @@ struct plane_leg {
     double hip = 0, knee = 0, square = std::numeric_limits<double>::infinity(), change = 0;
   };
 
-  // clang::always_inline, here and below: a leg is constant, and only inlined does clang see that.
-  [[clang::always_inline]] answer solve(double x, double z, double hip_before, double knee_before) const {
+  // always_inline, here and below: a leg is constant, and only inlined does clang see that.
+  [[gnu::always_inline]] answer solve(double x, double z, double hip_before, double knee_before) const {
     search one{*this, x, z, hip_before, knee_before};
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);
     if (std::abs(cosine) <= 1)
@@ -100,20 +99,20 @@ private:
     answer best{};
 
     // With this knee, the hip that turns the foot to the target.
-    [[clang::always_inline]] void try_knee(double knee) {
+    [[gnu::always_inline]] void try_knee(double knee) {
       if (knee < leg.knee_low || knee > leg.knee_high) return;
       keep_better(nearest_in(towards + std::atan2(leg.b * std::sin(knee), leg.a + leg.b * std::cos(knee)),
                              leg.hip_low, leg.hip_high),
                   knee);
     }
     // With this hip, the knee that turns the middle segment to the target.
-    [[clang::always_inline]] void try_hip(double hip) {
+    [[gnu::always_inline]] void try_hip(double hip) {
       if (!std::isfinite(hip)) return;
       keep_better(hip, nearest_in(hip - std::atan2(x - leg.a * std::sin(hip), -(z + leg.a * std::cos(hip))),
                                   leg.knee_low, leg.knee_high));
     }
 
-    [[clang::always_inline]] void keep_better(double hip, double knee) {
+    [[gnu::always_inline]] void keep_better(double hip, double knee) {
       const double dx = leg.a * std::sin(hip) + leg.b * std::sin(hip - knee) - x,
                    dz = -leg.a * std::cos(hip) - leg.b * std::cos(hip - knee) - z;
       const double square = dx * dx + dz * dz,
@@ -147,7 +146,7 @@ public:
     reaching status;
   };
 
-  [[clang::always_inline]] static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
+  [[gnu::always_inline]] static answer solve(const typename Tip::vector_type& wanted, const vector& near) {
     answer best{near, std::numeric_limits<double>::infinity(), reaching::nearest};
     if constexpr (abducted) {
       const vector3 p = in_hip(wanted);

@@ -37,7 +37,6 @@
 #include <numbers>
 #include <tuple>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/locally_weighted_regression.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
@@ -141,11 +140,11 @@ private:
     double tau;
   };
 
-  [[clang::always_inline]] void observe_demonstration(const optional_in<"demonstration", S>& y,
-                                                      const input& x,
-                                                      const typename ode::vector& goal,
-                                                      double tau,
-                                                      double dt) {
+  [[gnu::always_inline]] void observe_demonstration(const optional_in<"demonstration", S>& y,
+                                                    const input& x,
+                                                    const typename ode::vector& goal,
+                                                    double tau,
+                                                    double dt) {
     if (!y || !y.fresh()) {
       seen_in_a_row = 0;
       return;

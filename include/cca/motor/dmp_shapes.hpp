@@ -10,7 +10,6 @@
 
 #include <string>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/motor/spaces.hpp>
@@ -44,8 +43,8 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 2, 1>;
 
-  // clang::always_inline: without it clang leaves a call in the beat.
-  [[clang::always_inline]] static cca::activations<N> activations(const input& x) {
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] static cca::activations<N> activations(const input& x) {
     return rhythmic_activations<N>(x[0]);
   }
   static double scale(const input& x) { return x[1]; }

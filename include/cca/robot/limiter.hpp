@@ -33,7 +33,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/base/unrolled.hpp>
 #include <cca/component/port.hpp>
@@ -175,7 +174,7 @@ public:
 
 private:
   // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.
-  [[clang::always_inline]] void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
+  [[gnu::always_inline]] void begin(vector_type command, vector_type measured, bool is_measured, bool now) {
     detail::rolled<Space::size>([&](int axis) {
       const double there = measured[axis], wanted = command[axis];
       const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
@@ -191,7 +190,7 @@ private:
   }
 
   // The same once more, with what is to be told of it.
-  [[clang::always_inline]] vector_type corrected(vector_type value, std::int64_t k, double dt) {
+  [[gnu::always_inline]] vector_type corrected(vector_type value, std::int64_t k, double dt) {
     detail::rolled<Space::size>([&](int axis) {
       const double wanted = value[axis];
       const auto [low, high] = limits::window(axis, last[axis], dt);

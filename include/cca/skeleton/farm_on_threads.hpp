@@ -37,7 +37,6 @@
 #include <tuple>
 #include <utility>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/skeleton/crew.hpp>
@@ -160,8 +159,8 @@ private:
   }
 
   // True if there is a whole to publish: every part has arrived and, with in_order, is new.
-  // clang::always_inline: without it clang leaves a call in the beat.
-  [[clang::always_inline]] bool take() noexcept {
+  // always_inline: without it clang leaves a call in the beat.
+  [[gnu::always_inline]] bool take() noexcept {
     if (!at_work) return false;
     if constexpr (ordered) {
       for (std::size_t i = 0; i < count; ++i)

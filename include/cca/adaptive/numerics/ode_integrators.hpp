@@ -14,19 +14,18 @@
 // (tests/runtime/ode).
 #pragma once
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/ode.hpp>
 
 namespace cca {
 
 struct explicit_euler {
   static constexpr int order = 1;
-  // clang::always_inline, here and below: without it clang calls each step and keeps the state in memory.
+  // always_inline, here and below: without it clang calls each step and keeps the state in memory.
   template <Ode Model>
-  [[clang::always_inline]] static void step(ode_state<Model>& x,
-                                            const ode_input<Model>& u,
-                                            const typename Model::parameters& p,
-                                            double dt) {
+  [[gnu::always_inline]] static void step(ode_state<Model>& x,
+                                          const ode_input<Model>& u,
+                                          const typename Model::parameters& p,
+                                          double dt) {
     const ode_state<Model> rate = Model::derivative(x, u, p);
     x += dt * rate;
   }
@@ -35,10 +34,10 @@ struct explicit_euler {
 struct semi_implicit_euler {
   static constexpr int order = 1;
   template <SecondOrderOde Model>
-  [[clang::always_inline]] static void step(ode_state<Model>& x,
-                                            const ode_input<Model>& u,
-                                            const typename Model::parameters& p,
-                                            double dt) {
+  [[gnu::always_inline]] static void step(ode_state<Model>& x,
+                                          const ode_input<Model>& u,
+                                          const typename Model::parameters& p,
+                                          double dt) {
     constexpr int positions = Model::positions, others = ode_state<Model>::RowsAtCompileTime - positions;
     const ode_state<Model> before = Model::derivative(x, u, p);
     x.template tail<others>() += dt * before.template tail<others>();
@@ -50,10 +49,10 @@ struct semi_implicit_euler {
 struct rk4 {
   static constexpr int order = 4;
   template <Ode Model>
-  [[clang::always_inline]] static void step(ode_state<Model>& x,
-                                            const ode_input<Model>& u,
-                                            const typename Model::parameters& p,
-                                            double dt) {
+  [[gnu::always_inline]] static void step(ode_state<Model>& x,
+                                          const ode_input<Model>& u,
+                                          const typename Model::parameters& p,
+                                          double dt) {
     using vector = ode_state<Model>;
     const vector k1 = Model::derivative(x, u, p);
     const vector k2 = Model::derivative(vector(x + dt / 2 * k1), u, p);

@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <numbers>
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/base/eigen.hpp>
 
 namespace cca {
@@ -74,7 +73,7 @@ activations<N> discrete_activations(double x, double decay) {
 
 // One sine and one cosine in all: the addition theorem gives cos(phi - c_i) of the next centre.
 template <int N>
-[[clang::always_inline]] inline activations<N> rhythmic_activations(double phase) {
+[[gnu::always_inline]] inline activations<N> rhythmic_activations(double phase) {
   const double turn_cos = std::cos(2 * std::numbers::pi / N), turn_sin = std::sin(2 * std::numbers::pi / N);
   constexpr double least = -700;  // with more than 140 functions: negligible
   activations<N> psi;

@@ -11,7 +11,6 @@
 // closed form (tests/runtime/motor/dmp.cpp).
 #pragma once
 
-#include <cca/base/clang_inlining.hpp>
 #include <cca/adaptive/ode.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 
@@ -28,8 +27,8 @@ struct dmp_rhythmic_ode {
   };
   static constexpr int positions = D;
 
-  // clang::always_inline: without it clang calls it four times in each step of rk4.
-  [[clang::always_inline]] static state derivative(const state& s, const input& u, const parameters& p) {
+  // always_inline: without it clang calls it four times in each step of rk4.
+  [[gnu::always_inline]] static state derivative(const state& s, const input& u, const parameters& p) {
     const vector y = s.template head<D>(), z = s.template segment<D>(D);
     const activations<N> near = rhythmic_activations<N>(s[2 * D]);
     vector forcing = vector::Zero();
