@@ -1,5 +1,5 @@
-// One call of a component's function in a beat: whether it fires, what it sees, and the call itself. What it
-// returns is published by runtime/publish.hpp.
+// One call of a component's function in a beat: whether it fires, what it sees, the call itself, and what it
+// returns.
 #pragma once
 
 #include <limits>
@@ -10,108 +10,146 @@
 
 namespace cca::detail {
 
-// The origins that count for what a component publishes.
-template <class Graph, int Input>
-inline constexpr bool counts_for_origin = is_wired<Graph, Input> && input_of<Graph, Input>.counts;
-
-// Its sample has arrived whenever the component fires, so its origin is not `never`.
-template <class Graph, int Input>
-inline constexpr bool has_surely_arrived =
-    counts_for_origin<Graph, Input> && input_of<Graph, Input>.in_beat && input_of<Graph, Input>.delay == 0;
-
-// Beats since the last firing, where the clock is known.
-template <clock Clock, bool IsTimed>
-CCA_INLINE constexpr std::int64_t beats_since(std::int64_t k) {
-  if constexpr (Clock.period == 1 || IsTimed) return Clock.period;
-  else return k == Clock.first ? 1 : Clock.period;
+// Does a function have an input with a queue?
+template <class Graph>
+constexpr bool has_queue(const call& c) {
+  for (int i = c.first_input; i < c.first_input + c.function->input_count; ++i)
+    if (is_queued(plan_of<Graph>.inputs[static_cast<std::size_t>(i)])) return true;
+  return false;
 }
 
+template <clock Clock>
+CCA_INLINE constexpr bool ticks(std::int64_t k) {
+  if constexpr (Clock.never()) return false;
+  else if constexpr (Clock.every_beat()) return true;
+  else if constexpr (Clock.period == 1) return k >= Clock.first;
+  else if constexpr (Clock.first < Clock.period)
+    return static_cast<std::uint64_t>(k) % static_cast<std::uint64_t>(Clock.period) ==
+           static_cast<std::uint64_t>(Clock.first);
+  else return k >= Clock.first && (k - Clock.first) % Clock.period == 0;
+}
+
+struct firing {
+  bool is_now = false;
+  std::int64_t beats_since = 0;  // the last one
+  std::int64_t last = -1;        // beat of the last one; -1: none
+};
+
 // `Call` is the first of all its twins; `at` says what this one touches.
-template <class Graph, int Call, class Parameters, class Inputs>
+template <class Graph, int Call, class Parameters, class Results, class Inputs>
 struct component_call_of;
 
-template <class Graph, int Call, class... Parameters, int... Position>
-struct component_call_of<Graph, Call, list<Parameters...>, std::integer_sequence<int, Position...>> {
+template <class Graph, int Call, class... Parameters, class... Results, int... Position>
+struct component_call_of<Graph,
+                         Call,
+                         list<Parameters...>,
+                         list<Results...>,
+                         std::integer_sequence<int, Position...>> {
   static constexpr const auto& c = call_of<Graph, Call>;
   static constexpr std::int64_t period = counts_of<Graph>.period;
-  using component = typename node_types<Graph, c.node>::component;
+  using types = node_types<Graph, c.node>;
+  using component = typename types::component;
   using result = typename function_called<Graph, Call>::result;
 
   const beat_context<Graph>& b;
   const call_place& at;
 
-  // Calls the function, if it fires in this beat.
+  // Calls the function if it fires in this beat, and publishes what it returns.
   CCA_INLINE static void run(const beat_context<Graph>& b, const call_place& at) {
     const component_call_of one{b, at};
-    if constexpr (c.fires.never()) {
-      return;
-    } else if constexpr (c.fires.dynamic()) {
-      one.ask_strategy();
+    const firing now = one.fires();
+    if (!now.is_now) return;
+    if constexpr (std::is_void_v<result>) {
+      one.call(now, std::index_sequence_for<Parameters...>{});
+      one.take_from_queues();
     } else {
-      constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy;
-      constexpr bool is_timed = strategy && strategy->first_dt_is_period;
-      if constexpr (!c.fires.every_beat())
-        if (!ticks<c.fires>(b.k)) return;
-      one.fire({b.k, period, beats_since<c.fires, is_timed>(b.k)},
-               b.k == c.fires.first ? -1 : b.k - c.fires.period);
+      result_of_beat<result, true> unread;  // by other calls of this beat
+      result& returned = *::new (one.place_of_result(unread))
+                             result(one.call(now, std::index_sequence_for<Parameters...>{}));
+      const std::int64_t oldest = one.origin();
+      one.take_from_queues();
+      one.publish_all(returned, oldest, std::index_sequence_for<Results...>{});
     }
   }
 
 private:
-  CCA_INLINE void ask_strategy() const {
-    last_firing& own = b.state.firings[at.firing];
-    using strategy = typename strategy_or_default<typename node_types<Graph, c.node>::strategy,
-                                                  (sizeof...(Position) > 0)>::type;
-    if (!strategy_fires<strategy>(question<Graph, Call>{b, at, own})) return;
-    if constexpr (c.stored_seen) own.oldest = oldest_seen();
-    const std::int64_t last = own.last;
-    own.last = b.k;
-    fire({b.k, period, last < 0 ? 1 : b.k - last}, last);
-  }
-
-  CCA_INLINE void fire(beat now, std::int64_t last) const {
-    constexpr auto parameters = std::index_sequence_for<Parameters...>{};
-    auto& self = component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
-    if constexpr (std::is_void_v<result>) {
-      call(self, now, last, parameters);
-      take_from_queues();
-    } else if constexpr (constexpr int array = layout_of<Graph>.results[Call].array; array >= 0) {
-      auto& stored = b.template at<array>(at.result);
-      result& returned = *::new (stored.place()) result(call(self, now, last, parameters));
-      take_from_queues();
-      publish_all<Graph, Call>(b, returned, at, origin());
+  // Settled at compile time if the clock is known; else its strategy is asked.
+  CCA_INLINE firing fires() const {
+    if constexpr (c.fires.never()) {
+      return {};
+    } else if constexpr (c.fires.dynamic()) {
+      last_firing& own = b.state.firings[at.firing];
+      using strategy =
+          typename strategy_or_default<typename types::strategy, (sizeof...(Position) > 0)>::type;
+      if (!strategy_fires<strategy>(question<Graph, Call>{b, at, own})) return {};
+      if constexpr (c.stored_seen) own.oldest = oldest_seen();
+      const std::int64_t last = own.last;
+      own.last = b.k;
+      return {true, last < 0 ? 1 : b.k - last, last};
     } else {
-      result returned = call(self, now, last, parameters);
-      take_from_queues();
-      publish_all<Graph, Call>(b, returned, at, origin());
+      constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy;
+      constexpr bool is_period = c.fires.period == 1 || (strategy && strategy->first_dt_is_period);
+      const bool is_first = b.k == c.fires.first;
+      return {ticks<c.fires>(b.k), is_period || !is_first ? c.fires.period : 1,
+              is_first ? -1 : b.k - c.fires.period};
     }
   }
 
   // The arguments are made in place: a function in between would copy them.
   template <std::size_t... I>
-  CCA_INLINE result call(component& self, beat now, std::int64_t last, std::index_sequence<I...>) const {
+  CCA_INLINE result call(const firing& now, std::index_sequence<I...>) const {
     using ports = function_ports<list<Parameters...>, list<>>;
+    [[maybe_unused]] const beat time{b.k, period, now.beats_since};
+    auto& self = component_in<Graph, layout_of<Graph>.components[c.node].array>(b.state, at.component);
     if constexpr (c.phase == phase_of_beat::process)
-      CCA_INLINE_CALL return self.process(argument<Parameters, ports::input_of_parameter[I]>(now, last)...);
+      CCA_INLINE_CALL return self.process(
+          argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
+              b, source(ports::input_of_parameter[I]), time, now.last)...);
     else if constexpr (c.phase == phase_of_beat::sense)
-      CCA_INLINE_CALL return self.sense(argument<Parameters, ports::input_of_parameter[I]>(now, last)...);
-    else CCA_INLINE_CALL return self.act(argument<Parameters, ports::input_of_parameter[I]>(now, last)...);
+      CCA_INLINE_CALL return self.sense(
+          argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
+              b, source(ports::input_of_parameter[I]), time, now.last)...);
+    else
+      CCA_INLINE_CALL return self.act(
+          argument<Graph, Parameters, input_shown(ports::input_of_parameter[I])>::template get<Parameters>(
+              b, source(ports::input_of_parameter[I]), time, now.last)...);
   }
-  template <class Parameter, int P>
-  CCA_INLINE auto argument([[maybe_unused]] beat now, [[maybe_unused]] std::int64_t last) const {
-    if constexpr (P < 0) {
-      return now;
-    } else if constexpr (!c.function->inputs[P < 0 ? 0 : P].space) {
-      return observations<Graph, c.first_input + P>(b, last);
-    } else {
-      return input_reader<Graph, input_at<Graph, Call, P>>::template port<Parameter>(
-          b, index_of_source<Graph>(at, P), last);
-    }
+  // The number of the input at a position: the first that reads in the same way; -1 for a beat.
+  static constexpr int input_shown(int position) {
+    return position < 0 ? -1 : layout_of<Graph>.input_twin[c.first_input + position];
+  }
+  template <int P>
+  using reader = input_reader<Graph, input_shown(P)>;
+  CCA_INLINE int source(int position) const {
+    return position < 0 ? -1 : layout_of<Graph>.sources[at.first_input + position].index;
   }
 
   CCA_INLINE void take_from_queues() const {
-    (input_reader<Graph, input_at<Graph, Call, Position>>::take(b, index_of_source<Graph>(at, Position)),
-     ...);
+    if constexpr (has_queue<Graph>(c)) (reader<Position>::take(b, source(Position)), ...);
+  }
+
+  // Where the readers of this beat find the result; if there are none, in a variable of this call.
+  CCA_INLINE void* place_of_result([[maybe_unused]] result_of_beat<result, true>& unread) const {
+    constexpr int array = layout_of<Graph>.results[Call].array;
+    if constexpr (array >= 0) return b.template at<array>(at.result).place();
+    else return unread.place();
+  }
+
+  template <class Returned, std::size_t... I>
+  CCA_INLINE void publish_all(Returned& returned, std::int64_t oldest, std::index_sequence<I...>) const {
+    using ports = function_ports<list<>, list<Results...>>;
+    if constexpr (std::is_same_v<Returned, std::tuple<Results...>>)
+      (publish_one<ports::output_of_result[I]>(std::get<I>(returned), oldest), ...);
+    else publish_one<0>(returned, oldest);
+  }
+  template <int P, class One>
+  CCA_INLINE void publish_one(One& one, [[maybe_unused]] std::int64_t oldest) const {
+    if constexpr (std::is_same_v<One, fault>) {
+      if (one) b.outcome = {one.reason(), at.node};
+    } else {
+      publish<Graph, layout_of<Graph>.output_twin[c.first_output + P]>(
+          b, one, layout_of<Graph>.outputs[at.first_output + P].index, oldest);
+    }
   }
 
   // The oldest origin among the inputs as they were; where none counts, the beat's time. Where it is known
@@ -122,32 +160,16 @@ private:
     if constexpr (c.phase == phase_of_beat::sense) {
       return time;
     } else {
-      constexpr bool is_known = (has_surely_arrived<Graph, input_at<Graph, Call, Position>> || ...);
+      constexpr bool is_known = (reader<Position>::has_surely_arrived || ...);
       std::int64_t oldest = is_known ? std::numeric_limits<std::int64_t>::max() : never;
-      (add_known_origin<Position>(oldest), ...);
-      (add_other_origin<Position>(oldest), ...);
+      (reader<Position>::template add_origin<true>(oldest, b, source(Position)), ...);
+      (reader<Position>::template add_origin<false>(oldest, b, source(Position)), ...);
       if constexpr (has_observers(c)) oldest = oldest_heard<Graph, Call>(b, oldest);
       if constexpr (!is_known)
         if (oldest == never) oldest = time;
       return oldest;
     }
   }
-  template <int P>
-  CCA_INLINE void add_known_origin(std::int64_t& oldest) const {
-    constexpr int input = input_at<Graph, Call, P>;
-    if constexpr (has_surely_arrived<Graph, input>) {
-      const std::int64_t one = input_reader<Graph, input>::origin(b, index_of_source<Graph>(at, P));
-      oldest = one < oldest ? one : oldest;
-    }
-  }
-  template <int P>
-  CCA_INLINE void add_other_origin(std::int64_t& oldest) const {
-    constexpr int input = input_at<Graph, Call, P>;
-    if constexpr (counts_for_origin<Graph, input> && !has_surely_arrived<Graph, input>) {
-      oldest = older(oldest, input_reader<Graph, input>::origin_seen(b, index_of_source<Graph>(at, P)));
-    }
-  }
-
   // For `coordinated`: the oldest origin that it sees. Initial values have the lowest.
   CCA_INLINE std::int64_t oldest_seen() const {
     std::int64_t oldest = std::numeric_limits<std::int64_t>::max();
@@ -156,9 +178,8 @@ private:
   }
   template <int P>
   CCA_INLINE void add_seen(std::int64_t& oldest) const {
-    constexpr int input = input_at<Graph, Call, P>;
-    if constexpr (is_wired<Graph, input>) {
-      const std::int64_t one = input_reader<Graph, input>::origin(b, index_of_source<Graph>(at, P));
+    if constexpr (is_wired<Graph, input_shown(P)>) {
+      const std::int64_t one = reader<P>::origin(b, source(P));
       oldest = one < oldest ? one : oldest;
     }
   }
@@ -168,6 +189,7 @@ template <class Graph, int Call>
 using component_call = component_call_of<Graph,
                                          Call,
                                          typename function_called<Graph, Call>::parameters,
+                                         typename function_called<Graph, Call>::results,
                                          input_positions<Graph, Call>>;
 
 }  // namespace cca::detail

@@ -255,7 +255,7 @@ private:
 
   [[gnu::flatten]] void advance() noexcept {
     detail::beat_outcome beat_outcome;
-    detail::run_beat<Graph>(state_of_all, beat_outcome, k);
+    detail::beat_of_graph<Graph>::run(state_of_all, beat_outcome, k);
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
       if (beat_outcome.fault) fail(beat_outcome);

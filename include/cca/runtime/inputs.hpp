@@ -5,7 +5,7 @@
 // where in its array this one reads.
 #pragma once
 
-#include <cca/runtime/beat_context.hpp>
+#include <cca/runtime/state.hpp>
 
 namespace cca::detail {
 
@@ -52,10 +52,22 @@ struct input_reader {
     }
   }
 
-  // After the component has been called: of a queue, of what it took.
-  CCA_INLINE static std::int64_t origin_seen(const beat_context<Graph>& b, int index) {
-    if constexpr (kind == storage_kind::queue) return b.template at<array>(index).origin_of_taken();
-    else return origin(b, index);
+  // Does its origin count for what the component publishes? Has its sample arrived whenever the component
+  // fires?
+  static constexpr bool counts = in.writer >= 0 && in.counts;
+  static constexpr bool has_surely_arrived = counts && in.in_beat && in.delay == 0;
+
+  // Makes `oldest` the older of the two; of an input that `has_surely_arrived`, or of one that has not.
+  template <bool Sure>
+  CCA_INLINE static void add_origin([[maybe_unused]] std::int64_t& oldest,
+                                    [[maybe_unused]] const beat_context<Graph>& b,
+                                    [[maybe_unused]] int index) {
+    if constexpr (counts && has_surely_arrived == Sure) {
+      const auto* sample = shown(b, index);
+      if constexpr (Sure) oldest = sample->origin() < oldest ? sample->origin() : oldest;
+      else if constexpr (is_never_null) oldest = older(oldest, sample->origin());
+      else oldest = sample ? older(oldest, sample->origin()) : oldest;
+    }
   }
 
   // The beat in which the sample arrived; -1: nothing has.
@@ -76,9 +88,9 @@ struct input_reader {
     else return arrived(b, index) > last;
   }
 
-  // The port that the component gets.
+  // The port that the component gets; `last` is the beat in which it fired before.
   template <class Port>
-  CCA_INLINE static Port port(const beat_context<Graph>& b, int index, std::int64_t last) {
+  CCA_INLINE static Port get(const beat_context<Graph>& b, int index, beat, std::int64_t last) {
     Port port{to_be_filled{}};
     if constexpr (kind == storage_kind::none) {
       port.show_initial(initial_of_input<Graph, Input>.data());
@@ -98,6 +110,17 @@ struct input_reader {
   // After the component has seen it.
   CCA_INLINE static void take([[maybe_unused]] const beat_context<Graph>& b, [[maybe_unused]] int index) {
     if constexpr (kind == storage_kind::queue) b.template at<array>(index).take();
+  }
+};
+
+// An argument of a component's function: a port, the beat, or an observer (runtime/observe.hpp).
+template <class Graph, class Parameter, int Input>
+struct argument : input_reader<Graph, Input> {};
+template <class Graph, int Input>
+struct argument<Graph, beat, Input> {
+  template <class>
+  CCA_INLINE static beat get(const beat_context<Graph>&, int, beat now, std::int64_t) {
+    return now;
   }
 };
 

@@ -141,4 +141,15 @@ private:
   std::size_t count = 0;
 };
 
+template <class Graph, fixed_string Scope, class Policy, int Input>
+struct argument<Graph, observe<Scope, Policy>, Input> {
+  template <class>
+  CCA_INLINE static observations<Graph, Input> get(const beat_context<Graph>& b,
+                                                   int,
+                                                   beat,
+                                                   std::int64_t last) {
+    return {b, last};
+  }
+};
+
 }  // namespace cca::detail

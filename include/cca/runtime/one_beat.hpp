@@ -1,8 +1,9 @@
-// One beat of a graph: every call in its order, with the samples of the beat as locals.
+// One beat of a graph: every call in its order, with the samples of the beat as local variables.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <cca/base/inlining.hpp>
@@ -11,13 +12,6 @@
 
 namespace cca::detail {
 
-// The call that has this rank in the order of the beat.
-template <class Graph, int Rank>
-CCA_INLINE void run_call(const beat_context<Graph>& b) {
-  constexpr int call = plan_of<Graph>.order[Rank];
-  call_simplified<component_call<Graph, layout_of<Graph>.twin[call]>::run>(b, layout_of<Graph>.calls[call]);
-}
-
 // Marked unlikely: otherwise g++ treats the code after several checks as cold and optimises it for size.
 CCA_INLINE bool goes_on(const beat_outcome& outcome) {
   if (outcome.fault) [[unlikely]]
@@ -25,55 +19,67 @@ CCA_INLINE bool goes_on(const beat_outcome& outcome) {
   return true;
 }
 
-// The calls from rank `First` on, until one faults. Where a beat can end early they are one chain of
-// conditions, so that g++ sees that no later call reads what an earlier one did not write.
-template <class Graph, int First, int... Rank>
-CCA_INLINE void run_calls(const beat_context<Graph>& b, std::integer_sequence<int, Rank...>) {
-  if constexpr (counts_of<Graph>.may_fault)
-    (void)((run_call<Graph, First + Rank>(b), goes_on(b.outcome)) && ...);
-  else (run_call<Graph, First + Rank>(b), ...);
-}
+// The calls from rank `First` on.
+template <class Graph, int First, class Ranks, class BeatArrays>
+struct calls_of_beat;
+template <class Graph, int First, int... Rank, int... BeatArray>
+struct calls_of_beat<Graph,
+                     First,
+                     std::integer_sequence<int, Rank...>,
+                     std::integer_sequence<int, BeatArray...>> {
+  // Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
+  // them in memory on g++.
+  CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
+    run_calls({state, outcome, k, stored_array<Graph, BeatArray>()...});
+  }
 
-// Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
-// them in memory, on g++.
-template <class Graph, int First, int Count, int... BeatArray>
-CCA_INLINE void run_with(controller_state<Graph>& state,
-                         beat_outcome& outcome,
-                         std::int64_t k,
-                         stored_array<Graph, BeatArray>... samples) {
-  run_calls<Graph, First>(beat_context<Graph>(state, outcome, k, samples...),
-                          std::make_integer_sequence<int, Count>{});
-}
-template <class Graph, int First, int Count, int... BeatArray>
-CCA_INLINE void run_part(controller_state<Graph>& state,
-                         beat_outcome& outcome,
-                         std::int64_t k,
-                         std::integer_sequence<int, BeatArray...>) {
-  run_with<Graph, First, Count, BeatArray...>(state, outcome, k, stored_array<Graph, BeatArray>()...);
-}
+private:
+  static constexpr int call_at(int rank) { return plan_of<Graph>.order[static_cast<std::size_t>(rank)]; }
 
-// A part of a long beat: a function of its own.
-template <class Graph, int First>
-[[gnu::noinline, gnu::flatten]] void run_part_apart(controller_state<Graph>& state,
-                                                    beat_outcome& outcome,
-                                                    std::int64_t k) noexcept {
-  run_part<Graph, First, std::min(calls_in_part<Graph>, counts_of<Graph>.call_count - First)>(
-      state, outcome, k, beat_arrays<Graph>{});
-}
+  // Until one faults. Where a beat can end early the calls are one chain of conditions, so that g++ sees that
+  // no later call reads what an earlier one did not write.
+  CCA_INLINE static void run_calls([[maybe_unused]] const beat_context<Graph>& b) {
+    if constexpr (counts_of<Graph>.may_fault)
+      (void)((call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
+                  b, layout_of<Graph>.calls[call_at(First + Rank)]),
+              goes_on(b.outcome)) &&
+             ...);
+    else
+      (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
+           b, layout_of<Graph>.calls[call_at(First + Rank)]),
+       ...);
+  }
+};
 
+template <class Graph, int First, int Count>
+using part_of_beat = calls_of_beat<Graph, First, std::make_integer_sequence<int, Count>, beat_arrays<Graph>>;
+
+// A beat in parts (graph/plan/long_beats.hpp), each a function of its own.
+template <class Graph, class Parts>
+struct long_beat;
 template <class Graph, int... Part>
-CCA_INLINE void run_parts(controller_state<Graph>& state,
-                          beat_outcome& outcome,
-                          std::int64_t k,
-                          std::integer_sequence<int, Part...>) {
-  (void)((run_part_apart<Graph, Part * calls_in_part<Graph>>(state, outcome, k), goes_on(outcome)) && ...);
-}
+struct long_beat<Graph, std::integer_sequence<int, Part...>> {
+  CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
+    (void)((run_part<Part * calls_in_part<Graph>>(state, outcome, k), goes_on(outcome)) && ...);
+  }
+
+private:
+  template <int First>
+  [[gnu::noinline, gnu::flatten]] static void run_part(controller_state<Graph>& state,
+                                                       beat_outcome& outcome,
+                                                       std::int64_t k) noexcept {
+    constexpr int left = counts_of<Graph>.call_count - First;
+    part_of_beat<Graph, First, std::min(calls_in_part<Graph>, left)>::run(state, outcome, k);
+  }
+};
 
 template <class Graph>
-CCA_INLINE void run_beat(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
-  constexpr int calls = counts_of<Graph>.call_count, most = calls_in_part<Graph>;
-  if constexpr (calls <= most) run_part<Graph, 0, calls>(state, outcome, k, beat_arrays<Graph>{});
-  else run_parts(state, outcome, k, std::make_integer_sequence<int, (calls + most - 1) / most>{});
-}
+using beat_of_graph = std::conditional_t<
+    (counts_of<Graph>.call_count <= calls_in_part<Graph>),
+    part_of_beat<Graph, 0, std::min(counts_of<Graph>.call_count, calls_in_part<Graph>)>,
+    long_beat<Graph,
+              std::make_integer_sequence<int,
+                                         (counts_of<Graph>.call_count + calls_in_part<Graph> - 1) /
+                                             calls_in_part<Graph>>>>;
 
 }  // namespace cca::detail

@@ -5,7 +5,7 @@
 // array this one is stored.
 #pragma once
 
-#include <tuple>
+#include <utility>
 
 #include <cca/runtime/inputs.hpp>
 
@@ -34,55 +34,18 @@ CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, s
   if constexpr (next >= 0) put_into_queues<Graph, next>(b, v, origin);
 }
 
+// An output that a component returned.
 template <class Graph, int Output, class Result>
 CCA_INLINE void publish(const beat_context<Graph>& b, Result& result, int index, std::int64_t oldest) {
   constexpr const auto& out = output_of<Graph, Output>;
   if constexpr (requires { result.operator bool(); })
     if (!result) return;
   if (result.origin() == never) result.with_origin(oldest);
+  const auto& coordinates = std::as_const(result).vector();
   if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
-    b.template at<layout_of<Graph>.outputs[Output].array>(index).put(std::as_const(result).vector(),
-                                                                     result.origin(), b.k);
+    b.template at<layout_of<Graph>.outputs[Output].array>(index).put(coordinates, result.origin(), b.k);
   constexpr int queue = queue_from<Graph>(out.first_reader);
-  if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, std::as_const(result).vector(), result.origin());
-}
-
-// One of the results of call `Call`: an output, at `Position` among them, or a fault.
-template <class Graph, int Call, int Position, class Result>
-CCA_INLINE void publish_one(const beat_context<Graph>& b,
-                            Result& result,
-                            const call_place& at,
-                            std::int64_t oldest) {
-  if constexpr (std::is_same_v<Result, fault>) {
-    if (result) b.outcome = {result.reason(), at.node};
-  } else {
-    const int index = layout_of<Graph>.outputs[at.first_output + Position].index;
-    publish<Graph, output_at<Graph, Call, Position>>(b, result, index, oldest);
-  }
-}
-
-template <class Graph, int Call, class Result>
-CCA_INLINE void publish_all(const beat_context<Graph>& b,
-                            Result& result,
-                            const call_place& at,
-                            std::int64_t oldest) {
-  publish_one<Graph, Call, 0>(b, result, at, oldest);
-}
-template <class Graph, int Call, class... Results, std::size_t... I>
-CCA_INLINE void publish_each(const beat_context<Graph>& b,
-                             std::tuple<Results...>& results,
-                             const call_place& at,
-                             std::int64_t oldest,
-                             std::index_sequence<I...>) {
-  using ports = function_ports<list<>, list<Results...>>;
-  (publish_one<Graph, Call, ports::output_of_result[I]>(b, std::get<I>(results), at, oldest), ...);
-}
-template <class Graph, int Call, class... Results>
-CCA_INLINE void publish_all(const beat_context<Graph>& b,
-                            std::tuple<Results...>& results,
-                            const call_place& at,
-                            std::int64_t oldest) {
-  publish_each<Graph, Call>(b, results, at, oldest, std::index_sequence_for<Results...>{});
+  if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, result.origin());
 }
 
 }  // namespace cca::detail

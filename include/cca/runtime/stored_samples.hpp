@@ -207,7 +207,6 @@ public:
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int = 0) const { return count > 0 ? k : -1; }
   CCA_INLINE bool is_empty() const { return count == 0; }
-  CCA_INLINE std::int64_t origin_of_taken() const { return taken.origin(); }
 
   // Removes the sample that the component has seen.
   CCA_INLINE void take() {
