@@ -15,7 +15,7 @@ namespace cca {
 
 namespace detail {
 
-struct to_be_filled {};  // leaves the coordinates uninitialised: the beat shows others
+struct to_be_filled {};  // leaves the coordinates uninitialised: the beat fills them
 
 // The two spaces match and differ only in their names.
 template <class From, class To> concept Renames =
@@ -34,13 +34,13 @@ public:
 
   constexpr sample() {
     for (int i = 0; i < Space::size; ++i)
-      own.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
+      value.coeffRef(i) = detail::zero_of<Space>[static_cast<std::size_t>(i)];
   }
   explicit sample(detail::to_be_filled) {}
   explicit constexpr sample(const vector_type& v, std::int64_t from = never) : time(from) { copy(v); }
   template <class Vector>
   explicit constexpr sample(const Eigen::MatrixBase<Vector>& v, std::int64_t from = never)
-      : own(v), time(from) {}
+      : value(v), time(from) {}
   template <detail::Renames<Space> Other>
   constexpr sample(const sample<Other>& other) : time(other.origin()) {
     copy(other.vector());
@@ -50,13 +50,12 @@ public:
   }
   constexpr sample& operator=(const sample& other) {
     copy(other.vector());
-    place = &own;
     time = other.time;
     return *this;
   }
 
   // Coordinates in the order of the axes, in the domain's units.
-  constexpr const vector_type& vector() const { return *place; }
+  constexpr const vector_type& vector() const { return value; }
 
   // Nanoseconds since beat 0; `never` for an initial value.
   constexpr std::int64_t origin() const { return time; }
@@ -77,22 +76,14 @@ public:
   }
 
 protected:
-  // Shows coordinates that outlive this sample.
-  constexpr void show(const vector_type& elsewhere, std::int64_t from) {
-    place = &elsewhere;
-    time = from;
-  }
-
-  vector_type own;
-
-private:
-  const vector_type* place = &own;
+  vector_type value;
   std::int64_t time = never;
 
+private:
   constexpr void copy(const vector_type& from) {
     if constexpr (Space::size <= 16)
-      for (int i = 0; i < Space::size; ++i) own.coeffRef(i) = from.coeff(i);
-    else own = from;
+      for (int i = 0; i < Space::size; ++i) value.coeffRef(i) = from.coeff(i);
+    else value = from;
   }
 };
 
