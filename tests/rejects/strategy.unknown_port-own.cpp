@@ -1,4 +1,4 @@
-// EXPECT: strategy\.unknown_port: the strategy of this node looks at an input by a name that its component has no input of
+// EXPECT: strategy\.unknown_port: the strategy of this node reads an input that its component does not have
 // A strategy of your own reads inputs that the component has.
 #include "parts.hpp"
 

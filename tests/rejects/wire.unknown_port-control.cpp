@@ -1,4 +1,4 @@
-// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input that its module or its criterion has
+// EXPECT: wire\.unknown_port: a control_through<`name`, M> of this adaptive component names no control input of its module or its criterion
 // A mapping stands on an input that exists.
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/tracking.hpp>
