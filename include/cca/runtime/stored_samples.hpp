@@ -78,7 +78,8 @@ public:
   // The output number `Position` among the results; a fault is none.
   template <int Position>
   CCA_INLINE const auto& output() const {
-    return element<Position>(result);
+    if constexpr (index_of<Position>(static_cast<Result*>(nullptr)) < 0) return result;
+    else return std::get<static_cast<std::size_t>(index_of<Position>(static_cast<Result*>(nullptr)))>(result);
   }
   template <int Position>
   CCA_INLINE std::int64_t arrived(std::int64_t k) const {
@@ -89,19 +90,17 @@ public:
   }
 
 private:
+  // Of an output in a tuple of results; -1 if the result is an output and no tuple.
   template <int Position, class Output>
-  CCA_INLINE static const Output& element(const Output& one) {
-    return one;
+  static constexpr int index_of(const Output*) {
+    return -1;
   }
   template <int Position, class... Outputs>
-  CCA_INLINE static const auto& element(const std::tuple<Outputs...>& all) {
-    constexpr int index = [] {
-      constexpr bool is_output[] = {!std::is_same_v<Outputs, fault>...};
-      int found = 0;
-      for (int seen = -1; (seen += is_output[found]) < Position;) ++found;
-      return found;
-    }();
-    return std::get<static_cast<std::size_t>(index)>(all);
+  static constexpr int index_of(const std::tuple<Outputs...>*) {
+    constexpr bool is_output[] = {!std::is_same_v<Outputs, fault>...};
+    int found = 0;
+    for (int seen = -1; (seen += is_output[found]) < Position;) ++found;
+    return found;
   }
 
   union {
