@@ -136,7 +136,8 @@ private:
     }();
     using port = std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>>;
     return input_reader<Graph, input_at<Graph, Call, Position>>::template get<port>(
-        asked.b, index_of_source<Graph>(asked.at, Position), {}, asked.self.last);
+        asked.b, index_of_source<Graph>(asked.at, Position), beat_of<Graph, Call>(asked.b.k, asked.self),
+        asked.self.last);
   }
 };
 
