@@ -111,6 +111,7 @@ struct flow {
   static constexpr auto on_nan = cca::nan_policy::zero;
 };
 static_assert(listed<flow>(), "a quantity of the user's own");
+static_assert(flow::on_nan == cca::nan_policy::zero);
 static_assert(180 * cca::units_of<cca::angle>[2].factor == cca::pi);
 
 }  // namespace
