@@ -121,7 +121,7 @@ private:
   template <int P>
   using reader = input_reader<Graph, input_shown(P)>;
   CCA_INLINE int source(int position) const {
-    return position < 0 ? -1 : layout_of<Graph>.sources[at.first_input + position].index;
+    return position < 0 ? -1 : index_of_source<Graph>(at, position);
   }
 
   CCA_INLINE void take_from_queues() const {
@@ -152,9 +152,8 @@ private:
     }
   }
 
-  // The oldest origin among the inputs as they were; where none counts, the beat's time. Where it is known
-  // while compiling that a sample has arrived, nothing is asked while running: in a chain each question would
-  // depend on the one before.
+  // The oldest origin among the inputs as they were; if none counts, the beat's time. If the compiler knows
+  // that a sample has arrived, the beat does not test it: in a chain each test would wait for the one before.
   CCA_INLINE std::int64_t origin() const {
     const std::int64_t time = b.k * period;
     if constexpr (c.phase == phase_of_beat::sense) {
@@ -170,6 +169,7 @@ private:
       return oldest;
     }
   }
+
   // For `coordinated`: the oldest origin that it sees. Initial values have the lowest.
   CCA_INLINE std::int64_t oldest_seen() const {
     std::int64_t oldest = std::numeric_limits<std::int64_t>::max();

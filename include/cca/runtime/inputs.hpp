@@ -1,7 +1,7 @@
 // What an input shows when its component fires: a sample where it is stored, its origin, and whether it is
 // fresh.
 //
-// `Input` is the number of the first input that reads in the same way (graph/plan/layout.hpp); `index` says
+// `Input` is the number of the first input that reads in the same way (graph/layout/layout.hpp); `index` says
 // where in its array this one reads.
 #pragma once
 

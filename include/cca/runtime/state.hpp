@@ -1,6 +1,6 @@
 // What a beat works on: the state that a controller keeps between beats, and the samples that live for one
-// beat. Both consist of arrays of equal things (graph/plan/layout.hpp). The state is plain values, so a copy
-// is a snapshot.
+// beat. Both consist of arrays of equal things (graph/layout/layout.hpp). The state is plain values, so a
+// copy is a snapshot.
 #pragma once
 
 #include <cstdint>

@@ -55,8 +55,7 @@ constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
 
 // ---- of_beat ----
 
-// What a component returned, where it returned it. Nobody reads it in a later beat. The component may not
-// have been called in this beat, unless `InEachBeat`.
+// Whether the component was called in this beat; nothing to store if it is called in each.
 template <bool InEachBeat>
 struct call_mark {
   bool was_called = false;
@@ -64,6 +63,7 @@ struct call_mark {
 template <>
 struct call_mark<true> {};
 
+// What a component returned, where it returned it. Nobody reads it in a later beat.
 template <class Result, bool InEachBeat>
 class result_of_beat : call_mark<InEachBeat> {
 public:
