@@ -222,16 +222,12 @@ private:
     constexpr detail::place at = detail::layout_of<Graph>.outputs[Output];
     const auto& stored = detail::sample_in<Graph, at.array>(state_of_all, at.index);
     const auto* sample = stored.show(k - 1, 0);
-    static constexpr auto zero = [] {
-      std::array<double, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)> all{};
-      int c = 0;
-      for (double& one : all) one = detail::output_port_of<Graph, Output>.space->zero[c++];
-      return all;
-    }();
+    const double* values =
+        sample ? sample->vector().data() : detail::output_port_of<Graph, Output>.space->zero;
     f(observation{detail::path_of_output<Graph, Output>(),
-                  sample ? std::span<const double>{sample->vector().data(), zero.size()}
-                         : std::span<const double>{zero},
-                  sample ? sample->origin() : never, k > 0 && stored.arrived(k - 1, 0) == k - 1});
+                  {values, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)},
+                  sample ? sample->origin() : never,
+                  k > 0 && stored.arrived(k - 1, 0) == k - 1});
   }
 
   static std::string path_of(int node) {
