@@ -42,6 +42,8 @@ CCA_INLINE void publish(const beat_context<Graph>& b, Result& result, int index,
     if (!result) return;
   if (result.origin() == never) result.with_origin(oldest);
   const auto& coordinates = std::as_const(result).vector();
+  if constexpr (out.storage == storage_kind::of_beat)
+    b.template at<layout_of<Graph>.outputs[Output].array>(index).template put<out.port>();
   if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
     b.template at<layout_of<Graph>.outputs[Output].array>(index).put(coordinates, result.origin(), b.k);
   constexpr int queue = queue_from<Graph>(out.first_reader);

@@ -55,24 +55,32 @@ constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
 
 // ---- of_beat ----
 
-// Whether the component was called in this beat; nothing to store if it is called in each.
-template <bool InEachBeat>
-struct call_mark {
-  bool was_called = false;
+// How many outputs a result has; a fault is none.
+template <class Result>
+inline constexpr int outputs_in = 1;
+template <class... Outputs>
+inline constexpr int outputs_in<std::tuple<Outputs...>> = (0 + ... + !std::is_same_v<Outputs, fault>);
+
+// Which outputs were published in this beat. A result of each beat needs no marks.
+template <int Count>
+struct published_marks {
+  bool is_published[Count] = {};
 };
 template <>
-struct call_mark<true> {};
+struct published_marks<0> {};
 
 // What a component returned, where it returned it. Nobody reads it in a later beat.
 template <class Result, bool InEachBeat>
-class result_of_beat : call_mark<InEachBeat> {
+class result_of_beat : published_marks<InEachBeat ? 0 : outputs_in<Result>> {
 public:
   CCA_INLINE result_of_beat() {}
 
   // Where the result is to be built.
-  CCA_INLINE void* place() {
-    if constexpr (!InEachBeat) this->was_called = true;
-    return &result;
+  CCA_INLINE void* place() { return &result; }
+  // The output number `Position` of it is published.
+  template <int Position>
+  CCA_INLINE void put() {
+    if constexpr (!InEachBeat) this->is_published[Position] = true;
   }
 
   // The output number `Position` among the results; a fault is none.
@@ -83,9 +91,8 @@ public:
   }
   template <int Position>
   CCA_INLINE std::int64_t arrived(std::int64_t k) const {
-    if constexpr (!InEachBeat)
-      if (!this->was_called) return -1;
-    if constexpr (requires { output<Position>().operator bool(); }) return output<Position>() ? k : -1;
+    if constexpr (!InEachBeat) return this->is_published[Position] ? k : -1;
+    else if constexpr (requires { output<Position>().operator bool(); }) return output<Position>() ? k : -1;
     else return k;
   }
 
