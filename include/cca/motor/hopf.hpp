@@ -13,19 +13,23 @@
 // above the parameter `ember`: a resting oscillator still has a phase, and wakes up within ln(A / ember) / (c
 // A^2) s.
 //
-// Errors: none. While an input is not finite, the state does not change. Cost: four derivatives, an atan2 and
-// a square root. Source: equations/hopf_ode.hpp. Example: tests/runtime/motor/hopf.cpp.
+// Inputs (input_status.hpp): while one is NaN or infinite, the state stands still, phase and amplitude stay
+// and the status is `unreadable`; beyond 1e12 it is cut and the status is `clamped`. Steps that are too long
+// for the integrator are taken in closed form, so all parameters and amplitudes are stable at every rate.
+//
+// Errors: none. Cost: four derivatives, an atan2 and a square root. Source: equations/hopf_ode.hpp.
+// Example: tests/runtime/motor/hopf.cpp.
 #pragma once
 
 #include <cmath>
 #include <tuple>
 
+#include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/finite.hpp>
 #include <cca/motor/equations/hopf_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
@@ -47,8 +51,10 @@ struct hopf {
                beat now) -> std::tuple<out<"phase", over<cca::phase, Axis>>,
                                        out<"amplitude", over<cca::amplitude, Axis>>,
                                        out<"status", ode_status_port>> {
-    const hopf_ode::input u(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value());
-    if (detail::all_finite(u)) solver.advance(u, {p.convergence}, now.dt());
+    detail::input_check inputs;
+    const hopf_ode::input u =
+        inputs(hopf_ode::input(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value()));
+    if (!inputs.unreadable() && !solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
     hopf_ode::state x = solver.get();
     double radius = std::sqrt(x.dot(x));
     if (radius < p.ember) {
@@ -58,7 +64,8 @@ struct hopf {
     }
     // At the radius `ember` it counts as resting, although the state still turns.
     const double rate = radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0;
-    return {std::atan2(x[1], x[0]), radius, status_of(status.update(rate, p.settling))};
+    if (!inputs.unreadable()) status.update(rate, p.settling);
+    return {std::atan2(x[1], x[0]), radius, status_of(inputs.get(), status.get())};
   }
 
   // Begins at the radius `ember`, at rest: the status needs no reset.
