@@ -196,6 +196,10 @@ private:
 
 struct latest;  // the default policy of a wire, in graph/graph.hpp
 
+// As the policy of an `observe`: its path names one output, which must exist. It is looked for in the graph
+// of the component, then in the graphs around it. Without it a path may match nothing.
+struct one_output;
+
 // One of the samples under a scope that an `observe` listens to.
 struct observation {
   std::string_view path;           // "dmp.status.component"

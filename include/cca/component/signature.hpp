@@ -22,7 +22,7 @@ struct list {};
 struct port_info {
   std::string_view name{};
   ref<space_info> space = nullptr;  // none for an observer, which reads any space
-  bool optional = false;
+  bool optional = false;            // an observer that is not must hear one output
   bool maybe = false;
   int observed_delay = 0;
 };
@@ -57,7 +57,8 @@ constexpr int delay_of_policy = 0;
 template <fixed_string Scope, class Policy>
 struct parameter_facts<observe<Scope, Policy>> {
   static constexpr auto kind = parameter_kind::input;
-  static constexpr port_info port{Scope.view(), nullptr, true, false, delay_of_policy<Policy>};
+  static constexpr port_info port{Scope.view(), nullptr, !std::is_same_v<Policy, one_output>, false,
+                                  delay_of_policy<Policy>};
 };
 
 // A parameter may be taken by value or by reference to const.

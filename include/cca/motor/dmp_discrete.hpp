@@ -82,7 +82,7 @@ struct dmp_discrete {
       begun = true;
     } else if (restart && restart.fresh()) {
       typename ode::state x = solver.get();
-      from = x.template head<D>();
+      from = inputs(x.template head<D>());
       x.template segment<D>(2 * D) = to;
       x[3 * D] = 1;
       solver.set(x);

@@ -85,7 +85,7 @@ struct dmp_pose {
       x = ode::at_rest(from, to);
       begun = true;
     } else if (restart && restart.fresh()) {
-      from << x.template head<3>(), x.template segment<4>(6);
+      from << inputs(x.template head<3>()), x.template segment<4>(6);
       x.template segment<7>(13) = to;
       x[20] = 1;
       x = ode::project(x);

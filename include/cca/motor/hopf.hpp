@@ -46,15 +46,18 @@ struct hopf {
   };
   parameters p{1.0, 10.0, 1e-3, {0.05, 0.1}};
 
+  using result = std::tuple<out<"phase", over<cca::phase, Axis>>,
+                            out<"amplitude", over<cca::amplitude, Axis>>,
+                            out<"status", ode_status_port>>;
+
   auto process(in<"amplitude", over<cca::amplitude, Axis>> wanted,
                optional_in<"frequency", over<cca::frequency, Axis>> turns,
-               beat now) -> std::tuple<out<"phase", over<cca::phase, Axis>>,
-                                       out<"amplitude", over<cca::amplitude, Axis>>,
-                                       out<"status", ode_status_port>> {
+               beat now) -> result {
     detail::input_check inputs;
     const hopf_ode::input u =
         inputs(hopf_ode::input(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value()));
-    if (!inputs.unreadable() && !solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
+    if (inputs.unreadable()) return published(inputs.get());
+    if (!solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
     hopf_ode::state x = solver.get();
     double radius = std::sqrt(x.dot(x));
     if (radius < p.ember) {
@@ -63,15 +66,20 @@ struct hopf {
       solver.set(x);
     }
     // At the radius `ember` it counts as resting, although the state still turns.
-    const double rate = radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0;
-    if (!inputs.unreadable()) status.update(rate, p.settling);
-    return {std::atan2(x[1], x[0]), radius, status_of(inputs.get(), status.get())};
+    status.update(radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0, p.settling);
+    return published(inputs.get());
   }
 
   // Begins at the radius `ember`, at rest: the status needs no reset.
   void on_start() { solver = {}; }
 
 private:
+  result published(input_status inputs) const {
+    const hopf_ode::state& x = solver.get();
+    const double radius = std::sqrt(x.dot(x)), least = p.ember;
+    return {std::atan2(x[1], x[0]), radius < least ? least : radius, status_of(inputs, status.get())};
+  }
+
   ode_solver<hopf_ode, Integrator> solver;
   ode_monitor status;
 };
