@@ -29,7 +29,6 @@ public:
   using state = ode_state<Model>;
   using input = ode_input<Model>;
   using parameters = typename Model::parameters;
-  static constexpr int most_parts = 16;
 
   ode_solver() : x(initial_state<Model>()) {}
   explicit ode_solver(const state& from) : x(from) {}

@@ -8,14 +8,17 @@
 //
 // A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a
 // std::array or fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a
-// `check() const` that returns a text: empty, or what is wrong. Errors: rule parameters.unsupported_type;
-// `cca::refused` for values. Example: docs/parameters.md.
+// `check() const` that returns a text: empty, or what is wrong. The outermost struct may have a
+// `check_at(double step) const`, too, for bounds that follow from the rate: `step` is the time between two
+// firings of the node in s. Errors: rule parameters.unsupported_type; `cca::refused` for values.
+// Example: docs/parameters.md.
 #pragma once
 
 #include <concepts>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <cca/component/component.hpp>
@@ -100,6 +103,15 @@ constexpr field_problem bad_field_of<Component> = {
 template <ForgotParameters Component>
 constexpr field_problem bad_field_of<Component> = {.forgot_parameters = true};
 
+// Bounds that follow from the rate; asked where all values are allowed by themselves.
+template <class Parameters>
+void check_at(const Parameters& values, std::string_view path, double step, std::vector<complaint>& found) {
+  if constexpr (requires { std::string(values.check_at(step)); }) {
+    if (auto what = std::string(values.check_at(step)); !what.empty())
+      found.push_back({std::string(path), std::move(what)});
+  }
+}
+
 template <class Complaints>
 void refuse(const Complaints& found) {
   if (found.empty()) return;
@@ -122,6 +134,15 @@ void check_parameters(const Parameters& values, std::string_view path = {}) {
   detail::refuse(found);
 }
 
+// The same in a node with this time between two firings, in s.
+template <class Parameters>
+void check_parameters(const Parameters& values, std::string_view path, double step) {
+  check_parameters(values, path);
+  std::vector<detail::complaint> found;
+  detail::check_at(values, path, step, found);
+  detail::refuse(found);
+}
+
 namespace detail {
 
 // Checks all values first: if one is refused, the component keeps its old parameters.
@@ -130,6 +151,14 @@ void apply_parameters(Component& component,
                       const typename Component::parameters& values,
                       std::string_view path = {}) {
   check_parameters(values, path);
+  component.p = values;
+}
+template <HasParameters Component>
+void apply_parameters(Component& component,
+                      const typename Component::parameters& values,
+                      std::string_view path,
+                      double step) {
+  check_parameters(values, path, step);
   component.p = values;
 }
 

@@ -25,12 +25,15 @@
 // Source: equations/dmp_pose_ode.hpp. Example: tests/runtime/motor/dmp_pose.cpp.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 #include <tuple>
 
 #include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -58,6 +61,11 @@ struct dmp_pose {
                              (bool, scaled),
                              (ode_settling, settling));
     std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
+    std::string check_at(double step) const {
+      return detail::below_rate_bound(
+          "duration", duration,
+          std::max({stiffness / 2, goal_rate.value(), decay.value()}) / detail::rate_bound(step), step);
+    }
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, 5.0, 12.5, true, {1e-3, 1e-2}};
 

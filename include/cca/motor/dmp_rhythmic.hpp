@@ -28,12 +28,14 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 #include <string_view>
 #include <tuple>
 
 #include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -54,6 +56,11 @@ struct dmp_rhythmic {
                              (bounded<double, 0.1, 1000>, stiffness),
                              (ode_settling, settling));
     std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
+    std::string check_at(double step) const {
+      return detail::above_rate_bound(
+          "frequency", frequency,
+          detail::rate_bound(step) / (2 * std::numbers::pi * std::max(stiffness / 2, 1.0)), step);
+    }
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, {1e-3, 1e-2}};
 

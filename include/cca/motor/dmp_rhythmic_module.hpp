@@ -41,12 +41,14 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <string>
 #include <tuple>
 
 #include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/locally_weighted_regression.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/rate_bound.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
@@ -76,6 +78,11 @@ struct dmp_rhythmic_module {
                              (ode_settling, settling),
                              (learner_settings, settings),
                              (learned_files, files));
+    std::string check_at(double step) const {
+      return detail::above_rate_bound(
+          "frequency", frequency,
+          detail::rate_bound(step) / (2 * std::numbers::pi * std::max(stiffness / 2, 1.0)), step);
+    }
   };
   parameters p{1.0, 25.0, {1e-3, 1e-2}, {}, {}};
   training<learner, Capacity> learning;

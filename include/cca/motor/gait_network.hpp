@@ -26,11 +26,13 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 #include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -54,6 +56,12 @@ struct gait_network {
                              (bounded<double, 0, 1000>, convergence),  // a, 1/s
                              (bounded<double, 0, 1>, nudge),           // rad
                              (ode_settling, settling));
+    // With amplitudes of 1.
+    std::string check_at(double step) const {
+      const double most = detail::rate_bound(step);
+      const auto text = detail::above_rate_bound("coupling", coupling, most / 4, step);
+      return text.empty() ? detail::above_rate_bound("convergence", convergence, 2 * most, step) : text;
+    }
   };
   parameters p{cca::gait::trot, 1.0, 4.0, 20.0, 1e-3, {0.02, 0.05}};
 
@@ -77,7 +85,7 @@ struct gait_network {
     if (!begun) start(x, next);
     else if (next != current) change(x, next);
     // What the most parts of a step can follow.
-    const double most = solver_type::most_parts * longest_step / now.dt(), pull = ode::radii(x, u);
+    const double most = detail::rate_bound(now.dt()), pull = ode::radii(x, u);
     const double coupling = pull * p.coupling > most ? most / pull : p.coupling.value();
     at.weights.setConstant(coupling);
     at.weights.diagonal().setZero();
@@ -118,8 +126,7 @@ private:
     at.phases = phase_matrix(which);
   }
 
-  using solver_type = ode_solver<ode, Integrator>;
-  solver_type solver;
+  ode_solver<ode, Integrator> solver;
   ode_monitor status;
   ode::parameters at{};
   cca::gait current{};

@@ -23,11 +23,13 @@
 // Source: equations/vite_ode.hpp. Example: tests/runtime/motor/vite.cpp.
 #pragma once
 
+#include <string>
 #include <tuple>
 
 #include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -49,6 +51,14 @@ struct vite {
                              (cca::quantity<cca::duration, 0, 100>, rise),
                              (bounded<int, 1, 8>, exponent),
                              (ode_settling, settling));
+    // With "go" at 1.
+    std::string check_at(double step) const {
+      const double most = detail::rate_bound(step);
+      const auto text = detail::above_rate_bound("convergence", convergence, most, step);
+      return text.empty() && convergence > 0
+                 ? detail::above_rate_bound("speed", speed, most * most / convergence, step)
+                 : text;
+    }
   };
   parameters p{30.0, 7.5, 0.4, 2, {1e-3, 1e-2}};
 

@@ -40,9 +40,12 @@ public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
     check(detail::transition::load, "load()");
-    for_each_component([]<class C>(std::string_view path, C& component) {
-      if constexpr (HasParameters<C>) check_parameters(component.p, path);
-    });
+    visit(
+        []<class C>(int node, C& component) {
+          if constexpr (HasParameters<C>)
+            check_parameters(component.p, path_of(node), detail::step_of<Graph>(node));
+        },
+        state_of_all);
     // A hook may refuse, where a file is damaged: then the state stays as it was.
     visit(
         []<class C>(int, C& component) {
@@ -165,7 +168,14 @@ public:
       fixed_string Path,
       class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>
   void set(const Parameters& parameters) {
-    detail::apply_parameters(get<Path>(), parameters, Path.view());
+    detail::apply_parameters(get<Path>(), parameters, Path.view(),
+                             detail::step_of<Graph>(detail::node_at<Graph>(Path.view())));
+  }
+
+  // The time between two firings of the component with this path, in s; one beat if its clock is known only
+  // at run time.
+  static double step_of(std::string_view path) {
+    return detail::step_of<Graph>(detail::node_at<Graph>(path));
   }
 
   // Calls f(path, component) for each component, in declaration order.

@@ -31,8 +31,24 @@ struct search : laws::finite_case<inverse> {
   static constexpr bool says_unreadable = false;
 };
 
-struct from : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
-using machine = cca::extreme_learning_machine<cca::elm_function<from, from, 10>>;
+struct learned_space : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
+using machine = cca::extreme_learning_machine<cca::elm_function<learned_space, learned_space, 10>>;
+// y = W x, learned by least squares.
+struct line {
+  using from = learned_space;
+  using to = learned_space;
+  using input = Eigen::Vector2d;
+  using output = Eigen::Vector2d;
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (Eigen::Matrix2d, weights));
+    parameters() : weights(Eigen::Matrix2d::Zero()) {}
+  };
+  static Eigen::Vector2d regressors(const input& x) { return x; }
+  static output answer(const parameters& p, const input& x) { return p.weights * x; }
+  static std::string title() { return "line"; }
+};
+using fitted = cca::recursive_least_squares<line>;
+
 template <class Type>
 struct learned : stateless<Type> {
   static constexpr bool forgets = false;
@@ -61,6 +77,7 @@ TEST_CASE("mapping/inverse_kinematics.hpp") {
   }
 }
 TEST_CASE("mapping/adaptive_mapping.hpp") {
-  laws::finite<learned<cca::adaptive_mapping<from, from, machine, 50>>>();
-  laws::finite<learned<cca::adaptive_transformation<from, machine, 50>>>();
+  laws::finite<learned<cca::adaptive_mapping<learned_space, learned_space, machine, 50>>>();
+  laws::finite<learned<cca::adaptive_transformation<learned_space, machine, 50>>>();
+  laws::finite<learned<cca::adaptive_mapping<learned_space, learned_space, fitted, 50>>>();
 }

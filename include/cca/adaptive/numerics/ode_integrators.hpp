@@ -23,6 +23,7 @@
 namespace cca {
 
 inline constexpr double longest_step = 1;  // rate * dt
+inline constexpr int most_parts = 16;      // into which the solver divides a step
 
 struct explicit_euler {
   static constexpr int order = 1;
