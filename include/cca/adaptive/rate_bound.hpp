@@ -8,21 +8,26 @@
 // The text names the parameter, its bound and the rate. Runs between beats.
 #pragma once
 
+#include <charconv>
 #include <string>
 #include <string_view>
 
 #include <cca/adaptive/numerics/ode_integrators.hpp>
-#include <cca/component/parameter_check.hpp>
 
 namespace cca::detail {
 
 // The fastest rate, in 1/s, that a node with this step in s can follow.
 constexpr double rate_bound(double step) { return most_parts * longest_step / step; }
 
+inline std::string short_text(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 6).ptr};
+}
+
 inline std::string rate_text(
     std::string_view name, double value, std::string_view relation, double bound, double step) {
-  return std::string("`").append(name) + "` is " + number_text(value) + ", but at " + number_text(1 / step) +
-         " Hz it can be " + std::string(relation) + " " + number_text(bound) +
+  return std::string("`").append(name) + "` is " + short_text(value) + ", but at " + short_text(1 / step) +
+         " Hz it must be " + std::string(relation) + " " + short_text(bound) +
          ": run the node faster, or change it";
 }
 // Empty if the value holds.
