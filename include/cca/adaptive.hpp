@@ -10,7 +10,6 @@
 #include <cca/adaptive/criterion.hpp>
 #include <cca/adaptive/extreme_learning_machine.hpp>
 #include <cca/adaptive/grasping.hpp>
-#include <cca/adaptive/input_status.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/locally_weighted_regression.hpp>
@@ -20,7 +19,6 @@
 #include <cca/adaptive/ode_odeint.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
-#include <cca/adaptive/rate_bound.hpp>
 #include <cca/adaptive/reaching_criterion.hpp>
 #include <cca/adaptive/recursive_least_squares.hpp>
 #include <cca/adaptive/sampling.hpp>
@@ -28,4 +26,3 @@
 #include <cca/adaptive/sequencer.hpp>
 #include <cca/adaptive/tracking.hpp>
 #include <cca/adaptive/training.hpp>
-#include <cca/adaptive/unreadable_fault.hpp>

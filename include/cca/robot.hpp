@@ -1,4 +1,4 @@
-// What protects and describes a robot: the limiter, the watchdog, bodies and their dynamics.
+// What protects and describes a robot: the limiter, the watchdog, faults, bodies and their dynamics.
 // Includes every public header of cca/robot/; to compile faster, include only those that you need.
 #pragma once
 
@@ -7,4 +7,5 @@
 #include <cca/robot/body_dynamics.hpp>
 #include <cca/robot/body_pose.hpp>
 #include <cca/robot/limiter.hpp>
+#include <cca/robot/unreadable_fault.hpp>
 #include <cca/robot/watchdog.hpp>

@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/component/parameters.hpp>

@@ -17,7 +17,7 @@
 
 #include <cmath>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/numerics/ode_integrators.hpp>
 
 namespace cca {

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/space/methods/scalar.hpp>

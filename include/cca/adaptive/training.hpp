@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>

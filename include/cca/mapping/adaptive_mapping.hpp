@@ -24,7 +24,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>

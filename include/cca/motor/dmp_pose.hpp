@@ -30,10 +30,10 @@
 #include <string_view>
 #include <tuple>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
-#include <cca/adaptive/rate_bound.hpp>
+#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>

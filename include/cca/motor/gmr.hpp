@@ -22,7 +22,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/gaussian_mixture.hpp>

@@ -29,7 +29,7 @@
 #include <string_view>
 #include <tuple>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/gaussian_mixture.hpp>

@@ -24,7 +24,7 @@
 #include <cmath>
 #include <tuple>
 
-#include <cca/adaptive/input_status.hpp>
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/beat.hpp>

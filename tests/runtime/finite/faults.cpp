@@ -1,6 +1,6 @@
 // A dead encoder reports NaN: the servo gives no torque from that beat on, and the robot stops.
 #include <cca/cca.hpp>
-#include <cca/adaptive/unreadable_fault.hpp>
+#include <cca/robot/unreadable_fault.hpp>
 #include <cca/motor/dmp_discrete.hpp>
 #include <cca/motor/pid.hpp>
 
@@ -106,9 +106,10 @@ TEST_CASE("a bound that follows from the rate is checked on load and on changes,
   CHECK(words_of([&] { slow.load(); }).empty());  // 1 s, 10 Hz: 12.5 / 16 * 0.1 s = 0.08 s
   auto wanted = slow.get<"reach">().p;
   wanted.duration = 0.05;
-  CHECK(words_of([&] { slow.set<"reach">(wanted); }) ==
-        "reach: `duration` is 0.05, but at 10 Hz it must be at least 0.078125: run the node faster, or change "
-        "it");
+  CHECK(
+      words_of([&] { slow.set<"reach">(wanted); }) ==
+      "reach: `duration` is 0.05, but at 10 Hz it must be at least 0.078125: run the node faster, or change "
+      "it");
   CHECK(slow.get<"reach">().p.duration == 1.0);
   cca::controller<slow_reach<10>> fast;
   fast.get<"reach">().p.duration = 0.05;
