@@ -68,7 +68,8 @@ public:
   static constexpr bool preserves_limits = true;
 
   auto process(in<"command", Space> command, beat now) -> std::tuple<maybe<"fresh", Space>, fault> {
-    if (age.is_too_old(command.origin(), command.fresh(), Beats, now)) return {{}, fault("stale command")};
+    if (age.is_too_old(command.origin(), command.fresh(), Beats, now))
+      return {maybe<"fresh", Space>(), fault("stale command")};
     return {passed_on(command), fault()};
   }
 
@@ -88,7 +89,8 @@ public:
   auto process(in<"command", Space> command, observe<Source, one_output> source, beat now)
       -> std::tuple<maybe<"fresh", Space>, fault> {
     const observation& newest = *source.begin();
-    if (age.is_too_old(newest.origin, newest.fresh, Beats, now)) return {{}, fault("stale source")};
+    if (age.is_too_old(newest.origin, newest.fresh, Beats, now))
+      return {maybe<"fresh", Space>(), fault("stale source")};
     return {passed_on(command), fault()};
   }
 
