@@ -3,6 +3,7 @@ import pathlib
 import tempfile
 import unittest
 
+import finite
 import includes
 import make_troubleshooting
 import reject
@@ -123,6 +124,18 @@ class Rules(Tree):
         header("wire_direction", "wire.other")
         # One header is not in the list, one has another id than its name, and no header states wire.direction.
         self.assertEqual(len(list(rules.problems(self.root))), 3)
+
+
+class Finite(Tree):
+    def test_every_header_has_a_test_or_a_reason(self):
+        for name in finite.WITHOUT:
+            self.write(f"include/cca/{name}", "")
+        self.write("include/cca/motor/hopf.hpp", "")
+        self.write("tests/runtime/finite/motor.cpp", 'TEST_CASE("motor/hopf.hpp") {}\n')
+        self.assertEqual(list(finite.problems(self.root)), [])
+        self.write("include/cca/motor/forgotten.hpp", "")
+        self.write("tests/runtime/finite/motor.cpp", 'TEST_CASE("motor/hopf.hpp") {}\nTEST_CASE("motor/gone.hpp") {}\n')
+        self.assertEqual(len(list(finite.problems(self.root))), 2)
 
 
 class Rejects(Tree):
