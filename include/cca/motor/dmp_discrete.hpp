@@ -17,9 +17,8 @@
 //
 // Inputs (input_status.hpp): while one is NaN or infinite, the movement stands still, the velocity is 0,
 // nothing else is published, and the status is `unreadable`; beyond 1e12, and a duration below 1 ms, it is
-// cut and the status is `clamped`. A movement that is too fast for the rate of the node (duration shorter
-// than max(stiffness / 2, goal_rate, decay) / 16 steps) runs as fast as the rate allows, with the status
-// `clamped`.
+// cut and the status is `clamped`. A movement that is too fast for the rate of the node (duration below
+// max(stiffness / 2, goal_rate, decay) * dt / 16) runs as fast as the rate allows, with the status `clamped`.
 //
 // Errors: none. Cost: four derivatives of N + 1 exponentials each; up to 16 times as much while
 // max(stiffness / 2, goal_rate, decay) * dt > duration. Source: equations/dmp_discrete_ode.hpp.
