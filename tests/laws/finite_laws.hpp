@@ -36,7 +36,7 @@ struct finite_case {
   static constexpr bool passes_nan = false;      // the output is not finite either, in that beat
   static constexpr bool forgets = true;  // a start makes it as good as new (learners keep what they know)
   // Beats until NaN has left no trace (a hold time begins again). Then the parameters are those of made().
-  static constexpr int settles_in = 0;  // beats until NaN has left no trace (a hold time begins again)
+  static constexpr int settles_in = 0;
 };
 
 // Numbers from a seed.
