@@ -257,7 +257,7 @@ auto step(typename Case::component& c, std::uint64_t seed, feed what, bool wired
 template <class Case>
 void stays_finite() {
   constexpr std::int64_t periods[]{100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-  for (std::uint64_t run = 0; run < 60; ++run) {
+  for (std::uint64_t run = 0; run < 40; ++run) {
     numbers n(run);
     const auto c = Case::made();
     detail::draw_parameters(*c, n);
@@ -266,7 +266,7 @@ void stays_finite() {
     const std::int64_t period = periods[n.below(5)];
     const bool wired = n.below(2);
     bool all = true;
-    for (std::int64_t k = 0; k < 150; ++k) {
+    for (std::int64_t k = 0; k < 100; ++k) {
       const feed what = n.below(3) ? feed::finite : feed::usual;
       all = all && detail::finite(detail::all_numbers(step<Case>(
                        *c, 1000 * run + static_cast<std::uint64_t>(k), what, wired, {k, period, 1})));
@@ -289,7 +289,7 @@ void stays_finite() {
 // A twin does not see the broken beats; afterwards both do the same.
 template <class Case>
 void nan_leaves_no_trace() {
-  for (std::uint64_t run = 0; run < 60; ++run) {
+  for (std::uint64_t run = 0; run < 40; ++run) {
     numbers n(run);
     const auto c = Case::made();
     if (run % 2 && Case::settles_in == 0) detail::draw_parameters(*c, n);
