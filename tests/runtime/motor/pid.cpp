@@ -177,7 +177,7 @@ TEST_CASE("numbers that are not finite are ignored, negative gains are refused, 
   CHECK(u_of(pid, std::nan(""), 0) == before);
   CHECK(u_of(pid, 1, std::nan("")) == before);
   CHECK(std::isfinite(u_of(pid, 1, 0)));
-  servo::parameters bad;
+  servo::parameters bad = servo{}.p;
   CHECK_NOTHROW(cca::check_parameters(bad));
   bad.integral[0] = -1;
   CHECK_THROWS_AS(cca::check_parameters(bad), cca::refused);
