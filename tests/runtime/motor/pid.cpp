@@ -226,7 +226,7 @@ TEST_CASE("with the velocity of a movement and its feed-forward a joint follows 
 
 TEST_CASE("negative and huge gains are refused, and nothing allocates") {
   auto pid = gains(8, 16, 0);
-  servo::parameters bad;
+  servo::parameters bad = servo{}.p;
   CHECK_NOTHROW(cca::check_parameters(bad));
   bad.integral[0] = -1;
   CHECK_THROWS_AS(cca::check_parameters(bad), cca::refused);

@@ -198,7 +198,8 @@ struct layout_step {
 
   constexpr std::uint64_t key_of(const output& out, int array) const {
     const auto c = published(g, out);
-    return mixed(0, c.period, c.first, out.storage, array);
+    return mixed(0, c.period, c.first, out.storage, array,
+                 out.storage == storage_kind::of_beat ? out.port : -1);
   }
 
   constexpr std::uint64_t key_of(const call& c, int result) const {
