@@ -11,7 +11,8 @@
 // writer; without a bound it would become infinite in a state and stay there.
 //
 // A component without a state may pass NaN on: then its header says so.
-// Cost: a comparison per number, one branch. Laws: tests/laws/finite_laws.hpp.
+// Cost: a comparison per number, one branch. Laws: tests/laws/finite_laws.hpp. Why it is so:
+// docs/decisions/0019-numbers-that-a-component-cant-use.md.
 #pragma once
 
 #include <cmath>
