@@ -17,6 +17,7 @@
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/refusal.hpp>
+#include <cca/runtime/run_record.hpp>
 
 namespace cca {
 namespace detail {
@@ -81,6 +82,7 @@ public:
 
   void start() {
     move(detail::transition::start, "start()");
+    runs.overruns = runs.lost_periods = 0;
     visit(
         []<class C>(int, C& component) {
           if constexpr (detail::OnStart<C>) component.on_start();
@@ -112,20 +114,28 @@ public:
     return true;
   }
 
-  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault.
+  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault,
+  // and where `between` returns false. Whatever ends it, an exception too, it is then `started` or `faulted`.
   template <class Duration, class Pace = as_fast_as_possible, class Between = void (*)(controller&)>
-  cca::state run(Duration duration, Pace pace = {}, Between between = [](controller&) {}) {
+  cca::state run(Duration duration, Pace pace = {}, Between&& between = [](controller&) {}) {
     move(detail::transition::run, "run()");
-    const std::int64_t beats = duration.beats(detail::counts_of<Graph>.period);
-    pace.begin();
-    for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
-      pace.wait(i * detail::counts_of<Graph>.period);
-      advance();
-      between(*this);
+    {
+      const detail::end_of_run at_the_end{now};
+      const std::int64_t beats = duration.beats(period());
+      runs.begin(pace, period());
+      for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
+        if (const cca::fault late = runs.wait(pace, i * period())) fail({late.reason(), -1});
+        else advance();
+        if (!detail::goes_on_after(between, *this)) break;
+      }
     }
-    if (now == cca::state::running) now = detail::after(detail::transition::pause, now);
     return now;
   }
+
+  // In the runs at wall-clock speed since start(): the beats that were still running when the next should
+  // begin, and the periods in which no beat began.
+  std::int64_t overruns() const noexcept { return runs.overruns; }
+  std::int64_t lost_periods() const noexcept { return runs.lost_periods; }
 
   cca::state state() const noexcept { return now; }
 
@@ -137,7 +147,10 @@ public:
 
   // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
   cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
-  std::string fault_path() const { return reason.fault ? path_of(reason.node) : std::string(); }
+  // Empty too where no component is the cause, but an overrun.
+  std::string fault_path() const {
+    return reason.fault && reason.node >= 0 ? path_of(reason.node) : std::string();
+  }
 
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
@@ -272,6 +285,7 @@ private:
   std::int64_t k = 0;
   detail::beat_outcome reason{};
   cca::state now = cca::state::created;
+  detail::run_record runs{};
 };
 
 }  // namespace cca

@@ -51,6 +51,8 @@ public:
   cca::state state() const noexcept { return {}; }
   cca::fault fault() const noexcept { return {}; }
   std::string fault_path() const { return {}; }
+  std::int64_t overruns() const noexcept { return 0; }
+  std::int64_t lost_periods() const noexcept { return 0; }
   std::int64_t beat_index() const noexcept { return 0; }
   static constexpr std::int64_t period() { return detail::counts_of<Graph>.period; }
   template <fixed_string Path>
