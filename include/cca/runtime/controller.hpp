@@ -4,7 +4,8 @@
 //   c.load(); c.start(); c.run(cca::for_<10>{});
 //
 // Outside of the loop, what can't be done is refused by `cca::refused` with a message. In the loop nothing
-// throws, allocates or locks.
+// throws, allocates or locks. So no other thread may call anything here, `get`, `set` and `observed`
+// included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
 #include <string>
@@ -16,16 +17,12 @@
 #include <cca/graph/layout/nodes_by_path.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
 
 namespace cca {
 namespace detail {
-
-// Reading and writing files, in cca/config.hpp.
-template <class Controller>
-struct config_backend;
-template <class Controller> concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
 template <class Graph>
 struct is_watched {
@@ -36,7 +33,7 @@ struct is_watched {
 
 template <class Graph>
   requires well_formed<Graph>
-class controller<Graph> {
+class controller<Graph> : public detail::parameters_by_path<controller<Graph>> {
 public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
@@ -72,12 +69,14 @@ public:
     move(detail::transition::save, "save()");
   }
 
+  // Writes the parameters into a file. In `loaded` it saves as save() does; between two beats of a started
+  // controller it does no more than that, and the state stays.
   void save(std::string_view file) {
     static_assert(detail::HasConfig<controller>,
                   "cca::controller: save(file) needs #include <cca/config.hpp>");
-    check(detail::transition::save, "save(file)");
+    if (now == cca::state::created) check(detail::transition::save, "save(file)");
     detail::config_backend<controller>::save(*this, file);
-    save();
+    if (now == cca::state::loaded) save();
   }
 
   void start() {
@@ -174,6 +173,7 @@ public:
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
   // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
+  using detail::parameters_by_path<controller>::set;  // by a path that is known only at run time
   template <
       fixed_string Path,
       class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
@@ -61,6 +62,12 @@ public:
   void set(const Parameters&) {}
   template <fixed_string Path>
   void set(detail::anything) {}  // in braces
+  void set(std::string_view, detail::anything) {}
+  template <class Type = std::string>
+  Type parameter(std::string_view) const {
+    return {};
+  }
+  std::vector<std::string> parameter_paths() const { return {}; }
   template <class F>
   void observed(F) const {}
   template <class F>
