@@ -41,7 +41,7 @@ angles neutral(const trot::gait::parameters& p) {
   return q;
 }
 
-std::vector<moment> recorded(double seconds) {
+std::vector<moment> recorded(double seconds, const cca::interruption& interrupted) {
   cca::controller<recorded_trot> c;
   c.load();
   c.get<"trot.robot.simulator">().put_down(
@@ -50,7 +50,7 @@ std::vector<moment> recorded(double seconds) {
   c.start();
   std::vector<moment> all;
   const double settled = 2;  // s, then it trots steadily
-  while (1e-3 * static_cast<double>(c.beat_index()) < settled + seconds) {
+  while (!interrupted && 1e-3 * static_cast<double>(c.beat_index()) < settled + seconds) {
     c.step();
     moment now;
     c.observed([&](const cca::observation& one) {
@@ -126,11 +126,16 @@ double greatest_error(cca::controller<teaching>& c) {
   return worst;
 }
 
-void run(const options& o) {
+int run(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: nothing is written, since a part of a stride is no shape
   cca::controller<teaching> c;
   auto& dmp = c.get<"dmp">();
   if (!dmp.p.files.save.assign(o.out)) throw trot::command_line_error(o.out + ": this name is too long");
-  c.get<"recording">().played = recorded(o.seconds);
+  c.get<"recording">().played = recorded(o.seconds, interrupted);
+  if (interrupted) {
+    std::cerr << "combination_of_skills_learn: interrupted; nothing is written\n";
+    return interrupted.exit_code();
+  }
   c.get<"recording">().around = neutral(trot::gait{}.p);
   c.load();
   c.start();
@@ -145,11 +150,12 @@ void run(const options& o) {
   if (!o.quiet)
     std::printf("learned from %zu beats of trot, written to %s; it follows the recording within %.4f rad\n",
                 c.get<"recording">().played.size(), o.out.c_str(), error);
+  return 0;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   return trot::program("combination_of_skills_learn",
-                       [&] { return run(parse({arguments + 1, arguments + count})), 0; });
+                       [&] { return run(parse({arguments + 1, arguments + count})); });
 }

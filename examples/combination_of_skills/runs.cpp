@@ -133,20 +133,29 @@ int run(const options& o) {
         runs.push_back({c, {}});
       }
 
+  const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
+  std::vector<char> over(runs.size(), 0);
   trot::progress_bar bar("runs");
   trot::on_all_cores(
       runs.size(),
       [&](std::size_t i) {
+        if (interrupted) return;
         skills::combined controller = start;
-        runs[i].what = skills::roll_out(controller, runs[i].where, [](const skills::combined&) {});
+        runs[i].what = skills::roll_out(controller, runs[i].where,
+                                        [&](const skills::combined&) { return !interrupted; });
+        over[i] = !interrupted;
       },
       [&](std::size_t finished) {
         bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
       });
   bar.done();
+  std::size_t i = 0;
+  std::erase_if(runs, [&](const skills::finished_run&) { return !over[i++]; });
+  if (interrupted) std::cerr << "combination_of_skills_runs: interrupted after " << runs.size() << " runs\n";
 
   print(runs);
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });
+  if (interrupted) return interrupted.exit_code();
   return std::all_of(runs.begin(), runs.end(),
                      [](const skills::finished_run& one) { return skills::succeeded(one.what); })
              ? 0

@@ -26,9 +26,10 @@ auto& drive(Run& r) {
   return std::get<Drive>(r.far.drives);
 }
 
-std::vector<result> campaign() {
+std::vector<result> campaign(const cca::interruption& interrupted) {
   std::vector<result> all;
   const auto with = [&](const auto& s) {
+    if (interrupted) return;  // what is over goes into the table
     all.push_back(run(s));
     std::cerr << '.' << std::flush;
   };
@@ -161,7 +162,8 @@ std::string renewed(const std::string& path, const std::string& table) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const auto all = campaign();
+  const cca::interruption interrupted;
+  const auto all = campaign(interrupted);
   const std::string table = table_of(all);
   std::cout << table;
   try {
@@ -179,5 +181,7 @@ int main(int count, char** arguments) {
                 << (r.sent_outside_limits ? "a set-point outside of the limits was sent" : "") << '\n';
       ++bad;
     }
-  return bad ? 1 : 0;
+  if (interrupted)
+    std::cerr << "hardware_in_the_loop_faults: interrupted after " << all.size() << " faults\n";
+  return interrupted ? interrupted.exit_code() : bad ? 1 : 0;
 }

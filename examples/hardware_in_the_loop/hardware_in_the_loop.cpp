@@ -87,16 +87,19 @@ int report(Controller& c) {
 
 int in_one_process(std::int64_t beats) {
   std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
+  const cca::interruption interrupted;  // ctrl-c: the controller stops the drives, then the program ends
   in_memory<> run;
   run.controller.load();
   run.controller.start();
-  for (std::int64_t k = 1; k <= beats; ++k) {
+  for (std::int64_t k = 1; k <= beats && !interrupted; ++k) {
     run.step();
     if (k % 1000 == 0)
       std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
   }
   if (run.robot.world.fallen()) std::printf("the robot fell\n");
-  return report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
+  const int result = report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
+  run.controller.stop();
+  return interrupted ? interrupted.exit_code() : result;
 }
 
 struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
@@ -121,6 +124,11 @@ struct robots_pace {
   bool lock_step;
   cca::at_speed clock = cca::at_wall_clock();
   void begin() { clock.begin(); }
+  void begin(std::int64_t period, std::int64_t last) { clock.begin(period, last); }
+  std::int64_t overruns() const { return clock.overruns(); }
+  std::int64_t lost_periods() const { return clock.lost_periods(); }
+  std::int64_t last_begun() const { return clock.last_begun(); }
+  cca::fault fault() const { return clock.fault(); }
   void wait(std::int64_t now) {
     if (lock_step) wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now);
     else clock.wait(now);
@@ -134,15 +142,20 @@ int as_robot(const options& o) {
   drives.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   c.load();
   c.start();
+  const cca::interruption interrupted;
   bool runs = false;
   c.run(cca::for_some_beats{o.beats}, robots_pace{bus, o.lock_step}, [&](auto&) {
-    if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return;
+    if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return !interrupted;
     std::puts("robot: all drives are enabled");
     std::fflush(stdout);
+    return !interrupted;
   });
   const int result = report(c);
+  if (c.overruns() > 0)
+    std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
+                static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
   c.stop();
-  return result;
+  return interrupted ? interrupted.exit_code() : result;
 }
 
 // Reports how the drives ended: still driven, switched off, or stopped by their watchdogs.
@@ -153,8 +166,9 @@ int as_drives(const options& o) {
   mechanics robot(put_down());
   cca::at_speed clock = cca::at_wall_clock();
   clock.begin();
+  const cca::interruption interrupted;
   bool driven = false, free = false, unfed = false;
-  for (std::int64_t k = 1; k <= o.beats && !(driven && free); ++k) {
+  for (std::int64_t k = 1; k <= o.beats && !(driven && free) && !interrupted; ++k) {
     const std::int64_t now = k * in_memory<>::beat;
     if (o.lock_step) wait_for(std::span(bus), {2, 2, 2, 2, 0}, now);
     else clock.wait(now);
@@ -177,6 +191,7 @@ int as_drives(const options& o) {
               : free          ? "switched off"
                               : "still driven",
               distance);
+  if (interrupted) return interrupted.exit_code();
   if (driven && free && unfed) return 2;
   return driven && distance > 0.02 && !robot.world.fallen() ? 0 : 1;
 }

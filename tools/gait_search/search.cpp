@@ -89,7 +89,8 @@ double worth(const trot::statistics& s, const trial& t) {
 double worth(const trot::trotting& start,
              const searched& what,
              const std::vector<trial>& trials,
-             int generation) {
+             int generation,
+             const cca::interruption& interrupted) {
   double sum = 0, worst = 1e9;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trot::trotting controller = start;
@@ -98,7 +99,7 @@ double worth(const trot::trotting& start,
     const auto seed = 1000 + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
     const trial& t = trials[i];
     const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
-                                    t.seconds, [](const cca::sim::world&, double) {});
+                                    t.seconds, [&](const cca::sim::world&, double) { return !interrupted; });
     const double value = worth(trot::evaluate(run), t);
     sum += value;
     worst = std::min(worst, value);
@@ -143,7 +144,8 @@ options parse(const std::vector<std::string>& arguments) {
   return o;
 }
 
-void search(const options& o) {
+int search(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: the best gait so far is written
   trot::trotting start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
@@ -154,10 +156,10 @@ void search(const options& o) {
 
   gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;
-  double best_worth = worth(start, first, trials, 0);
+  double best_worth = worth(start, first, trials, 0, interrupted);
   trot::progress_bar bar("search");
   const double total = o.generations * static_cast<double>(o.population + 1);
-  for (int generation = 0; generation < o.generations; ++generation) {
+  for (int generation = 0; generation < o.generations && !interrupted; ++generation) {
     // The last point is the mean of the generation before: only means become the result.
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
@@ -166,7 +168,8 @@ void search(const options& o) {
         points.size(),
         [&](std::size_t i) {
           const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
-          values[i] = worth(start, at_point(first, points[i]), trials, draw) - outside(points[i]);
+          values[i] =
+              worth(start, at_point(first, points[i]), trials, draw, interrupted) - outside(points[i]);
         },
         [&](std::size_t finished) {
           char note[80];
@@ -175,6 +178,7 @@ void search(const options& o) {
           bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(finished)) / total,
                    note);
         });
+    if (interrupted) break;  // these runs were cut short
     if (values.back() > best_worth) {
       best_worth = values.back();
       best = at_point(first, points.back());
@@ -189,6 +193,8 @@ void search(const options& o) {
   found.set<"gait">(best.gait);
   found.save(o.out);
   std::cout << "worth " << best_worth << "; written to " << o.out << '\n';
+  if (interrupted) std::cerr << "trot_search: interrupted; this is the best so far\n";
+  return interrupted.exit_code();
 }
 
 }  // namespace
@@ -196,8 +202,8 @@ void search(const options& o) {
 int main(int count, char** arguments) {
   return trot::program("trot_search", [&] {
     const std::vector<std::string> asked(arguments + 1, arguments + count);
-    if (trot::asks_for_help(asked)) std::cout << usage;
-    else search(parse(asked));
+    if (!trot::asks_for_help(asked)) return search(parse(asked));
+    std::cout << usage;
     return 0;
   });
 }

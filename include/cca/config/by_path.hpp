@@ -25,13 +25,13 @@
 
 namespace cca::detail {
 
-struct field {
+struct found_field {
   const schema* type = nullptr;
   const void* at = nullptr;
 };
 
 // `rest` is what follows the component's path: names and indices. Null: there is no such field.
-inline field field_at(const schema& type, const void* value, std::string_view rest) {
+inline found_field field_at(const schema& type, const void* value, std::string_view rest) {
   if (rest.empty()) return {&type, value};
   if (type.what == kind::array && rest[0] == '[') {
     const auto end = std::min(rest.find(']'), rest.size());
@@ -79,7 +79,7 @@ void with_component_at(Controller& controller, std::string_view path, const char
       if (found || !path.starts_with(scope)) return;
       const auto rest = path.substr(scope.size());
       if (rest.empty() || rest[0] != '.') return;
-      const field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
+      const found_field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
       if (!at.type) return;
       found = true;
       f(component, rest);
@@ -114,7 +114,7 @@ void set_parameter(Controller& controller, std::string_view path, const Value& v
   with_component_at(controller, path, call, [&]<class C>(C& component, std::string_view rest) {
     const schema& type = schema_of<typename C::parameters>;
     auto copy = component.p;
-    const field at = field_at(type, &copy, rest);
+    const found_field at = field_at(type, &copy, rest);
     problems found(call);
     read(*at.type, const_cast<void*>(at.at), toml_node_of(value), std::string(path), {}, found);
     found.refuse();
@@ -132,7 +132,7 @@ Type parameter(const Controller& controller, std::string_view path) {
   constexpr const char* call = "cca::controller: parameter";
   Type result{};
   with_component_at(controller, path, call, [&]<class C>(const C& component, std::string_view rest) {
-    const field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
+    const found_field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
     const kind what = at.type->what;
     const auto refuse_type = [&](const char* expected) {
       throw refused(std::string(call) + ": " + std::string(path) + ": is " + toml_value(*at.type, at.at) +

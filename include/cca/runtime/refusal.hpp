@@ -45,8 +45,8 @@ public:
   void stop() {}
   void resume() {}
   bool step() noexcept { return false; }
-  template <class... Options>
-  cca::state run(Options...) {
+  template <class Duration, class Pace = int, class Between = int>
+  cca::state run(Duration, Pace = {}, Between&& = {}) {
     return {};
   }
   cca::state state() const noexcept { return {}; }

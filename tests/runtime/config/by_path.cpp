@@ -44,7 +44,7 @@ struct both : cca::graph<cca::rate<1000>,
                          cca::node<"cpg", oscillator>,
                          cca::node<"dmp", inner>,
                          cca::observe<"cpg.y">,
-                         cca::observe<"dmp.y">> {};
+                         cca::observe<"dmp.ode.y">> {};
 
 template <class F>
 std::string words_of(F f) {
