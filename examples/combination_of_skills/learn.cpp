@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../trot/report/program.hpp"
@@ -94,19 +95,22 @@ struct options {
   bool quiet = false;
 };
 
+constexpr std::string_view usage =
+    "combination_of_skills_learn: learns the shape of a trot from a recording in the simulator\n"
+    "\n"
+    "  --out FILE        the learned shape (trot.shape)\n"
+    "  --seconds S       of trot that are recorded (8)\n"
+    "  --quiet           prints nothing\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
+
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& name = arguments[i];
-    const auto value = [&]() -> const std::string& {
-      if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-      return arguments[++i];
-    };
-    if (name == "--out") o.out = value();
-    else if (name == "--seconds") o.seconds = trot::detail::number(name, value(), 1, 19);
-    else if (name == "--quiet") o.quiet = true;
-    else throw trot::command_line_error(name + ": expected --out, --seconds or --quiet");
-  }
+  trot::option_reader read;
+  read.text("--out", o.out);
+  read.number("--seconds", o.seconds, 1, 19);
+  read.flag("--quiet", o.quiet);
+  read.all(arguments);
   return o;
 }
 
@@ -156,6 +160,6 @@ int run(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_learn",
-                       [&] { return run(parse({arguments + 1, arguments + count})); });
+  return trot::program("combination_of_skills_learn", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
 }

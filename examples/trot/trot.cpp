@@ -18,6 +18,7 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
+#include "report/command_line.hpp"
 #include "report/csv.hpp"
 #include "idle_robot.hpp"
 #include "report/program.hpp"
@@ -104,10 +105,6 @@ int run(const trot::options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot", [&] {
-    const trot::options options = trot::parse({arguments + 1, arguments + count});
-    if (!options.help) return run(options);
-    std::cout << trot::usage;
-    return 0;
-  });
+  return trot::program("trot", trot::usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(trot::parse(given)); });
 }

@@ -123,24 +123,23 @@ constexpr std::string_view usage =
     "  --population N    gaits per generation (12)\n"
     "  --seconds S       of each run, simulated (7)\n"
     "  --seed N          of the search (1)\n"
+    "  --version         the version of cca\n"
     "  --help            this text\n";
 
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const std::string& name = arguments[i];
-    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-    const std::string& value = arguments[i + 1];
-    if (name == "--config") o.config = value;
-    else if (name == "--out") o.out = value;
-    else if (name == "--generations")
-      o.generations = static_cast<int>(trot::detail::number(name, value, 1, 1e5));
-    else if (name == "--population")
-      o.population = static_cast<int>(trot::detail::number(name, value, 4, 1e4));
-    else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 3, 1000);
-    else if (name == "--seed") o.seed = trot::detail::whole_number(name, value);
-    else throw trot::command_line_error(name + ": no such option; --help lists them");
-  }
+  trot::option_reader read;
+  read.text("--config", o.config);
+  read.text("--out", o.out);
+  read.value("--generations", [&o](const std::string& text) {
+    o.generations = static_cast<int>(trot::detail::number("--generations", text, 1, 1e5));
+  });
+  read.value("--population", [&o](const std::string& text) {
+    o.population = static_cast<int>(trot::detail::number("--population", text, 4, 1e4));
+  });
+  read.number("--seconds", o.seconds, 3, 1000);
+  read.whole_number("--seed", o.seed);
+  read.all(arguments);
   return o;
 }
 
@@ -200,10 +199,6 @@ int search(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_search", [&] {
-    const std::vector<std::string> asked(arguments + 1, arguments + count);
-    if (!trot::asks_for_help(asked)) return search(parse(asked));
-    std::cout << usage;
-    return 0;
-  });
+  return trot::program("trot_search", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return search(parse(given)); });
 }

@@ -13,6 +13,7 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 
+#include "../../examples/trot/report/command_line.hpp"
 #include "../../examples/trot/report/parallel.hpp"
 #include "../../examples/trot/report/program.hpp"
 #include "../../examples/trot/report/progress.hpp"
@@ -37,22 +38,19 @@ constexpr std::string_view usage =
     "  --seconds S       of each, simulated (20)\n"
     "  --terrain T       flat, slope[:degrees] or steps[:millimetres] (flat)\n"
     "  --summary FILE    falls, speed and drift as one JSON object\n"
+    "  --version         the version of cca\n"
     "  --help            this text\n";
 
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const std::string& name = arguments[i];
-    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-    const std::string& value = arguments[i + 1];
-    if (name == "--config") o.config = value;
-    else if (name == "--summary") o.summary = value;
-    else if (name == "--terrain") o.ground = trot::detail::ground(value);
-    else if (name == "--first") o.first = trot::detail::whole_number(name, value);
-    else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
-    else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 1, 3600);
-    else throw trot::command_line_error(name + ": no such option; --help lists them");
-  }
+  trot::option_reader read;
+  read.text("--config", o.config);
+  read.text("--summary", o.summary);
+  read.value("--terrain", [&o](const std::string& text) { o.ground = trot::detail::ground(text); });
+  read.whole_number("--first", o.first);
+  read.whole_number("--count", o.count, 1);
+  read.number("--seconds", o.seconds, 1, 3600);
+  read.all(arguments);
   return o;
 }
 
@@ -128,10 +126,6 @@ int run(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_seeds", [&] {
-    const std::vector<std::string> asked(arguments + 1, arguments + count);
-    if (!trot::asks_for_help(asked)) return run(parse(asked));
-    std::cout << usage;
-    return 0;
-  });
+  return trot::program("trot_seeds", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
 }
