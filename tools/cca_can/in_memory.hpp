@@ -25,7 +25,8 @@ inline constexpr const char* bus_in_memory = "memory";
 // The time of the machine; while a command waits, the bus and the drives go on.
 class memory_pace : public pace {
 public:
-  memory_pace(pace& machine, const std::vector<std::string>& names) : time(machine), from(machine.now()) {
+  memory_pace(pace& machine, const std::vector<std::string>& names) : time(machine) {
+    wire.advance(time.now());
     for (const std::string& name : names) drives.push_back(virtual_named(name));
   }
   using wire_type = hw::memory_bus<2, 64>;
@@ -37,15 +38,13 @@ public:
   void wait_until(std::int64_t when) override {
     do {
       time.wait_until(std::min(when, time.now() + ms / 2));
-      wire.advance(time.now() - from);
+      wire.advance(time.now());
       play(far, drives, time.now());
-      wire.advance(time.now() - from);
     } while (time.now() < when);
   }
 
 private:
   pace& time;
-  std::int64_t from;
   wire_type wire{{.rates = {1'000'000, 5'000'000}}};
   wire_type::end_type far = wire.end(1);
   std::vector<std::unique_ptr<any_virtual>> drives{};

@@ -147,7 +147,7 @@ public:
     } catch (const CLI::CallForHelp&) {
       const auto parsed = app.get_subcommands();
       is_help = true;
-      if (!parsed.empty()) said = parsed[0]->help();
+      if (!parsed.empty()) said = parsed[0]->help("cca-can");
       return;
     } catch (const CLI::CallForVersion& version) {
       said = std::string(version.what()) + "\n";

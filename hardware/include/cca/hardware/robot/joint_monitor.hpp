@@ -45,7 +45,8 @@ struct joint_monitor {
       if (moving && is_command<typename One::drive>(f.frame)) senders[I].commanded();
       return false;
     }
-    if (moving && report_period_of<typename One::drive> == 0) senders[I].answered(f.frame);
+    if (moving && report_period_of<typename One::drive> == 0 && (heard.told & of_position))
+      senders[I].answered(f.frame);  // CANopen drives send further frames in a cycle
     position_unwrap unwrapped = unwraps[I];
     if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return note_jump(I), true;
     if (heard.told & of_position) {
