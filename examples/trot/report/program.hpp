@@ -23,15 +23,15 @@ void write(const std::string& name, Write content) {
   if (!file) throw std::runtime_error(name + ": cannot be written");
 }
 
-// Prints the usage for --help and -h, the version for --version; otherwise returns what act(arguments)
+// Prints `help` for --help and -h, the version for --version; otherwise returns what act(arguments)
 // returns; 2 if the command line is refused, 3 for any other error.
 template <class Act>
-int program(const char* name, std::string_view usage, int count, char** words, Act act) {
+int program(const char* name, std::string_view help, int count, char** words, Act act) {
   const std::vector<std::string> arguments(words + 1, words + count);
   const auto asks_for = [&](const char* word) {
     return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
   };
-  if (asks_for("--help") || asks_for("-h")) return std::cout << usage, 0;
+  if (asks_for("--help") || asks_for("-h")) return std::cout << help, 0;
   if (asks_for("--version")) {
     std::cout << name << " (cca " << cca::version_major << '.' << cca::version_minor << '.'
               << cca::version_patch << ")\n";

@@ -14,10 +14,9 @@
 
 #include <array>
 #include <atomic>
+#include <csignal>  // with POSIX's sigaction
 #include <cstddef>
 #include <cstdint>
-
-#include <signal.h>
 
 namespace cca {
 namespace detail {
