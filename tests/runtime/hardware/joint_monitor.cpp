@@ -37,13 +37,16 @@ struct bench {
   }
 };
 
-can_frame at(double position, int noise) { return drive::reply(position, 0, 0.1 * (noise % 7)); }
+can_frame at(double position, int noise, double velocity = 0) {
+  return drive::reply(position, velocity, 0.1 * (noise % 7));
+}
 
 }  // namespace
 
 TEST_CASE("joint monitor: one drive under its id runs on, also if frames come twice or late") {
   bench<plain> b;
-  for (int i = 0; i < 1000; ++i) CHECK(b.beat(at(0.01 * std::sin(0.01 * i), i)) == safety_rule::none);
+  for (int i = 0; i < 1000; ++i)
+    CHECK(b.beat(at(0.01 * std::sin(0.01 * i), i, 0.1 * std::cos(0.01 * i))) == safety_rule::none);
   for (int i = 0; i < 1000; ++i) CHECK(b.beat(at(0, i), at(0, i)) == safety_rule::none);
   for (int i = 0; i < 500; ++i) {
     CHECK(b.beat() == safety_rule::none);
@@ -81,9 +84,9 @@ TEST_CASE("joint monitor: a drive that somebody else has told to leave is not ta
 TEST_CASE(
     "joint monitor: the angle of a drive that wraps goes on, and a command stays on its side of the end") {
   bench<wrapping> b;
-  for (int i = 0; i < 4000; ++i) {
-    const double drive_angle = 20 * std::sin(0.002 * i), reported = std::remainder(drive_angle, 25.0);
-    REQUIRE(b.beat(drive::reply(reported, 0, 0.1 * (i % 7))) == safety_rule::none);
+  for (int i = 0; i < 6500; ++i) {
+    const double drive_angle = 20 * std::sin(0.001 * i), reported = std::remainder(drive_angle, 25.0);
+    REQUIRE(b.beat(at(reported, i, 20 * std::cos(0.001 * i))) == safety_rule::none);
     REQUIRE(b.m.angle[0] == doctest::Approx(wrapping::angle_of(drive_angle)).epsilon(1e-3));
     // To hold where it is means the drive's own position, not one a turn away.
     const double command = wrapping::drive_angle_of(b.m.angle[0] - b.m.turned<wrapping>(0));
