@@ -3,7 +3,6 @@
 // usage: hardware_in_the_loop_faults [faults.json [docs/hardware.md]]
 //   faults.json        writes the table as JSON
 //   docs/hardware.md   replaces the table in this page
-#include <exception>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../trot/report/program.hpp"
 #include "campaign.hpp"
 
 namespace {
@@ -26,9 +26,10 @@ auto& drive(Run& r) {
   return std::get<Drive>(r.far.drives);
 }
 
-std::vector<result> campaign() {
+std::vector<result> campaign(const cca::interruption& interrupted) {
   std::vector<result> all;
   const auto with = [&](const auto& s) {
+    if (interrupted) return;  // what is over goes into the table
     all.push_back(run(s));
     std::cerr << '.' << std::flush;
   };
@@ -158,19 +159,26 @@ std::string renewed(const std::string& path, const std::string& table) {
   return text.replace(from, to + 1 - from, table);
 }
 
-}  // namespace
+constexpr std::string_view usage =
+    "hardware_in_the_loop_faults: the trot on virtual drives, and everything that can go wrong\n"
+    "\n"
+    "  hardware_in_the_loop_faults [FILE [PAGE]]\n"
+    "  FILE              writes the table as JSON\n"
+    "  PAGE              replaces the table in this page, docs/hardware.md\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
 
-int main(int count, char** arguments) {
-  const auto all = campaign();
+int run_campaign(const std::vector<std::string>& arguments) {
+  for (const std::string& word : arguments)
+    if (word.starts_with("-")) throw trot::command_line_error(word + ": no such option; --help lists them");
+  if (arguments.size() > 2)
+    throw trot::command_line_error(arguments[2] + ": expected at most two files; see --help");
+  const cca::interruption interrupted;
+  const auto all = campaign(interrupted);
   const std::string table = table_of(all);
   std::cout << table;
-  try {
-    if (count > 1) write(arguments[1], json_of(all));
-    if (count > 2) write(arguments[2], renewed(arguments[2], table));
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  if (arguments.size() > 0) write(arguments[0], json_of(all));
+  if (arguments.size() > 1 && !interrupted) write(arguments[1], renewed(arguments[1], table));
   int bad = 0;
   for (const result& r : all)
     if (!r.good()) {
@@ -179,5 +187,13 @@ int main(int count, char** arguments) {
                 << (r.sent_outside_limits ? "a set-point outside of the limits was sent" : "") << '\n';
       ++bad;
     }
-  return bad ? 1 : 0;
+  if (interrupted)
+    std::cerr << "hardware_in_the_loop_faults: interrupted after " << all.size() << " faults\n";
+  return interrupted ? interrupted.exit_code() : bad ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return trot::program("hardware_in_the_loop_faults", usage, count, arguments, run_campaign);
 }

@@ -17,7 +17,8 @@ int run(const skills::options& o) {
   if (o.csv || o.svg) throw skills::command_line_error("--csv and --svg: only combination_of_skills records");
   hil::skills_in_memory robot;
   hil::load(robot, o.shape, o.config);
-  const auto result = skills::act(robot, o.run, [](const auto&) {});
+  const cca::interruption interrupted;  // ctrl-c: the drives are stopped, and what it has is written
+  const auto result = skills::act(robot, o.run, [&](const auto&) { return !interrupted; });
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
   if (o.summary)
     trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
@@ -25,7 +26,8 @@ int run(const skills::options& o) {
   if (stop.mode() != cca::hardware::motion_mode::run)
     std::printf("stopped; first cause: %s\n",
                 std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
-  return skills::succeeded(result) ? 0 : 1;
+  robot.controller.stop();
+  return interrupted ? interrupted.exit_code() : skills::succeeded(result) ? 0 : 1;
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include <cca/base/file.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/config/by_path.hpp>
 #include <cca/config/read.hpp>
 #include <cca/config/write.hpp>
 
@@ -150,11 +151,22 @@ void save_parameters(Controller& controller, std::string_view file) {
   write_file(std::string(file), parameters_text(controller, file));
 }
 
-// A controller's load(file) and save(file) call these. The core only declares the struct.
+// A controller's load(file), save(file), and set and parameter with a path call these. The core only declares
+// the struct.
 template <class Controller>
 struct config_backend {
   static void load(Controller& controller, std::string_view file) { load_parameters(controller, file); }
   static void save(const Controller& controller, std::string_view file) { save_parameters(controller, file); }
+
+  template <class Value>
+  static void set(Controller& controller, std::string_view path, const Value& value) {
+    set_parameter(controller, path, value);
+  }
+  template <class Type>
+  static Type get(const Controller& controller, std::string_view path) {
+    return parameter<Type>(controller, path);
+  }
+  static std::vector<std::string> paths(const Controller& controller) { return parameter_paths(controller); }
 };
 
 }  // namespace cca::detail

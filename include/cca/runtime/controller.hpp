@@ -4,7 +4,8 @@
 //   c.load(); c.start(); c.run(cca::for_<10>{});
 //
 // Outside of the loop, what can't be done is refused by `cca::refused` with a message. In the loop nothing
-// throws, allocates or locks.
+// throws, allocates or locks. So no other thread may call anything here, `get`, `set` and `observed`
+// included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
 #include <string>
@@ -16,15 +17,12 @@
 #include <cca/graph/layout/nodes_by_path.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/refusal.hpp>
+#include <cca/runtime/run_record.hpp>
 
 namespace cca {
 namespace detail {
-
-// Reading and writing files, in cca/config.hpp.
-template <class Controller>
-struct config_backend;
-template <class Controller> concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
 template <class Graph>
 struct is_watched {
@@ -35,7 +33,7 @@ struct is_watched {
 
 template <class Graph>
   requires well_formed<Graph>
-class controller<Graph> {
+class controller<Graph> : public detail::parameters_by_path<controller<Graph>> {
 public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
@@ -74,16 +72,19 @@ public:
     move(detail::transition::save, "save()");
   }
 
+  // Writes the parameters into a file. In `loaded` it saves as save() does; between two beats of a started
+  // controller it does no more than that, and the state stays.
   void save(std::string_view file) {
     static_assert(detail::HasConfig<controller>,
                   "cca::controller: save(file) needs #include <cca/config.hpp>");
-    check(detail::transition::save, "save(file)");
+    if (now == cca::state::created) check(detail::transition::save, "save(file)");
     detail::config_backend<controller>::save(*this, file);
-    save();
+    if (now == cca::state::loaded) save();
   }
 
   void start() {
     move(detail::transition::start, "start()");
+    runs.overruns = runs.lost_periods = 0;
     visit(
         []<class C>(int, C& component) {
           if constexpr (detail::OnStart<C>) component.on_start();
@@ -115,20 +116,28 @@ public:
     return true;
   }
 
-  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault.
+  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault,
+  // and where `between` returns false. Whatever ends it, an exception too, it is then `started` or `faulted`.
   template <class Duration, class Pace = as_fast_as_possible, class Between = void (*)(controller&)>
-  cca::state run(Duration duration, Pace pace = {}, Between between = [](controller&) {}) {
+  cca::state run(Duration duration, Pace pace = {}, Between&& between = [](controller&) {}) {
     move(detail::transition::run, "run()");
-    const std::int64_t beats = duration.beats(detail::counts_of<Graph>.period);
-    pace.begin();
-    for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
-      pace.wait(i * detail::counts_of<Graph>.period);
-      advance();
-      between(*this);
+    {
+      const detail::end_of_run at_the_end{now};
+      const std::int64_t beats = duration.beats(period());
+      runs.begin(pace, period());
+      for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
+        if (const cca::fault late = runs.wait(pace, i * period())) fail({late.reason(), -1});
+        else advance();
+        if (!detail::goes_on_after(between, *this)) break;
+      }
     }
-    if (now == cca::state::running) now = detail::after(detail::transition::pause, now);
     return now;
   }
+
+  // In the runs at wall-clock speed since start(): the beats that were still running when the next should
+  // begin, and the periods in which no beat began.
+  std::int64_t overruns() const noexcept { return runs.overruns; }
+  std::int64_t lost_periods() const noexcept { return runs.lost_periods; }
 
   cca::state state() const noexcept { return now; }
 
@@ -140,7 +149,10 @@ public:
 
   // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
   cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
-  std::string fault_path() const { return reason.fault ? path_of(reason.node) : std::string(); }
+  // Empty too where no component is the cause, but an overrun.
+  std::string fault_path() const {
+    return reason.fault && reason.node >= 0 ? path_of(reason.node) : std::string();
+  }
 
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
@@ -164,6 +176,7 @@ public:
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
   // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
+  using detail::parameters_by_path<controller>::set;  // by a path that is known only at run time
   template <
       fixed_string Path,
       class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>
@@ -282,6 +295,7 @@ private:
   std::int64_t k = 0;
   detail::beat_outcome reason{};
   cca::state now = cca::state::created;
+  detail::run_record runs{};
 };
 
 }  // namespace cca

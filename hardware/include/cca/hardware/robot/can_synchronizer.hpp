@@ -222,8 +222,9 @@ private:
     const bool runs = s.mode() == motion_mode::run;
     if (runs && !links[One::bus].may_move()) return;
     moves[One::bus] = runs;
-    s.position -= p.offset[I];
-    add<One>(frames_for<One>(s, drives.angle[I] - p.offset[I], drives.speed[I]));
+    s.position -= p.offset[I] + drives.template turned<One>(I);
+    add<One>(
+        frames_for<One>(s, drives.angle[I] - p.offset[I] - drives.template turned<One>(I), drives.speed[I]));
   }
   template <class One>
   static drive_frames damped(double where) {
