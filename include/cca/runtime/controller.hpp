@@ -13,7 +13,7 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/graph/layout/nodes_by_path.hpp>
+#include <cca/graph/diagnosis/unknown_path.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/refusal.hpp>
@@ -142,11 +142,15 @@ public:
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
   decltype(auto) get() {
-    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
+    constexpr auto path = detail::hash(Path.view());
+    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
+    return at<path, detail::node_with_hash<Graph>(path)>(*this);
   }
   template <fixed_string Path>
   decltype(auto) get() const {
-    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
+    constexpr auto path = detail::hash(Path.view());
+    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
+    return at<path, detail::node_with_hash<Graph>(path)>(*this);
   }
 
   // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest
@@ -161,11 +165,10 @@ public:
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
   // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
-  template <
-      fixed_string Path,
-      class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>
+  template <fixed_string Path, class Parameters = typename detail::parameters_at<Graph, Path>::type>
   void set(const Parameters& parameters) {
-    detail::apply_parameters(get<Path>(), parameters, Path.view());
+    if constexpr (detail::can_set<Graph, Path>())
+      detail::apply_parameters(get<Path>(), parameters, Path.view());
   }
 
   // Calls f(path, component) for each component, in declaration order.
@@ -203,6 +206,7 @@ private:
     template <fixed_string Path>
     decltype(auto) get() const {
       constexpr auto path = detail::hash(Path.view(), detail::after_dot(Scope));
+      static_assert(decltype(detail::check_path<Graph, Scope, Path, path>())::value || true);
       return at<path, detail::node_with_hash<Graph>(path)>(of);
     }
   };
@@ -212,7 +216,6 @@ private:
     if constexpr (Node >= 0) {
       return (detail::component_at<Graph, Node>(controller.state_of_all));
     } else {
-      static_assert(detail::has_scope<Graph>(Path), "cca::controller::get: no node has this path");
       return nodes<Controller, Path>{controller};
     }
   }

@@ -27,14 +27,4 @@ constexpr bool has_scope(std::uint64_t path) {
   return false;
 }
 
-template <class Graph, int Node>
-struct parameters_at {
-  using type = typename node_types<Graph, Node>::component::parameters;
-};
-template <class Graph>
-struct parameters_at<Graph, -1> {
-  static_assert(sizeof(Graph) == 0, "cca::controller::set: no component has this path");
-  struct type {};
-};
-
 }  // namespace cca::detail
