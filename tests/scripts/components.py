@@ -3,9 +3,8 @@
 
 usage: components.py [ROOT of the repository]
 
-Each row names components of its header, and each header of motor/, mapping/, robot/ and skeleton/ that has a component
-stands in the table. A component is a struct or class of namespace cca with a `process`, a graph with ports, or a name for
-one; what else is in these folders is listed in NO_COMPONENT.
+Each row names types that its header declares, and each header of motor/, mapping/, robot/ and skeleton/ that has a
+component, a type with a `process` outside of namespace detail, has a row.
 """
 import pathlib
 import re
@@ -42,7 +41,7 @@ def problems(root):
     for folder in FOLDERS:
         for file in sorted((root / "include/cca" / folder).glob("*.hpp")):
             header = f"{folder}/{file.name}"
-            public = re.sub(r"namespace detail \{.*?\n\}  // namespace detail", "", file.read_text(), flags=re.S)
+            public = re.sub(r"namespace (cca::)?detail \{.*?\n\}  // namespace (cca::)?detail", "", file.read_text(), flags=re.S)
             if header not in listed and PROCESS.search(public):
                 yield f"{PAGE}: cca/{header} has a component, and no row"
     if not found:

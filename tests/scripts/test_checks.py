@@ -3,6 +3,7 @@ import pathlib
 import tempfile
 import unittest
 
+import components
 import includes
 import make_troubleshooting
 import reject
@@ -21,6 +22,20 @@ class Tree(unittest.TestCase):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
         return file
+
+
+class Components(Tree):
+    def found(self, row, code):
+        self.write(components.PAGE, f"## Components of the library\n\n| component | header |\n|---|---|\n{row}\n")
+        self.write("include/cca/motor/a.hpp", code)
+        return list(components.problems(self.root))
+
+    def test_all(self):
+        code = "struct a {\n  auto process(beat now) -> out<1> {}\n};\n"
+        self.assertEqual(self.found("| `a<S>` | `motor/a.hpp` | x |", code), [])
+        self.assertEqual(len(self.found("| `b<S>` | `motor/a.hpp` | x |", code)), 1)  # declares no `b`
+        self.assertEqual(len(self.found("| `a<S>` | `motor/b.hpp` | x |", code)), 2)  # no such header; `a` has no row
+        self.assertEqual(self.found("| `a<S>` | `motor/a.hpp` | x |", f"namespace detail {{\n{code}}}  // namespace detail\nusing a = int;"), [])
 
 
 class Includes(Tree):

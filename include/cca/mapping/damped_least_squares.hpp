@@ -110,11 +110,14 @@ public:
 
       Eigen::Matrix<double, task::rows, task::rows> a = j * j.transpose();
       a.diagonal().array() += damping;
-      const vector step = j.transpose() * solve_positive<task::rows>(a, e);
+      vector step = j.transpose() * solve_positive<task::rows>(a, e);
+      const double part = std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
+      step *= part;
       const vector next = limits::clamped(q + step);
       const chain_pose<Chain> there(next);
       const auto error = task::error(wanted, there.tip());
-      const double predicted = step.dot(damping * step + gradient), square_there = error.dot(error);
+      const double predicted = step.dot(damping * step + (2 - part) * gradient),
+                   square_there = error.dot(error);
       if (square_there < square) {
         const double gain =
             2 * (square - square_there) / std::max(predicted, std::numeric_limits<double>::min()) - 1;
@@ -128,17 +131,21 @@ public:
         growth *= 2;
       }
       if (++taken % 8 != 0) continue;
-      if (square > settled * square_before) return ends(phase::minimum, evaluations + 1);
-      if (!alone && square > slow * square_before && square > best)
-        return ends(phase::hopeless, evaluations + 1);
+      const double gained = square_before - square;  // in eight steps
+      if (gained <= 1e-6 * square && gained <= 2e-8 * span * std::sqrt(square))
+        return ends(phase::minimum, evaluations + 1);
+      if (!alone && square - patience * gained > best) return ends(phase::hopeless, evaluations + 1);
       if (!alone && taken >= Settings::iterations) return ends(phase::exhausted, evaluations + 1);
       square_before = square;
     }
   }
 
 private:
-  // The square after eight steps in proportion to the square before them: at a minimum, and too slow.
-  static constexpr double settled = 0.999999, slow = 0.8;
+  // rad (prismatic joints: m): a longer step would jump over minima that lie where joints are at their
+  // limits.
+  static constexpr double longest_step = 0.8;
+  // A descent gives up if as many steps again, times this, would not make it the best.
+  static constexpr double patience = 6;
 
   double damping = 1e-3 * limits::span * limits::span, growth = 2;
   double square_before = std::numeric_limits<double>::infinity();  // eight steps ago

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <cca/base/array_size.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
 #include <cca/space/limits.hpp>
 
@@ -81,8 +82,8 @@ struct chain_limits {
   static constexpr int size = Chain::axes::count;
   using vector = Eigen::Matrix<double, size, 1>;
 
-  static constexpr std::array<double, 2 * size + 1> bounds = []<class... Axes>(axes<Axes...>) {
-    std::array<double, 2 * size + 1> all{};
+  static constexpr std::array<double, array_size(2 * size + 1)> bounds = []<class... Axes>(axes<Axes...>) {
+    std::array<double, array_size(2 * size + 1)> all{};
     std::size_t i = 0;
     const auto add = [&](double angle_low, double angle_high, double length_low, double length_high) {
       bool slides = false;

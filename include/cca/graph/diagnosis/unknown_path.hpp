@@ -15,7 +15,7 @@ namespace cca::detail {
 // path from the outermost graph, and the nearest one that exists.
 template <class Graph>
 consteval text unknown_path(std::uint64_t within, std::string_view path) {
-  const auto plan = plan_of<Graph>;
+  auto plan = plan_of<Graph>;
   const flat_view g = plan.view();
   text wrong, nearest;
   for (int s = 1; within != 0 && s < counts_of<Graph>.scope_count; ++s)
