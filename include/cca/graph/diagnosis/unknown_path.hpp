@@ -81,9 +81,10 @@ constexpr bool can_set() {
 }
 template <class Graph, fixed_string Path>
 struct parameters_at {
-  static_assert(decltype(check_path<Graph, 0, Path, hash(Path.view())>())::value || true);
-  static_assert(can_set<Graph, Path>() || !decltype(check_path<Graph, 0, Path, hash(Path.view())>())::value,
-                "cca::controller::set: this node has no `parameters`; name a component that has");
+  static constexpr auto path = hash(Path.view());
+  static constexpr bool exists = node_with_hash<Graph>(path) >= 0 || has_scope<Graph>(path);
+  static_assert(decltype(check_path<Graph, 0, Path, path>())::value || true);
+  static_assert(!exists, "cca::controller::set: this node has no `parameters`; name a component that has");
   struct type {
     template <class... Values>
     constexpr type(Values&&...) {}
