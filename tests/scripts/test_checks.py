@@ -163,6 +163,15 @@ class Rejects(Tree):
         self.assertIn("2 errors", self.wrong(self.SOUND.replace("#endif", "int x = y;\n#endif")))
         self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"#warning {i}" for i in range(30)) + "\n#endif")))
 
+    def test_flags_and_further_errors(self):
+        text = self.SOUND.replace("#if CCA_REJECT", "// FLAGS: -DOLD=1\n#if CCA_REJECT && OLD")
+        self.assertEqual(self.wrong(text), "")
+        self.assertIn("accepts", self.wrong(text.replace("FLAGS", "FLAG")))
+        two = self.SOUND.replace("#if CCA_REJECT\n", "// ERRORS: 2\n#if CCA_REJECT\nint x = y;\n")
+        self.assertEqual(self.wrong(two), "")
+        self.assertIn("3 errors, and 2 would do", self.wrong(two.replace("#endif", "int z = y;\n#endif")))
+        self.assertIn("no error matches", self.wrong(two.replace('"space.mismatch: a', '"space.mismatch: c')))
+
     MANY = ('// EXPECT left: rule\\.a: left\n// EXPECT right: rule\\.a: right\n#if CCA_REJECT\nconstexpr int left = 1, right = 2;\n'
             'static_assert(CCA_REJECT != left, "rule.a: left");\nstatic_assert(CCA_REJECT != right, "rule.a: right");\n#endif\n').replace(
                 "#if CCA_REJECT", "#ifdef CCA_REJECT")
@@ -198,7 +207,7 @@ class Troubleshooting(Tree):
     def page(self):
         file = self.write("tests/rejects/rule.a.cpp", self.REJECT)
         self.write("tests/rejects/parts.hpp", "#pragma once\nstruct part {};\n")
-        said = {(file.name, c): (make_troubleshooting.trimmed(self.OUTPUT, file), "rule.a: it is `b`") for c in make_troubleshooting.COMPILERS}
+        said = {(file.name, c): (make_troubleshooting.trimmed(self.OUTPUT, file, reject.errors(self.OUTPUT)[0]), "rule.a: it is `b`") for c in make_troubleshooting.COMPILERS}
         self.write("docs/troubleshooting.md", make_troubleshooting.make(self.root, [file], said))
         return self.root / "docs/troubleshooting.md"
 

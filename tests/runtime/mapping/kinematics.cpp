@@ -372,12 +372,12 @@ TEST_SUITE("Oncilla's leg") {
       CHECK((found.status == cca::reaching::reached) == (distance < 1e-9));
       outside += distance > 1e-9;
       above += target[2] > 0 && distance > 1e-9;
-      // The general solver agrees to a millimetre.
+      // The general solver agrees to a micrometre.
       inverse<as_chain<Leg>, foot_in_trunk> general;
       const auto other = solve(general, target);
       const double general_distance = (cca::chain_pose<Leg>(other.q).tip().at - target).norm();
       CHECK(general_distance >= distance - 1e-9);
-      CHECK(general_distance <= distance + 1e-3);
+      CHECK(general_distance <= distance + 1e-6);
     }
     CHECK(outside > 100);
     CHECK(above > 50);
