@@ -10,7 +10,7 @@
 // kept for the next beat, where it goes on. A target that moves by more than `same_target` begins a new count
 // of starts, but the starts go on from where they were, so a target that moves all the time is searched as
 // well. Deterministic; nothing allocates.
-// Cost: a step of a pose of seven joints takes about 6,800 instructions, so a beat at most 0.7 million (g++
+// Cost: a step of a pose of seven joints takes about 6,900 instructions, so a beat at most 0.7 million (g++
 // 12, -O2).
 //
 // Source of the starts: Roberts, The unreasonable effectiveness of quasirandom sequences, 2018: multiples of
