@@ -64,11 +64,17 @@ using path_refusal =
     refused_graph<message<path_report<Graph, Within, Path>.size>(path_report<Graph, Within, Path>.view())>;
 #endif
 
+// A function of the message alone: g++ would print the names of aliases, and their arguments, before it.
+template <class Refusal>
+constexpr void report_path() {
+  static_assert(sizeof(Refusal) != 0);
+}
+
 // True if there is a component, or an inner graph, at the path; else it reports the mistake.
 template <class Graph, std::uint64_t Within, fixed_string Path, std::uint64_t Whole>
 constexpr auto check_path() {
   constexpr bool found = node_with_hash<Graph>(Whole) >= 0 || has_scope<Graph>(Whole);
-  if constexpr (!found) static_assert(sizeof(path_refusal<Graph, Within, Path>) != 0);
+  if constexpr (!found) report_path<path_refusal<Graph, Within, Path>>();
   return std::bool_constant<found>{};
 }
 
