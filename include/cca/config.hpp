@@ -6,6 +6,8 @@
 // Example: docs/parameters.md.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <algorithm>
 #include <string>
 #include <string_view>

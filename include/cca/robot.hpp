@@ -2,6 +2,8 @@
 // Includes every public header of cca/robot/; to compile faster, include only those that you need.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <cca/robot/body.hpp>
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/body_dynamics.hpp>

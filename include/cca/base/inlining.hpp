@@ -16,6 +16,8 @@
 // call a graph of 1,000 nodes takes clang twice the time (docs/performance.md).
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #if defined(__clang__)
 #define CCA_INLINE [[gnu::always_inline]] inline
 #define CCA_INLINE_CALL [[clang::always_inline]]

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 struct hook_names {

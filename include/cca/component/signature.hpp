@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/array_size.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
@@ -153,7 +154,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
   static constexpr int output_count = ((result_facts<Results>::kind == result_kind::output) + ... + 0);
 
   static constexpr auto inputs = [] {
-    std::array<port_info, input_count + 1> found{};
+    std::array<port_info, array_size(input_count + 1)> found{};
     std::size_t n = 0;
     ((parameter_facts<Parameters>::kind == parameter_kind::input
           ? void(found[n++] = parameter_facts<Parameters>::port)
@@ -162,7 +163,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     return found;
   }();
   static constexpr auto outputs = [] {
-    std::array<port_info, output_count + 1> found{};
+    std::array<port_info, array_size(output_count + 1)> found{};
     std::size_t n = 0;
     ((result_facts<Results>::kind == result_kind::output ? void(found[n++] = result_facts<Results>::port)
                                                          : void()),

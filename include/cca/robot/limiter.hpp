@@ -116,13 +116,15 @@ struct limits_of {
     return true;
   }();
 
-  static constexpr double in_range(std::size_t i, double value) {
+  static constexpr double in_range(int axis, double value) {
+    const auto i = static_cast<std::size_t>(axis);
     return at_most(range[i].upper, at_least(range[i].lower, value));
   }
 
   // The range, and of it what can be reached from the last number within dt: all of it where the rate is
   // infinite, also in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
-  static constexpr bounds window(std::size_t i, double last, double dt) {
+  static constexpr bounds window(int axis, double last, double dt) {
+    const auto i = static_cast<std::size_t>(axis);
     if constexpr (!has_any_rate) return range[i];
     return {at_least(range[i].lower, last + rate[i].lower * dt),
             at_most(range[i].upper, last + rate[i].upper * dt)};

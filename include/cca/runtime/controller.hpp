@@ -14,7 +14,7 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/graph/layout/nodes_by_path.hpp>
+#include <cca/graph/diagnosis/unknown_path.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
@@ -157,11 +157,15 @@ public:
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
   decltype(auto) get() {
-    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
+    constexpr auto path = detail::hash(Path.view());
+    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
+    return at<path, detail::node_with_hash<Graph>(path)>(*this);
   }
   template <fixed_string Path>
   decltype(auto) get() const {
-    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
+    constexpr auto path = detail::hash(Path.view());
+    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
+    return at<path, detail::node_with_hash<Graph>(path)>(*this);
   }
 
   // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest
@@ -177,12 +181,10 @@ public:
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
   // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
   using detail::parameters_by_path<controller>::set;  // by a path that is known only at run time
-  template <
-      fixed_string Path,
-      class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>
+  template <fixed_string Path, class Parameters = typename detail::parameters_at<Graph, Path>::type>
   void set(const Parameters& parameters) {
-    detail::apply_parameters(get<Path>(), parameters, Path.view(),
-                             detail::step_of<Graph>(detail::node_at<Graph>(Path.view())));
+    if constexpr (detail::can_set<Graph, Path>())
+      detail::apply_parameters(get<Path>(), parameters, Path.view(), step_of(Path.view()));
   }
 
   // The time between two firings of the component with this path, in s; one beat if its clock is known only
@@ -226,6 +228,7 @@ private:
     template <fixed_string Path>
     decltype(auto) get() const {
       constexpr auto path = detail::hash(Path.view(), detail::after_dot(Scope));
+      static_assert(decltype(detail::check_path<Graph, Scope, Path, path>())::value || true);
       return at<path, detail::node_with_hash<Graph>(path)>(of);
     }
   };
@@ -235,7 +238,6 @@ private:
     if constexpr (Node >= 0) {
       return (detail::component_at<Graph, Node>(controller.state_of_all));
     } else {
-      static_assert(detail::has_scope<Graph>(Path), "cca::controller::get: no node has this path");
       return nodes<Controller, Path>{controller};
     }
   }

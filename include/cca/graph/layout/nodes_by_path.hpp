@@ -38,14 +38,4 @@ constexpr double step_of(int node) {
   return 1e-9 * static_cast<double>(beats * counts_of<Graph>.period);
 }
 
-template <class Graph, int Node>
-struct parameters_at {
-  using type = typename node_types<Graph, Node>::component::parameters;
-};
-template <class Graph>
-struct parameters_at<Graph, -1> {
-  static_assert(sizeof(Graph) == 0, "cca::controller::set: no component has this path");
-  struct type {};
-};
-
 }  // namespace cca::detail
