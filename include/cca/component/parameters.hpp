@@ -8,8 +8,9 @@
 //
 // A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a
 // std::array or fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a
-// `check() const` that returns a text: empty, or what is wrong. Errors: rule parameters.unsupported_type;
-// `cca::refused` for values. Example: docs/parameters.md.
+// `check() const` that returns a text: empty, or what is wrong. A component may have `refusal_of(values)
+// const`, which refuses values for now, for example while the robot moves. Errors: rule
+// parameters.unsupported_type; `cca::refused` for values. Example: docs/parameters.md.
 #pragma once
 
 #include <concepts>
@@ -124,12 +125,21 @@ void check_parameters(const Parameters& values, std::string_view path = {}) {
 
 namespace detail {
 
+// Of a component that can't take other parameters at all times: why not now; empty: it can.
+template <class Component> concept MayRefuse =
+    requires(const Component& component, const typename Component::parameters& values) {
+      { component.refusal_of(values) } -> std::same_as<std::string_view>;
+    };
+
 // Checks all values first: if one is refused, the component keeps its old parameters.
 template <HasParameters Component>
 void apply_parameters(Component& component,
                       const typename Component::parameters& values,
                       std::string_view path = {}) {
   check_parameters(values, path);
+  if constexpr (MayRefuse<Component>)
+    if (const std::string_view why = component.refusal_of(values); !why.empty())
+      throw refused(std::string(path) + "." + std::string(why));
   component.p = values;
 }
 

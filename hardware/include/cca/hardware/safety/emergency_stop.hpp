@@ -6,7 +6,8 @@
 //
 // It trips on what the guards before it have marked, on what the synchronizer reports about a joint, and by
 // hand:
-//   press()         from now on all drives are damped; `release()` alone moves nothing
+//   press()         from now on all drives are damped, and no drive can be enabled. `release()` alone moves
+//                   nothing, and only `release()` ends it: a start does not
 //   stop_softly()   the drives hold their position and get softer
 // If the robot is healthy and only its command is stale, not finite or late, it stops softly. A trip by a
 // drive, a sensor or the bus damps at once. The first cause is kept: rule, joint, beat. Motion comes back
@@ -43,7 +44,7 @@ public:
     }
     for (std::size_t i = 0; i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
-      s.mark = static_cast<double>(is);
+      s.mark = static_cast<double>(pressed ? motion_mode::barred : is);
       s.put(v, i);
     }
     return v;
@@ -56,7 +57,11 @@ public:
   motion_mode mode() const { return is; }
   safety_event first_cause() const { return cause; }
 
-  void on_start() { *this = {}; }
+  void on_start() {
+    const bool held = pressed;
+    *this = {};
+    pressed = held;
+  }
 
 private:
   void trip(safety_rule rule, int joint, const beat& now) {
