@@ -25,7 +25,8 @@ template <class... J>
 class start_check {
 public:
   using joints = joint_list<J...>;
-  static constexpr double range_tolerance = 0.2;  // rad
+  // rad. An Oncilla that has collapsed lies on its hips, 0.45 rad outside, and must be able to stand up.
+  static constexpr double range_tolerance = 0.5;
   static constexpr int beats = 3;                  // one wrong frame refuses nothing
 
   void begin() { outside = {}; }
