@@ -26,6 +26,7 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/hardware/shut_down.hpp>
 
 #include "in_memory.hpp"
 #include "lock_step.hpp"
@@ -141,7 +142,9 @@ int as_robot(const options& o) {
     std::fflush(stdout);
   });
   const int result = report(c);
-  c.stop();
+  // [shut down]
+  std::printf("robot: %s\n", hw::shut_down(c, robots_pace{bus, o.lock_step}).text().c_str());
+  // [shut down end]
   return result;
 }
 
@@ -154,7 +157,8 @@ int as_drives(const options& o) {
   cca::at_speed clock = cca::at_wall_clock();
   clock.begin();
   bool driven = false, free = false, unfed = false;
-  for (std::int64_t k = 1; k <= o.beats && !(driven && free); ++k) {
+  int off = 0;  // beats: it still answers, so that the controller sees that they are off
+  for (std::int64_t k = 1; k <= o.beats && off < 10; ++k) {
     const std::int64_t now = k * in_memory<>::beat;
     if (o.lock_step) wait_for(std::span(bus), {2, 2, 2, 2, 0}, now);
     else clock.wait(now);
@@ -164,6 +168,7 @@ int as_drives(const options& o) {
                         [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
     unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
     driven = driven || !free;
+    off = driven && free ? off + 1 : 0;
     robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
     if (k % 1000 == 0)

@@ -69,7 +69,7 @@ private:
         0.1;                        // N m, from the resolution of position, velocity and gains in a frame
     constexpr double beyond = 0.5;  // rad: a start from farther outside is refused
     const bool follows = c.stiffness > 0.2;
-    if (!follows) enters = !J::angle.holds(angle);
+    if (!follows) enters = true;  // until the first position within the range
     else if (J::angle.holds(c.position)) enters = false;
     bool good = c.stiffness <= J::servo.most_stiff + 0.2 && c.damping <= 5.01;
     if (follows) good = good && within(c.position, J::angle, enters ? beyond : 0.001);

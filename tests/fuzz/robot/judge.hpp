@@ -5,15 +5,18 @@
 //   limits   numbers are finite. A position that a drive shall follow is within the range of its axis; after
 //            a start from outside, between there and the range. The torque of a drive that takes it, at the
 //            measured angle and speed, is within the limits of the axis
-//   speed    the first position of a motion is where the joint is measured; from then on it moves at most as
-//            fast as the axis may, in a beat of 1 ms
+//   speed    the first position of a motion is where the joint is measured, and so is that of a soft stop;
+//            from then on it moves at most as fast as the axis may, in each beat of 1 ms
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include <cca/hardware/oncilla.hpp>
@@ -73,7 +76,8 @@ public:
   // In each beat: before its frames. `running`: the robot moves by the controller's set points.
   void begin_beat(bool closed, bool running, bool enabling) {
     now_closed = closed;
-    if (!running) known = {};
+    if (!running) known = {}, since = {};
+    for (int& beats : since) ++beats;
     now_running = running, now_enabling = enabling;
   }
 
@@ -95,8 +99,12 @@ public:
   }
 
 private:
-  void fail(std::string_view joint, const char* what) {
-    if (verdict.empty()) verdict = std::string(joint) + ": " + what;
+  void fail(std::string_view joint, const char* what, const hw::drive_command& c = {}, double angle = 0) {
+    if (!verdict.empty()) return;
+    char numbers[160];
+    std::snprintf(numbers, sizeof numbers, " (%.4f rad, %.3f rad/s, %.3f N m, %.2f, %.2f; it is at %.4f rad)",
+                  c.position, c.velocity, c.torque, c.stiffness, c.damping, angle);
+    verdict = std::string(joint) + ": " + what + numbers;
   }
   template <class F>
   static void each(F f) {
@@ -134,13 +142,16 @@ private:
         known[i] = {};
       } else {
         const double from = known[i].value_or(angle);
-        if (!(std::abs(c.position - from) <= step)) fail(name, "a position jumps");
+        const bool holds = std::abs(c.position - angle) <= step;  // a soft stop holds where the joint is
+        if (!holds && !(std::abs(c.position - from) <= step * since[i]))
+          fail(name, "a position jumps", c, angle);
         known[i] = c.position;
+        since[i] = 0;
         const hw::joint_bounds range{J::angle.lower - offset, J::angle.upper - offset};
         if (range.holds(c.position)) outside[i] = false;
         else if (from == angle) outside[i] = true;
         if (!outside[i] && !hw::joint_bounds{range.lower - 0.002, range.upper + 0.002}.holds(c.position))
-          fail(name, "a position is outside of the range");
+          fail(name, "a position is outside of the range", c, angle);
       }
     }
     if constexpr (by_stiffness || !by_position) {
@@ -149,11 +160,12 @@ private:
                        : c.torque;
       const double slack = 0.1 + 0.02 * (J::torque.upper - J::torque.lower);
       if (!(J::torque.lower - slack <= law && law <= J::torque.upper + slack))
-        fail(name, "more torque than it may have");
+        fail(name, "more torque than it may have", c, angle);
     }
   }
 
   std::array<std::optional<double>, 8> known{};  // the last position that a drive was to follow
+  std::array<int, 8> since{};                    // and how many beats ago that was: a frame may be dropped
   std::array<bool, 8> outside{};
   std::array<double, 4> spread{};
   bool now_closed = true, now_running = false, now_enabling = false;
