@@ -175,11 +175,15 @@ std::vector<result> campaign() {
          .each = [](limited_run& r,
                     std::int64_t) { r.controller.get<"robot.synchronizer">().p.offset[0] = 0.5; },
          .mend = [](limited_run& r) { r.controller.get<"robot.synchronizer">().p.offset[0] = 0; }});
-  with(s{.fault = "sensor board faulty", .each = [](limited_run& r, std::int64_t) {
-           auto reading = r.robot.board();
-           reading.status = 1;
-           r.wires[4].end(2).send(board::frames(reading, 0));
-         }});
+  with(s{.fault = "sensor board faulty",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               auto reading = r.robot.board();
+               reading.status = 1;
+               r.far.board_silent = true;  // this sends in its place
+               r.wires[4].end(2).send(board::frames(reading, 0));
+             },
+         .mend = [](limited_run& r) { r.far.board_silent = false; }});
   std::cerr << '\n';
   return all;
 }

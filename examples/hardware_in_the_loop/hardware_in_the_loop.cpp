@@ -26,7 +26,6 @@
 #include <vector>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/shut_down.hpp>
 
 #include "in_memory.hpp"
 #include "lock_step.hpp"

@@ -138,21 +138,19 @@ private:
     const double angle = J::angle_of(report.position), speed = J::speed_of(report.velocity);
     const double step = J::speed.upper * 1e-3 + 2e-3;  // the resolution of a frame, and of the measured angle
     if constexpr (by_position) {
-      if (by_stiffness && c.stiffness < 0.2) {
-        known[i] = {};
-      } else {
-        const double from = known[i].value_or(angle);
-        const bool holds = std::abs(c.position - angle) <= step;  // a soft stop holds where the joint is
-        if (!holds && !(std::abs(c.position - from) <= step * since[i]))
-          fail(name, "a position jumps", c, angle);
-        known[i] = c.position;
-        since[i] = 0;
-        const hw::joint_bounds range{J::angle.lower - offset, J::angle.upper - offset};
-        if (range.holds(c.position)) outside[i] = false;
-        else if (from == angle) outside[i] = true;
-        if (!outside[i] && !hw::joint_bounds{range.lower - 0.002, range.upper + 0.002}.holds(c.position))
-          fail(name, "a position is outside of the range", c, angle);
-      }
+      const double from = known[i].value_or(angle);
+      const bool is_stiff = !by_stiffness || c.stiffness > 0.2,
+                 holds = std::abs(c.position - angle) <= step;  // a soft stop holds where the joint is
+      if (is_stiff && !holds && !(std::abs(c.position - from) <= step * since[i]))
+        fail(name, "a position jumps", c, angle);
+      known[i] = c.position;
+      since[i] = 0;
+      const hw::joint_bounds range{J::angle.lower - offset, J::angle.upper - offset};
+      if (range.holds(c.position)) outside[i] = false;
+      else if (holds) outside[i] = true;
+      if (is_stiff && !outside[i] &&
+          !hw::joint_bounds{range.lower - 0.002, range.upper + 0.002}.holds(c.position))
+        fail(name, "a position is outside of the range", c, angle);
     }
     if constexpr (by_stiffness || !by_position) {
       const double law =

@@ -7,8 +7,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cca/hardware/shut_down.hpp>
-
 #include "../../laws/damiao_oncilla.hpp"
 #include "../../laws/robot_lab.hpp"
 

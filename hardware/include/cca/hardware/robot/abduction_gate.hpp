@@ -5,7 +5,8 @@
 //
 // Motion begins at the measured angle, with at most 2 rad/s until it has reached the command; then a target
 // moves as fast as the axis may. Targets stay within the range of the axis; one that has not been measured
-// waits. A beat is 1 ms. Cost: five operations a servo. Example: tests/runtime/drive_chain/stopping.cpp.
+// waits. A beat is 1 ms. Cost: five operations a servo. Example:
+// tests/runtime/drive_chain/start_and_stop.cpp.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 //   Pace         begin() and wait(ns), as in cca/runtime/pace.hpp. A program that plays the drives itself, in
 //                virtual time, lets them run in wait()
 //
-// It throws nothing, and allocates the report. Example: tests/runtime/drive_chain/stopping.cpp.
+// It throws nothing, and allocates the report. Example: tests/runtime/drive_chain/start_and_stop.cpp.
 #pragma once
 
 #include <concepts>

@@ -27,7 +27,7 @@ public:
   using joints = joint_list<J...>;
   // rad. An Oncilla that has collapsed lies on its hips, 0.45 rad outside, and must be able to stand up.
   static constexpr double range_tolerance = 0.5;
-  static constexpr int beats = 3;                  // one wrong frame refuses nothing
+  static constexpr int beats = 3;  // one wrong frame refuses nothing
 
   void begin() { outside = {}; }
 

@@ -4,12 +4,13 @@
 //   velocity_check check;
 //   check.compare(angle, speed, time);   // each measured angle, with the newest speed: rad, rad/s, ns
 //   check.disagrees()                    // `most_bad` blocks of 5 ms disagree, and none in between agrees
-//   check.passed()                       // a block has been compared, and none disagreed since the last that agreed
+//   check.passed()                       // a block has been compared, and none disagreed since the last that
+//   agreed
 //
 // A block compares the way that the angle went with the sum of velocity times time. They disagree if they
 // differ by more than 3 mrad and 30 % of the larger one. So a speed of the wrong sign is found above 0.6
 // rad/s, and one of half or twice the size above 3 rad/s. Blocks with less than 3 mrad decide nothing. Cost:
-// ten operations a report. Example: tests/runtime/drive_chain/starting.cpp.
+// ten operations a report. Example: tests/runtime/drive_chain/start_and_stop.cpp.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace cca::hardware {
 class velocity_check {
 public:
   static constexpr std::int64_t block = 5'000'000, longest_pause = 50'000'000;  // ns
-  static constexpr double least = 0.003, part = 0.3;                             // rad, of the larger way
+  static constexpr double least = 0.003, part = 0.3;                            // rad, of the larger way
   static constexpr int most_bad = 6;
 
   void restart() { *this = {}; }
