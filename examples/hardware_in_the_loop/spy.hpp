@@ -20,7 +20,7 @@ public:
     const bool runs =
         run.controller.template get<"robot.emergency_stop">().mode() == hw::motion_mode::run &&
         run.controller.template get<"robot.synchronizer">().phase() == hw::motion_phase::running;
-    may_spread = runs || ran, ran = runs;
+    may_spread = runs || ran, spread_begins = !ran, ran = runs;
     std::array<hw::received_frame, 256> frames;
     for (std::size_t b = 0; b < buses; ++b) {
       auto end = run.wires[b].end(2);
@@ -54,8 +54,10 @@ private:
     constexpr double range = cca::detail::upper_limit_of<axis, cca::angle>,
                      step = 1e-3 * cca::detail::upper_limit_of<axis, cca::velocity> + 2e-4;
     bool good = may_spread;
-    for (std::size_t k = 0; k < 4; ++k)
-      good = good && std::abs(wanted[k]) <= range + 1e-4 && std::abs(wanted[k] - spread_to[k]) <= step;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double from = spread_begins ? known.board().abduction[k] : spread_to[k];
+      good = good && std::abs(wanted[k]) <= range + 1e-4 && std::abs(wanted[k] - from) <= step;
+    }
     outside += !good;
     spread_to = wanted;
   }
@@ -69,8 +71,8 @@ private:
         0.1;                        // N m, from the resolution of position, velocity and gains in a frame
     constexpr double beyond = 0.5;  // rad: a start from farther outside is refused
     const bool follows = c.stiffness > 0.2;
-    if (!follows) enters = true;  // until the first position within the range
-    else if (J::angle.holds(c.position)) enters = false;
+    if (!follows) enters = true;  // until the joint and its first set point are within the range
+    else if (J::angle.holds(c.position) && J::angle.holds(angle)) enters = false;
     bool good = c.stiffness <= J::servo.most_stiff + 0.2 && c.damping <= 5.01;
     if (follows) good = good && within(c.position, J::angle, enters ? beyond : 0.001);
     if (c.damping > 0.01) good = good && within(c.velocity, J::speed, 0.02);
@@ -97,7 +99,7 @@ private:
   }
   std::array<bool, 8> enters{};
   std::array<double, 4> spread_to{};
-  bool may_spread = false, ran = false;
+  bool may_spread = false, spread_begins = true, ran = false;
 };
 
 }  // namespace hil

@@ -109,7 +109,7 @@ private:
 
   void pose() {
     for (std::size_t i = 0; i < Lab::count; ++i) {
-      const double beyond = chance(0.1) ? 0.6 : 0;
+      const double beyond = chance(0.05) ? 0.6 : 0;
       lab.put(i, any(joints::angle[i].lower - beyond, joints::angle[i].upper + beyond));
     }
     for (double& a : lab.abducted) a = any(-0.3, 0.3);
@@ -136,18 +136,18 @@ private:
     auto& wanted = c.template get<"whim">();
     if (chance(0.01)) wanted.angles[static_cast<Eigen::Index>(below(8))] = wild();
     if (chance(0.01)) wanted.abduction[static_cast<Eigen::Index>(below(4))] = wild() / 5;
-    if (chance(0.01)) disturb();
-    if (chance(0.003)) of_one_drive([&](auto& d) { d.go_silent(true); });
-    if (chance(0.002)) of_one_drive([&](auto& d) { d.fail(static_cast<std::uint32_t>(1 + below(48))); });
-    if (chance(0.001)) of_one_drive([&](auto& d) { d.reboot(lab.now, 20'000'000); });
-    if (chance(0.001)) lab.far.board_silent = true;
-    if (chance(0.001)) lab.speed_scale[below(8)] = any(-2, 3);
-    if (chance(0.003)) stalled = 1 + static_cast<int>(below(10));
-    if (chance(0.001)) wanted.broken = true;
-    if (chance(0.002)) lab.stop().press(), pressed = true;
+    if (chance(0.004)) disturb();
+    if (chance(0.001)) of_one_drive([&](auto& d) { d.go_silent(true); });
+    if (chance(0.0007)) of_one_drive([&](auto& d) { d.fail(static_cast<std::uint32_t>(1 + below(48))); });
+    if (chance(0.0005)) of_one_drive([&](auto& d) { d.reboot(lab.now, 20'000'000); });
+    if (chance(0.0005)) lab.far.board_silent = true;
+    if (chance(0.0005)) lab.speed_scale[below(8)] = any(-2, 3);
+    if (chance(0.001)) stalled = 1 + static_cast<int>(below(10));
+    if (chance(0.0005)) wanted.broken = true;
+    if (chance(0.001)) lab.stop().press(), pressed = true;
     if (chance(0.02)) lab.stop().release(), pressed = false;
-    if (chance(0.001)) lab.stop().stop_softly();
-    if (chance(0.01)) mend();
+    if (chance(0.0005)) lab.stop().stop_softly();
+    if (chance(0.02)) mend();
     if (chance(0.003)) set_parameters();
     if (chance(0.01)) live_on();
   }
@@ -160,8 +160,8 @@ private:
       case cca::state::faulted:
         return chance(0.5) ? c.resume() : c.stop();
       default:
-        if (chance(0.2)) return c.stop();
-        if (lab.stop().mode() != hw::motion_mode::run || chance(0.1)) lab.synchronizer().start(), latch();
+        if (chance(0.1)) return c.stop();
+        if (lab.stop().mode() != hw::motion_mode::run || chance(0.05)) lab.synchronizer().start(), latch();
     }
   }
   void set_parameters() {

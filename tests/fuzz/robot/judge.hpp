@@ -73,7 +73,8 @@ public:
   std::uint64_t frames = 0;
   std::string verdict{};  // the first frame that should not have been sent
 
-  // In each beat that takes place, before its frames. `running`: the robot moves by the controller's set points.
+  // In each beat that takes place, before its frames. `running`: the robot moves by the controller's set
+  // points.
   void begin_beat(bool closed, bool running, bool enabling) {
     now_closed = closed;
     if (!running) known = {}, since = {};
