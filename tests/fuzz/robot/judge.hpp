@@ -33,6 +33,7 @@ namespace hw = cca::hardware;
 struct request {
   hw::drive_command command{};
   bool enables = false, follows = false;  // follows: the drive is to follow `command`
+  bool brakes = false;                    // it gets no position
 };
 
 template <class D>
@@ -51,6 +52,7 @@ std::optional<request> read(const hw::can_frame& f) {
     typename D::request q;
     if (!D::hear(f, q)) return {};
     r.enables = q.mode == 10;
+    r.brakes = !r.enables;
     r.follows = r.enables && q.command.position == q.command.position;  // NaN: stay where you are
     c = q.command;
     c.stiffness *= D::motor::stiffness, c.damping *= D::motor::damping;
@@ -129,7 +131,12 @@ private:
     const auto& name = J::axis::name;
     const hw::drive_command c = J::from_drive(r.command);
     if (now_closed && (r.follows || r.enables)) return fail(name, "moves or is enabled while nothing may");
-    if (!r.follows) return;
+    if (!r.follows) {  // it gives way; a position that it gets meanwhile goes on, or else the next one begins
+      since[i] = 0;
+      if (now_running && by_stiffness)
+        known[i] = c.position, gave_way[i] = c.position != c.position || r.brakes;
+      return;
+    }
     for (const double x : {c.position, c.velocity, c.torque, c.stiffness, c.damping})
       if (!std::isfinite(x)) return fail(name, "a number is not finite");
     if (!now_running) {  // a drive that is being enabled holds where it is
@@ -142,10 +149,11 @@ private:
       const double from = known[i].value_or(angle);
       const bool is_stiff = !by_stiffness || c.stiffness > 0.2,
                  holds = std::abs(c.position - angle) <= step;  // a soft stop holds where the joint is
-      if (is_stiff && !holds && !(std::abs(c.position - from) <= step * since[i]))
+      if (is_stiff && !holds && !gave_way[i] && !(std::abs(c.position - from) <= step * since[i]))
         fail(name, "a position jumps", c, angle);
       known[i] = c.position;
       since[i] = 0;
+      gave_way[i] = false;
       const hw::joint_bounds range{J::angle.lower - offset, J::angle.upper - offset};
       if (range.holds(c.position)) outside[i] = false;
       else if (holds) outside[i] = true;
@@ -165,7 +173,7 @@ private:
 
   std::array<std::optional<double>, 8> known{};  // the last position that a drive was to follow
   std::array<int, 8> since{};                    // and how many beats ago that was: a frame may be dropped
-  std::array<bool, 8> outside{};
+  std::array<bool, 8> outside{}, gave_way{};
   std::array<double, 4> spread{};
   bool now_closed = true, now_running = false, now_enabling = false;
 };
