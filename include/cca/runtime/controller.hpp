@@ -104,13 +104,10 @@ public:
     reason = {};
   }
 
-  // One beat. False, and no component runs, where the life-cycle does not allow it: before start(), after
-  // stop() and after a fault. Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
+  // One beat. False where the life-cycle does not allow it: before start(), after stop() and after a fault.
+  // Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
   bool step() noexcept {
-    if (!detail::is_legal(detail::transition::run, now)) {
-      idle();
-      return false;
-    }
+    if (!detail::is_legal(detail::transition::run, now)) return idle(), false;
     advance();
     return true;
   }

@@ -83,7 +83,7 @@ public:
       const auto after = lab.synchronizer().phase();
       const bool moves = stepped && before >= hw::motion_phase::enabling && after >= hw::motion_phase::begins;
       const bool closed = pressed || !stepped || after == hw::motion_phase::stopped;
-      if (runs) judged.begin_beat(closed, moves, after == hw::motion_phase::enabling);
+      if (runs) judged.begin_beat(closed, moves, after == hw::motion_phase::enabling, lab.stop().mode());
       sum.motions += moves && lab.stop().mode() == hw::motion_mode::run;
       for (std::size_t b = 0; b < Lab::buses; ++b)
         for (const hw::can_frame& f : lab.sent[b]) judged.look(b, f, lab.synchronizer(), latched);

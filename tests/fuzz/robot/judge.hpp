@@ -5,8 +5,9 @@
 //   limits   numbers are finite. A position that a drive shall follow is within the range of its axis; after
 //            a start from outside, between there and the range. The torque of a drive that takes it, at the
 //            measured angle and speed, is within the limits of the axis
-//   speed    the first position of a motion is where the joint is measured, and so is that of a soft stop;
-//            from then on it moves at most as fast as the axis may, in each beat of 1 ms
+//   speed    the first position of a motion is where the joint is measured; from then on it moves at most as
+//            fast as the axis may, in each beat of 1 ms. Not judged in a soft stop, which holds the position
+//            that was measured when it began
 #pragma once
 
 #include <array>
@@ -77,11 +78,11 @@ public:
 
   // In each beat that takes place, before its frames. `running`: the robot moves by the controller's set
   // points.
-  void begin_beat(bool closed, bool running, bool enabling) {
+  void begin_beat(bool closed, bool running, bool enabling, hw::motion_mode mode) {
     now_closed = closed;
     if (!running) known = {}, since = {};
     for (int& beats : since) ++beats;
-    now_running = running, now_enabling = enabling;
+    now_running = running, now_enabling = enabling, follows_commands = mode == hw::motion_mode::run;
   }
 
   // `measured`: angle and speed of each joint, as the controller knows them.
@@ -147,9 +148,9 @@ private:
     const double step = J::speed.upper * 1e-3 + 2e-3;  // the resolution of a frame, and of the measured angle
     if constexpr (by_position) {
       const double from = known[i].value_or(angle);
-      const bool is_stiff = !by_stiffness || c.stiffness > 0.2,
-                 holds = std::abs(c.position - angle) <= step;  // a soft stop holds where the joint is
-      if (is_stiff && !holds && !gave_way[i] && !(std::abs(c.position - from) <= step * since[i]))
+      const bool is_stiff = !by_stiffness || c.stiffness > 0.2, holds = std::abs(c.position - angle) <= step;
+      if (follows_commands && is_stiff && !holds && !gave_way[i] &&
+          !(std::abs(c.position - from) <= step * since[i]))
         fail(name, "a position jumps", c, angle);
       known[i] = c.position;
       since[i] = 0;
@@ -175,7 +176,7 @@ private:
   std::array<int, 8> since{};                    // and how many beats ago that was: a frame may be dropped
   std::array<bool, 8> outside{}, gave_way{};
   std::array<double, 4> spread{};
-  bool now_closed = true, now_running = false, now_enabling = false;
+  bool follows_commands = false, now_closed = true, now_running = false, now_enabling = false;
 };
 
 }  // namespace fuzz
