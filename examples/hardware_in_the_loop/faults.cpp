@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "../trot/report/program.hpp"
@@ -24,6 +25,14 @@ using t = hw::bus_trouble;
 template <std::size_t Drive, class Run>
 auto& drive(Run& r) {
   return std::get<Drive>(r.far.drives);
+}
+
+// Another node holds bus 0 for this beat.
+template <class Run>
+void hold(Run& r) {
+  std::array<hw::can_frame, 8> noise;
+  noise.fill({.id = hw::standard(0), .length = 8});
+  r.wires[0].end(2).send(noise);
 }
 
 std::vector<result> campaign(const cca::interruption& interrupted) {
@@ -98,6 +107,84 @@ std::vector<result> campaign(const cca::interruption& interrupted) {
   with(s{.fault = "soft stop asked for", .beats = 1, .each = [](limited_run& r, std::int64_t) {
            r.controller.get<"robot.emergency_stop">().stop_softly();
          }});
+  // Stopping.
+  with(s{.fault = "stop() in the middle of the trot", .each = [](limited_run& r, std::int64_t k) {
+           if (k == 0) r.controller.stop();
+         }});
+  with(s{.fault = "stop() while another node holds bus 0",
+         .beats = 2,
+         .each = [](limited_run& r, std::int64_t k) {
+           hold(r);
+           if (k == 0) r.controller.stop();
+         }});
+  with(s{.fault = "stop() with a silent drive",
+         .each =
+             [](limited_run& r, std::int64_t k) {
+               drive<2>(r).go_silent(true);
+               if (k == 0) r.controller.stop();
+             },
+         .mend = [](limited_run& r) { drive<2>(r).clear(); }});
+  with(s{.fault = "a component's fault",
+         .each = [](limited_run& r, std::int64_t) { r.controller.get<"saboteur">().gives_up = true; },
+         .mend = [](limited_run& r) { r.controller.get<"saboteur">().gives_up = false; }});
+  with(s{.fault = "a component's fault while another node holds bus 0",
+         .beats = 2,
+         .each =
+             [](limited_run& r, std::int64_t) {
+               hold(r);
+               r.controller.get<"saboteur">().gives_up = true;
+             },
+         .mend = [](limited_run& r) { r.controller.get<"saboteur">().gives_up = false; }});
+  with(s{.fault = "a component's fault, and a silent drive",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               drive<6>(r).go_silent(true);
+               r.controller.get<"saboteur">().gives_up = true;
+             },
+         .mend =
+             [](limited_run& r) {
+               drive<6>(r).clear();
+               r.controller.get<"saboteur">().gives_up = false;
+             }});
+  // The pressed emergency stop.
+  with(s{.fault = "emergency stop pressed, the legs are told to spread",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               r.controller.get<"robot.emergency_stop">().press();
+               r.controller.get<"spread">().target = 0.3;
+             },
+         .mend =
+             [](limited_run& r) {
+               r.controller.get<"robot.emergency_stop">().release();
+               r.controller.get<"spread">().target = 0;
+             }});
+  with(s{.fault = "emergency stop pressed, then started again and again",
+         .each =
+             [](limited_run& r, std::int64_t k) {
+               r.controller.get<"robot.emergency_stop">().press();
+               if (k % 20 == 10) r.controller.get<"robot.synchronizer">().start();
+             },
+         .mend = [](limited_run& r) { r.controller.get<"robot.emergency_stop">().release(); }});
+  // What is measured.
+  for (const auto& [what, scale] :
+       {std::pair{"velocity frozen at 0", 0.0}, std::pair{"velocity of the wrong sign", -1.0},
+        std::pair{"velocity 2.2 times too large", 2.2}})
+    with(s{.fault = what,
+           .each = [scale = scale](limited_run& r, std::int64_t) { r.speed_scale[2] = scale; },
+           .mend = [](limited_run& r) { r.speed_scale[2] = 1; }});
+  with(s{.fault = "calibration changed while it runs",
+         .each = [](limited_run& r,
+                    std::int64_t) { r.controller.get<"robot.synchronizer">().p.offset[0] = 0.5; },
+         .mend = [](limited_run& r) { r.controller.get<"robot.synchronizer">().p.offset[0] = 0; }});
+  with(s{.fault = "sensor board faulty",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               auto reading = r.robot.board();
+               reading.status = 1;
+               r.far.board_silent = true;  // this sends in its place
+               r.wires[4].end(2).send(board::frames(reading, 0));
+             },
+         .mend = [](limited_run& r) { r.far.board_silent = false; }});
   std::cerr << '\n';
   return all;
 }

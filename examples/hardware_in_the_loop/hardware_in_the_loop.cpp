@@ -165,7 +165,9 @@ int as_robot(const options& o) {
   if (c.overruns() > 0)
     std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
                 static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
-  c.stop();
+  // [shut down]
+  std::printf("robot: %s\n", hw::shut_down(c, robots_pace{bus, o.lock_step}).text().c_str());
+  // [shut down end]
   return interrupted ? interrupted.exit_code() : result;
 }
 
@@ -179,7 +181,8 @@ int as_drives(const options& o) {
   clock.begin();
   const cca::interruption interrupted;
   bool driven = false, free = false, unfed = false;
-  for (std::int64_t k = 1; k <= o.beats && !(driven && free) && !interrupted; ++k) {
+  int off = 0;  // beats: it still answers, so that the controller sees that they are off
+  for (std::int64_t k = 1; k <= o.beats && off < 10 && !interrupted; ++k) {
     const std::int64_t now = k * in_memory<>::beat;
     if (o.lock_step) wait_for(std::span(bus), {2, 2, 2, 2, 0}, now);
     else clock.wait(now);
@@ -189,6 +192,7 @@ int as_drives(const options& o) {
                         [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
     unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
     driven = driven || !free;
+    off = driven && free ? off + 1 : 0;
     robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
     if (k % 1000 == 0)

@@ -61,7 +61,9 @@ public:
     far.listen(heard);
     laws = far.laws(heard);
     robot.advance(laws, far.abduction);
-    far.tell(robot.joints(), robot.board());
+    auto motions = robot.joints();
+    for (std::size_t i = 0; i < motions.size(); ++i) motions[i].velocity *= speed_scale[i];
+    far.tell(motions, robot.board());
     now += beat;
     go_to(now - 1);
     return stepped;
@@ -86,7 +88,8 @@ public:
   cca::controller<Architecture> controller{};
   far_side<memory_end> far{};
   mechanics robot{hil::put_down()};
-  std::array<cca::hardware::drive_command, 8> laws{};  // of the drives in the last beat
+  std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
+  std::array<double, 8> speed_scale{1, 1, 1, 1, 1, 1, 1, 1};  // of the velocities that the drives report
   std::int64_t now = 0;
 
 private:

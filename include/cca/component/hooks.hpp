@@ -48,6 +48,12 @@ template <class Component> concept OnFault = requires(Component& c) {
   { c.on_fault() } -> std::same_as<void>;
 };
 
+// Of a resource node: step() calls it instead of a beat while the controller is stopped or faulted, so that a
+// robot can go on stopping.
+template <class Component> concept OnIdle = requires(Component& c) {
+  { c.on_idle() } -> std::same_as<void>;
+};
+
 // Most components have no hook: one check instead of ten keeps compiling fast.
 template <class Component> concept NamesNone = CanBeProbed<Component> && requires {
   &hook_probe<Component>::on_load, &hook_probe<Component>::on_save, &hook_probe<Component>::on_start,

@@ -10,7 +10,8 @@
 // std::array or fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a
 // `check() const` that returns a text: empty, or what is wrong. The outermost struct may have a
 // `check_at(double step) const`, too, for bounds that follow from the rate: `step` is the time between two
-// firings of the node in s. Errors: rule parameters.unsupported_type; `cca::refused` for values.
+// firings of the node in s. A component may have `refusal_of(values) const`, which refuses values for now,
+// for example while the robot moves. Errors: rule parameters.unsupported_type; `cca::refused` for values.
 // Example: docs/parameters.md.
 #pragma once
 
@@ -145,12 +146,21 @@ void check_parameters(const Parameters& values, std::string_view path, double st
 
 namespace detail {
 
+// Of a component that can't take other parameters at all times: why not now; empty: it can.
+template <class Component> concept MayRefuse =
+    requires(const Component& component, const typename Component::parameters& values) {
+      { component.refusal_of(values) } -> std::same_as<std::string_view>;
+    };
+
 // Checks all values first: if one is refused, the component keeps its old parameters.
 template <HasParameters Component>
 void apply_parameters(Component& component,
                       const typename Component::parameters& values,
                       std::string_view path = {}) {
   check_parameters(values, path);
+  if constexpr (MayRefuse<Component>)
+    if (const std::string_view why = component.refusal_of(values); !why.empty())
+      throw refused(std::string(path) + "." + std::string(why));
   component.p = values;
 }
 template <HasParameters Component>
@@ -159,7 +169,7 @@ void apply_parameters(Component& component,
                       std::string_view path,
                       double step) {
   check_parameters(values, path, step);
-  component.p = values;
+  apply_parameters(component, values, path);
 }
 
 }  // namespace detail

@@ -108,10 +108,10 @@ public:
     reason = {};
   }
 
-  // One beat. False, and nothing happens, where the life-cycle does not allow it: before start(), and after a
-  // fault.
+  // One beat. False where the life-cycle does not allow it: before start(), after stop() and after a fault.
+  // Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
   bool step() noexcept {
-    if (!detail::is_legal(detail::transition::run, now)) return false;
+    if (!detail::is_legal(detail::transition::run, now)) return idle(), false;
     advance();
     return true;
   }
@@ -291,6 +291,14 @@ private:
         },
         state_of_all);
     now = detail::after(detail::transition::fail, now);
+  }
+
+  [[gnu::noinline]] void idle() noexcept {
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
+        },
+        state_of_all);
   }
 
   detail::controller_state<Graph> state_of_all;

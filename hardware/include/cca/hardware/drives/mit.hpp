@@ -161,6 +161,11 @@ struct mit_drive {
   static constexpr drive_frames disable() noexcept {
     return {still(), mit_special_frame(request_id, mit_special::leave)};
   }
+  // Only Damiao drives say whether they are enabled; of the others an answer is all there is.
+  static constexpr bool is_off(const drive_report& r) noexcept {
+    return Firmware != mit_firmware::damiao || r.activity == drive_activity::disabled ||
+           r.activity == drive_activity::faulted;
+  }
   // For Damiao drives.
   static constexpr can_frame clear_fault() noexcept {
     return mit_special_frame(request_id, mit_special::clear_fault);

@@ -156,6 +156,11 @@ struct moteus {
   static constexpr drive_frames damp() noexcept { return {brake()}; }
   static constexpr drive_frames disable() noexcept { return {detail::moteus_mode_frame(request_id, 0)}; }
 
+  // A faulted one may still hold or brake, by its timeout mode: disable() leads to mode 0.
+  static constexpr bool is_off(const drive_report& r) noexcept {
+    return r.activity == drive_activity::disabled;
+  }
+
   class enabling {
   public:
     constexpr enable_step next(const drive_report& r) noexcept {

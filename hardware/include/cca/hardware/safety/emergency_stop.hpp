@@ -6,7 +6,8 @@
 //
 // It trips on what the guards before it have marked, on what the synchronizer reports about a joint, and by
 // hand:
-//   press()         from now on all drives are damped; `release()` alone moves nothing
+//   press()         from now on all drives are damped, and no drive can be enabled. `release()` alone moves
+//                   nothing, and only `release()` ends it: a start does not
 //   stop_softly()   the drives hold their position and get softer
 // These three may be called from any thread.
 // If the robot is healthy and only its command is stale, not finite or late, it stops softly. A trip by a
@@ -46,7 +47,7 @@ public:
     }
     for (std::size_t i = 0; i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
-      s.mark = static_cast<double>(is);
+      s.mark = static_cast<double>(is_pressed ? motion_mode::barred : is);
       s.put(v, i);
     }
     return v;
