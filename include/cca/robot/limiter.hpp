@@ -8,13 +8,11 @@
 // none at will. Each number is checked for
 //
 //   finite   NaN and infinity are no commands: the quantity's `on_nan` says whether the last safe command is
-//   held
-//            (an angle, a stiffness) or the allowed number nearest to zero is published (a velocity, a
+//            held (an angle, a stiffness) or the allowed number nearest to zero is published (a velocity, a
 //            torque);
 //   range    else the nearest allowed number is published;
 //   rate     and of the allowed numbers the nearest that can be reached since the last safe command, in at
-//   most
-//            one period of the space's rate: after a pause a command may not jump.
+//            most one period of the space's rate: after a pause a command may not jump.
 //
 // It starts from "measured", if that is wired and a sample has arrived, and holds it until the first command;
 // else it takes the first command as it is. It counts each number that it changes, and keeps the first cause:

@@ -15,6 +15,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/graph/diagnosis/unknown_path.hpp>
+#include <cca/runtime/each_component.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
@@ -205,20 +206,11 @@ public:
   }
 
 private:
-  // f(number, component) for each. By way of a table, so that what `f` does with components of one type is
-  // compiled once.
-  template <class F, class Memory, int First>
-  static void visit_one(F& f, Memory& m, int node) {
-    f(node, detail::component_in<Graph, First>(m, detail::layout_of<Graph>.components[node].index));
+  template <class F, class State>
+  static void visit(F f, State& state) {
+    detail::visit_components<Graph>(f, state);
   }
-  template <class F, class Memory>
-  static void visit(F f, Memory& m) {
-    [&]<int... Node>(std::integer_sequence<int, Node...>) {
-      static constexpr void (*visitors[])(F&, Memory&, int) = {
-          visit_one<F, Memory, detail::layout_of<Graph>.components[Node].array>..., nullptr};
-      for (int node = 0; node < static_cast<int>(sizeof...(Node)); ++node) visitors[node](f, m, node);
-    }(std::make_integer_sequence<int, detail::counts_of<Graph>.node_count>{});
-  }
+  static std::string path_of(int node) { return detail::path_of_node<Graph>(node); }
 
   // The nodes of an inner graph, whose path has this hash.
   template <class Controller, std::uint64_t Scope>
@@ -253,15 +245,6 @@ private:
                   {values, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)},
                   sample ? sample->origin() : never,
                   k > 0 && stored.arrived(k - 1, 0) == k - 1});
-  }
-
-  static std::string path_of(int node) {
-    const auto& plan = detail::plan_of<Graph>;
-    std::string path(plan.nodes[static_cast<std::size_t>(node)].item->from);
-    for (int s = plan.nodes[static_cast<std::size_t>(node)].scope;
-         plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
-      path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
-    return path;
   }
 
   void check(detail::transition what, const char* call) const {

@@ -1,9 +1,9 @@
 // A controller's parameters by a path that is known only at run time, for tools and remote control.
 //
-//   c.set("cpg.frequency", 2.0);                 a number, true, a text ("30 deg", "slope"), or several
-//   numbers c.parameter("cpg.frequency")                 "2.0", as a file spells it
-//   c.parameter<double>("cpg.offset")            the number, in its SI unit
-//   c.parameter_paths()                          all of them
+//   c.set("cpg.frequency", 2.0);         a number, true, a text ("30 deg", "slope"), or several numbers
+//   c.parameter("cpg.frequency")         "2.0", as a file spells it
+//   c.parameter<double>("cpg.offset")    the number, in its SI unit
+//   c.parameter_paths()                  all of them
 //
 // In any state, between two beats, from the thread that runs them. Errors: cca::refused, and nothing is
 // changed: an unknown path (with the nearest one that exists), a wrong type, a value out of its range. Needs

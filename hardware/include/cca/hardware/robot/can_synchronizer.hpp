@@ -160,8 +160,6 @@ public:
   }
 
 private:
-  using guard = limit_guard<joints>;
-
   template <class F>
   static decltype(auto) each(F f) {
     return f(std::make_index_sequence<count>());
@@ -253,7 +251,7 @@ private:
   drive_frames damped() const {
     const joint_state q{drives.angle[I], drives.speed[I]};
     const double where = q.known() ? q.angle : 0;
-    const set_point s = guard::scaled(
+    const set_point s = limit_guard<joints>::scaled(
         I, q, {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)});
     return frames_for<One>(s, where, drives.speed[I]);
   }

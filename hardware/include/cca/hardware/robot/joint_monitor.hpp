@@ -7,10 +7,10 @@
 //   begin_beat(), check()
 //                  before and after the frames of a beat. A drive trips if it has been silent for
 //                  `silent_beats` or three of its own periods; if it still sends, but no angle or no velocity
-//                  for that time, or no state for `state_beats`; if it has jumped as often in a row, or in every
-//                  second report (two drives under one id); if it is not alone (sender_check.hpp); if its
-//                  velocity is not the change of its angle (velocity_check.hpp); if it reports a fault, or
-//                  that it is disabled
+//                  for that time, or no state for `state_beats`; if it has jumped as often in a row, or in
+//                  every second report (two drives under one id); if it is not alone (sender_check.hpp); if
+//                  its velocity is not the change of its angle (velocity_check.hpp); if it reports a fault,
+//                  or that it is disabled
 //   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree
 //   angle_now(i), speed_now(i), torque_now(i)
 //                  what is measured; not a number where it is too old
@@ -57,9 +57,8 @@ struct joint_monitor {
       senders[I].answered(f.frame);  // CANopen drives send further frames in a cycle
     if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return note_jump(I), true;
     position_unwrap unwrapped = unwraps[I];
-    const double position = One::mounted.wraps > 0 && (heard.told & of_position)
-                                ? unwrapped(heard.position)
-                                : heard.position;
+    const double position =
+        One::mounted.wraps > 0 && (heard.told & of_position) ? unwrapped(heard.position) : heard.position;
     const double now = One::angle_of(position) + offset;
     if (heard.told & of_position) {
       const double pause = static_cast<double>(f.time - reported_at[I]) * 1e-9;
