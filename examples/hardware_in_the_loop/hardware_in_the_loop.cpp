@@ -109,7 +109,7 @@ int in_one_process(std::int64_t beats) {
   }
   if (run.robot.world.fallen()) std::printf("the robot fell\n");
   const int result = report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
-  run.controller.stop();
+  std::printf("%s\n", run.shut_down().text().c_str());
   return interrupted ? interrupted.exit_code() : result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/hardware/memory_bus.hpp>
+#include <cca/hardware/robot/shut_down.hpp>
 
 #include "../trot/architecture.hpp"
 #include "mechanics.hpp"
@@ -69,6 +70,11 @@ public:
     return stepped;
   }
 
+  // Stops the robot in order. The drives go on answering meanwhile.
+  cca::hardware::shut_down_report shut_down() {
+    return cca::hardware::shut_down(controller, drives_reaction{*this});
+  }
+
   // For programs that put the robot down and push it.
   const cca::sim::world& world() const { return robot.world; }
   void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
@@ -93,6 +99,13 @@ public:
   std::int64_t now = 0;
 
 private:
+  // The pace of shut_down: what the drives do between two beats.
+  struct drives_reaction {
+    in_memory& run;
+    void begin() const {}
+    void wait(std::int64_t) const { run.step(false); }
+  };
+
   void connect() {
     controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
   }

@@ -26,7 +26,8 @@ int run(const skills::options& o) {
   if (stop.mode() != cca::hardware::motion_mode::run)
     std::printf("stopped; first cause: %s\n",
                 std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
-  robot.controller.stop();
+  const auto stopped = robot.shut_down();
+  if (!o.quiet || !stopped.complete()) std::printf("%s\n", stopped.text().c_str());
   return interrupted ? interrupted.exit_code() : skills::succeeded(result) ? 0 : 1;
 }
 

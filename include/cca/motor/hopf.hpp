@@ -21,6 +21,7 @@
 // Example: tests/runtime/motor/hopf.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -56,7 +57,7 @@ struct hopf {
     detail::input_check inputs;
     const hopf_ode::input u =
         inputs(hopf_ode::input(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value()));
-    if (inputs.unreadable()) return published(inputs.get());
+    if (inputs.unreadable()) return published(std::max<double>(p.ember, solver.get().norm()), inputs.get());
     if (!solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
     hopf_ode::state x = solver.get();
     double radius = std::sqrt(x.dot(x));
@@ -67,17 +68,16 @@ struct hopf {
     }
     // At the radius `ember` it counts as resting, although the state still turns.
     status.update(radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0, p.settling);
-    return published(inputs.get());
+    return published(radius, inputs.get());
   }
 
   // Begins at the radius `ember`, at rest: the status needs no reset.
   void on_start() { solver = {}; }
 
 private:
-  result published(input_status inputs) const {
+  result published(double radius, input_status inputs) const {
     const hopf_ode::state& x = solver.get();
-    const double radius = std::sqrt(x.dot(x)), least = p.ember;
-    return {std::atan2(x[1], x[0]), radius < least ? least : radius, status_of(inputs, status.get())};
+    return {std::atan2(x[1], x[0]), radius, status_of(inputs, status.get())};
   }
 
   ode_solver<hopf_ode, Integrator> solver;

@@ -5,8 +5,8 @@
 //                              beats its stiffness goes to 0, its damping to `safe_damping` of its servo;
 //                              then the mode is `damped`
 //   damping_stop               in the modes `damped` and `barred`: no stiffness, no torque, `safe_damping`
-//                              against any motion. Not zero torque, because a leg would fall, and not a position, because
-//                              that is stiff against people
+//                              against any motion. Not zero torque, because a leg would fall, and not a
+//                              position, because that is stiff against people
 //
 // Cost: a comparison a joint while the robot runs. Source: Unitree's reaction to a lost command
 // (unitree_legged_sdk, cmd_lost_timelimit).
