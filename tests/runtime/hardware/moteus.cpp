@@ -105,9 +105,9 @@ TEST_CASE("moteus: subframes of the diagnostic stream are skipped, wherever they
     CHECK(r.torque == doctest::Approx(-1.44));
   }
   r = {};
-  CHECK_FALSE(
-      servo::decode(from_hex(standard(0x100), std::string(reply) + "41017f6f"), r));  // ends too early
-  CHECK_FALSE(servo::decode(from_hex(standard(0x100), "4101026f6b"), r));             // no register
+  CHECK_FALSE(servo::decode(from_hex(standard(0x100), std::string(reply) + std::string("41017f6f")),
+                            r));                                           // ends too early
+  CHECK_FALSE(servo::decode(from_hex(standard(0x100), "4101026f6b"), r));  // no register
   CHECK(r.frames == 0);
 }
 
