@@ -7,6 +7,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/csv.hpp"
 #include "../trot/report/progress.hpp"

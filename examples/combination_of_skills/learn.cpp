@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/runtime/interruption.hpp>
+
 #include "../trot/report/program.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"

@@ -15,6 +15,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/parallel.hpp"
 #include "../trot/report/program.hpp"

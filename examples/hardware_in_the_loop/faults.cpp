@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <cca/runtime/interruption.hpp>
+
 #include "../trot/report/program.hpp"
 #include "campaign.hpp"
 

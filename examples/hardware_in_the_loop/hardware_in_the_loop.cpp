@@ -23,6 +23,7 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/program.hpp"
 #include "in_memory.hpp"

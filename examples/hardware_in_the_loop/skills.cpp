@@ -6,6 +6,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../combination_of_skills/program.hpp"
 #include "../combination_of_skills/summary.hpp"

@@ -17,6 +17,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "report/command_line.hpp"
 #include "report/csv.hpp"

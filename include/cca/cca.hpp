@@ -17,7 +17,6 @@
 #include <cca/robot/limiter.hpp>
 #include <cca/robot/watchdog.hpp>
 #include <cca/runtime/controller.hpp>
-#include <cca/runtime/interruption.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/skeleton/arbiter.hpp>
 #include <cca/skeleton/blend.hpp>

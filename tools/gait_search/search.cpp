@@ -18,6 +18,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "cma_es.hpp"
 #include "../../examples/trot/report/parallel.hpp"

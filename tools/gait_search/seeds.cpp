@@ -12,6 +12,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../../examples/trot/report/command_line.hpp"
 #include "../../examples/trot/report/parallel.hpp"

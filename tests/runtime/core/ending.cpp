@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include <cca/runtime/interruption.hpp>
+
 #include "counting.hpp"
 
 using namespace core_test;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <cca/runtime/interruption.hpp>
+
 #include "../picture.hpp"
 #include "counting.hpp"
 
