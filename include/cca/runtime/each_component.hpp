@@ -37,4 +37,12 @@ void visit_components(F f, State& state) {
   }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
 }
 
+// Whether a resource node has the hook `on_idle`.
+template <class Graph>
+inline constexpr bool has_idle_hook = []<int... First>(std::integer_sequence<int, First...>) {
+  return ((IsResource<typename node_types<Graph, First>::component> &&
+           OnIdle<typename node_types<Graph, First>::component>) ||
+          ...);
+}(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
+
 }  // namespace cca::detail
