@@ -112,10 +112,10 @@ public:
   // One beat. False where the life-cycle does not allow it: before start(), after stop() and after a fault.
   // Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
   bool step() noexcept {
-    const bool runs = detail::is_legal(detail::transition::run, now);
-    if (runs) advance();
+    const bool may_run = detail::is_legal(detail::transition::run, now);
+    if (may_run) advance();
     else if constexpr (detail::has_idle_hook<Graph>) idle();
-    return runs;
+    return may_run;
   }
 
   // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault,
