@@ -181,7 +181,8 @@ int as_drives(const options& o) {
   cca::at_speed clock = cca::at_wall_clock();
   clock.begin();
   const cca::interruption interrupted;
-  bool driven = false, free = false, unfed = false;
+  bool driven = false, free = false, unfed = false;  // unfed: since the beat in which they became free
+  double distance = 0;                               // the farthest: it slides back when it sinks
   int off = 0;  // beats: it still answers, so that the controller sees that they are off
   for (std::int64_t k = 1; k <= o.beats && off < 10 && !interrupted; ++k) {
     const std::int64_t now = k * in_memory<>::beat;
@@ -191,16 +192,17 @@ int as_drives(const options& o) {
     const auto laws = far.laws(now);
     free = std::none_of(laws.begin(), laws.end(),
                         [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
-    unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
+    if (!free || off == 0)
+      unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
     driven = driven || !free;
     off = driven && free ? off + 1 : 0;
     robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
+    distance = std::max(distance, robot.world.trunk_position()[0]);
     if (k % 1000 == 0)
       std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000),
                   robot.world.trunk_position()[0]);
   }
-  const double distance = robot.world.trunk_position()[0];
   std::printf("drives: %s, after %.2f m\n",
               !driven         ? "never enabled"
               : free && unfed ? "no set-points: all torque-free by their watchdogs"
