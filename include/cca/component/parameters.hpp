@@ -125,51 +125,56 @@ void refuse(const Complaints& found) {
   throw refused(text);
 }
 
+// Of values by themselves. `step` is the time between two firings of the node in s; 0: bounds that follow
+// from the rate are not asked.
+template <class Parameters>
+std::vector<complaint> complaints_about(const Parameters& values, std::string_view path, double step) {
+  std::vector<complaint> found;
+  check(schema_of<Parameters>, &values, std::string(path), found);
+  if (found.empty() && step > 0) check_at(values, path, step, found);
+  return found;
+}
+
 }  // namespace detail
 
 // Throws `cca::refused` with one line per problem: `cpg.frequency: 9 is out of range, expected 0.1 to 5`.
+// With `step`, the time between two firings in s, also for bounds that follow from the rate.
 template <class Parameters>
-void check_parameters(const Parameters& values, std::string_view path = {}) {
-  std::vector<detail::complaint> found;
-  detail::check(detail::schema_of<Parameters>, &values, std::string(path), found);
-  detail::refuse(found);
-}
-
-// The same in a node with this time between two firings, in s.
-template <class Parameters>
-void check_parameters(const Parameters& values, std::string_view path, double step) {
-  check_parameters(values, path);
-  std::vector<detail::complaint> found;
-  detail::check_at(values, path, step, found);
-  detail::refuse(found);
+void check_parameters(const Parameters& values, std::string_view path = {}, double step = 0) {
+  detail::refuse(detail::complaints_about(values, path, step));
 }
 
 namespace detail {
 
-// Of a component that can't take other parameters at all times: why not now; empty: it can.
+// Of a component that can't take other parameters at all times: why not now; empty: it can. The text begins
+// with the name of the field.
 template <class Component> concept MayRefuse =
     requires(const Component& component, const typename Component::parameters& values) {
       { component.refusal_of(values) } -> std::same_as<std::string_view>;
     };
 
-// Checks all values first: if one is refused, the component keeps its old parameters.
+// All that speaks against giving these values to a component now.
 template <HasParameters Component>
-void apply_parameters(Component& component,
-                      const typename Component::parameters& values,
-                      std::string_view path = {}) {
-  check_parameters(values, path);
+std::vector<complaint> complaints_of(const Component& component,
+                                     const typename Component::parameters& values,
+                                     std::string_view path,
+                                     double step) {
+  auto found = complaints_about(values, path, step);
   if constexpr (MayRefuse<Component>)
-    if (const std::string_view why = component.refusal_of(values); !why.empty())
-      throw refused(std::string(path) + "." + std::string(why));
-  component.p = values;
+    if (found.empty())
+      if (const std::string_view why = component.refusal_of(values); !why.empty())
+        found.push_back({{}, std::string(path) + "." + std::string(why)});
+  return found;
 }
+
+// If a value is refused, the component keeps its old parameters.
 template <HasParameters Component>
 void apply_parameters(Component& component,
                       const typename Component::parameters& values,
-                      std::string_view path,
-                      double step) {
-  check_parameters(values, path, step);
-  apply_parameters(component, values, path);
+                      std::string_view path = {},
+                      double step = 0) {
+  refuse(complaints_of(component, values, path, step));
+  component.p = values;
 }
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 // Parameters by a path that is known only at run time: `cpg.frequency`, `arm.gains[2]`.
 //
-// A value is checked as one from a file, with the same messages; the component's own check() runs, too. If it
-// is refused, nothing changes. Errors: cca::refused. Example: tests/runtime/config/by_path.cpp;
+// A value is checked as one from a file, with the same messages, and by all that `set<"cpg">` asks. If it is
+// refused, nothing changes. Errors: cca::refused. Example: tests/runtime/config/by_path.cpp;
 // docs/parameters.md.
 #pragma once
 
@@ -118,9 +118,9 @@ void set_parameter(Controller& controller, std::string_view path, const Value& v
     problems found(call);
     read(*at.type, const_cast<void*>(at.at), toml_node_of(value), std::string(path), {}, found);
     found.refuse();
-    std::vector<complaint> complaints;
-    check(type, &copy, std::string(path.substr(0, path.size() - rest.size())), complaints);
-    for (auto& each : complaints) found.add(nullptr, each.path, std::move(each.what));
+    const auto scope = path.substr(0, path.size() - rest.size());
+    for (auto& each : complaints_of(component, copy, scope, controller.step_of(scope)))
+      found.add(nullptr, each.path, std::move(each.what));
     found.refuse();
     component.p = copy;
   });

@@ -1,7 +1,9 @@
 // All components of a controller, one after the other, and their paths.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -37,12 +39,13 @@ void visit_components(F f, State& state) {
   }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
 }
 
-// Whether a resource node has the hook `on_idle`.
+// Whether a resource node has the hook `on_idle`. A list and no fold: clang nests at most 256 operands.
 template <class Graph>
 inline constexpr bool has_idle_hook = []<int... First>(std::integer_sequence<int, First...>) {
-  return ((IsResource<typename node_types<Graph, First>::component> &&
-           OnIdle<typename node_types<Graph, First>::component>) ||
-          ...);
+  constexpr bool each[] = {(IsResource<typename node_types<Graph, First>::component> &&
+                            OnIdle<typename node_types<Graph, First>::component>)...,
+                           false};
+  return std::ranges::find(each, true) != std::end(each);
 }(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
 
 }  // namespace cca::detail

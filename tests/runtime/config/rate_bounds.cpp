@@ -58,3 +58,11 @@ TEST_CASE("a file with parameters that are too fast for their node is refused wh
   CHECK_THROWS_AS(c.set<"slow">({20.0, 1.0}), cca::refused);
   CHECK_NOTHROW(c.set<"fast">({900.0, 1.0}));
 }
+
+TEST_CASE("so is a parameter that is set by its path") {
+  cca::controller<filtered> c;
+  CHECK_THROWS_WITH_AS(c.set("slow.rate", 20.0),
+                       "cca::controller: set: slow: `rate` is too fast for this node", cca::refused);
+  CHECK(c.get<"slow">().p.rate == 10.0);
+  CHECK_NOTHROW(c.set("fast.rate", 900.0));
+}

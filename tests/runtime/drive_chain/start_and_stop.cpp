@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cca/config.hpp>
+
 #include "../../laws/damiao_oncilla.hpp"
 #include "../../laws/robot_lab.hpp"
 
@@ -329,6 +331,9 @@ TEST_SUITE("starting") {
     auto other = l.synchronizer().p;
     other.offset[0] = 0.5;
     CHECK_THROWS_WITH_AS(l.controller.set<"robot.synchronizer">(other),
+                         doctest::Contains("robot.synchronizer.offset: start() has latched the calibration"),
+                         cca::refused);
+    CHECK_THROWS_WITH_AS(l.controller.set("robot.synchronizer.offset[0]", 0.5),
                          doctest::Contains("robot.synchronizer.offset: start() has latched the calibration"),
                          cca::refused);
     l.synchronizer().p = other;  // past the check
