@@ -8,17 +8,9 @@
 // included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
-#include <string>
-#include <string_view>
-
-#include <cca/component/lifecycle.hpp>
-#include <cca/component/parameters.hpp>
-#include <cca/base/refused.hpp>
-#include <cca/graph/diagnosis/unknown_path.hpp>
-#include <cca/runtime/each_component.hpp>
+#include <cca/runtime/component_host.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
-#include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
 
@@ -34,80 +26,11 @@ struct is_watched {
 
 template <class Graph>
   requires well_formed<Graph>
-class controller<Graph> : public detail::parameters_by_path<controller<Graph>> {
+class controller<Graph> : public detail::component_host<controller<Graph>, Graph> {
+  using host = detail::component_host<controller<Graph>, Graph>;
+
 public:
-  // Takes the parameters as they are: the defaults, or what has been set.
-  void load() {
-    check(detail::transition::load, "load()");
-    visit(
-        []<class C>(int node, C& component) {
-          if constexpr (HasParameters<C>)
-            check_parameters(component.p, path_of(node), detail::step_of<Graph>(node));
-        },
-        state_of_all);
-    // A hook may refuse, where a file is damaged: then the state stays as it was.
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::OnLoad<C>) component.on_load();
-        },
-        state_of_all);
-    move(detail::transition::load, "load()");
-  }
-
-  // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
-  void load(std::string_view file) {
-    static_assert(detail::HasConfig<controller>,
-                  "cca::controller: load(file) needs #include <cca/config.hpp>");
-    check(detail::transition::load, "load(file)");
-    detail::config_backend<controller>::load(*this, file);
-    load();
-  }
-
-  void save() {
-    check(detail::transition::save, "save()");
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::OnSave<C>) component.on_save();
-        },
-        state_of_all);
-    move(detail::transition::save, "save()");
-  }
-
-  // Writes the parameters into a file. In `loaded` it saves as save() does; between two beats of a started
-  // controller it does no more than that, and the state stays.
-  void save(std::string_view file) {
-    static_assert(detail::HasConfig<controller>,
-                  "cca::controller: save(file) needs #include <cca/config.hpp>");
-    if (now == cca::state::created) check(detail::transition::save, "save(file)");
-    detail::config_backend<controller>::save(*this, file);
-    if (now == cca::state::loaded) save();
-  }
-
-  void start() {
-    move(detail::transition::start, "start()");
-    runs.overruns = runs.lost_periods = 0;
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::OnStart<C>) component.on_start();
-        },
-        state_of_all);
-  }
-
-  void stop() {
-    move(detail::transition::stop, "stop()");
-    reason = {};
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::OnStop<C>) component.on_stop();
-        },
-        state_of_all);
-  }
-
-  // Goes on after a fault.
-  void resume() {
-    move(detail::transition::resume, "resume()");
-    reason = {};
-  }
+  using host::period;
 
   // One beat. False where the life-cycle does not allow it: before start(), after stop() and after a fault.
   // Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
@@ -141,34 +64,8 @@ public:
   std::int64_t overruns() const noexcept { return runs.overruns; }
   std::int64_t lost_periods() const noexcept { return runs.lost_periods; }
 
-  cca::state state() const noexcept { return now; }
-
   // The next beat.
   std::int64_t beat_index() const noexcept { return k; }
-
-  // Nanoseconds a beat.
-  static constexpr std::int64_t period() { return detail::counts_of<Graph>.period; }
-
-  // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
-  cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
-  // Empty too where no component is the cause, but an overrun.
-  std::string fault_path() const {
-    return reason.fault && reason.node >= 0 ? path_of(reason.node) : std::string();
-  }
-
-  // A component, by its path; of an inner graph, something with the same `get` for its nodes.
-  template <fixed_string Path>
-  decltype(auto) get() {
-    constexpr auto path = detail::hash(Path.view());
-    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
-    return at<path, detail::node_with_hash<Graph>(path)>(*this);
-  }
-  template <fixed_string Path>
-  decltype(auto) get() const {
-    constexpr auto path = detail::hash(Path.view());
-    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
-    return at<path, detail::node_with_hash<Graph>(path)>(*this);
-  }
 
   // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest
   // sample; fresh: published in the last beat.
@@ -180,60 +77,22 @@ public:
     }(detail::chosen<detail::counts_of<Graph>.output_count, detail::is_watched<Graph>>{});
   }
 
-  // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
-  // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
-  using detail::parameters_by_path<controller>::set;  // by a path that is known only at run time
-  template <fixed_string Path, class Parameters = typename detail::parameters_at<Graph, Path>::type>
-  void set(const Parameters& parameters) {
-    if constexpr (detail::can_set<Graph, Path>())
-      detail::apply_parameters(get<Path>(), parameters, Path.view(), step_of(Path.view()));
-  }
-
-  // The time between two firings of the component with this path, in s; one beat if its clock is known only
-  // at run time.
-  static double step_of(std::string_view path) {
-    return detail::step_of<Graph>(detail::node_at<Graph>(path));
-  }
-
-  // Calls f(path, component) for each component, in declaration order.
-  template <class F>
-  void for_each_component(F f) {
-    visit([&](int node, auto& component) { f(std::string_view(path_of(node)), component); }, state_of_all);
-  }
-  template <class F>
-  void for_each_component(F f) const {
-    visit([&](int node, const auto& component) { f(std::string_view(path_of(node)), component); },
-          state_of_all);
-  }
-
 private:
-  template <class F, class State>
-  static void visit(F f, State& state) {
-    detail::visit_components<Graph>(f, state);
+  friend detail::component_host<controller, Graph>;
+
+  template <int Node>
+  auto& component() {
+    return detail::component_at<Graph, Node>(state_of_all);
   }
-  static std::string path_of(int node) { return detail::path_of_node<Graph>(node); }
-
-  // The nodes of an inner graph, whose path has this hash.
-  template <class Controller, std::uint64_t Scope>
-  struct nodes {
-    Controller& of;
-
-    template <fixed_string Path>
-    decltype(auto) get() const {
-      constexpr auto path = detail::hash(Path.view(), detail::after_dot(Scope));
-      static_assert(decltype(detail::check_path<Graph, Scope, Path, path>())::value || true);
-      return at<path, detail::node_with_hash<Graph>(path)>(of);
-    }
-  };
-
-  template <std::uint64_t Path, int Node, class Controller>
-  static decltype(auto) at(Controller& controller) {
-    if constexpr (Node >= 0) {
-      return (detail::component_at<Graph, Node>(controller.state_of_all));
-    } else {
-      return nodes<Controller, Path>{controller};
-    }
+  template <int Node>
+  const auto& component() const {
+    return detail::component_at<Graph, Node>(state_of_all);
   }
+  template <class F, class Controller>
+  static void visit(F f, Controller& self) {
+    detail::visit_components<Graph>(f, self.state_of_all);
+  }
+  void forget_runs() { runs.overruns = runs.lost_periods = 0; }
 
   template <int Output, class F>
   void observe_output(F& f) const {
@@ -246,16 +105,6 @@ private:
                   {values, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)},
                   sample ? sample->origin() : never,
                   k > 0 && stored.arrived(k - 1, 0) == k - 1});
-  }
-
-  void check(detail::transition what, const char* call) const {
-    if (!detail::is_legal(what, now))
-      throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +
-                    std::string(to_string(now)) + "`: " + std::string(detail::remedy(what, now)));
-  }
-  void move(detail::transition what, const char* call) {
-    check(what, call);
-    now = detail::after(what, now);
   }
 
   [[gnu::flatten]] void advance() noexcept {
@@ -273,7 +122,7 @@ private:
         []<class C>(int, C& component) {
           if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
         },
-        state_of_all);
+        *this);
     now = detail::after(detail::transition::fail, now);
   }
 
@@ -282,13 +131,13 @@ private:
         []<class C>(int, C& component) {
           if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
         },
-        state_of_all);
+        *this);
   }
+
+  using host::move, host::now, host::reason;
 
   detail::controller_state<Graph> state_of_all;
   std::int64_t k = 0;
-  detail::beat_outcome reason{};
-  cca::state now = cca::state::created;
   detail::run_record runs{};
 };
 

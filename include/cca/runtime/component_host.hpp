@@ -1,0 +1,175 @@
+// What `controller` and `deployed` do with their components outside of the loop: the life-cycle, parameters,
+// components by path. `Self` is one of the two; it knows where the components are:
+//
+//   component<Node>()     the component with this number
+//   visit(f, self)        f(number, component) for each, in declaration order
+//   forget_runs()         the counts of the runs begin anew
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cca/base/refused.hpp>
+#include <cca/component/lifecycle.hpp>
+#include <cca/component/parameters.hpp>
+#include <cca/graph/diagnosis/unknown_path.hpp>
+#include <cca/runtime/each_component.hpp>
+#include <cca/runtime/parameters_by_path.hpp>
+
+namespace cca::detail {
+
+template <class Self, class Graph>
+class component_host : public parameters_by_path<Self> {
+public:
+  // Takes the parameters as they are: the defaults, or what has been set.
+  void load() {
+    check(transition::load, "load()");
+    visit([]<class C>(int node, C& component) {
+      if constexpr (HasParameters<C>)
+        check_parameters(component.p, path_of_node<Graph>(node), detail::step_of<Graph>(node));
+    });
+    // A hook may refuse, where a file is damaged: then the state stays as it was.
+    visit([]<class C>(int, C& component) {
+      if constexpr (OnLoad<C>) component.on_load();
+    });
+    move(transition::load, "load()");
+  }
+
+  // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
+  void load(std::string_view file) {
+    static_assert(HasConfig<Self>, "cca::controller: load(file) needs #include <cca/config.hpp>");
+    check(transition::load, "load(file)");
+    config_backend<Self>::load(self(), file);
+    load();
+  }
+
+  void save() {
+    check(transition::save, "save()");
+    visit([]<class C>(int, C& component) {
+      if constexpr (OnSave<C>) component.on_save();
+    });
+    move(transition::save, "save()");
+  }
+
+  // Writes the parameters into a file. In `loaded` it saves as save() does; between two beats of a started
+  // controller it does no more than that, and the state stays.
+  void save(std::string_view file) {
+    static_assert(HasConfig<Self>, "cca::controller: save(file) needs #include <cca/config.hpp>");
+    if (now == cca::state::created) check(transition::save, "save(file)");
+    config_backend<Self>::save(self(), file);
+    if (now == cca::state::loaded) save();
+  }
+
+  void start() {
+    move(transition::start, "start()");
+    self().forget_runs();
+    visit([]<class C>(int, C& component) {
+      if constexpr (OnStart<C>) component.on_start();
+    });
+  }
+
+  void stop() {
+    move(transition::stop, "stop()");
+    reason = {};
+    visit([]<class C>(int, C& component) {
+      if constexpr (OnStop<C>) component.on_stop();
+    });
+  }
+
+  // Goes on after a fault.
+  void resume() {
+    move(transition::resume, "resume()");
+    reason = {};
+  }
+
+  cca::state state() const noexcept { return now; }
+
+  // Nanoseconds a beat.
+  static constexpr std::int64_t period() { return counts_of<Graph>.period; }
+
+  // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
+  cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
+  // Empty too where no component is the cause, but an overrun.
+  std::string fault_path() const {
+    return reason.fault && reason.node >= 0 ? path_of_node<Graph>(reason.node) : std::string();
+  }
+
+  // A component, by its path; of an inner graph, something with the same `get` for its nodes.
+  template <fixed_string Path>
+  decltype(auto) get() {
+    return found<hash(Path.view()), 0, Path>(self());
+  }
+  template <fixed_string Path>
+  decltype(auto) get() const {
+    return found<hash(Path.view()), 0, Path>(self());
+  }
+
+  // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
+  // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
+  using parameters_by_path<Self>::set;  // by a path that is known only at run time
+  template <fixed_string Path, class Parameters = typename parameters_at<Graph, Path>::type>
+  void set(const Parameters& parameters) {
+    if constexpr (can_set<Graph, Path>())
+      apply_parameters(get<Path>(), parameters, Path.view(), step_of(Path.view()));
+  }
+
+  // The time between two firings of the component with this path, in s; one beat if its clock is known only
+  // at run time.
+  static double step_of(std::string_view path) { return detail::step_of<Graph>(node_at<Graph>(path)); }
+
+  // Calls f(path, component) for each component, in declaration order.
+  template <class F>
+  void for_each_component(F f) {
+    visit([&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); });
+  }
+  template <class F>
+  void for_each_component(F f) const {
+    Self::visit(
+        [&](int node, const auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); },
+        self());
+  }
+
+protected:
+  void check(transition what, const char* call) const {
+    if (!is_legal(what, now))
+      throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +
+                    std::string(to_string(now)) + "`: " + std::string(remedy(what, now)));
+  }
+  void move(transition what, const char* call) {
+    check(what, call);
+    now = after(what, now);
+  }
+
+  beat_outcome reason{};
+  cca::state now = cca::state::created;
+
+private:
+  Self& self() { return static_cast<Self&>(*this); }
+  const Self& self() const { return static_cast<const Self&>(*this); }
+
+  template <class F>
+  void visit(F f) {
+    Self::visit(f, self());
+  }
+
+  // The nodes of an inner graph, whose path has this hash.
+  template <class Of, std::uint64_t Scope>
+  struct nodes {
+    Of& of;
+
+    template <fixed_string Path>
+    decltype(auto) get() const {
+      return found<hash(Path.view(), after_dot(Scope)), Scope, Path>(of);
+    }
+  };
+
+  template <std::uint64_t Whole, std::uint64_t Scope, fixed_string Path, class Of>
+  static decltype(auto) found(Of& of) {
+    static_assert(decltype(check_path<Graph, Scope, Path, Whole>())::value || true);
+    constexpr int node = node_with_hash<Graph>(Whole);
+    if constexpr (node >= 0) return (of.template component<node>());
+    else return nodes<Of, Whole>{of};
+  }
+};
+
+}  // namespace cca::detail
