@@ -68,18 +68,18 @@ private:
   [[gnu::noinline, gnu::flatten]] static void run_part(controller_state<Graph>& state,
                                                        beat_outcome& outcome,
                                                        std::int64_t k) noexcept {
-    constexpr int left = counts_of<Graph>.call_count - First;
+    constexpr int left = counts_of<Graph>.order_count - First;
     part_of_beat<Graph, First, std::min(calls_in_part<Graph>, left)>::run(state, outcome, k);
   }
 };
 
 template <class Graph>
 using beat_of_graph = std::conditional_t<
-    (counts_of<Graph>.call_count <= calls_in_part<Graph>),
-    part_of_beat<Graph, 0, std::min(counts_of<Graph>.call_count, calls_in_part<Graph>)>,
+    (counts_of<Graph>.order_count <= calls_in_part<Graph>),
+    part_of_beat<Graph, 0, std::min(counts_of<Graph>.order_count, calls_in_part<Graph>)>,
     long_beat<Graph,
               std::make_integer_sequence<int,
-                                         (counts_of<Graph>.call_count + calls_in_part<Graph> - 1) /
+                                         (counts_of<Graph>.order_count + calls_in_part<Graph> - 1) /
                                              calls_in_part<Graph>>>>;
 
 }  // namespace cca::detail

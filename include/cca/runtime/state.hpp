@@ -69,6 +69,10 @@ struct stored_in<Graph, Array, storage_kind::past> {
   using type = past_samples<a.size, a.depth, a.published>;
 };
 template <class Graph, int Array>
+struct stored_in<Graph, Array, storage_kind::arriving> {
+  using type = arriving_samples<array_of<Graph, Array>.size, array_of<Graph, Array>.depth>;
+};
+template <class Graph, int Array>
 struct stored_in<Graph, Array, storage_kind::queue> {
   static constexpr const auto& a = array_of<Graph, Array>;
   using type = waiting_samples<a.size, a.depth, a.full>;

@@ -1,6 +1,7 @@
 // Writes a message: names of nodes, ports and wires as the user knows them.
 #pragma once
 
+#include <cca/graph/plan/environments.hpp>
 #include <cca/graph/plan/paths.hpp>
 
 namespace cca::detail {
@@ -36,6 +37,8 @@ struct message_writer {
     if (item().component) say() << " (" << item().component->name() << ")";
     if (item().inner) say() << " (" << item().inner->name << ")";
   }
+  // environment `mind`
+  constexpr void environment(int e) { say() << "environment `" << g.environments[e].name << "`"; }
   template <class Port>
   constexpr void port(const Port& p) {
     say() << "`";

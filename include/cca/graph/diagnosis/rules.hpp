@@ -14,6 +14,11 @@
 #include <cca/graph/diagnosis/rules/components/parameters_unsupported_type.hpp>
 #include <cca/graph/diagnosis/rules/components/skeleton_arity.hpp>
 #include <cca/graph/diagnosis/rules/components/space_duplicate_axis.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_bad_environment.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_placed_twice.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_undelayed.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_unknown_node.hpp>
+#include <cca/graph/diagnosis/rules/deployment/deployment_unplaced.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_coordination.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_misplaced.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_never_fires.hpp>
@@ -66,7 +71,12 @@ using rules = list<
     strategy_coordination,
     space_missing_limits,
     robot_unlimited_command,
-    latency_exceeded
+    latency_exceeded,
+    deployment_bad_environment,
+    deployment_unknown_node,
+    deployment_unplaced,
+    deployment_placed_twice,
+    deployment_undelayed
 >;
 // clang-format on
 

@@ -2,11 +2,10 @@
 // Errors: node.unknown_path.
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
 
-#include <cca/base/nearest.hpp>
 #include <cca/graph/diagnosis.hpp>
+#include <cca/graph/diagnosis/nearest_node.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 
 namespace cca::detail {
@@ -17,28 +16,11 @@ template <class Graph>
 consteval text unknown_path(std::uint64_t within, std::string_view path) {
   auto plan = plan_of<Graph>;
   const flat_view g = plan.view();
-  text wrong, nearest;
+  text wrong;
   for (int s = 1; within != 0 && s < counts_of<Graph>.scope_count; ++s)
     if (g.scopes[s].hash == within) add_scope_path(wrong, g, s);
   wrong << path;
-  auto least = std::max<std::size_t>(1, wrong.size / 3) + 1;
-  const auto consider = [&](const text& candidate) {
-    if (const auto distance = edit_distance(wrong.view(), candidate.view()); distance < least) {
-      least = distance;
-      nearest = candidate;
-    }
-  };
-  for (int n = 0; n < counts_of<Graph>.node_count; ++n) {
-    text candidate;
-    add_node_path(candidate, g, n);
-    consider(candidate);
-  }
-  for (int s = 1; s < counts_of<Graph>.scope_count; ++s) {
-    text candidate;
-    add_scope_path(candidate, g, s);
-    --candidate.size;  // the dot
-    consider(candidate);
-  }
+  const text nearest = nearest_node(g, wrong.view());
   text said;
   said << "node.unknown_path: " << graph_facts<Graph>::value.name << " has no node `" << wrong.view() << "`";
   if (nearest.size > 0) said << "; did you mean `" << nearest.view() << "`?";

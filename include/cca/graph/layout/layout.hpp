@@ -114,6 +114,7 @@ struct layout_step {
   constexpr void place_components() {
     typename Layout::node_keys types;
     for (int n = 0; n < g.node_count; ++n) {
+      if (g.calls[g.nodes[n].first_call].elsewhere) continue;
       const int first = types.first(g.nodes[n].item->component->key, n);
       to.components[n] = {first, to.component_counts[first]++};
     }
@@ -129,7 +130,7 @@ struct layout_step {
   constexpr void place_results() {
     typename Layout::call_keys functions;
     int used[Layout::max_arrays]{};
-    for (int r = 0; r < g.call_count; ++r) {
+    for (int r = 0; r < g.order_count; ++r) {
       const int index = g.order[r];
       const auto& c = g.calls[index];
       if (r % g.calls_in_part == 0)
@@ -156,6 +157,7 @@ struct layout_step {
     }
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];
+      if (g.calls[in.call].elsewhere) continue;
       if (in.queue >= 0)
         to.sources[i] = place_in({.kind = storage_kind::queue,
                                   .size = port_of(g, in).space->size,
@@ -170,7 +172,7 @@ struct layout_step {
       const auto& one = g.calls[c];
       to.calls[c] = {one.node,
                      to.components[one.node].index,
-                     one.fires.dynamic() ? to.firing_count++ : -1,
+                     one.fires.dynamic() && !one.elsewhere ? to.firing_count++ : -1,
                      to.results[c].array < 0 ? -1 : to.results[c].index,
                      one.first_input,
                      one.first_output};
@@ -180,7 +182,8 @@ struct layout_step {
   // Can it show an initial value that is not the stored sample's?
   constexpr bool shows_initial(const input& in) const {
     return in.writer < 0 || in.queue >= 0 || in.own_initial ||
-           g.outputs[in.writer].storage == storage_kind::past;
+           g.outputs[in.writer].storage == storage_kind::past ||
+           g.outputs[in.writer].storage == storage_kind::arriving;
   }
 
   constexpr std::uint64_t key_of(const input& in, int source) const {
@@ -214,9 +217,12 @@ struct layout_step {
     return key;
   }
 
-  // Observers read, and queues are filled, by the numbers of the ports: these have no twins.
-  constexpr bool is_unique(const input& in) const { return in.writer < 0 && !port_of(g, in).space; }
+  // Observers read, queues are filled, and samples leave by the numbers of the ports: these have no twins.
+  constexpr bool is_unique(const input& in) const {
+    return (in.writer < 0 && !port_of(g, in).space) || g.calls[in.call].elsewhere;
+  }
   constexpr bool is_unique(const output& out) const {
+    if (out.leaves || g.calls[out.call].elsewhere) return true;
     if (g.queue_count == 0) return false;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer)
       if (g.inputs[i].queue >= 0) return true;
@@ -234,7 +240,7 @@ struct layout_step {
       to.output_twin[o] =
           is_unique(g.outputs[o]) ? o : outputs.first(key_of(g.outputs[o], to.outputs[o].array), o);
     for (int c = 0; c < g.call_count; ++c)
-      to.twin[c] = calls.first(key_of(g.calls[c], to.results[c].array), c);
+      to.twin[c] = g.calls[c].elsewhere ? c : calls.first(key_of(g.calls[c], to.results[c].array), c);
   }
 
   constexpr void run() {

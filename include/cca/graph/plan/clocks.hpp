@@ -14,8 +14,10 @@ constexpr clock clock_of(const flat_view& g, const call& t) {
 
 constexpr flat_view find_clocks(flat_view g) {
   // First the clocks that depend on no arrivals: a delayed wire may lead back to an earlier function.
-  for (int t = 0; t < g.call_count; ++t) g.calls[t].fires = strategy_of_call(g, g.calls[t]).alone;
-  for (int r = 0; r < g.call_count; ++r) {
+  // What comes from another environment may come late.
+  for (int t = 0; t < g.call_count; ++t)
+    g.calls[t].fires = g.calls[t].elsewhere ? dynamic_clock : strategy_of_call(g, g.calls[t]).alone;
+  for (int r = 0; r < g.order_count; ++r) {
     auto& t = g.calls[g.order[r]];
     if (t.fires.dynamic()) t.fires = clock_of(g, t);
   }

@@ -13,6 +13,8 @@
 
 namespace cca::detail {
 
+struct environment_info;
+
 // The outermost graph or an inner one; its hash is that of its path.
 struct scope {
   int parent = -1;
@@ -26,6 +28,7 @@ struct component_node {
   const item_info* item = nullptr;
   int scope = 0;
   int first_call = 0, call_count = 0;
+  int environment = -1;  // of a deployment
 };
 
 // One function of a component: `process`, or `sense` and `act` of a resource node.
@@ -37,6 +40,7 @@ struct call {
   int rank = 0;  // its number in the order of a beat
   clock fires{};
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
+  bool elsewhere = false;    // runs in another environment
 };
 
 struct input {
@@ -53,14 +57,15 @@ struct input {
 };
 
 // How a sample is stored; decided in graph/plan/storage.hpp. A queue is an input's own.
-enum class storage_kind : std::uint8_t { none, of_beat, newest, past, queue };
+enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, queue };
 
 struct output {
   int call = 0, port = 0;
   int first_reader = -1;
   bool watched = false;  // an `observe` of the graph listens to it
   storage_kind storage = storage_kind::none;
-  int depth = 0;  // of the past
+  int depth = 0;        // of the past, or of what arrives
+  bool leaves = false;  // another environment reads it
   ref<item_info> initial_of = nullptr;
 };
 
@@ -85,6 +90,9 @@ struct flat_view {
   int* order;
   int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
       queue_count = 0;
+  int order_count = 0;  // calls in a beat
+  const environment_info* environments = nullptr;
+  int environment_count = 0;
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
   int calls_in_part = 0;    // graph/plan/long_beats.hpp

@@ -87,6 +87,7 @@ struct call_sorter {
         });
       }
     }
+    g.order_count = done;
     for (int t = 0; t < g.call_count; ++t) g.calls[t].rank = -1;
     for (int i = 0; i < done; ++i) g.calls[g.order[i]].rank = i;
     if (done < g.call_count) check<when::unordered_calls>(g, {});

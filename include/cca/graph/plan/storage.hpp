@@ -5,6 +5,7 @@
 //   of_beat   only read in the beat in which they were published: where the component returned them
 //   newest    some reader may come in a later beat: the newest one
 //   past      some reader has a delay of more than a beat: the last ones
+//   arriving  its writer runs in another environment: the last ones that came
 #pragma once
 
 #include <cca/graph/plan/feedback.hpp>
@@ -45,7 +46,7 @@ struct storage_step {
     bool first = true;
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
-      if (in.queue >= 0 || in.in_beat) continue;
+      if (in.queue >= 0 || in.in_beat || g.calls[in.call].elsewhere) continue;
       if (first) out.initial_of = in.wire;
       first = false;
       in.own_initial = !same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
@@ -57,14 +58,15 @@ struct storage_step {
     const auto published_at = published(g, out);
     int depth = 0;
     bool outlives_beat = out.watched, is_read = out.watched;
+    const bool comes_from_elsewhere = g.calls[out.call].elsewhere;
     const auto read_later = [&](int delay, int reader_call) {
-      const int needed = samples_needed(delay, reader_call, out.call);
+      const int needed = comes_from_elsewhere ? delay + 1 : samples_needed(delay, reader_call, out.call);
       depth = needed > depth ? needed : depth;
       outlives_beat = is_read = true;
     };
     for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
       auto& in = g.inputs[i];
-      if (in.queue >= 0) continue;
+      if (in.queue >= 0 || g.calls[in.call].elsewhere) continue;
       is_read = true;
       if (in.delay > 0) {
         read_later(in.delay, in.call);
@@ -74,13 +76,15 @@ struct storage_step {
       }
     }
     for (int l = 0; l < g.link_count; ++l)
-      if (g.links[l].output == o) read_later(delay_of(g, g.links[l]), g.inputs[g.links[l].input].call);
+      if (g.links[l].output == o && !g.calls[g.inputs[g.links[l].input].call].elsewhere)
+        read_later(delay_of(g, g.links[l]), g.inputs[g.links[l].input].call);
 
-    out.storage = !is_read         ? storage_kind::none
-                  : !outlives_beat ? storage_kind::of_beat
-                  : depth > 1      ? storage_kind::past
-                                   : storage_kind::newest;
-    if (out.storage == storage_kind::past)
+    out.storage = !is_read               ? storage_kind::none
+                  : comes_from_elsewhere ? storage_kind::arriving
+                  : !outlives_beat       ? storage_kind::of_beat
+                  : depth > 1            ? storage_kind::past
+                                         : storage_kind::newest;
+    if (out.storage == storage_kind::past || out.storage == storage_kind::arriving)
       for (out.depth = 1; out.depth < depth;) out.depth *= 2;
     if (out.storage == storage_kind::newest) choose_initial(out);
   }

@@ -1,0 +1,45 @@
+// How an architecture is spread over environments. Each environment is a loop of its own; where a component
+// runs never changes what it computes.
+//
+//   struct split : cca::deployment<skills<Robot>,
+//       cca::environment<"robot", cca::nodes<"robot", "limits", "gait">>,
+//       cca::environment<"mind",  cca::other_nodes>> {};
+//
+// A deployment is a graph too, that of its architecture: `diagnosis`, `well_formed` and `describe` take it,
+// and `controller<split>` runs it as one loop. `deployed<split>` runs its environments.
+// Errors: deployment.*. Example: docs/environments.md.
+#pragma once
+
+#include <cca/graph/graph.hpp>
+
+namespace cca {
+
+// Components, or inner graphs (then all their components), by path.
+template <fixed_string... Paths>
+struct nodes {};
+
+// All components that no other environment names.
+struct other_nodes {};
+
+// Options: how its thread runs (runtime/environments/realtime.hpp).
+template <fixed_string Name, class Nodes, class... Options>
+struct environment {};
+
+// At wall-clock speed: how many beats in a row a sample may come late; with more, the contact is lost.
+template <int Beats>
+struct tolerate {};
+
+// Items: environments, and one `tolerate` (without it: 3). The first environment gives the beat.
+template <class Architecture, class... Items>
+struct deployment {
+  static_assert(Graph<Architecture>,
+                "cca::deployment: its first argument is the architecture, a struct derived from "
+                "cca::graph<...>; the environments follow");
+  using cca_architecture = Architecture;
+  using cca_items = typename Architecture::cca_items;
+  using cca_environments = detail::list<Items...>;
+};
+
+template <class Type> concept Deployment = Graph<Type> && requires { typename Type::cca_environments; };
+
+}  // namespace cca

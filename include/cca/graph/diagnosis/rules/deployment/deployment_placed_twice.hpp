@@ -1,0 +1,48 @@
+// deployment.placed_twice: no component has two environments.
+#pragma once
+
+#include <cca/graph/diagnosis/rule.hpp>
+
+namespace cca::detail {
+
+struct deployment_placed_twice {
+  static constexpr std::string_view id = "deployment.placed_twice";
+
+  static constexpr bool is_broken(when::placed_node, const flat_view&, const finding& f) {
+    return f.environment >= 0;
+  }
+  static constexpr bool is_broken(when::stated_environment, const flat_view& g, const finding& f) {
+    return g.environments[f.environment].has_others && others_before(g, f.environment) >= 0;
+  }
+
+  static constexpr void tell(auto& m) {
+    const int second = m.found().environment;
+    if (m.found().component < 0) {
+      m.where << m.g.environments[second].name;
+      m.say() << "cca::other_nodes stands in ";
+      m.environment(others_before(m.g, second));
+      m.say() << " and in ";
+      m.environment(second);
+      m.say() << ", so these components would run twice: keep it in one of them, and name the nodes of the "
+                 "other";
+      return;
+    }
+    m.at_node();
+    m.node();
+    m.say() << " runs in ";
+    m.environment(m.g.nodes[m.found().component].environment);
+    m.say() << " and in ";
+    m.environment(second);
+    m.say() << ": a component runs in one environment; remove it from one of the two (the path of an inner "
+               "graph names all its components)";
+  }
+
+private:
+  static constexpr int others_before(const flat_view& g, int environment) {
+    for (int e = 0; e < environment; ++e)
+      if (g.environments[e].has_others) return e;
+    return -1;
+  }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,41 @@
+// deployment.undelayed: what goes from one environment to another is delayed.
+#pragma once
+
+#include <cca/graph/diagnosis/rule.hpp>
+#include <cca/graph/plan/feedback.hpp>
+
+namespace cca::detail {
+
+struct deployment_undelayed {
+  static constexpr std::string_view id = "deployment.undelayed";
+
+  static constexpr bool is_broken(when::crossing, const flat_view& g, const finding& f) {
+    const auto& in = g.inputs[f.input];
+    return (in.writer >= 0 ? in.delay : port_of(g, in).observed_delay) < 1;
+  }
+
+  static constexpr void tell(auto& m) {
+    const auto& in = m.g.inputs[m.found().input];
+    const auto& out = m.g.outputs[m.found().output];
+    const auto environment_of = [&](int call) { return m.g.nodes[m.g.calls[call].node].environment; };
+    if (in.writer >= 0) {
+      m.at_wire();
+      m.port(out);
+    } else {
+      m.at_node();
+      m.node();
+      m.say() << " observes `" << port_of(m.g, in).name << "`: ";
+      m.port(out);
+    }
+    m.say() << " is published in ";
+    m.environment(environment_of(out.call));
+    m.say() << " and read in ";
+    m.environment(environment_of(in.call));
+    m.say() << ", so it needs time to compute and to get there: write ";
+    if (in.writer >= 0) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
+    else m.say() << "cca::observe<`" << port_of(m.g, in).name << "`, cca::delayed<1>>";
+    m.say() << ", or more beats, or place both in one environment";
+  }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,82 @@
+// The plan of a deployment, and of each of its environments. The part of an environment is the same flat
+// graph: its own calls, in the order of the whole, and the samples that come from the other environments.
+#pragma once
+
+#include <cca/graph/plan/placement.hpp>
+#include <cca/graph/plan/plan.hpp>
+
+namespace cca::detail {
+
+template <Deployment D>
+inline constexpr flat_of<D> plan_without_places = then<D>(clocked_of<D>, [](flat_view g) {
+  g.calls_in_part = calls_in_part<D>;
+  return check_whole(choose_storage(find_feedback(g)), flattened_of<D>.names.data(), names_size<D> - 1);
+});
+
+// The plan of its architecture, and the place of each component.
+template <Deployment D>
+inline constexpr flat_of<D> plan_of<D> = then<D>(plan_without_places<D>, [](flat_view g) {
+  return place_components(g, environments_of<D>::all.data(), environment_count<D>);
+});
+
+// Environment `E` of a deployment, as a graph.
+template <class D, int E>
+struct part {
+  using cca_items = typename D::cca_items;
+};
+
+template <class D, int E>
+inline constexpr graph_sizes graph_size<part<D, E>> = graph_size<D>;
+
+// The nodes are those of the architecture.
+template <class D, int E, int Node>
+struct node_types<part<D, E>, Node> : node_types<D, Node> {};
+
+constexpr bool may_fault_in(const flat_view& g, const call& c) {
+  if (c.function->may_fault) return true;
+  for (int o = c.first_output; o < c.first_output + c.function->output_count; ++o)
+    for (int i = g.outputs[o].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+      if (g.inputs[i].queue >= 0 && g.inputs[i].wire->full == full_kind::reject) return true;
+  return false;
+}
+
+// Keeps the calls of one environment, in their order.
+constexpr flat_view take_part(flat_view g, int environment) {
+  const auto is_here = [&](int call) { return g.nodes[g.calls[call].node].environment == environment; };
+  int count = 0;
+  g.may_fault = false;
+  for (int r = 0; r < g.call_count; ++r) {
+    const int index = g.order[r];
+    auto& c = g.calls[index];
+    c.elsewhere = !is_here(index);
+    if (c.elsewhere) continue;
+    c.rank = count;
+    g.order[count++] = index;
+    g.may_fault |= may_fault_in(g, c);
+  }
+  g.order_count = count;
+  for (int i = 0; i < g.input_count; ++i) {
+    g.inputs[i].in_beat = g.inputs[i].own_initial = false;
+    const int writer = g.inputs[i].writer;
+    if (writer >= 0 && is_here(g.outputs[writer].call) && !is_here(g.inputs[i].call))
+      g.outputs[writer].leaves = true;
+  }
+  for (int l = 0; l < g.link_count; ++l)
+    if (is_here(g.outputs[g.links[l].output].call) && !is_here(g.inputs[g.links[l].input].call))
+      g.outputs[g.links[l].output].leaves = true;
+  for (int o = 0; o < g.output_count; ++o) {
+    g.outputs[o].storage = storage_kind::none;
+    g.outputs[o].depth = 0;
+    g.outputs[o].initial_of = nullptr;
+    g.outputs[o].watched &= is_here(g.outputs[o].call);
+  }
+  return g;
+}
+
+template <class D, int E>
+inline constexpr flat_of<D> plan_of<part<D, E>> = then<D>(plan_of<D>, [](flat_view g) {
+  g.calls_in_part = calls_in_part<D>;
+  return choose_storage(find_clocks(take_part(g, E)));
+});
+
+}  // namespace cca::detail

@@ -1,0 +1,104 @@
+// Step 9, place: gives each component of a deployment its environment. It comes last, so a mistake of the
+// architecture is reported before one of its placement.
+#pragma once
+
+#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/plan/feedback.hpp>
+#include <cca/graph/plan/names.hpp>
+
+namespace cca::detail {
+
+// Is the node, or a graph around it, at this path?
+constexpr bool is_at(const flat_view& g, const component_node& n, std::uint64_t path) {
+  if (path_hash(g.scopes[n.scope], n.item->from, n.item->from_hash) == path) return true;
+  for (int s = n.scope; s > 0; s = g.scopes[s].parent)
+    if (g.scopes[s].hash == path) return true;
+  return false;
+}
+
+// The graph in which a wire stands: the innermost around its reader that has it.
+constexpr int scope_of_wire(const flat_view& g, const input& in) {
+  for (int s = scope_of_call(g, g.calls[in.call]); s >= 0; s = g.scopes[s].parent)
+    for (int i = 0; i < g.scopes[s].graph->count; ++i)
+      if (&g.scopes[s].graph->items[i] == &*in.wire) return s;
+  return 0;
+}
+
+struct placer {
+  flat_view g;
+
+  constexpr int environment_of(int call) const { return g.nodes[g.calls[call].node].environment; }
+
+  constexpr void place(int node, int environment) {
+    auto& n = g.nodes[node];
+    if (n.environment >= 0 && n.environment != environment)
+      check<when::placed_node>(
+          g, {.item = n.item, .scope = n.scope, .component = node, .environment = environment});
+    if (n.environment < 0) n.environment = environment;
+  }
+
+  constexpr void place_named() {
+    for (int e = 0; e < g.environment_count; ++e) {
+      const auto& environment = g.environments[e];
+      check<when::stated_environment>(g, {.environment = e});
+      for (int p = 0; p < environment.path_count; ++p) {
+        const auto path = hash(environment.paths[p]);
+        bool found = false;
+        for (int n = 0; n < g.node_count; ++n)
+          if (is_at(g, g.nodes[n], path)) {
+            found = true;
+            place(n, e);
+          }
+        if (!found) check<when::placed_path>(g, {.environment = e, .name = environment.paths[p]});
+      }
+    }
+  }
+
+  constexpr void place_others() {
+    int others = -1;
+    for (int e = 0; e < g.environment_count && others < 0; ++e)
+      if (g.environments[e].has_others) others = e;
+    for (int n = 0; n < g.node_count; ++n) {
+      auto& node = g.nodes[n];
+      if (node.environment < 0) node.environment = others;
+      if (node.environment < 0)
+        check<when::placed_node>(g, {.item = node.item, .scope = node.scope, .component = n});
+    }
+  }
+
+  constexpr void check_crossings() {
+    for (int i = 0; i < g.input_count; ++i) {
+      const auto& in = g.inputs[i];
+      if (in.writer >= 0 && environment_of(in.call) != environment_of(g.outputs[in.writer].call))
+        check<when::crossing>(
+            g, {.item = &*in.wire, .scope = scope_of_wire(g, in), .input = i, .output = in.writer});
+    }
+    for (int l = 0; l < g.link_count; ++l) {
+      const auto& in = g.inputs[g.links[l].input];
+      const int reader = g.calls[in.call].node;
+      if (g.nodes[reader].environment != environment_of(g.outputs[g.links[l].output].call))
+        check<when::crossing>(g, {.item = g.nodes[reader].item,
+                                  .scope = g.nodes[reader].scope,
+                                  .input = g.links[l].input,
+                                  .output = g.links[l].output});
+    }
+  }
+
+  constexpr void run() {
+    place_named();
+    place_others();
+    if (g.found.is_broken()) return;
+    check_crossings();
+  }
+};
+
+constexpr flat_view place_components(flat_view g, const environment_info* environments, int count) {
+  g.environments = environments;
+  g.environment_count = count;
+  placer step{g};
+  step.run();
+  return step.g;
+}
+
+}  // namespace cca::detail
