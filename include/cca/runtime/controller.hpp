@@ -15,14 +15,6 @@
 #include <cca/runtime/run_record.hpp>
 
 namespace cca {
-namespace detail {
-
-template <class Graph>
-struct is_watched {
-  static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; }
-};
-
-}  // namespace detail
 
 template <class Graph>
   requires well_formed<Graph>
@@ -37,7 +29,7 @@ public:
   bool step() noexcept {
     const bool may_run = detail::is_legal(detail::transition::run, now);
     if (may_run) advance();
-    else if constexpr (detail::has_idle_hook<Graph>) idle();
+    else if constexpr (detail::any_component<Graph, detail::acts_when_idle>) idle();
     return may_run;
   }
 
@@ -72,7 +64,7 @@ public:
   template <class F>
   void observed(F f) const {
     [&]<int... Output>(std::integer_sequence<int, Output...>) {
-      const int all[] = {0, (observe_output<Output>(f), 0)...};
+      const int all[] = {0, (detail::observe_newest<Graph, Output>(state_of_all, k, f), 0)...};
       (void)all;
     }(detail::chosen<detail::counts_of<Graph>.output_count, detail::is_watched<Graph>>{});
   }
@@ -93,19 +85,6 @@ private:
     detail::visit_components<Graph>(f, self.state_of_all);
   }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
-
-  template <int Output, class F>
-  void observe_output(F& f) const {
-    constexpr detail::place at = detail::layout_of<Graph>.outputs[Output];
-    const auto& stored = detail::sample_in<Graph, at.array>(state_of_all, at.index);
-    const auto* sample = stored.show(k - 1, 0);
-    const double* values =
-        sample ? sample->vector().data() : detail::output_port_of<Graph, Output>.space->zero;
-    f(observation{detail::path_of_output<Graph, Output>(),
-                  {values, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)},
-                  sample ? sample->origin() : never,
-                  k > 0 && stored.arrived(k - 1, 0) == k - 1});
-  }
 
   [[gnu::flatten]] void advance() noexcept {
     detail::beat_outcome beat_outcome;

@@ -25,7 +25,8 @@ std::string path_of_node(int node) {
 
 template <class Graph, class F, class State, int First>
 void visit_component(F& f, State& state, int node) {
-  f(node, component_in<Graph, First>(state, layout_of<Graph>.components[node].index));
+  if constexpr (First >= 0)
+    f(node, component_in<Graph, First>(state, layout_of<Graph>.components[node].index));
 }
 
 // f(number, component) for each, in declaration order. By way of a table, so that what `f` does with
@@ -39,13 +40,20 @@ void visit_components(F f, State& state) {
   }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
 }
 
-// Whether a resource node has the hook `on_idle`. A list and no fold: clang nests at most 256 operands.
-template <class Graph>
-inline constexpr bool has_idle_hook = []<int... First>(std::integer_sequence<int, First...>) {
-  constexpr bool each[] = {(IsResource<typename node_types<Graph, First>::component> &&
-                            OnIdle<typename node_types<Graph, First>::component>)...,
-                           false};
+// Whether a component is so. A list and no fold: clang nests at most 256 operands.
+template <class Graph, class Question>
+inline constexpr bool any_component = []<int... First>(std::integer_sequence<int, First...>) {
+  constexpr bool each[] = {Question::template holds<typename node_types<Graph, First>::component>..., false};
   return std::ranges::find(each, true) != std::end(each);
 }(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
+
+struct acts_when_idle {
+  template <class C>
+  static constexpr bool holds = IsResource<C> && OnIdle<C>;
+};
+struct acts_on_fault {
+  template <class C>
+  static constexpr bool holds = IsResource<C> && OnFault<C>;
+};
 
 }  // namespace cca::detail

@@ -92,6 +92,24 @@ constexpr std::string_view path_of_output() {
   return {output_path<Graph, Output>.letters, output_path<Graph, Output>.size};
 }
 
+template <class Graph>
+struct is_watched {
+  static constexpr bool holds(std::size_t o) { return plan_of<Graph>.outputs[o].watched; }
+};
+
+// Calls f(observation) with the newest sample of an output, between two beats; k is the next.
+template <class Graph, int Output, class F>
+void observe_newest(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  constexpr place at = layout_of<Graph>.outputs[Output];
+  const auto& stored = sample_in<Graph, at.array>(state, at.index);
+  const auto* sample = stored.show(k - 1, 0);
+  const double* values = sample ? sample->vector().data() : output_port_of<Graph, Output>.space->zero;
+  f(observation{path_of_output<Graph, Output>(),
+                {values, static_cast<std::size_t>(size_of_output<Graph, Output>)},
+                sample ? sample->origin() : never,
+                k > 0 && stored.arrived(k - 1, 0) == k - 1});
+}
+
 // What one observer hears. The entries point into the values, so it is filled where it stays.
 template <class Graph, int Input>
 class observations {

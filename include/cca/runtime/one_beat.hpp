@@ -37,9 +37,16 @@ private:
   static constexpr int call_at(int rank) { return plan_of<Graph>.order[static_cast<std::size_t>(rank)]; }
 
   // Until one faults. Where a beat can end early the calls are one chain of conditions, so that g++ sees that
-  // no later call reads what an earlier one did not write.
+  // no later call reads what an earlier one did not write. In a deployment, also until a fault elsewhere.
   CCA_INLINE static void run_calls([[maybe_unused]] const beat_context<Graph>& b) {
-    if constexpr (counts_of<Graph>.may_fault)
+    if constexpr (requires { b.state.template is_due<0>(b.k); })
+      (void)((b.state.template is_due<First + Rank>(b.k) &&
+              (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
+                   b, layout_of<Graph>.calls[call_at(First + Rank)]),
+               goes_on(b.outcome) ? b.state.template is_done<First + Rank>(b.k)
+                                  : b.state.template is_faulted<First + Rank>())) &&
+             ...);
+    else if constexpr (counts_of<Graph>.may_fault)
       (void)((call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
                   b, layout_of<Graph>.calls[call_at(First + Rank)]),
               goes_on(b.outcome)) &&

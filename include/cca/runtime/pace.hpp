@@ -82,7 +82,7 @@ public:
   // `last`: when a run before this one began its last beat, which must have its whole period too.
   void begin(std::int64_t virtual_period, std::int64_t last) {
     start = clock.now();
-    if (last != never_begun) start = std::max(start, later(std::min(last, start), real(virtual_period)));
+    if (last != never_begun) start = std::max(start, later(std::min(last, start), duration_of(virtual_period)));
     before = 0;
     begun = never_begun;
     count = lost = in_a_row = 0;
@@ -90,9 +90,9 @@ public:
 
   // Waits until the beat at this virtual time begins, whole periods later after an overrun.
   void wait(std::int64_t virtual_nanoseconds) {
-    const std::int64_t period = std::max<std::int64_t>(1, real(virtual_nanoseconds - before));
+    const std::int64_t period = std::max<std::int64_t>(1, duration_of(virtual_nanoseconds - before));
     before = virtual_nanoseconds;
-    std::int64_t due = later(start, real(virtual_nanoseconds));
+    std::int64_t due = later(start, duration_of(virtual_nanoseconds));
     const std::int64_t late = clock.now() - due;
     if (late > 0 && virtual_nanoseconds > 0) {
       const std::int64_t periods = (late + period - 1) / period;
@@ -119,15 +119,16 @@ public:
                : cca::fault();
   }
   std::int64_t last_begun() const { return begun; }
+  // How long a virtual time lasts.
+  std::int64_t duration_of(std::int64_t virtual_nanoseconds) const {
+    return static_cast<std::int64_t>(
+        std::min(static_cast<double>(virtual_nanoseconds) / speed, static_cast<double>(longest)));
+  }
 
   static constexpr std::int64_t never_begun = std::numeric_limits<std::int64_t>::lowest();
 
 private:
   static constexpr std::int64_t longest = 9'000'000'000'000'000'000;
-  std::int64_t real(std::int64_t virtual_nanoseconds) const {
-    return static_cast<std::int64_t>(
-        std::min(static_cast<double>(virtual_nanoseconds) / speed, static_cast<double>(longest)));
-  }
   static std::int64_t later(std::int64_t time, std::int64_t by) {
     return time > longest - by ? longest : time + by;
   }

@@ -1,5 +1,5 @@
 // What a component returned goes to its readers: it stays where it is for those of this beat, and is stored
-// for those of later beats and for queues.
+// for those of later beats and for queues, and sent to other environments.
 //
 // `Output` is the number of the first output that is published in the same way; `index` says where in its
 // array this one is stored.
@@ -46,6 +46,7 @@ CCA_INLINE void publish(const beat_context<Graph>& b, Result& result, int index,
     b.template at<layout_of<Graph>.outputs[Output].array>(index).template put<out.port>();
   if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
     b.template at<layout_of<Graph>.outputs[Output].array>(index).put(coordinates, result.origin(), b.k);
+  if constexpr (out.leaves) b.state.template send<Output>(coordinates, result.origin(), b.k);
   constexpr int queue = queue_from<Graph>(out.first_reader);
   if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, result.origin());
 }

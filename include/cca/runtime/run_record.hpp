@@ -15,6 +15,7 @@ template <class Pace> concept OnClock = requires(Pace& pace) {
   pace.begin(std::int64_t{}, std::int64_t{});
   { pace.fault() } -> std::same_as<fault>;
   { pace.last_begun() } -> std::same_as<std::int64_t>;
+  { pace.duration_of(std::int64_t{}) } -> std::same_as<std::int64_t>;
   { pace.overruns() } -> std::same_as<std::int64_t>;
   { pace.lost_periods() } -> std::same_as<std::int64_t>;
 };

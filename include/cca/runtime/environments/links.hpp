@@ -1,168 +1,147 @@
-// What an environment keeps beside its components and samples: what it is about to send to the others, what
-// has come from them and is not due yet, and, as fast as possible, where in a beat it waits for them.
+// How the parts of a deployment hang together: an environment sends what it publishes, takes what others have
+// published, and knows how far they are.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 #include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/fault_order.hpp>
 #include <cca/runtime/environments/patience.hpp>
 
 namespace cca::detail {
 
-// The samples of this beat that another environment reads.
-template <class D, int From, int To, bool Crosses = crossing<D, From, To>::count != 0>
-struct outbox {
-  typename crossing<D, From, To>::message message{};
-  bool is_empty = true;
-};
-template <class D, int From, int To>
-struct outbox<D, From, To, false> {};
-
-// The next message of another environment.
-template <class D, int From, int To, bool Crosses = crossing<D, From, To>::count != 0>
-struct inbox {
-  typename crossing<D, From, To>::message message{};
-  std::uint64_t next = 0;
-  bool has_one = false;
-  std::int64_t late_in_a_row = 0;
-};
-template <class D, int From, int To>
-struct inbox<D, From, To, false> {};
-
-// In the order of a beat of the whole: the last call before rank `before` that may fault, of an environment;
-// as the number of calls done with it, 0: none.
-constexpr int last_that_may_fault(const flat_view& whole, int environment, int before) {
-  for (int r = before - 1; r >= 0; --r)
-    if (const auto& c = whole.calls[whole.order[r]];
-        environment_of(whole, whole.order[r]) == environment && may_fault_in(whole, c))
-      return r + 1;
-  return 0;
-}
-
-template <class D, int E>
-inline constexpr int last_fault_of = [] {
-  auto plan = plan_of<D>;
-  const auto whole = plan.view();
-  return last_that_may_fault(whole, E, whole.call_count);
-}();
-
-// Before call `Rank` of a part: how far the other environment must be. The same as before the call in front
-// of it: nothing to wait for.
-template <class D, int E, int Rank, int Other>
-struct gate {
-  static constexpr int whole_rank(int rank) {
-    return rank < 0 ? 0 : plan_of<D>.calls[array_size(plan_of<part<D, E>>.order[array_size(rank)])].rank;
-  }
-  static constexpr int needed(int rank) {
-    auto plan = plan_of<D>;
-    return last_that_may_fault(plan.view(), Other, whole_rank(rank));
-  }
-  static constexpr int value = needed(Rank);
-  static constexpr bool is_new = Other != E && value > 0 && (Rank == 0 || needed(Rank - 1) != value);
+// The next sample that comes from elsewhere.
+template <class D, int Output>
+struct next_arrival {
+  std::uint64_t number = 0;
 };
 
-template <class D, int E, class Others = std::make_integer_sequence<int, environment_count<D>>>
-struct environment_links;
-template <class D, int E, int... Other>
-struct environment_links<D, E, std::integer_sequence<int, Other...>>
-    : outbox<D, E, Other>..., inbox<D, Other, E>... {
+template <class D,
+          int E,
+          class Others = std::make_integer_sequence<int, environment_count<D>>,
+          class Arriving = chosen<counts_of<D>.output_count, arrives<part<D, E>>>>
+class environment_links;
+
+template <class D, int E, int... Other, int... Arriving>
+class environment_links<D,
+                        E,
+                        std::integer_sequence<int, Other...>,
+                        std::integer_sequence<int, Arriving...>> : next_arrival<D, Arriving>... {
+public:
   exchange<D>* shared = nullptr;
-  bool is_exact = false;  // as fast as possible: wait for whatever a result depends on
-  bool is_cut = false;    // a fault elsewhere came before the next call of this beat
+  bool is_exact = false;   // as fast as possible: waits for whatever a result depends on
+  std::int64_t ahead = 0;  // by how many beats at most, then
+  bool is_cut = false;     // a fault elsewhere comes before the next call of this beat
+  int fault_rank = 0;      // of the call that faulted here, in the order of the whole
 
-  // A component publishes.
+  // A component publishes in beat k.
   template <int Output, class Vector>
-  CCA_INLINE void send(const Vector& v, std::int64_t origin) {
-    (send_to<Other, Output>(v, origin), ...);
-  }
-
-  // At the end of beat k. What was not published is not sent: the writer's position says that it is not.
-  void send_all(std::int64_t k) noexcept {
-    (flush<Other>(k), ...);
+  CCA_INLINE void send(const Vector& v, std::int64_t origin, std::int64_t k) {
+    shared->template ring<Output>().put(v, origin, k);
   }
 
   // When beat k begins: takes what was published before it, into the samples that the components read.
   template <class State>
-  void receive_all(State& state, std::int64_t k) noexcept {
-    (receive<Other>(state, k), ...);
+  void receive(State& state, std::int64_t k) noexcept {
+    (receive_one<Arriving>(state, k), ...);
   }
+
+  // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
+  // that a sample is lost, or might still fault in the beat before.
+  bool may_begin(std::int64_t k) const noexcept { return (is_far_enough<Other>(k) && ...); }
+
+  // When beat k begins at wall-clock speed: counts the environments whose samples should be here and are not.
+  // The one that has been late for more beats in a row than is tolerated; -1: none.
+  int count_late(std::int64_t k) noexcept {
+    int lost = -1;
+    (count_late_from<Other>(k, lost), ...);
+    return lost;
+  }
+  void forget_late() noexcept { late_in_a_row = {}; }
 
   // Nothing has gone wrong elsewhere before this call. False: the beat ends here.
   template <int Rank>
   CCA_INLINE bool is_due(std::int64_t k) noexcept {
-    if constexpr ((gate<D, E, Rank, Other>::is_new || ...)) {
-      if (is_exact && !is_cut) (wait_for<Rank, Other>(k), ...);
-    }
-    return !is_cut;
+    if constexpr (((needed<Other>(Rank) > (Rank == 0 ? 0 : needed<Other>(Rank - 1))) || ...))
+      if (is_exact) (wait_for<Other>(k, Rank), ...);
+    if constexpr (((needed<Other>(Rank) > 0) || ...)) return !is_cut;
+    else return true;
   }
-  // The call of this rank is done; others may wait for it.
+  // The call of this rank went well; others may wait for it.
   template <int Rank>
-  CCA_INLINE void is_done(std::int64_t k) noexcept {
-    constexpr int call = plan_of<part<D, E>>.order[Rank];
-    constexpr bool matters = [] {
-      auto plan = plan_of<D>;
-      return may_fault_in(plan.view(), plan.calls[call]);
+  CCA_INLINE bool is_done(std::int64_t k) noexcept {
+    constexpr bool may_fault = [] {
+      auto plan = plan_of<part<D, E>>;
+      return may_fault_in(plan.view(), plan.calls[array_size(plan.order[array_size(Rank)])]);
     }();
-    if constexpr (matters)
-      shared->move_to(E, exchange<D>::position_of(k, plan_of<D>.calls[call].rank + 1));
+    if constexpr (may_fault)
+      shared->move_to(E, exchange<D>::position_of(k, order.whole_rank[array_size(Rank)] + 1));
+    return true;
+  }
+  template <int Rank>
+  CCA_INLINE bool is_faulted() noexcept {
+    fault_rank = order.whole_rank[array_size(Rank)];
+    return false;
   }
 
 private:
-  template <int To, int Output, class Vector>
-  CCA_INLINE void send_to(const Vector& v, std::int64_t origin) {
-    constexpr int number = crossing<D, E, To>::number_of(Output);
-    if constexpr (number >= 0) {
-      auto& box = static_cast<outbox<D, E, To>&>(*this);
-      crossing<D, E, To>::template write<number>(box.message, v, origin);
-      box.is_empty = false;
-    }
-  }
-  template <int To>
-  void flush(std::int64_t k) noexcept {
-    if constexpr (crossing<D, E, To>::count != 0) {
-      auto& box = static_cast<outbox<D, E, To>&>(*this);
-      if (box.is_empty) return;
-      box.message[0] = static_cast<std::uint64_t>(k);
-      shared->template ring<E, To>().put(box.message);
-      for (int w = 0; w < (crossing<D, E, To>::count + 63) / 64; ++w) box.message[array_size(1 + w)] = 0;
-      box.is_empty = true;
-    }
-  }
-  template <int From, class State>
-  void receive(State& state, std::int64_t k) noexcept {
-    if constexpr (crossing<D, From, E>::count != 0) {
-      auto& box = static_cast<inbox<D, From, E>&>(*this);
-      for (;;) {
-        if (!box.has_one) box.has_one = shared->template ring<From, E>().take(box.next, box.message);
-        if (!box.has_one || static_cast<std::int64_t>(box.message[0]) >= k) return;
-        crossing<D, From, E>::deliver(state, box.message, k);
-        box.has_one = false;
-      }
-    }
-  }
-  template <int Rank, int X>
-  void wait_for(std::int64_t k) noexcept {
-    using before = gate<D, E, Rank, X>;
-    if constexpr (before::is_new) {
-      const auto needed = exchange<D>::position_of(k, before::value);
-      patience patient;
-      while (shared->position(X) < needed && !is_cut) {
-        is_cut = shared->fault.position.load(std::memory_order_acquire) <=
-                 exchange<D>::position_of(k, before::whole_rank(Rank));
-        if (!is_cut) patient.wait();
-      }
-    }
-  }
-};
+  static constexpr const auto& order = fault_order_of<D, E>;
 
-// The state of a part has its links, which the beat finds by its context.
-template <class D, int E>
-struct controller_state<part<D, E>>
-    : state_of<part<D, E>,
-               chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
-               chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
-      environment_links<D, E> {};
+  template <int X>
+  static constexpr int needed(int rank) {
+    return order.needed[X][array_size(rank)];
+  }
+  static constexpr int least_delay(int from, int to) {
+    return crossings_of<D>.least_delay[array_size(from)][array_size(to)];
+  }
+
+  template <int Output, class State>
+  void receive_one(State& state, std::int64_t k) noexcept {
+    constexpr place at = layout_of<part<D, E>>.outputs[Output];
+    const auto& ring = shared->template ring<Output>();
+    auto& next = static_cast<next_arrival<D, Output>&>(*this).number;
+    typename std::remove_cvref_t<decltype(ring)>::sample came;
+    while (ring.take(next, k, came))
+      sample_in<part<D, E>, at.array>(state, at.index).put(came.vector, came.origin, came.published_in, k);
+  }
+
+  bool has_done(int environment, std::int64_t beats) const noexcept {
+    return beats <= 0 || shared->position(environment) >= exchange<D>::position_of(beats);
+  }
+  template <int X>
+  bool is_far_enough(std::int64_t k) const noexcept {
+    if constexpr (X == E) return true;
+    std::int64_t beats = 0;
+    if constexpr (least_delay(X, E) > 0) beats = k - least_delay(X, E) + 1;
+    if constexpr (least_delay(E, X) > 0 || X == 0) beats = std::max(beats, k - ahead);
+    return has_done(X, beats) && (order.last[X] == 0 || shared->position(X) >=
+                                                            exchange<D>::position_of(k - 1, order.last[X]));
+  }
+  template <int X>
+  void wait_for(std::int64_t k, int rank) noexcept {
+    const auto from = exchange<D>::position_of(k, needed<X>(rank));
+    const auto here = exchange<D>::position_of(k, order.whole_rank[array_size(rank)]);
+    if (needed<X>(rank) == 0) return;
+    for (patience patience; !is_cut; patience.wait()) {
+      const bool is_there = shared->position(X) >= from;
+      is_cut = shared->fault.position.load(std::memory_order_acquire) <= here;
+      if (is_there) return;
+    }
+  }
+  template <int X>
+  void count_late_from(std::int64_t k, int& lost) noexcept {
+    if constexpr (least_delay(X, E) > 0) {
+      std::int64_t& in_a_row = late_in_a_row[X];
+      const bool is_late = !has_done(X, k - least_delay(X, E) + 1);
+      if (is_late) add(shared->environments[E].late, 1);
+      in_a_row = is_late ? in_a_row + 1 : 0;
+      if (in_a_row > environments_of<D>::tolerated) lost = X;
+    }
+  }
+
+  std::array<std::int64_t, array_size(environment_count<D>)> late_in_a_row{};
+};
 
 }  // namespace cca::detail

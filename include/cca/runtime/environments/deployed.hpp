@@ -1,0 +1,270 @@
+// A deployment in this process: each environment is a loop in a thread of its own, the first in the thread
+// that calls `run`. It does what `controller` does, bit for bit, for any placement.
+//
+//   cca::deployed<split> d;
+//   d.load(); d.start(); d.run(cca::for_<10>{}, cca::at_wall_clock());
+//
+// As fast as possible, `between` sees all environments at rest after each beat. At wall-clock speed it runs
+// between two beats of the first environment, while the others go on: then it may touch components of the
+// first, and nothing of the others but the counts. Errors: deployment.*. Example: docs/environments.md.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <cca/runtime/component_host.hpp>
+#include <cca/runtime/environments/environment_loop.hpp>
+#include <cca/runtime/refusal.hpp>
+
+namespace cca {
+namespace detail {
+
+template <class D, class Environments = std::make_integer_sequence<int, environment_count<D>>>
+struct environment_loops;
+template <class D, int... E>
+struct environment_loops<D, std::integer_sequence<int, E...>> : environment_loop<D, E>... {
+  template <int Environment>
+  auto& at() {
+    return static_cast<environment_loop<D, Environment>&>(*this);
+  }
+  template <int Environment>
+  const auto& at() const {
+    return static_cast<const environment_loop<D, Environment>&>(*this);
+  }
+  // f.template operator()<E>(loop) for each.
+  template <class F>
+  void for_each(F f) {
+    (f.template operator()<E>(at<E>()), ...);
+  }
+  // For those that follow the first.
+  template <class F>
+  void for_each_follower(F f) {
+    const auto if_follower = [&]<int Environment>() {
+      if constexpr (Environment > 0) f.template operator()<Environment>(at<Environment>());
+    };
+    (if_follower.template operator()<E>(), ...);
+  }
+};
+
+struct nothing_between {
+  template <class Deployed>
+  constexpr void operator()(Deployed&) const {}
+};
+
+}  // namespace detail
+
+// Of a deployment that breaks a rule: one error, which is the message.
+template <class D>
+class deployed : public controller<D> {
+public:
+  std::int64_t late() const noexcept { return 0; }
+};
+
+template <class D>
+  requires Deployment<D> && well_formed<D>
+class deployed<D> : public detail::component_host<deployed<D>, D> {
+  using host = detail::component_host<deployed<D>, D>;
+  friend host;
+
+public:
+  using host::period;
+
+  deployed() : shared(std::make_unique<detail::exchange<D>>()) {}
+
+  // One beat of all environments; false where the life-cycle does not allow it. Then only the hook `on_idle`
+  // of resource nodes runs. It starts and ends the threads: for many beats use `run`.
+  bool step() {
+    const bool may_run = detail::is_legal(detail::transition::run, now);
+    if (may_run) run(for_beats<1>{});
+    else idle();
+    return may_run;
+  }
+
+  // Beats for a time, at a pace. Ends at once on a fault, and where `between` returns false. Whatever ends
+  // it, all environments have done the same number of beats then.
+  template <class Duration, class Pace = as_fast_as_possible, class Between = detail::nothing_between>
+  cca::state run(Duration duration, Pace pace = {}, Between&& between = {}) {
+    move(detail::transition::run, "run()");
+    const detail::end_of_run at_the_end{now};
+    const std::int64_t beats = duration.beats(period());
+    const std::int64_t end = beats > detail::no_position - k ? detail::no_position : k + beats;
+    constexpr bool is_exact = !detail::OnClock<Pace>;
+    constexpr bool all_meet =
+        is_exact && !std::is_same_v<std::remove_cvref_t<Between>, detail::nothing_between>;
+    bool goes_on = true;
+    std::int64_t seen = k;  // by `between`
+    const auto after_beat = [&] {
+      seen = k = loops.template at<0>().k;
+      return goes_on = detail::goes_on_after(between, *this);
+    };
+    prepare(is_exact, all_meet ? 0 : detail::most_ahead);
+    runs.begin(pace, period());
+    {
+      const finished_run all_at_one_beat{*this, is_exact};
+      followers threads(*this, end, is_exact);
+      if constexpr (is_exact) loops.template at<0>().lead_exactly(end, runs, pace, after_beat);
+      else loops.template at<0>().lead(end, runs, pace, after_beat);
+      loops.template at<0>().handle_fault();
+    }
+    if (goes_on && seen < k && now == cca::state::faulted && (all_meet || !is_exact))
+      detail::goes_on_after(between, *this);
+    return now;
+  }
+
+  // In the runs at wall-clock speed since start(). Beats whose samples had not come when they began, each
+  // environment that was late counted; beats that were still running when the next should begin; the periods
+  // in which no beat began. Sums over all environments.
+  std::int64_t late() const noexcept { return sum(&detail::environment_record::late); }
+  std::int64_t overruns() const noexcept {
+    return runs.overruns + sum(&detail::environment_record::overruns);
+  }
+  std::int64_t lost_periods() const noexcept {
+    return runs.lost_periods + sum(&detail::environment_record::lost_periods);
+  }
+
+  // The next beat.
+  std::int64_t beat_index() const noexcept { return k; }
+
+  // As of a controller.
+  template <class F>
+  void observed(F f) const {
+    [&]<int... Output>(std::integer_sequence<int, Output...>) {
+      const int all[] = {0, (observe<Output>(f), 0)...};
+      (void)all;
+    }(detail::chosen<detail::counts_of<D>.output_count, detail::is_watched<D>>{});
+  }
+
+private:
+  template <int Node>
+  static constexpr int environment_of = detail::plan_of<D>.nodes[Node].environment;
+
+  template <int Node>
+  auto& component() {
+    return component_of<Node>(*this);
+  }
+  template <int Node>
+  const auto& component() const {
+    return component_of<Node>(*this);
+  }
+  template <int Node, class Deployed>
+  static auto& component_of(Deployed& self) {
+    constexpr int e = environment_of<Node>;
+    return detail::component_at<detail::part<D, e>, Node>(self.loops.template at<e>().state);
+  }
+  // f(number, component) for each, in declaration order.
+  template <class F, class Deployed>
+  static void visit(F f, Deployed& self) {
+    [&]<int... Node>(std::integer_sequence<int, Node...>) {
+      const int all[] = {0, (f(Node, component_of<Node>(self)), 0)...};
+      (void)all;
+    }(std::make_integer_sequence<int, detail::counts_of<D>.node_count>{});
+  }
+
+  template <int Output, class F>
+  void observe(F& f) const {
+    constexpr int e =
+        detail::environment_of(detail::flat_of<D>(detail::plan_of<D>).view(), detail::plan_of<D>.outputs[Output].call);
+    detail::observe_newest<detail::part<D, e>, Output>(loops.template at<e>().state, k, f);
+  }
+
+  void forget_runs() {
+    runs.overruns = runs.lost_periods = 0;
+    for (auto& e : shared->environments) e.late = e.overruns = e.lost_periods = 0;
+  }
+  std::int64_t sum(std::atomic<std::int64_t> detail::environment_record::*count) const noexcept {
+    std::int64_t all = 0;
+    for (const auto& e : shared->environments) all += (e.*count).load(std::memory_order_relaxed);
+    return all;
+  }
+
+  // The threads of the environments behind the first. They begin together, and end with this.
+  class followers {
+  public:
+    followers(deployed& d, std::int64_t end, bool is_exact) : all(d) {
+      try {
+        d.loops.for_each_follower([&]<int E>(auto& loop) {
+          threads[E] = std::thread([&, end, is_exact] {
+            begins.wait(false);
+            if (is_exact) loop.follow_exactly(end);
+            else loop.follow(end);
+            loop.handle_fault();
+          });
+        });
+      } catch (const std::system_error& refused_thread) {
+        release();
+        throw refused(std::string("cca::deployed: no thread for an environment: ") + refused_thread.what());
+      }
+      begin();
+    }
+    // Also where `between` or a pace throws.
+    ~followers() {
+      if (std::uncaught_exceptions() > exceptions) all.shared->should_stop = true;
+      join();
+    }
+
+  private:
+    void begin() {
+      begins = true;
+      begins.notify_all();
+    }
+    void release() {
+      all.shared->should_stop = true;
+      begin();
+      join();
+    }
+    void join() {
+      for (auto& t : threads)
+        if (t.joinable()) t.join();
+    }
+
+    deployed& all;
+    int exceptions = std::uncaught_exceptions();
+    std::atomic<bool> begins{false};
+    std::array<std::thread, detail::array_size(detail::environment_count<D>)> threads{};
+  };
+
+  void prepare(bool is_exact, std::int64_t ahead) {
+    shared->should_stop = false;
+    shared->fault.forget();
+    loops.for_each([&]<int E>(auto& loop) { loop.prepare(*shared, is_exact, ahead, k); });
+  }
+
+  struct finished_run {
+    deployed& all;
+    bool is_exact;
+    ~finished_run() { all.finish(is_exact); }
+  };
+  // All environments continue with the same beat.
+  void finish(bool is_exact) {
+    const std::int64_t fault_at = shared->fault.position;
+    loops.for_each([&]<int E>(auto& loop) {
+      loop.handle_fault();
+      k = std::max(k, loop.k);
+    });
+    if (fault_at == detail::no_position) return;
+    if (is_exact) k = fault_at / detail::exchange<D>::calls_and_one + 1;
+    reason = {shared->fault.reason, shared->fault.node};
+    now = detail::after(detail::transition::fail, now);
+  }
+
+  [[gnu::noinline]] void idle() {
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
+        },
+        *this);
+  }
+
+  using host::move, host::now, host::reason;
+
+  detail::environment_loops<D> loops;
+  std::unique_ptr<detail::exchange<D>> shared;
+  std::int64_t k = 0;
+  detail::run_record runs{};
+};
+
+}  // namespace cca

@@ -1,0 +1,193 @@
+// The loop of one environment: its components, which beats it runs, and when.
+//
+// As fast as possible it waits for whatever a result depends on, so that all is as in one loop. At wall-clock
+// speed it never waits for a sample: the first environment gives the beat, the others follow it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <cca/runtime/each_component.hpp>
+#include <cca/runtime/environments/active_beats.hpp>
+#include <cca/runtime/environments/links.hpp>
+#include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/one_beat.hpp>
+#include <cca/runtime/run_record.hpp>
+
+namespace cca::detail {
+
+// The state of a part has its links, which the beat finds by its context.
+template <class D, int E>
+struct controller_state<part<D, E>>
+    : state_of<part<D, E>,
+               chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
+               chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
+      environment_links<D, E> {};
+
+template <class D, int E>
+class environment_loop {
+  using graph = part<D, E>;
+  static constexpr std::int64_t period = counts_of<D>.period;
+
+public:
+  controller_state<graph> state;
+  std::int64_t k = 0;  // the next beat
+
+  // Before a run, while all environments rest. `ahead`: of the others, as fast as possible.
+  void prepare(exchange<D>& shared, bool is_exact, std::int64_t ahead, std::int64_t beat) {
+    state.shared = &shared;
+    state.is_exact = is_exact;
+    state.ahead = ahead;
+    state.is_cut = false;
+    state.forget_late();
+    own().begun = beat - 1;
+    own().begun_at = own().interval = 0;
+    has_handled_fault = false;
+    k = beat;
+    announce();
+  }
+
+  // ---- as fast as possible ----
+
+  // `after_beat`, where there is one, sees all environments at rest. It returns false at the end.
+  template <class Pace, class AfterBeat>
+  void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
+    const std::int64_t first = k;
+    while (k < end && wait_until_it_may_begin()) {
+      runs.wait(pace, (k - first) * period);
+      run_beat();
+      if (state.ahead == 0 && all_have_come() && !after_beat()) shared().should_stop = true;
+      announce();
+    }
+  }
+
+  void follow_exactly(std::int64_t end) {
+    while (!is_asleep_until(end) && wait_until_it_may_begin()) {
+      run_beat();
+      announce();
+    }
+  }
+
+  // ---- at wall-clock speed ----
+
+  template <class Pace, class AfterBeat>
+  void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
+    const std::int64_t first = k;
+    while (k < end) {
+      const cca::fault late = runs.wait(pace, (k - first) * period);
+      if (late) shared().fault.state(position(), late.reason(), -1);
+      if (!goes_on()) return;
+      own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
+      own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
+      own().begun.store(k, std::memory_order_release);
+      run_beat();
+      announce();
+      if (!after_beat()) shared().should_stop = true;
+    }
+  }
+
+  void follow(std::int64_t end) {
+    bool is_running = false;
+    while (!is_asleep_until(end)) {
+      const bool is_still_running = is_running && begun() >= k;
+      if (!wait_for_the_first()) return;
+      const std::int64_t now = begun();
+      is_running = now == k && !is_still_running;
+      if (is_running) {
+        run_beat();
+      } else {
+        add(own().overruns, 1);
+        add(own().lost_periods, now + 1 - k);
+        k = now + 1;
+      }
+      announce();
+    }
+  }
+
+  // ---- at the end of a run ----
+
+  // Once, in the beat of a fault: instead of what would still have come.
+  void handle_fault() noexcept {
+    if (fault_position() == no_position || has_handled_fault) return;
+    has_handled_fault = true;
+    visit_components<graph>(
+        []<class C>(int, C& component) {
+          if constexpr (IsResource<C> && OnFault<C>) component.on_fault();
+        },
+        state);
+  }
+
+private:
+  exchange<D>& shared() { return *state.shared; }
+  environment_record& own() { return shared().environments[E]; }
+  std::int64_t position(int rank = 0) const { return exchange<D>::position_of(k, rank); }
+  void announce() { shared().move_to(E, position()); }
+  std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
+  std::int64_t fault_position() { return shared().fault.position.load(std::memory_order_acquire); }
+  bool goes_on() {
+    return fault_position() == no_position && !shared().should_stop.load(std::memory_order_acquire);
+  }
+
+  [[gnu::flatten]] void run_beat() noexcept {
+    state.receive(state, k);
+    if (!state.is_exact)
+      if (const int lost = state.count_late(k); lost >= 0)
+        return shared().fault.state(position(), lost_contact<D>(lost), -1);
+    beat_outcome outcome;
+    beat_of_graph<graph>::run(state, outcome, k);
+    if constexpr (counts_of<graph>.may_fault)
+      if (outcome.fault) shared().fault.state(position(state.fault_rank), outcome.fault, outcome.node);
+    ++k;
+  }
+
+  // Skips the beats in which nothing can fire. True: there is no other before the end.
+  bool is_asleep_until(std::int64_t end) {
+    if (const std::int64_t next = std::min(next_active_beat<D, E>(k), end); next > k) {
+      k = next;
+      announce();
+    }
+    return k == end;
+  }
+
+  // False: a fault or the end has come before it.
+  bool wait_until_it_may_begin() noexcept {
+    for (patience patience;; patience.wait()) {
+      const bool may_begin = state.may_begin(k);
+      if (fault_position() < position() || shared().should_stop.load(std::memory_order_acquire)) return false;
+      if (may_begin) return true;
+    }
+  }
+
+  // Waits until all others have done the beats in front of k. False: one of them faulted.
+  bool all_have_come() noexcept {
+    for (patience patience; fault_position() == no_position; patience.wait()) {
+      bool all = true;
+      for (int x = 0; x < environment_count<D>; ++x) all = all && (x == E || shared().position(x) >= position());
+      if (all) return true;
+    }
+    return false;
+  }
+
+  // Waits until the first environment begins beat k. False: a fault or the end has come before it.
+  bool wait_for_the_first() noexcept {
+    const environment_record& first = shared().environments[0];
+    for (patience patience; goes_on();) {
+      const std::int64_t newest = begun();
+      if (newest >= k) return true;
+      const std::int64_t interval = first.interval.load(std::memory_order_relaxed);
+      const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (k - newest) * interval;
+      const std::int64_t now = monotonic_clock::now();
+      if (interval > 0 && due > now) monotonic_clock::sleep_until(std::min(due, now + longest_sleep(interval)));
+      else patience.wait();
+    }
+    return false;
+  }
+  // A fault elsewhere wakes nobody: who must act on it looks in each beat.
+  static constexpr std::int64_t longest_sleep(std::int64_t interval) {
+    return any_component<graph, acts_on_fault> ? interval : std::max<std::int64_t>(interval, 20'000'000);
+  }
+
+  bool has_handled_fault = false;
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,45 @@
+// As fast as possible, a fault cuts the beat of every environment where it would have cut the one loop: the
+// calls behind it in the order of the whole don't run. So an environment waits before a call until all calls
+// in front of it that may fault, elsewhere, have gone well.
+#pragma once
+
+#include <array>
+
+#include <cca/runtime/environments/crossing.hpp>
+
+namespace cca::detail {
+
+template <class D>
+struct fault_order {
+  static constexpr std::size_t calls = array_size(graph_size<D>.calls) + 1;
+
+  // The number of a call in the order of the whole, by its number in that of its environment.
+  std::array<int, calls> whole_rank{};
+  // Of each other environment, before each call: how many calls of the whole must be done, if they are its
+  // own; 0: none that may fault.
+  std::array<std::array<int, calls>, array_size(environment_count<D>)> needed{};
+  // The same behind the last call of a beat.
+  std::array<int, array_size(environment_count<D>)> last{};
+};
+
+template <class D, int E>
+inline constexpr auto fault_order_of = [] {
+  fault_order<D> order;
+  auto plan = plan_of<D>;
+  const auto g = plan.view();
+  std::size_t here = 0;
+  for (int r = 0; r < g.call_count; ++r) {
+    const auto& c = g.calls[g.order[r]];
+    const int environment = environment_of(g, g.order[r]);
+    if (environment == E) {
+      order.whole_rank[here] = r;
+      for (std::size_t x = 0; x < order.last.size(); ++x)
+        if (x != E) order.needed[x][here] = order.last[x];
+      ++here;
+    }
+    if (may_fault_in(g, c)) order.last[array_size(environment)] = r + 1;
+  }
+  return order;
+}();
+
+}  // namespace cca::detail
