@@ -1,7 +1,9 @@
 // The random architectures: what the library did and what the interpreter does, firing by firing, bit for
 // bit.
+#include <algorithm>
 #include <iostream>
 #include <string>
+#include <tuple>
 
 #include "compare.hpp"
 
@@ -14,19 +16,30 @@ long difference(const log& a, const log& b) {
   return -1;
 }
 
-std::unique_ptr<interpreter> interpreted(std::unique_ptr<interpreter> i, int count) {
-  for (int k = 0; k < count; ++k) i->beat();
+std::unique_ptr<interpreter> interpreted(std::unique_ptr<interpreter> i, int count, int resumes) {
+  while (i->k < count && !(i->faulted && resumes == 0)) {
+    if (i->faulted) --resumes, i->resume();
+    else i->beat();
+  }
   return i;
 }
 
-std::unique_ptr<interpreter> interpreted(const graph& g, int count) {
-  return interpreted(std::make_unique<interpreter>(g), count);
+std::unique_ptr<interpreter> interpreted(const graph& g, int count, int resumes) {
+  return interpreted(std::make_unique<interpreter>(g), count, resumes);
+}
+
+// By what doesn't depend on the order of threads; what `on_fault` recorded comes last.
+log merged(log all) {
+  const auto key = [](const firing& f) { return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id); };
+  std::stable_sort(all.begin(), all.end(), [&](const firing& a, const firing& b) { return key(a) < key(b); });
+  return all;
 }
 
 void comparison::add(const std::string& text, const outcome& o, int count) {
   const graph g = described(text);
-  const auto i = interpreted(g, count);
+  const auto i = interpreted(g, count, o.resumes);
   seen.add(*i);
+  if (o.is_merged) i->firings = merged(i->firings);
   const long at = difference(o.firings, i->firings);
   if (at >= 0 || o.faulted != i->faulted || !o.copy_agrees) {
     ++differences;
@@ -35,7 +48,8 @@ void comparison::add(const std::string& text, const outcome& o, int count) {
   }
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
     if (caught_in[m] != 0) continue;
-    const auto wrong = interpreted(all_mutants[m].made(g), count);
+    const auto wrong = interpreted(all_mutants[m].made(g), count, o.resumes);
+    if (o.is_merged) wrong->firings = merged(wrong->firings);
     if (difference(o.firings, wrong->firings) >= 0 || o.faulted != wrong->faulted)
       caught_in[m] = seen.architectures;
   }

@@ -25,6 +25,6 @@ private:
 };
 
 long difference(const log& a, const log& b);
-std::unique_ptr<interpreter> interpreted(const graph& g, int beats);
+std::unique_ptr<interpreter> interpreted(const graph& g, int beats, int resumes = 0);
 
 }  // namespace semantics
