@@ -15,6 +15,7 @@
 
 #include <cca/runtime/interruption.hpp>
 
+#include "../trot/report/json.hpp"
 #include "../trot/report/program.hpp"
 #include "campaign.hpp"
 
@@ -213,21 +214,20 @@ std::string table_of(const std::vector<result>& all) {
 }
 
 std::string json_of(const std::vector<result>& all) {
+  trot::json list = trot::json::array();
+  for (const result& r : all)
+    list.push_back({{"fault", r.fault},
+                    {"first_cause", r.first_cause},
+                    {"detected_by", r.detected_by},
+                    {"beats_to_detect", r.beats_to_detect < 0 ? trot::json() : trot::json(r.beats_to_detect)},
+                    {"beats_to_safe", r.beats_to_safe},
+                    {"max_excursion_rad", r.max_excursion},
+                    {"max_torque_nm", r.max_torque},
+                    {"set_points_sent", r.sent},
+                    {"sent_outside_limits", r.sent_outside_limits},
+                    {"recovered", r.recovered}});
   std::ostringstream out;
-  out << "[";
-  const char* between = "\n";
-  for (const result& r : all) {
-    out << between << "  {\"fault\": \"" << r.fault << "\", \"first_cause\": \"" << r.first_cause
-        << "\", \"detected_by\": \"" << r.detected_by << "\", \"beats_to_detect\": ";
-    if (r.beats_to_detect < 0) out << "null";
-    else out << r.beats_to_detect;
-    out << ", \"beats_to_safe\": " << r.beats_to_safe << ", \"max_excursion_rad\": " << r.max_excursion
-        << ", \"max_torque_nm\": " << r.max_torque << ", \"set_points_sent\": " << r.sent
-        << ", \"sent_outside_limits\": " << r.sent_outside_limits
-        << ", \"recovered\": " << (r.recovered ? "true" : "false") << "}";
-    between = ",\n";
-  }
-  out << "\n]\n";
+  trot::write(out, list);
   return out.str();
 }
 
