@@ -125,6 +125,8 @@ class Architecture:
         self.nodes = [Leaf(f"c{i}", i) for i in range(n)]
         for leaf in self.nodes:
             self.place_somewhere(leaf)
+        if self.environments > 1 and len({leaf.environment for leaf in self.nodes}) == 1:
+            self.nodes[-1].environment = 1 - min(1, self.nodes[0].environment)
         for leaf in rng.sample(self.nodes, min(resources, n - 2)):
             leaf.resource = True
             leaf.halves = rng.choice([["sense", "act"], ["sense", "act"], ["sense"], ["act"]])

@@ -1,9 +1,7 @@
 // The random architectures: what the library did and what the interpreter does, firing by firing, bit for
 // bit.
-#include <algorithm>
 #include <iostream>
 #include <string>
-#include <tuple>
 
 #include "compare.hpp"
 
@@ -16,28 +14,18 @@ long difference(const log& a, const log& b) {
   return -1;
 }
 
-std::unique_ptr<interpreter> interpreted(std::unique_ptr<interpreter> i, int count, int resumes) {
-  while (i->k < count && !(i->faulted && resumes == 0)) {
-    if (i->faulted) --resumes, i->resume();
-    else i->beat();
-  }
+std::unique_ptr<interpreter> interpreted(std::unique_ptr<interpreter> i, int count) {
+  for (int k = 0; k < count; ++k) i->beat();
   return i;
 }
 
-std::unique_ptr<interpreter> interpreted(const graph& g, int count, int resumes) {
-  return interpreted(std::make_unique<interpreter>(g), count, resumes);
-}
-
-// By what doesn't depend on the order of threads; what `on_fault` recorded comes last.
-log merged(log all) {
-  const auto key = [](const firing& f) { return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id); };
-  std::stable_sort(all.begin(), all.end(), [&](const firing& a, const firing& b) { return key(a) < key(b); });
-  return all;
+std::unique_ptr<interpreter> interpreted(const graph& g, int count) {
+  return interpreted(std::make_unique<interpreter>(g), count);
 }
 
 void comparison::add(const std::string& text, const outcome& o, int count) {
   const graph g = described(text);
-  const auto i = interpreted(g, count, o.resumes);
+  const auto i = interpreted(g, count);
   seen.add(*i);
   if (o.is_merged) i->firings = merged(i->firings);
   const long at = difference(o.firings, i->firings);
@@ -48,7 +36,7 @@ void comparison::add(const std::string& text, const outcome& o, int count) {
   }
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
     if (caught_in[m] != 0) continue;
-    const auto wrong = interpreted(all_mutants[m].made(g), count, o.resumes);
+    const auto wrong = interpreted(all_mutants[m].made(g), count);
     if (o.is_merged) wrong->firings = merged(wrong->firings);
     if (difference(o.firings, wrong->firings) >= 0 || o.faulted != wrong->faulted)
       caught_in[m] = seen.architectures;
@@ -57,7 +45,9 @@ void comparison::add(const std::string& text, const outcome& o, int count) {
 
 void comparison::tell(const std::string& text, const outcome& o, const interpreter& i, long at) {
   std::cout << "\n---- a difference ----\n" << text;
-  if (!o.copy_agrees) std::cout << "a copy of the controller did not go on like the original\n";
+  if (!o.copy_agrees)
+    std::cout << (o.is_merged ? "stopped, started and resumed it did not do what the controller does\n"
+                              : "a copy of the controller did not go on like the original\n");
   if (o.faulted != i.faulted)
     std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did"
               << (i.faulted ? "" : " not") << '\n';
@@ -74,22 +64,27 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
   std::cout << '\n';
 }
 
-bool comparison::report(bool as_proof) const {
+bool comparison::report(proof wanted) const {
+  const bool of_environments = wanted == proof::of_environments;
   std::cout << "\nWhat was exercised:\n";
-  const bool all_exercised = seen.report(std::cout);
+  const bool all_exercised = of_environments ? seen.report(std::cout, coverage::wanted_of_environments)
+                                             : seen.report(std::cout);
   std::cout << "\nMutants, and the architecture that caught each:\n";
   bool all_caught = true;
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
-    std::cout << std::setw(9) << caught_in[m] << "  " << all_mutants[m].mistake
-              << (caught_in[m] ? "" : "   <- not caught") << '\n';
+    const std::string mistake = all_mutants[m].mistake;
+    if (of_environments && mistake.find("delayed") == std::string::npos) continue;
+    std::cout << std::setw(9) << caught_in[m] << "  " << mistake << (caught_in[m] ? "" : "   <- not caught")
+              << '\n';
     all_caught = all_caught && caught_in[m];
   }
   std::cout << '\n'
             << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples
             << " samples compared, " << differences << " differences\n";
   // A few architectures are for trying something out: they can't exercise everything.
-  if (!as_proof) std::cout << "without --proof: what was not exercised or not caught is no failure\n";
-  return differences == 0 && (!as_proof || (all_exercised && all_caught));
+  if (wanted == proof::none)
+    std::cout << "no proof: what was not exercised or not caught is no failure\n";
+  return differences == 0 && (wanted == proof::none || (all_exercised && all_caught));
 }
 
 }  // namespace semantics

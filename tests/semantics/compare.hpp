@@ -14,8 +14,10 @@ namespace semantics {
 class comparison {
 public:
   void add(const std::string& text, const outcome& o, int beats);
-  // True: no difference. If it is to be a proof, also: everything was exercised, and every mutant caught.
-  bool report(bool as_proof) const;
+  // True: no difference. If it is to be a proof, also: everything was exercised, and every mutant caught. Of
+  // environments: what matters there was exercised, and every mutant with a mistake about delays caught.
+  enum class proof { none, of_all, of_environments };
+  bool report(proof wanted) const;
 
 private:
   void tell(const std::string& text, const outcome& o, const interpreter& i, long at);
@@ -26,6 +28,6 @@ private:
 };
 
 long difference(const log& a, const log& b);
-std::unique_ptr<interpreter> interpreted(const graph& g, int beats, int resumes = 0);
+std::unique_ptr<interpreter> interpreted(const graph& g, int beats);
 
 }  // namespace semantics

@@ -82,6 +82,9 @@ void record(const firing& f);
 // What all threads wrote that had none; it is forgotten then. They must have ended.
 log recorded_by_threads();
 
+// In an order that does not depend on that of threads; what `on_fault` recorded comes last.
+log merged(log all);
+
 // Bit for bit.
 bool same(const std::vector<double>& a, const std::vector<double>& b);
 bool same(const firing& a, const firing& b);

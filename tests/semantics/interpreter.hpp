@@ -43,12 +43,6 @@ public:
     ++k;
   }
 
-  // Goes on after a fault.
-  void resume() {
-    faulted = false;
-    ++k;
-  }
-
   // The first declared whose predecessors, over wires without delay, have all had their turn.
   virtual int next_turn(half which, const std::vector<bool>& had_turn) const {
     for (std::size_t i = 0; i < g.turns.size(); ++i) {

@@ -84,7 +84,7 @@ def crossings(made):
     across = [wire for wire in made.wires if wire.writer.environment != wire.reader.environment]
     return {"environments": len({leaf.environment for leaf in made.nodes}),
             "wires between environments": len(across),
-            "wires between environments, delayed by more than a beat": sum(wire.policy[1] > 1 for wire in across)}
+            "wires between environments, longer than a beat": sum(wire.policy[1] > 1 for wire in across)}
 
 
 # ---- as code ----
@@ -206,6 +206,7 @@ def code(made):
     if crews:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
         lines.append(f"struct crews {{\n  template <class Controller>\n  static void settle(Controller& c) {{ {waits} }}\n}};")
-    run = "run_deployed<spread>" if made.environments > 1 else f"run<top{', crews' if crews else ''}>"
+    restarted = ", top" if made.seed % 4 == 0 else ""
+    run = f"run_deployed<spread{restarted}>" if made.environments > 1 else f"run<top{', crews' if crews else ''}>"
     lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n{closed}")
     return "\n".join(lines)

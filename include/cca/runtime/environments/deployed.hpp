@@ -89,29 +89,10 @@ public:
   template <class Duration, class Pace = as_fast_as_possible, class Between = detail::nothing_between>
   cca::state run(Duration duration, Pace pace = {}, Between&& between = {}) {
     move(detail::transition::run, "run()");
-    const detail::end_of_run at_the_end{now};
-    const std::int64_t beats = duration.beats(period());
-    const std::int64_t end = beats > detail::no_position - k ? detail::no_position : k + beats;
-    constexpr bool is_exact = !detail::OnClock<Pace>;
-    constexpr bool all_meet =
-        is_exact && !std::is_same_v<std::remove_cvref_t<Between>, detail::nothing_between>;
-    bool goes_on = true;
-    std::int64_t seen = k;  // by `between`
-    const auto after_beat = [&] {
-      seen = k = loops.template at<0>().k;
-      return goes_on = detail::goes_on_after(between, *this);
-    };
-    prepare(is_exact, all_meet ? 0 : detail::most_ahead);
-    runs.begin(pace, period());
     {
-      const finished_run all_at_one_beat{*this, is_exact};
-      followers threads(*this, end, is_exact);
-      if constexpr (is_exact) loops.template at<0>().lead_exactly(end, runs, pace, after_beat);
-      else loops.template at<0>().lead(end, runs, pace, after_beat);
-      loops.template at<0>().handle_fault();
+      const detail::end_of_run at_the_end{now};
+      run_all(duration.beats(period()), pace, between);
     }
-    if (goes_on && seen < k && now == cca::state::faulted && (all_meet || !is_exact))
-      detail::goes_on_after(between, *this);
     return now;
   }
 
@@ -226,6 +207,30 @@ private:
     std::atomic<bool> begins{false};
     std::array<std::thread, detail::array_size(detail::environment_count<D>)> threads{};
   };
+
+  template <class Pace, class Between>
+  void run_all(std::int64_t beats, Pace& pace, Between& between) {
+    constexpr bool is_exact = !detail::OnClock<Pace>;
+    constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
+    constexpr bool all_meet = is_exact && (is_watched || !std::is_same_v<Pace, as_fast_as_possible>);
+    const std::int64_t end = beats > detail::no_position - k ? detail::no_position : k + beats;
+    std::int64_t last_seen = k;
+    auto& first = loops.template at<0>();
+    const auto after_beat = [&] {
+      last_seen = k = first.k;
+      return detail::goes_on_after(between, *this);
+    };
+    prepare(is_exact, all_meet ? 0 : detail::most_ahead);
+    runs.begin(pace, period());
+    {
+      const finished_run all_at_one_beat{*this, is_exact};
+      const followers threads(*this, end, is_exact);
+      if constexpr (is_exact) first.lead_exactly(end, runs, pace, after_beat);
+      else first.lead(end, runs, pace, after_beat);
+      first.handle_fault();
+    }
+    if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
+  }
 
   void prepare(bool is_exact, std::int64_t ahead) {
     shared->should_stop = false;
