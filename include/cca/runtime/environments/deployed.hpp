@@ -11,13 +11,18 @@
 
 #include <array>
 #include <atomic>
+#include <iostream>
+#include <latch>
 #include <memory>
+#include <string>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/environments/environment_loop.hpp>
+#include <cca/runtime/environments/realtime.hpp>
 #include <cca/runtime/refusal.hpp>
 
 namespace cca {
@@ -169,15 +174,23 @@ private:
       try {
         d.loops.for_each_follower([&]<int E>(auto& loop) {
           threads[E] = std::thread([&, end, is_exact] {
+            const detail::thread_setup setup(detail::wish_of_environment<D, E>);
+            refusals[E] = setup.refusal();
+            ready.count_down();
             begins.wait(false);
             if (is_exact) loop.follow_exactly(end);
             else loop.follow(end);
             loop.handle_fault();
           });
         });
-      } catch (const std::system_error& refused_thread) {
+        ready.wait();
+        d.loops.for_each_follower([&]<int E>(auto&) { d.template report<E>(refusals[E]); });
+      } catch (const std::system_error& no_thread) {
         release();
-        throw refused(std::string("cca::deployed: no thread for an environment: ") + refused_thread.what());
+        throw refused(std::string("cca::deployed: no thread for an environment: ") + no_thread.what());
+      } catch (...) {
+        release();
+        throw;
       }
       begin();
     }
@@ -186,8 +199,12 @@ private:
       if (std::uncaught_exceptions() > exceptions) all.shared->should_stop = true;
       join();
     }
+    followers(const followers&) = delete;
+    followers& operator=(const followers&) = delete;
 
   private:
+    static constexpr auto count = detail::array_size(detail::environment_count<D>);
+
     void begin() {
       begins = true;
       begins.notify_all();
@@ -204,9 +221,23 @@ private:
 
     deployed& all;
     int exceptions = std::uncaught_exceptions();
+    std::latch ready{static_cast<std::ptrdiff_t>(count) - 1};
     std::atomic<bool> begins{false};
-    std::array<std::thread, detail::array_size(detail::environment_count<D>)> threads{};
+    std::array<std::string, count> refusals{};
+    std::array<std::thread, count> threads{};
   };
+
+  // What the system refused to the thread of an environment.
+  template <int E>
+  void report(const std::string& refusal) {
+    if (refusal.empty()) return;
+    const std::string text = "cca::deployed: environment `" +
+                             std::string(detail::environments_of<D>::all[E].name) +
+                             "` does not run in real time: " + refusal;
+    if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
+    if (!is_told[E]) std::cerr << text << '\n';
+    is_told[E] = true;
+  }
 
   template <class Pace, class Between>
   void run_all(std::int64_t beats, Pace& pace, Between& between) {
@@ -220,6 +251,8 @@ private:
       last_seen = k = first.k;
       return detail::goes_on_after(between, *this);
     };
+    const detail::thread_setup setup(detail::wish_of_environment<D, 0>);
+    report<0>(setup.refusal());
     prepare(is_exact, all_meet ? 0 : detail::most_ahead);
     runs.begin(pace, period());
     {
@@ -270,6 +303,7 @@ private:
   std::unique_ptr<detail::exchange<D>> shared;
   std::int64_t k = 0;
   detail::run_record runs{};
+  std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};
 };
 
 }  // namespace cca
