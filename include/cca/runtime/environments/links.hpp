@@ -135,7 +135,7 @@ private:
     if constexpr (least_delay(X, E) > 0) {
       std::int64_t& in_a_row = late_in_a_row[X];
       const bool is_late = !has_done(X, k - least_delay(X, E) + 1);
-      if (is_late) add(shared->environments[E].late, 1);
+      if (is_late) add(shared->environments[E].late[X], 1);
       in_a_row = is_late ? in_a_row + 1 : 0;
       if (in_a_row > environments_of<D>::tolerated) lost = X;
     }
