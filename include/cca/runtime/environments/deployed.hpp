@@ -305,8 +305,10 @@ private:
       loop.handle_fault();
       k = std::max(k, loop.k);
     });
-    if (fault_at == detail::no_position) return;
-    if (is_exact) k = fault_at / detail::exchange<D>::calls_and_one + 1;
+    const bool is_faulted = fault_at != detail::no_position;
+    if (is_exact && is_faulted) k = fault_at / detail::exchange<D>::calls_and_one + 1;
+    loops.for_each([&]<int E>(auto& loop) { loop.skip_to(k); });
+    if (!is_faulted) return;
     reason = {shared->fault.reason, shared->fault.node};
     now = detail::after(detail::transition::fail, now);
   }

@@ -11,6 +11,7 @@
 #include <cca/runtime/environments/active_beats.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>
 
@@ -102,13 +103,22 @@ public:
       } else {
         add(own().overruns, 1);
         add(own().lost_periods, now + 1 - k);
-        k = now + 1;
+        skip_to(now + 1);
       }
       announce();
     }
   }
 
   // ---- at the end of a run ----
+
+  // Goes on with beat `next`: those in between count as done, also where a fault has cut the last.
+  void skip_to(std::int64_t next) {
+    for (std::int64_t skipped = std::max<std::int64_t>(k - 1, 0); skipped < next; ++skipped) {
+      repeat_outputs<graph>(state, skipped);
+      state.repeat_leaving(skipped);
+    }
+    k = next;
+  }
 
   // Once, in the beat of a fault: instead of what would still have come.
   void handle_fault() noexcept {

@@ -48,6 +48,14 @@ public:
     (receive_one<Arriving>(state, k), ...);
   }
 
+  // Beat k was cut or skipped: what should have left by a known clock leaves again.
+  void repeat_leaving(std::int64_t k) noexcept {
+    [&]<int... Output>(std::integer_sequence<int, Output...>) {
+      const int all[] = {0, (repeat_one<Output>(k), 0)...};
+      (void)all;
+    }(chosen<counts_of<D>.output_count, leaves_by_clock<D, E>>{});
+  }
+
   // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
   // that a sample is lost, or might still fault in the beat before.
   bool may_begin(std::int64_t k) const noexcept { return (is_far_enough<Other>(k) && ...); }
@@ -105,6 +113,11 @@ private:
     typename std::remove_cvref_t<decltype(ring)>::sample came;
     while (ring.take(next, k, came))
       sample_in<part<D, E>, at.array>(state, at.index).put(came.vector, came.origin, came.published_in, k);
+  }
+
+  template <int Output>
+  void repeat_one(std::int64_t k) noexcept {
+    if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
   }
 
   bool has_done(int environment, std::int64_t beats) const noexcept {
