@@ -2,6 +2,7 @@
 // graph: its own calls, in the order of the whole, and the samples that come from the other environments.
 #pragma once
 
+#include <cca/graph/layout/types.hpp>
 #include <cca/graph/plan/deployment/placement.hpp>
 #include <cca/graph/plan/plan.hpp>
 
