@@ -1,5 +1,5 @@
 // EXPECT: deployment\.bad_environment: environment `log` of split has no component, so it has nothing to run: the other environments name every node; remove a path there, or this environment
-// So has one with cca::other_nodes.
+// An environment with cca::other_nodes has at least one component, too.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"

@@ -1,5 +1,5 @@
 // EXPECT: deployment\.bad_environment: `legs` is the deployment split, but inside of a graph its environments would be ignored: make it a node of the architecture, walk, and deploy the graph around it
-// Nor is a deployment a node of a graph.
+// A deployment is no node of a graph; its architecture can be one.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"

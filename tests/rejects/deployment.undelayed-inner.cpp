@@ -1,5 +1,5 @@
 // EXPECT: deployment\.undelayed: `log\.stance\.angles` is published in environment `control` and read in environment `log`, so it takes at least a beat to get there: write cca::wire<`stance\.angles`, `recorder\.angles`, cca::delayed<1>> in logging, or a greater
-// So is a wire inside of an inner graph whose components run in two environments.
+// A wire inside of an inner graph is delayed too, if its components run in two environments.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"

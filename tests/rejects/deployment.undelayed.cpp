@@ -1,6 +1,6 @@
 // EXPECT: deployment\.undelayed: `gait\.angles` is published in environment `control` and read in environment `log`, so it takes at least a beat to get there: write cca::wire<`gait\.angles`, `recorder\.angles`, cca::delayed<1>>, or a greater delay
 // A wire from one environment to another is delayed: these beats are the time to compute and to transport.
-// So that a sample is in time wherever its reader runs, and the results are those of one loop.
+// Then a sample is in time wherever its reader runs, and the results are those of one loop.
 #include <cca/deployment.hpp>
 
 #include "parts.hpp"
