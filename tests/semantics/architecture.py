@@ -1,7 +1,8 @@
 """A random well-formed architecture.
 
 It is made flat first: nodes, then wires that close no loop without delay, then strategies, rates and policies that the
-Rules allow. Then it is cut into nested graphs, some of which are used twice.
+Rules allow. Then it is cut into nested graphs, some of which are used twice. It may also be spread over environments; then the
+wires between them are delayed.
 """
 import random
 
@@ -39,6 +40,7 @@ class Leaf:
         self.hears, self.hears_policy = None, ("latest",)  # the child of its own graph that an observer listens to
         self.skeleton = None  # of the library's: its kind, and what its function depends on
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
+        self.environment = 0
 
     def inputs(self):
         return [(half, port) for half in self.halves for port in self.ports[half][0]]
@@ -79,8 +81,9 @@ class Graph:
 
 
 class Architecture:
-    def __init__(self, seed, threads=False):
+    def __init__(self, seed, threads=False, is_spread=False):
         self.seed, self.threads = seed, threads
+        self.environments = 2 + seed % 3 if is_spread else 1
         self.rng = random.Random(seed)
         self.features = {}
         self.base = self.rng.choice(BASE_RATES)
@@ -98,6 +101,18 @@ class Architecture:
     def chance(self, percent):
         return self.rng.randrange(100) < percent
 
+    def place_somewhere(self, leaf):
+        """In an environment, most often in the same as its neighbours in the order."""
+        if self.environments > 1:
+            self.here = self.rng.randrange(self.environments) if self.chance(40) else getattr(self, "here", 0)
+            leaf.environment = self.here
+
+    def over(self, writer, reader, policy):
+        """The policy of a wire, which between two environments is delayed."""
+        if writer.environment == reader.environment or policy[0] == "delayed":
+            return policy
+        return ("delayed", self.rng.choice([1, 1, 1, 2, 3, 5]))
+
     def count(self, feature, by=1):
         self.features[feature] = self.features.get(feature, 0) + by
 
@@ -108,6 +123,10 @@ class Architecture:
         n = min(3 + int(rng.expovariate(1 / 6)), 21)
         resources = rng.choice([0, 0, 1, 1, 2, 3]) if n > 3 else rng.choice([0, 0, 1])
         self.nodes = [Leaf(f"c{i}", i) for i in range(n)]
+        for leaf in self.nodes:
+            self.place_somewhere(leaf)
+        if self.environments > 1 and len({leaf.environment for leaf in self.nodes}) == 1:
+            self.nodes[-1].environment = 1 - min(1, self.nodes[0].environment)
         for leaf in rng.sample(self.nodes, min(resources, n - 2)):
             leaf.resource = True
             leaf.halves = rng.choice([["sense", "act"], ["sense", "act"], ["sense"], ["act"]])
@@ -133,11 +152,12 @@ class Architecture:
         before = [(leaf, port) for leaf in self.nodes if leaf.resource for _, port in leaf.outputs()]
         for leaf in self.components:
             if not (self.chance(18) or (not before and self.chance(60))):
-                if before and self.chance(22):
-                    self.make_join(leaf, before)
+                at_hand = [one for one in before if one[0].environment == leaf.environment]
+                if at_hand and self.chance(22):
+                    self.make_join(leaf, at_hand)
                 else:
                     for i in range(rng.choice([1, 1, 1, 2, 2, 3])):
-                        self.make_input(leaf, "process", f"x{i}", before, everywhere)
+                        self.make_input(leaf, "process", f"x{i}", at_hand if self.environments > 1 and at_hand and self.chance(50) else before, everywhere)
             leaf.root = self.root_of(leaf) if self.chance(60) else None
             before += [(leaf, port) for _, port in leaf.outputs()]
         for leaf in self.nodes:
@@ -153,13 +173,13 @@ class Architecture:
                 out = rng.choice(a.ports["sense"][1])
                 port = Port("s0", "in", out.space)
                 b.ports["sense"][0].append(port)
-                self.wires.append(Wire(a, out, b, port, ("latest",)))
+                self.wires.append(Wire(a, out, b, port, self.over(a, b, ("latest",))))
                 self.count("wires from sense to sense")
             if "act" in a.halves and "act" in b.halves and self.chance(40):
                 out, port = Port("v0", "out", "num1"), Port("w0", "in", "num1")
                 a.ports["act"][1].append(out)
                 b.ports["act"][0].append(port)
-                self.wires.append(Wire(a, out, b, port, ("latest",)))
+                self.wires.append(Wire(a, out, b, port, self.over(a, b, ("latest",))))
                 self.count("wires from act to act")
 
     def make_input(self, leaf, half, name, before, everywhere, spare="num1"):
@@ -180,7 +200,7 @@ class Architecture:
             policy = ("queue", rng.choice([1, 2, 2, 3, 4, 8]), rng.choice(["drop_oldest", "drop_newest", "reject"])) if roll < 40 else ("latest",)
         port = Port(name, kind, out.space)
         leaf.ports[half][0].append(port)
-        self.wires.append(Wire(writer, out, leaf, port, policy))
+        self.wires.append(Wire(writer, out, leaf, port, self.over(writer, leaf, policy)))
 
     def make_join(self, leaf, before):
         """Inputs that stem from one node's samples, so that they can share an origin."""
@@ -313,10 +333,11 @@ class Architecture:
         for first in range(0, min(len(outputs), 24), 6):
             watcher = Leaf(f"w{first // 6}", 100 + first)
             watcher.strategy = self.rng.choice([("full_speed",), ("full_speed",), ("timed", 1, 0)])
+            self.place_somewhere(watcher)
             for i, (leaf, out) in enumerate(outputs[first:first + 6]):
                 port = Port(f"x{i}", "in", out.space)
                 watcher.ports["process"][0].append(port)
-                self.wires.append(Wire(leaf, out, watcher, port, ("latest",)))
+                self.wires.append(Wire(leaf, out, watcher, port, self.over(leaf, watcher, ("latest",))))
             self.nodes.insert(self.rng.randrange(len(self.nodes) + 1), watcher)
 
     # ---- rates, only where the Rules let them ----
@@ -484,6 +505,12 @@ class Architecture:
             observer = Leaf("o", 200 + depth)
             observer.hears = self.rng.choice(ends)
             observer.hears_policy = self.rng.choice([("latest",), ("latest",), ("delayed", 1), ("delayed", 3)])
+            self.place_somewhere(observer)
+            name, child = observer.hears
+            heard = {leaf.environment for leaf in (self.leaves(child) if isinstance(child, Graph) else [child])}
+            if heard != {observer.environment}:
+                observer.hears_policy = ("delayed", self.rng.choice([1, 2, 4]))
+                self.count("observers across environments")
             observer.strategy = self.rng.choice([("full_speed",), self.timed()])
             graph.children.insert(self.rng.randrange(len(graph.children) + 1), ("o", observer))
             self.count("observers")

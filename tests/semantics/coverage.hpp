@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <ostream>
+#include <span>
 #include <string>
 
 #include "interpreter.hpp"
@@ -55,9 +56,9 @@ public:
   }
 
   // False if anything was never exercised.
-  bool report(std::ostream& to) const {
+  bool report(std::ostream& to, std::span<const char* const> names = wanted) const {
     bool all = true;
-    for (const char* name : wanted) {
+    for (const char* name : names) {
       const auto found = counts.find(name);
       const long n = found == counts.end() ? 0 : found->second;
       to << std::setw(9) << n << "  " << name << (n ? "" : "   <- never exercised") << '\n';
@@ -140,6 +141,15 @@ public:
                                            "skeleton: collector",
                                            "skeleton: share_out",
                                            "skeleton: gather"};
+  static constexpr const char* wanted_of_environments[] = {"environments",
+                                                           "wires between environments",
+                                                           "wires between environments, longer than a beat",
+                                                           "observers across environments",
+                                                           "queue, drop_oldest: lost",
+                                                           "faults in sense",
+                                                           "faults in process",
+                                                           "faults in act",
+                                                           "on_fault calls"};
 
 private:
   void add(const strategy& s, const std::string& where) {

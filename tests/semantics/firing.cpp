@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <mutex>
+#include <tuple>
 
 namespace semantics {
 
@@ -17,7 +20,35 @@ unsigned scrambled(int a, int b, int c) {
   return x ^ (x >> 16);
 }
 
+std::mutex threads;
+std::deque<log> of_threads;
+
 }  // namespace
+
+void record(const firing& f) {
+  if (!recording) {
+    const std::lock_guard lock(threads);
+    recording = &of_threads.emplace_back();
+  }
+  recording->push_back(f);
+}
+
+log recorded_by_threads() {
+  const std::lock_guard lock(threads);
+  log all;
+  for (const log& one : of_threads) all.insert(all.end(), one.begin(), one.end());
+  of_threads.clear();
+  return all;
+}
+
+log merged(log all) {
+  const auto key = [](const firing& f) {
+    return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id);
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const firing& a, const firing& b) { return key(a) < key(b); });
+  return all;
+}
 
 void add_input(firing& f,
                std::string_view name,

@@ -76,8 +76,14 @@ void respond(const habit& h, memory& m, firing& f);
 // What a worker on a thread makes of its part, the n-th time.
 inline double practised(double x, int n) { return 0.5 * x + n % 5; }
 
-// Components write here. Set before each run.
-inline log* recording = nullptr;
+// Components write here: each thread has its own. A thread that has none gets one when it records first.
+inline thread_local log* recording = nullptr;
+void record(const firing& f);
+// What all threads wrote that had none; it is forgotten then. They must have ended.
+log recorded_by_threads();
+
+// In an order that does not depend on that of threads; what `on_fault` recorded comes last.
+log merged(log all);
 
 // Bit for bit.
 bool same(const std::vector<double>& a, const std::vector<double>& b);

@@ -3,6 +3,7 @@
 
     generate.py OUT --seeds 1 320 --per-file 10     writes OUT/architectures_0.cpp, ...
     generate.py OUT --threads ...                   the same, each with a farm on threads
+    generate.py OUT --spread ...                    the same, each spread over two to four environments
     generate.py --text 17                           prints what the interpreter gets
     generate.py --code 17                           prints what the compiler gets
     generate.py --list OUT ...                      prints the names of the files it would write
@@ -26,11 +27,16 @@ def main():
     parser.add_argument("--code", type=int)
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--threads", action="store_true")
+    parser.add_argument("--spread", action="store_true")
     options = parser.parse_args()
+
+    def made(seed):
+        return Architecture(seed, options.threads, options.spread)
+
     if options.text is not None:
-        print(text(Architecture(options.text, options.threads)), end="")
+        print(text(made(options.text)), end="")
     elif options.code is not None:
-        print(code(Architecture(options.code, options.threads)), end="")
+        print(code(made(options.code)), end="")
     else:
         seeds = list(range(options.seeds[0], options.seeds[1] + 1))
         for number, first in enumerate(range(0, len(seeds), options.per_file)):
@@ -39,8 +45,8 @@ def main():
                 print(path)
                 continue
             options.out.mkdir(parents=True, exist_ok=True)
-            parts = [code(Architecture(seed, options.threads)) for seed in seeds[first:first + options.per_file]]
-            header = "run_threads.hpp" if options.threads else "run.hpp"
+            parts = [code(made(seed)) for seed in seeds[first:first + options.per_file]]
+            header = "run_threads.hpp" if options.threads else "run_deployed.hpp" if options.spread else "run.hpp"
             path.write_text(f"// Made by tests/semantics/generate.py.\n#include \"{header}\"\n\n" + "\n".join(parts))
 
 

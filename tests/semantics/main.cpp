@@ -1,5 +1,6 @@
 // Runs all architectures that generate.py made, or only those whose seeds are arguments, and then prints all
-// differences.
+// differences. With --proof or --proof-of-environments it also fails if something was not exercised or a mutant was not
+// caught.
 #include <algorithm>
 #include <iostream>
 #include <string>
@@ -12,7 +13,10 @@ int main(int count, char** arguments) {
   auto all = registered::all();
   std::sort(all.begin(), all.end(),
             [](const registered* a, const registered* b) { return a->seed < b->seed; });
-  const std::vector<std::string> wanted(arguments + 1, arguments + count);
+  std::vector<std::string> wanted(arguments + 1, arguments + count);
+  auto proof = comparison::proof::none;
+  if (std::erase(wanted, "--proof") > 0) proof = comparison::proof::of_all;
+  if (std::erase(wanted, "--proof-of-environments") > 0) proof = comparison::proof::of_environments;
   comparison c;
   int copy_at = 0;
   for (const registered* one : all) {
@@ -21,5 +25,5 @@ int main(int count, char** arguments) {
     copy_at = (copy_at + 37) % beats;
     c.add(one->text, one->run(copy_at), beats);
   }
-  return c.report() ? 0 : 1;
+  return c.report(proof) ? 0 : 1;
 }

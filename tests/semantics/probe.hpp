@@ -127,7 +127,7 @@ template <class... Results, class... Inputs>
   (note(f, inputs), ...);
   (add_blank(f, static_cast<const Results*>(nullptr)), ...);
   respond(h, m, f);
-  recording->push_back(f);
+  record(f);
   [[maybe_unused]] std::size_t next = 0;
   if constexpr (sizeof...(Results) > 0)
     return typename result<Results...>::type{spoken(static_cast<const Results*>(nullptr), f, next)...};
@@ -155,7 +155,7 @@ struct with_on_fault {
     firing f;
     f.id = H.id;
     f.which = half::on_fault;
-    recording->push_back(f);
+    record(f);
   }
 };
 

@@ -24,6 +24,7 @@ class Skeletons:
         self.made, self.Leaf, self.Port, self.Wire = made, Leaf, Port, Wire
         self.rng = random.Random(made.seed + 1000003)
         self.groups = []
+        self.group_in = None  # the environment of a graph whose leaves stay together
         self.outputs = [(leaf, port) for leaf in made.nodes for half, port in leaf.outputs() if half != "act"]
         for i in range(self.rng.choice([0, 1, 1, 2, 2, 3, 3]) if len(made.nodes) < 24 else 0):
             self.add(self.rng.choice(KINDS), i)
@@ -33,8 +34,14 @@ class Skeletons:
     def leaf(self, name, number, skeleton=None):
         leaf = self.Leaf(name, number)
         leaf.skeleton = skeleton
+        self.made.place_somewhere(leaf)
+        if self.group_in is not None:
+            leaf.environment = self.group_in
         self.made.nodes.append(leaf)
         return leaf
+
+    def stay_together(self, together):
+        self.group_in = self.made.rng.randrange(self.made.environments) if together and self.made.environments > 1 else None
 
     def give(self, leaf, name, space, kind="out", rate=None):
         port = self.Port(name, kind, space)
@@ -46,7 +53,9 @@ class Skeletons:
         port = self.Port(name, kind, writer[1].space)
         port.rate = rate
         leaf.ports["process"][0].append(port)
-        wire = self.Wire(*writer, leaf, port, policy)
+        over = self.made.over(writer[0], leaf, policy)
+        stated = stated or over != policy
+        wire = self.Wire(*writer, leaf, port, over)
         wire.stated = stated
         self.made.wires.append(wire)
 
@@ -102,6 +111,7 @@ class Skeletons:
         count = self.rng.choice([2, 2, 3, 4])
         between = self.rng.choice([("delayed", 1), ("delayed", 2), ("queue", 2, "drop_newest")]) if kind == "pipeline_over" else ("latest",)
         writer, leaves = self.own(space), []
+        self.stay_together(between[0] != "delayed")
         for j in range(count):
             stage = self.leaf(f"stage{j}", number + j)
             self.take(stage, "x0", writer, between if j else self.policy(), stated=between[0] != "latest" if j else True)
@@ -109,6 +119,7 @@ class Skeletons:
             space = self.rng.choice(["num1", "num2", "ang1"])
             writer = stage, self.give(stage, "y0", space, self.rng.choice(["out", "out", "maybe"]))
             leaves.append(stage)
+        self.stay_together(False)
         self.groups.append(Group((kind, between), leaves, {"stage0.x0": "input", f"stage{count - 1}.y0": "output"}))
         return writer
 
@@ -117,6 +128,7 @@ class Skeletons:
         if PARTS[result][1] != count:
             result = whole
         given = PARTS[result][0]
+        self.stay_together(True)
         split = self.leaf("split", number, ("share_out", count))
         self.take(split, "input", self.own(whole), self.policy())
         leaves, sign = [split], (number + 1, self.rng.choice(["out", "out", "maybe"]))
@@ -134,6 +146,7 @@ class Skeletons:
         for j, end in enumerate(ends):
             self.take(join, f"part{j}", end, stated=False)
         leaves.append(join)
+        self.stay_together(False)
         output = join, self.give(join, "output", result)
         self.groups.append(Group(("farm", whole, result), leaves, {"split.input": "input", "join.output": "output"}))
         return output

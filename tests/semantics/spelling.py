@@ -59,6 +59,8 @@ def text(made):
     lines = [f"architecture {made.seed}", f"period {made.period}"]
     lines += [f"feature {n} {name}" for name, n in sorted(made.features.items()) if n]
     leaves, wires = flat(made)
+    if made.environments > 1:
+        lines += [f"feature {n} {name}" for name, n in crossings(made).items() if n]
     for path, leaf, heard in leaves:
         lines.append(f"{'resource' if leaf.resource else 'component'} {path} {words(leaf.strategy)}")
         lines.append("skeleton " + " ".join(map(str, leaf.skeleton)) if leaf.skeleton else
@@ -76,6 +78,13 @@ def text(made):
             line += " initial " + " ".join(map(str, wire.initial))
         lines.append(line)
     return "\n".join(lines) + "\n"
+
+
+def crossings(made):
+    across = [wire for wire in made.wires if wire.writer.environment != wire.reader.environment]
+    return {"environments": len({leaf.environment for leaf in made.nodes}),
+            "wires between environments": len(across),
+            "wires between environments, longer than a beat": sum(wire.policy[1] > 1 for wire in across)}
 
 
 # ---- as code ----
@@ -149,13 +158,45 @@ def graph_cpp(graph, rng):
     return f"struct {graph.name} : cca::graph<\n    " + ",\n    ".join(items) + "> {};\n"
 
 
+def placed(made, rng):
+    """Of each environment the paths that it names: of components, or of an inner graph that lies in it wholly."""
+    named = {e: [] for e in range(made.environments)}
+
+    def walk(graph, path):
+        for name, child in graph.children:
+            if isinstance(child, Leaf):
+                named[child.environment].append(path + name)
+                continue
+            inside = {leaf.environment for leaf in made.leaves(child)}
+            if len(inside) == 1 and rng.randrange(2):
+                named[inside.pop()].append(path + name)
+            else:
+                walk(child, path + name + ".")
+
+    walk(made.top, "")
+    return [paths for paths in named.values() if paths]
+
+
+def deployment_cpp(made, rng):
+    environments = placed(made, rng)
+    rng.shuffle(environments)
+    rest = rng.randrange(2 * len(environments))  # half of them name all nodes
+    items = []
+    for e, paths in enumerate(environments):
+        nodes = "cca::other_nodes" if e == rest else "cca::nodes<" + ", ".join(f'"{path}"' for path in paths) + ">"
+        items.append(f'cca::environment<"e{e}", {nodes}>')
+    return "struct spread : cca::deployment<top,\n    " + ",\n    ".join(items) + "> {};\n"
+
+
 def code(made):
     rng = random.Random(made.seed)
     lines = [f"namespace architecture_{made.seed} {{", "using namespace semantics;\n"]
     lines += [graph_cpp(graph, rng) for graph in reversed(made.types)]  # inner ones first
+    if made.environments > 1:
+        lines.append(deployment_cpp(made, rng))
     lines.append(f'constexpr char text[] = R"({text(made)})";')
     closed = f"}}  // namespace architecture_{made.seed}\n"
-    top = f"architecture_{made.seed}::top"
+    top = f"architecture_{made.seed}::{'spread' if made.environments > 1 else 'top'}"
     as_long = []  # cut into parts, as graphs of very many functions are
     if made.seed % 3 == 0:
         as_long.append(f"template <>\nconstexpr int cca::detail::calls_in_part<{top}> = {1 + made.seed % 4};")
@@ -165,5 +206,7 @@ def code(made):
     if crews:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
         lines.append(f"struct crews {{\n  template <class Controller>\n  static void settle(Controller& c) {{ {waits} }}\n}};")
-    lines.append(f"const registered here{{{made.seed}, text, &run<top{', crews' if crews else ''}>}};\n\n{closed}")
+    restarted = ", top" if made.seed % 4 == 0 else ""
+    run = f"run_deployed<spread{restarted}>" if made.environments > 1 else f"run<top{', crews' if crews else ''}>"
+    lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n{closed}")
     return "\n".join(lines)

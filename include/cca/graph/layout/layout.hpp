@@ -243,7 +243,16 @@ struct layout_step {
       to.twin[c] = g.calls[c].elsewhere ? c : calls.first(key_of(g.calls[c], to.results[c].array), c);
   }
 
+  // g++ 12 gives some elements of an array zeros instead of their default values when a constant is made.
+  constexpr void place_nowhere() {
+    for (place& p : to.components) p = {-1, 0};
+    for (place& p : to.results) p = {-1, 0};
+    for (place& p : to.outputs) p = {-1, 0};
+    for (place& p : to.sources) p = {-1, 0};
+  }
+
   constexpr void run() {
+    place_nowhere();
     place_components();
     place_results();
     place_samples();

@@ -108,6 +108,20 @@ struct environments_in<list<Items...>> {
   static constexpr int tolerated = facts.tolerated;
 };
 
+// The options of environment E.
+template <int E, class Items>
+struct options_among;
+template <int E, class First, class... More>
+struct options_among<E, list<First, More...>>
+    : options_among<E - item_of_deployment<First>::is_environment, list<More...>> {};
+template <class First, class... More>
+  requires item_of_deployment<First>::is_environment
+struct options_among<0, list<First, More...>> {
+  using type = typename item_of_deployment<First>::options;
+};
+template <class D, int E>
+using options_of_environment = typename options_among<E, typename D::cca_environments>::type;
+
 template <class D>
 using environments_of = environments_in<typename D::cca_environments>;
 

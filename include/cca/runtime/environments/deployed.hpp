@@ -11,13 +11,18 @@
 
 #include <array>
 #include <atomic>
+#include <iostream>
+#include <latch>
 #include <memory>
+#include <string>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/environments/environment_loop.hpp>
+#include <cca/runtime/environments/realtime.hpp>
 #include <cca/runtime/refusal.hpp>
 
 namespace cca {
@@ -89,29 +94,10 @@ public:
   template <class Duration, class Pace = as_fast_as_possible, class Between = detail::nothing_between>
   cca::state run(Duration duration, Pace pace = {}, Between&& between = {}) {
     move(detail::transition::run, "run()");
-    const detail::end_of_run at_the_end{now};
-    const std::int64_t beats = duration.beats(period());
-    const std::int64_t end = beats > detail::no_position - k ? detail::no_position : k + beats;
-    constexpr bool is_exact = !detail::OnClock<Pace>;
-    constexpr bool all_meet =
-        is_exact && !std::is_same_v<std::remove_cvref_t<Between>, detail::nothing_between>;
-    bool goes_on = true;
-    std::int64_t seen = k;  // by `between`
-    const auto after_beat = [&] {
-      seen = k = loops.template at<0>().k;
-      return goes_on = detail::goes_on_after(between, *this);
-    };
-    prepare(is_exact, all_meet ? 0 : detail::most_ahead);
-    runs.begin(pace, period());
     {
-      const finished_run all_at_one_beat{*this, is_exact};
-      followers threads(*this, end, is_exact);
-      if constexpr (is_exact) loops.template at<0>().lead_exactly(end, runs, pace, after_beat);
-      else loops.template at<0>().lead(end, runs, pace, after_beat);
-      loops.template at<0>().handle_fault();
+      const detail::end_of_run at_the_end{now};
+      run_all(duration.beats(period()), pace, between);
     }
-    if (goes_on && seen < k && now == cca::state::faulted && (all_meet || !is_exact))
-      detail::goes_on_after(between, *this);
     return now;
   }
 
@@ -188,15 +174,23 @@ private:
       try {
         d.loops.for_each_follower([&]<int E>(auto& loop) {
           threads[E] = std::thread([&, end, is_exact] {
+            const detail::thread_setup setup(detail::wish_of_environment<D, E>);
+            refusals[E] = setup.refusal();
+            ready.count_down();
             begins.wait(false);
             if (is_exact) loop.follow_exactly(end);
             else loop.follow(end);
             loop.handle_fault();
           });
         });
-      } catch (const std::system_error& refused_thread) {
+        ready.wait();
+        d.loops.for_each_follower([&]<int E>(auto&) { d.template report<E>(refusals[E]); });
+      } catch (const std::system_error& no_thread) {
         release();
-        throw refused(std::string("cca::deployed: no thread for an environment: ") + refused_thread.what());
+        throw refused(std::string("cca::deployed: no thread for an environment: ") + no_thread.what());
+      } catch (...) {
+        release();
+        throw;
       }
       begin();
     }
@@ -205,8 +199,12 @@ private:
       if (std::uncaught_exceptions() > exceptions) all.shared->should_stop = true;
       join();
     }
+    followers(const followers&) = delete;
+    followers& operator=(const followers&) = delete;
 
   private:
+    static constexpr auto count = detail::array_size(detail::environment_count<D>);
+
     void begin() {
       begins = true;
       begins.notify_all();
@@ -223,9 +221,49 @@ private:
 
     deployed& all;
     int exceptions = std::uncaught_exceptions();
+    std::latch ready{static_cast<std::ptrdiff_t>(count) - 1};
     std::atomic<bool> begins{false};
-    std::array<std::thread, detail::array_size(detail::environment_count<D>)> threads{};
+    std::array<std::string, count> refusals{};
+    std::array<std::thread, count> threads{};
   };
+
+  // What the system refused to the thread of an environment.
+  template <int E>
+  void report(const std::string& refusal) {
+    if (refusal.empty()) return;
+    const std::string text = "cca::deployed: environment `" +
+                             std::string(detail::environments_of<D>::all[E].name) +
+                             "` does not run in real time: " + refusal;
+    if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
+    if (!is_told[E]) std::cerr << text << '\n';
+    is_told[E] = true;
+  }
+
+  template <class Pace, class Between>
+  void run_all(std::int64_t beats, Pace& pace, Between& between) {
+    constexpr bool is_exact = !detail::OnClock<Pace>;
+    constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
+    constexpr bool all_meet = is_exact && (is_watched || !std::is_same_v<Pace, as_fast_as_possible>);
+    const std::int64_t end = beats > detail::no_position - k ? detail::no_position : k + beats;
+    std::int64_t last_seen = k;
+    auto& first = loops.template at<0>();
+    const auto after_beat = [&] {
+      last_seen = k = first.k;
+      return detail::goes_on_after(between, *this);
+    };
+    const detail::thread_setup setup(detail::wish_of_environment<D, 0>);
+    report<0>(setup.refusal());
+    prepare(is_exact, all_meet ? 0 : detail::most_ahead);
+    runs.begin(pace, period());
+    {
+      const finished_run all_at_one_beat{*this, is_exact};
+      const followers threads(*this, end, is_exact);
+      if constexpr (is_exact) first.lead_exactly(end, runs, pace, after_beat);
+      else first.lead(end, runs, pace, after_beat);
+      first.handle_fault();
+    }
+    if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
+  }
 
   void prepare(bool is_exact, std::int64_t ahead) {
     shared->should_stop = false;
@@ -265,6 +303,7 @@ private:
   std::unique_ptr<detail::exchange<D>> shared;
   std::int64_t k = 0;
   detail::run_record runs{};
+  std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};
 };
 
 }  // namespace cca

@@ -45,19 +45,21 @@ public:
     has_handled_fault = false;
     k = beat;
     announce();
+    if (E == 0 && ahead == 0) shared.move_to(E, position() - 1);  // when its pace lets it begin
   }
 
   // ---- as fast as possible ----
 
-  // `after_beat`, where there is one, sees all environments at rest. It returns false at the end.
+  // Where nobody may be ahead, `after_beat` sees all environments at rest. It returns false at the end.
   template <class Pace, class AfterBeat>
   void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
     const std::int64_t first = k;
     while (k < end && wait_until_it_may_begin()) {
       runs.wait(pace, (k - first) * period);
+      if (state.ahead == 0) announce();
       run_beat();
-      if (state.ahead == 0 && all_have_come() && !after_beat()) shared().should_stop = true;
-      announce();
+      if (state.ahead > 0) announce();
+      else if (all_have_come() && !after_beat()) shared().should_stop = true;
     }
   }
 
@@ -171,20 +173,21 @@ private:
   // Waits until the first environment begins beat k. False: a fault or the end has come before it.
   bool wait_for_the_first() noexcept {
     const environment_record& first = shared().environments[0];
-    for (patience patience; goes_on();) {
+    while (goes_on()) {
       const std::int64_t newest = begun();
       if (newest >= k) return true;
       const std::int64_t interval = first.interval.load(std::memory_order_relaxed);
       const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (k - newest) * interval;
       const std::int64_t now = monotonic_clock::now();
-      if (interval > 0 && due > now) monotonic_clock::sleep_until(std::min(due, now + longest_sleep(interval)));
-      else patience.wait();
+      monotonic_clock::sleep_until(std::clamp(due, now + shortest_sleep, now + longest_sleep(interval)));
     }
     return false;
   }
+  static constexpr std::int64_t shortest_sleep = 20'000;
   // A fault elsewhere wakes nobody: who must act on it looks in each beat.
   static constexpr std::int64_t longest_sleep(std::int64_t interval) {
-    return any_component<graph, acts_on_fault> ? interval : std::max<std::int64_t>(interval, 20'000'000);
+    constexpr std::int64_t shortest = any_component<graph, acts_on_fault> ? shortest_sleep : 20'000'000;
+    return std::max(interval, shortest);
   }
 
   bool has_handled_fault = false;

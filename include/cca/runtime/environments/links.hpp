@@ -44,7 +44,7 @@ public:
 
   // When beat k begins: takes what was published before it, into the samples that the components read.
   template <class State>
-  void receive(State& state, std::int64_t k) noexcept {
+  void receive([[maybe_unused]] State& state, [[maybe_unused]] std::int64_t k) noexcept {
     (receive_one<Arriving>(state, k), ...);
   }
 
@@ -108,16 +108,16 @@ private:
   }
 
   bool has_done(int environment, std::int64_t beats) const noexcept {
-    return beats <= 0 || shared->position(environment) >= exchange<D>::position_of(beats);
+    return shared->position(environment) >= exchange<D>::position_of(beats);
   }
   template <int X>
   bool is_far_enough(std::int64_t k) const noexcept {
     if constexpr (X == E) return true;
-    std::int64_t beats = 0;
-    if constexpr (least_delay(X, E) > 0) beats = k - least_delay(X, E) + 1;
-    if constexpr (least_delay(E, X) > 0 || X == 0) beats = std::max(beats, k - ahead);
-    return has_done(X, beats) && (order.last[X] == 0 || shared->position(X) >=
-                                                            exchange<D>::position_of(k - 1, order.last[X]));
+    if constexpr (least_delay(X, E) > 0)
+      if (!has_done(X, k - least_delay(X, E) + 1)) return false;
+    if constexpr (least_delay(E, X) > 0 || X == 0)
+      if (!has_done(X, k - ahead)) return false;
+    return order.last[X] == 0 || shared->position(X) >= exchange<D>::position_of(k - 1, order.last[X]);
   }
   template <int X>
   void wait_for(std::int64_t k, int rank) noexcept {

@@ -1,0 +1,142 @@
+// How the thread of an environment runs: options of `environment`.
+//
+//   cca::environment<"robot", cca::nodes<"robot", "limits">, cca::realtime<80, cca::on_core<1>>>
+//
+// `realtime<Priority>`: SCHED_FIFO with this priority (1 to 99), on one core if it says so, and the memory of
+// the process locked, its stack touched: then no page fault interrupts a beat. `run` is refused where the
+// system refuses, with what to do about it. `realtime_if_allowed` goes on without, and says so on the standard
+// error output. When a run ends, the thread that called `run` is as it was; memory stays locked.
+#pragma once
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include <cca/graph/plan/environments.hpp>
+
+namespace cca {
+
+template <int Number>
+struct on_core {
+  static_assert(Number >= 0, "cca::on_core: cores are counted from 0");
+};
+
+// Where: `on_core<N>`, or nothing.
+template <int Priority, class... Where>
+struct realtime {};
+template <int Priority, class... Where>
+struct realtime_if_allowed {};
+
+namespace detail {
+
+struct thread_wish {
+  int priority = 0;  // 0: none
+  int core = -1;     // any
+  bool is_needed = false;
+};
+
+template <class Option>
+struct wish_of {
+  static_assert(sizeof(Option) == 0,
+                "cca::environment: behind the nodes stand options of its thread, cca::realtime<Priority> or "
+                "cca::realtime_if_allowed<Priority>, with cca::on_core<N> in it or not");
+};
+template <int Priority, int... Core>
+constexpr thread_wish make_wish(bool is_needed) {
+  static_assert(Priority >= 1 && Priority <= 99, "cca::realtime: priorities go from 1 to 99, the most urgent");
+  static_assert(sizeof...(Core) <= 1, "cca::realtime: at most one core");
+  return {Priority, sizeof...(Core) == 0 ? -1 : (-1 + ... + (Core + 1)), is_needed};
+}
+template <int Priority, int... Core>
+struct wish_of<realtime<Priority, on_core<Core>...>> {
+  static constexpr thread_wish value = make_wish<Priority, Core...>(true);
+};
+template <int Priority, int... Core>
+struct wish_of<realtime_if_allowed<Priority, on_core<Core>...>> {
+  static constexpr thread_wish value = make_wish<Priority, Core...>(false);
+};
+
+template <class Options>
+inline constexpr thread_wish wish_among{};
+template <class Option>
+inline constexpr thread_wish wish_among<list<Option>> = wish_of<Option>::value;
+template <class First, class Second, class... More>
+inline constexpr thread_wish wish_among<list<First, Second, More...>> = [] {
+  static_assert(sizeof(First) == 0, "cca::environment: at most one option, cca::realtime<Priority, cca::on_core<N>>");
+  return thread_wish{};
+}();
+
+// What the system refused, and what to do; empty: nothing.
+class thread_setup {
+public:
+  explicit thread_setup(const thread_wish& wish) {
+    if (wish.priority == 0) return;
+    is_set = true;
+    ::pthread_getschedparam(::pthread_self(), &policy_before, &parameter_before);
+    ::pthread_getaffinity_np(::pthread_self(), sizeof cores_before, &cores_before);
+    lock_memory();
+    pin(wish.core);
+    schedule(wish.priority);
+  }
+  ~thread_setup() {
+    if (!is_set) return;
+    ::pthread_setschedparam(::pthread_self(), policy_before, &parameter_before);
+    ::pthread_setaffinity_np(::pthread_self(), sizeof cores_before, &cores_before);
+  }
+  thread_setup(const thread_setup&) = delete;
+  thread_setup& operator=(const thread_setup&) = delete;
+
+  const std::string& refusal() const { return text; }
+
+private:
+  void refuse(std::string_view what, int error, std::string_view remedy) {
+    if (!text.empty()) text += "; ";
+    text.append(what).append(": ").append(std::strerror(error)).append("; ").append(remedy);
+  }
+  void lock_memory() {
+    if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+      refuse("its memory can't be locked", errno,
+             "put `<user> - memlock unlimited` into /etc/security/limits.conf and log in again");
+    touch_stack();
+  }
+  // The beats find their pages there.
+  [[gnu::noinline]] static void touch_stack() {
+    unsigned char pages[256 * 1024];
+    for (std::size_t at = 0; at < sizeof pages; at += 4096) const_cast<volatile unsigned char&>(pages[at]) = 0;
+  }
+  void pin(int core) {
+    if (core < 0) return;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<std::size_t>(core), &one);
+    if (const int error = ::pthread_setaffinity_np(::pthread_self(), sizeof one, &one); error != 0)
+      refuse("core " + std::to_string(core) + " can't be used", error,
+             "give cca::on_core a number that `nproc --all` and the cgroup of the process allow");
+  }
+  void schedule(int priority) {
+    sched_param parameter{};
+    parameter.sched_priority = priority;
+    if (const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameter); error != 0)
+      refuse("SCHED_FIFO with priority " + std::to_string(priority), error,
+             "put `<user> - rtprio " + std::to_string(priority) +
+                 "` into /etc/security/limits.conf and log in again, or give the program the capability, "
+                 "`sudo setcap cap_sys_nice,cap_ipc_lock+ep <program>`; or use cca::realtime_if_allowed");
+  }
+
+  std::string text;
+  bool is_set = false;
+  int policy_before = SCHED_OTHER;
+  sched_param parameter_before{};
+  cpu_set_t cores_before{};
+};
+
+template <class D, int E>
+inline constexpr thread_wish wish_of_environment = wish_among<options_of_environment<D, E>>;
+
+}  // namespace detail
+}  // namespace cca

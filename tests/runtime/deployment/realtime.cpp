@@ -1,0 +1,138 @@
+// The thread of an environment in real time: what the system allows it has while it runs, and what the system
+// refuses is said.
+#include <doctest/doctest.h>
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+#include "robot_and_mind.hpp"
+
+using namespace deployment_test;
+
+namespace {
+
+// How the thread runs in which it is called.
+struct scheduling {
+  int policy = -1, priority = -1, cores = 0;
+  bool operator==(const scheduling&) const = default;
+};
+scheduling scheduling_here() {
+  scheduling s;
+  sched_param parameter{};
+  ::pthread_getschedparam(::pthread_self(), &s.policy, &parameter);
+  s.priority = parameter.sched_priority;
+  cpu_set_t cores;
+  ::pthread_getaffinity_np(::pthread_self(), sizeof cores, &cores);
+  s.cores = CPU_COUNT(&cores);
+  return s;
+}
+
+struct witness {
+  scheduling seen;
+  auto process(cca::beat) -> cca::out<"y", level> {
+    seen = scheduling_here();
+    return 0.0;
+  }
+};
+struct witnesses : cca::graph<cca::rate<1000>, cca::node<"a", witness>, cca::node<"b", witness>> {};
+
+template <class Option>
+struct spread_with : cca::deployment<witnesses,
+                                     cca::environment<"one", cca::nodes<"a">, Option>,
+                                     cca::environment<"two", cca::nodes<"b">, Option>> {};
+using urgent = spread_with<cca::realtime<7, cca::on_core<0>>>;
+using urgent_if_allowed = spread_with<cca::realtime_if_allowed<7, cca::on_core<0>>>;
+
+template <class D>
+std::string refusal_of_run() {
+  cca::deployed<D> d;
+  d.load();
+  d.start();
+  try {
+    d.run(cca::for_beats<3>{});
+  } catch (const cca::refused& refusal) {
+    CHECK_EQ(d.state(), cca::state::started);
+    CHECK_EQ(d.beat_index(), 0);
+    return refusal.what();
+  }
+  CHECK_EQ(d.template get<"a">().seen, scheduling{SCHED_FIFO, 7, 1});
+  CHECK_EQ(d.template get<"b">().seen, scheduling{SCHED_FIFO, 7, 1});
+  return "";
+}
+
+// A process that may nothing, and what it exits with.
+template <class F>
+int in_poor_process(F f) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit nothing{0, 0};
+    ::setrlimit(RLIMIT_RTPRIO, &nothing);
+    ::setrlimit(RLIMIT_MEMLOCK, &nothing);
+    if (::geteuid() == 0 && ::setuid(65534) != 0) ::_exit(99);
+    ::_exit(f());
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_SUITE("realtime") {
+  TEST_CASE("a process that may not is told what to do") {
+    CHECK_EQ(in_poor_process([] {
+               const std::string refusal = refusal_of_run<urgent>();
+               if (!has(refusal, "environment `one`")) return 1;
+               if (!has(refusal, "SCHED_FIFO with priority 7")) return 2;
+               if (!has(refusal, "/etc/security/limits.conf")) return 3;
+               if (!has(refusal, "rtprio 7")) return 4;
+               if (!has(refusal, "setcap")) return 5;
+               if (!has(refusal, "realtime_if_allowed")) return 6;
+               return 0;
+             }),
+             0);
+  }
+
+  TEST_CASE("or goes on, and says so once for each environment") {
+    CHECK_EQ(in_poor_process([] {
+               int pipe[2];
+               if (::pipe(pipe) != 0) return 1;
+               ::dup2(pipe[1], STDERR_FILENO);
+               cca::deployed<urgent_if_allowed> d;
+               d.load();
+               d.start();
+               d.run(cca::for_beats<3>{});
+               d.run(cca::for_beats<3>{});
+               if (d.beat_index() != 6) return 2;
+               char said[8192] = {};
+               const auto size = ::read(pipe[0], said, sizeof said - 1);
+               const std::string text(said, static_cast<std::size_t>(size));
+               const auto first = text.find("environment `one` does not run in real time");
+               if (first == std::string::npos || !has(text, "environment `two`")) return 3;
+               if (text.find("environment `one`", first + 1) != std::string::npos) return 4;
+               return 0;
+             }),
+             0);
+  }
+
+  TEST_CASE("where it is allowed, both threads have it during the run, and this one has it no more after") {
+    const scheduling before = scheduling_here();
+    const std::string refusal = refusal_of_run<urgent>();
+    if (!refusal.empty()) MESSAGE("NOT TESTED HERE, this machine allows no real time: " << refusal);
+    CHECK((refusal.empty() || has(refusal, "limits.conf") || has(refusal, "cca::on_core")));
+    CHECK_EQ(scheduling_here(), before);
+  }
+
+  TEST_CASE("a core that the machine does not have") {
+    const std::string refusal = refusal_of_run<spread_with<cca::realtime<7, cca::on_core<1000>>>>();
+    CHECK(has(refusal, "core 1000 can't be used"));
+  }
+}

@@ -1,0 +1,94 @@
+// At wall-clock speed an environment never waits for a sample: late ones are counted, and lost contact is a
+// fault. What is asserted holds on a machine that is as slow as it likes.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "robot_and_mind.hpp"
+
+using namespace deployment_test;
+
+namespace {
+
+struct stall {
+  stall(std::int64_t beat, int ms) { beat_that_stalls = beat, stall_in_ms = ms; }
+  ~stall() { beat_that_stalls = -1; }
+};
+
+struct patient : cca::deployment<architecture,
+                                 cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                 cca::environment<"mind", cca::other_nodes>,
+                                 cca::tolerate<100000>> {};
+struct strict : cca::deployment<architecture,
+                                cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                cca::environment<"mind", cca::other_nodes>,
+                                cca::tolerate<20>> {};
+
+template <class D>
+void begin(cca::deployed<D>& d) {
+  d.load();
+  d.start();
+}
+
+}  // namespace
+
+TEST_SUITE("deployed at wall-clock speed") {
+  TEST_CASE("all environments do the same number of beats, and nothing fails") {
+    cca::deployed<patient> d;
+    begin(d);
+    CHECK_EQ(d.run(cca::for_beats<300>{}, cca::at_wall_clock()), cca::state::started);
+    CHECK_EQ(d.beat_index(), 300);
+    CHECK_EQ(d.run(cca::for_beats<200>{}, cca::at_speed(4)), cca::state::started);
+    CHECK_EQ(d.beat_index(), 500);
+    CHECK_EQ(d.get<"device">().senses, 500);  // the first environment loses periods, never a beat
+    CHECK(std::isfinite(d.get<"device">().command));
+    d.run(cca::for_beats<100>{});  // as fast as possible from there on
+    CHECK_EQ(d.beat_index(), 600);
+  }
+
+  TEST_CASE("an environment that is late too long has lost contact: a fault of all") {
+    cca::deployed<strict> d;
+    begin(d);
+    const stall one(47, 300);
+    CHECK_EQ(d.run(cca::for_<20>{}, cca::at_wall_clock()), cca::state::faulted);
+    CHECK_EQ(std::string(d.fault().reason()), "lost contact with `mind`");
+    CHECK_EQ(d.fault_path(), "");
+    CHECK_EQ(d.get<"device">().faults, 1);
+    CHECK_GT(d.late(), 20);
+    CHECK_LT(d.beat_index(), 20'000);
+    d.resume();
+    CHECK_EQ(d.run(cca::for_beats<50>{}), cca::state::started);
+    d.stop();
+    d.start();
+    CHECK_EQ(d.late(), 0);
+  }
+
+  TEST_CASE("what is tolerated is counted, and the late environment skips to the beat of the first") {
+    cca::deployed<patient> d;
+    begin(d);
+    const stall one(47, 100);
+    CHECK_EQ(d.run(cca::for_beats<400>{}, cca::at_wall_clock()), cca::state::started);
+    CHECK_GT(d.late(), 20);
+    CHECK_GT(d.overruns(), 0);
+    CHECK_GT(d.lost_periods(), 20);
+    CHECK_EQ(d.beat_index(), 400);
+  }
+
+  TEST_CASE("between runs with the first environment and ends the run; a fault of a follower ends it too") {
+    cca::deployed<patient> d;
+    begin(d);
+    int calls = 0;
+    d.run(cca::without_end{}, cca::at_wall_clock(), [&](auto& same) {
+      CHECK_EQ(same.template get<"device">().senses, ++calls);
+      CHECK_GE(same.late(), 0);
+      return calls < 40;
+    });
+    CHECK_EQ(calls, 40);
+    CHECK_GE(d.beat_index(), 40);
+    d.set<"guard">({-1e9});
+    CHECK_EQ(d.run(cca::without_end{}, cca::at_wall_clock()), cca::state::faulted);
+    CHECK_EQ(d.fault_path(), "guard");
+    CHECK_EQ(d.get<"device">().faults, 1);
+  }
+}
