@@ -1,4 +1,4 @@
-// EXPECT: deployment\.bad_environment: environment `control` has the option `nodes<.*>`, which is no option of an environment, so it would be ignored: remove it \(more nodes go into the cca::nodes<\.\.\.>\)
+// EXPECT: deployment\.bad_environment: environment `control` has the option `nodes<.*>`, but its options are cca::realtime<Priority, cca::on_core<N>> and cca::realtime_if_allowed: write one of them, or none \(all nodes go into one cca::nodes<\.\.\.>\)
 // An environment has one cca::nodes<...>, in which all its nodes are.
 #include <cca/deployment.hpp>
 

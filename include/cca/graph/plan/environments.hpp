@@ -9,10 +9,22 @@
 #include <cca/graph/deployment.hpp>
 #include <cca/graph/plan/items.hpp>
 
+namespace cca {
+
+// Options of an environment: runtime/environments/realtime.hpp.
+template <int Number>
+struct on_core;
+template <int Priority, class... Where>
+struct realtime;
+template <int Priority, class... Where>
+struct realtime_if_allowed;
+
+}  // namespace cca
+
 namespace cca::detail {
 
-// A type that does not belong where it stands in a deployment.
-enum class misplaced : std::uint8_t { none, item, nodes, option };
+// A type that does not belong where it stands in a deployment; or a second option where one is enough.
+enum class misplaced : std::uint8_t { none, item, nodes, option, second_option };
 
 struct environment_info {
   std::string_view name{};
@@ -30,9 +42,13 @@ struct deployment_info {
   int tolerate_count = 0, tolerated = 3;
 };
 
-// Each option of an environment makes this true.
 template <class Option>
 inline constexpr bool is_environment_option = false;
+template <int Priority, int... Core>
+inline constexpr bool is_environment_option<realtime<Priority, on_core<Core>...>> = sizeof...(Core) <= 1;
+template <int Priority, int... Core>
+inline constexpr bool is_environment_option<realtime_if_allowed<Priority, on_core<Core>...>> =
+    sizeof...(Core) <= 1;
 
 template <fixed_string... Paths>
 inline constexpr std::array<std::string_view, sizeof...(Paths) + 1> placed_paths{Paths.view()...,
@@ -59,6 +75,7 @@ constexpr environment_info environment_item(std::string_view name) {
   environment_info info = nodes_of_environment<Nodes>;
   info.name = name;
   (check_option<Options>(info), ...);
+  if (sizeof...(Options) > 1 && info.mistake == misplaced::none) info.mistake = misplaced::second_option;
   return info;
 }
 

@@ -80,10 +80,12 @@ private:
       m.say() << " has `" << e.unknown_type
               << "` in place of its nodes: write cca::nodes<`a`, `b.c`>, with the paths of components or "
                  "inner graphs, or cca::other_nodes";
-    else
-      m.say() << " has the option `" << e.unknown_type
-              << "`, which is no option of an environment, so it would be ignored: remove it (more nodes go "
-                 "into the cca::nodes<...>)";
+    else if (e.mistake == misplaced::option)
+      m.say()
+          << " has the option `" << e.unknown_type
+          << "`, but its options are cca::realtime<Priority, cca::on_core<N>> and cca::realtime_if_allowed: "
+             "write one of them, or none (all nodes go into one cca::nodes<...>)";
+    else m.say() << " has two options, but one says how its thread runs: leave one of them";
   }
 
   static constexpr void tell_environment(auto& m) {
