@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cca/runtime/component_host.hpp>
+#include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
 #include <cca/runtime/refusal.hpp>
@@ -91,7 +92,10 @@ private:
     detail::beat_of_graph<Graph>::run(state_of_all, beat_outcome, k);
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
-      if (beat_outcome.fault) fail(beat_outcome);
+      if (beat_outcome.fault) {
+        detail::repeat_outputs<Graph>(state_of_all, k - 1);
+        fail(beat_outcome);
+      }
   }
 
   // In the beat of the fault, instead of what would still have come.

@@ -161,6 +161,15 @@ public:
     const entry* e = newest_arrived(k, delay);
     return e ? e->published_in + delay : -1;
   }
+  // In beat k nothing was published: if its clock ticks, the sample before counts again.
+  void repeat(std::int64_t k) {
+    if (!ticks(Published, k)) return;
+    const std::int64_t number = (k - Published.first) / Published.period;
+    entry& now = entries[index_in_ring(number)];
+    if (now.published_in == k) return;
+    now = number > 0 ? entries[index_in_ring(number - 1)] : entry();
+    if (now.published_in >= 0) now.published_in = k;
+  }
 
 private:
   struct entry : stored_sample<Size> {
@@ -181,7 +190,9 @@ private:
       // At most `Depth` samples are newer than the one that has arrived: older ones have been overwritten.
       while (number >= 0 && entries[index_in_ring(number)].published_in + delay > k) --number;
     }
-    return number < 0 ? nullptr : &entries[index_in_ring(number)];
+    if (number < 0) return nullptr;
+    const entry& e = entries[index_in_ring(number)];
+    return e.published_in < 0 ? nullptr : &e;  // cut before the first
   }
 
   entry entries[array_size(Depth)];

@@ -2,6 +2,8 @@
 // until resume().
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "counting.hpp"
 
 using namespace core_test;
@@ -26,6 +28,25 @@ struct motor {
   bool unplugged = false, braked = false;
 };
 // [fault end]
+
+struct failing_first {
+  auto process(cca::beat now) -> cca::fault {
+    return now.index() == fails_in ? cca::fault("as planned") : cca::fault();
+  }
+  std::int64_t fails_in = -1;
+};
+struct rising {
+  auto process(cca::beat now) -> cca::out<"y", reading> { return 1.0 + static_cast<double>(now.index()); }
+};
+struct late_reader {
+  void process(cca::in<"x", reading> x) { seen = x[cca::x{}]; }
+  double seen = 0;
+};
+struct cut : cca::graph<cca::rate<1000>,
+                        cca::node<"first", failing_first>,
+                        cca::node<"rising", rising>,
+                        cca::node<"late", late_reader, cca::full_speed>,
+                        cca::wire<"rising.y", "late.x", cca::delayed<3>, cca::initial<0.5>>> {};
 
 struct checking {
   auto process(cca::in<"x", reading> x) -> std::tuple<cca::out<"y", reading>, cca::fault> {
@@ -175,5 +196,21 @@ TEST_SUITE("faults") {
     CHECK_EQ(std::string(copy.fault().reason()), "more than the limit");
     copy.resume();
     CHECK_EQ(c.state(), cca::state::faulted);
+  }
+
+  TEST_CASE("after a beat that a fault cut, a delayed reader never sees an older sample than before") {
+    auto c = started<cut>();
+    std::vector<double> seen;
+    for (int i = 0; i < 3; ++i) {
+      c.get<"first">().fails_in = 5 * i;
+      c.run(cca::for_beats<20>{}, {}, [&](auto& same) {
+        if (same.state() == cca::state::running) seen.push_back(same.template get<"late">().seen);
+      });
+      c.resume();
+    }
+    c.run(cca::for_beats<20>{}, {}, [&](auto& same) { seen.push_back(same.template get<"late">().seen); });
+    CHECK_EQ(seen.front(), 0.5);  // the initial value: nothing was published before
+    CHECK(std::ranges::is_sorted(seen));
+    CHECK_EQ(seen.back(), 28);
   }
 }

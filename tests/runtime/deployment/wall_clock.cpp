@@ -2,8 +2,13 @@
 // fault. What is asserted holds on a machine that is as slow as it likes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <string>
+#include <thread>
 
 #include "robot_and_mind.hpp"
 
@@ -90,5 +95,57 @@ TEST_SUITE("deployed at wall-clock speed") {
     CHECK_EQ(d.run(cca::without_end{}, cca::at_wall_clock()), cca::state::faulted);
     CHECK_EQ(d.fault_path(), "guard");
     CHECK_EQ(d.get<"device">().faults, 1);
+  }
+
+  TEST_CASE("how each environment kept up can be read from any thread while it runs") {
+    cca::deployed<patient> d;
+    begin(d);
+    std::atomic<bool> ends{false};
+    std::int64_t most_seen = 0;
+    std::thread reader([&] {
+      while (!ends)
+        for (const auto& e : d.figures()) most_seen = std::max(most_seen, e.beat.count());
+    });
+    const stall one(47, 50);
+    d.run(cca::for_beats<400>{}, cca::at_wall_clock());
+    ends = true;
+    reader.join();
+    CHECK_GT(most_seen, 0);
+    const auto figures = d.figures();
+    REQUIRE_EQ(figures.size(), 2);
+    CHECK_EQ(figures[0].name, "robot");
+    CHECK_EQ(figures[0].beat.count(), 400);
+    CHECK_EQ(figures[0].wake_up.count(), 400);
+    CHECK_LT(figures[1].beat.count(), 400);
+    CHECK_GE(figures[1].beat.most(), 50'000'000);
+    CHECK_GE(figures[1].beat.quantile(1), 50'000'000);
+    CHECK_LT(figures[1].beat.quantile(0.5), 50'000'000);
+    REQUIRE_EQ(figures[0].channels.size(), 1);
+    CHECK_EQ(figures[0].channels[0].from, "mind");
+    CHECK_EQ(figures[0].channels[0].late + figures[1].channels.at(0).late, d.late());
+    CHECK_EQ(figures[0].overruns + figures[1].overruns, d.overruns());
+    std::ostringstream table;
+    table << figures;
+    CHECK_EQ(std::ranges::count(table.str(), '\n'), 3);
+    d.stop();
+    d.start();
+    CHECK_EQ(d.figures()[0].beat.count(), 0);
+  }
+
+  TEST_CASE("a histogram keeps every duration to an eighth") {
+    cca::histogram h;
+    CHECK_EQ(h.quantile(0.5), 0);
+    for (std::int64_t ns = 1; ns <= 1'000'000; ns += 7) h.add(ns);
+    CHECK_EQ(h.count(), 142'858);
+    for (const double part : {0.01, 0.5, 0.9, 0.99, 0.999}) {
+      CHECK_GE(static_cast<double>(h.quantile(part)), part * 1e6 * 0.999);
+      CHECK_LE(static_cast<double>(h.quantile(part)), part * 1e6 * 1.126);
+    }
+    CHECK_EQ(h.most(), 1'000'000);
+    h.add(-5);
+    h.add(std::numeric_limits<std::int64_t>::max());
+    CHECK_EQ(h.quantile(0), 0);
+    CHECK_EQ(h.count(), 142'860);
+    CHECK_EQ(h.most(), std::numeric_limits<std::int64_t>::max());
   }
 }

@@ -153,7 +153,7 @@ struct layout_step {
         to.outputs[o] = place_in({.kind = out.storage,
                                   .size = port_of(g, out).space->size,
                                   .depth = out.depth,
-                                  .published = g.skips_beats ? dynamic_clock : published(g, out)});
+                                  .published = published(g, out)});
     }
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];

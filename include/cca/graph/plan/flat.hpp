@@ -90,8 +90,7 @@ struct flat_view {
   int* order;
   int scope_count = 0, node_count = 0, call_count = 0, input_count = 0, output_count = 0, link_count = 0,
       queue_count = 0;
-  int order_count = 0;      // calls in a beat
-  bool skips_beats = false;  // after an overrun, where another environment gives the beat
+  int order_count = 0;  // calls in a beat
   const environment_info* environments = nullptr;
   int environment_count = 0;
   double hz = 0;

@@ -45,7 +45,6 @@ constexpr flat_view take_part(flat_view g, int environment) {
   const auto is_here = [&](int call) { return g.nodes[g.calls[call].node].environment == environment; };
   int count = 0;
   g.may_fault = false;
-  g.skips_beats = environment > 0;
   for (int r = 0; r < g.call_count; ++r) {
     const int index = g.order[r];
     auto& c = g.calls[index];

@@ -52,6 +52,15 @@ struct leaves_environment {
   static constexpr bool holds(std::size_t o) { return crossings_of<D>.largest_delay[o] > 0; }
 };
 
+template <class D, int E>
+struct leaves_by_clock {
+  static constexpr bool holds(std::size_t o) {
+    auto plan = plan_of<D>;
+    return crossings_of<D>.largest_delay[o] > 0 && environment_of(plan.view(), plan.outputs[o].call) == E &&
+           published(plan.view(), plan.outputs[o]).known();
+  }
+};
+
 // The outputs that an environment reads from others.
 template <class Part>
 struct arrives {

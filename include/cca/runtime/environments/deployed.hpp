@@ -19,9 +19,11 @@
 #include <thread>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/environments/environment_loop.hpp>
+#include <cca/runtime/environments/figures.hpp>
 #include <cca/runtime/environments/realtime.hpp>
 #include <cca/runtime/refusal.hpp>
 
@@ -103,13 +105,35 @@ public:
 
   // In the runs at wall-clock speed since start(). Beats whose samples had not come when they began, each
   // environment that was late counted; beats that were still running when the next should begin; the periods
-  // in which no beat began. Sums over all environments.
-  std::int64_t late() const noexcept { return sum(&detail::environment_record::late); }
+  // in which no beat began. Sums over all environments. These and `figures` may be called from any thread
+  // while it runs.
+  std::int64_t late() const noexcept {
+    std::int64_t all = 0;
+    for (const auto& e : shared->environments)
+      for (const auto& channel : e.late) all += channel.load(std::memory_order_relaxed);
+    return all;
+  }
   std::int64_t overruns() const noexcept {
-    return runs.overruns + sum(&detail::environment_record::overruns);
+    std::int64_t all = 0;
+    for (const auto& e : shared->environments) all += e.overruns.load(std::memory_order_relaxed);
+    return all;
   }
   std::int64_t lost_periods() const noexcept {
-    return runs.lost_periods + sum(&detail::environment_record::lost_periods);
+    std::int64_t all = 0;
+    for (const auto& e : shared->environments) all += e.lost_periods.load(std::memory_order_relaxed);
+    return all;
+  }
+  std::vector<environment_figures> figures() const {
+    std::vector<environment_figures> all;
+    for (std::size_t e = 0; e < shared->environments.size(); ++e) {
+      const auto& record = shared->environments[e];
+      auto& one = all.emplace_back(environment_figures{name_of(e), record.wake_up, record.beat,
+                                                       record.overruns, record.lost_periods, {}});
+      for (std::size_t from = 0; from < record.late.size(); ++from)
+        if (detail::crossings_of<D>.least_delay[from][e] > 0)
+          one.channels.push_back({name_of(from), record.late[from]});
+    }
+    return all;
   }
 
   // The next beat.
@@ -159,12 +183,10 @@ private:
 
   void forget_runs() {
     runs.overruns = runs.lost_periods = 0;
-    for (auto& e : shared->environments) e.late = e.overruns = e.lost_periods = 0;
+    for (auto& e : shared->environments) e.forget();
   }
-  std::int64_t sum(std::atomic<std::int64_t> detail::environment_record::*count) const noexcept {
-    std::int64_t all = 0;
-    for (const auto& e : shared->environments) all += (e.*count).load(std::memory_order_relaxed);
-    return all;
+  static constexpr std::string_view name_of(std::size_t environment) {
+    return detail::environments_of<D>::all[environment].name;
   }
 
   // The threads of the environments behind the first. They begin together, and end with this.
@@ -232,7 +254,7 @@ private:
   void report(const std::string& refusal) {
     if (refusal.empty()) return;
     const std::string text = "cca::deployed: environment `" +
-                             std::string(detail::environments_of<D>::all[E].name) +
+                             std::string(name_of(E)) +
                              "` does not run in real time: " + refusal;
     if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
     if (!is_told[E]) std::cerr << text << '\n';
@@ -283,8 +305,10 @@ private:
       loop.handle_fault();
       k = std::max(k, loop.k);
     });
-    if (fault_at == detail::no_position) return;
-    if (is_exact) k = fault_at / detail::exchange<D>::calls_and_one + 1;
+    const bool is_faulted = fault_at != detail::no_position;
+    if (is_exact && is_faulted) k = fault_at / detail::exchange<D>::calls_and_one + 1;
+    loops.for_each([&]<int E>(auto& loop) { loop.skip_to(k); });
+    if (!is_faulted) return;
     reason = {shared->fault.reason, shared->fault.node};
     now = detail::after(detail::transition::fail, now);
   }

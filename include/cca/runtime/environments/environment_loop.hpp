@@ -11,6 +11,7 @@
 #include <cca/runtime/environments/active_beats.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>
 
@@ -82,7 +83,9 @@ public:
       own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
       own().begun.store(k, std::memory_order_release);
-      run_beat();
+      own().overruns.store(runs.overruns, std::memory_order_relaxed);
+      own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
+      run_timed_beat();
       announce();
       if (!after_beat()) shared().should_stop = true;
     }
@@ -96,17 +99,26 @@ public:
       const std::int64_t now = begun();
       is_running = now == k && !is_still_running;
       if (is_running) {
-        run_beat();
+        run_timed_beat();
       } else {
         add(own().overruns, 1);
         add(own().lost_periods, now + 1 - k);
-        k = now + 1;
+        skip_to(now + 1);
       }
       announce();
     }
   }
 
   // ---- at the end of a run ----
+
+  // Goes on with beat `next`: those in between count as done, also where a fault has cut the last.
+  void skip_to(std::int64_t next) {
+    for (std::int64_t skipped = std::max<std::int64_t>(k - 1, 0); skipped < next; ++skipped) {
+      repeat_outputs<graph>(state, skipped);
+      state.repeat_leaving(skipped);
+    }
+    k = next;
+  }
 
   // Once, in the beat of a fault: instead of what would still have come.
   void handle_fault() noexcept {
@@ -121,7 +133,7 @@ public:
 
 private:
   exchange<D>& shared() { return *state.shared; }
-  environment_record& own() { return shared().environments[E]; }
+  auto& own() { return shared().environments[E]; }
   std::int64_t position(int rank = 0) const { return exchange<D>::position_of(k, rank); }
   void announce() { shared().move_to(E, position()); }
   std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
@@ -140,6 +152,13 @@ private:
     if constexpr (counts_of<graph>.may_fault)
       if (outcome.fault) shared().fault.state(position(state.fault_rank), outcome.fault, outcome.node);
     ++k;
+  }
+
+  void run_timed_beat() noexcept {
+    const std::int64_t begins = monotonic_clock::now();
+    own().wake_up.add(begins - shared().environments[0].begun_at.load(std::memory_order_relaxed));
+    run_beat();
+    own().beat.add(monotonic_clock::now() - begins);
   }
 
   // Skips the beats in which nothing can fire. True: there is no other before the end.
@@ -172,7 +191,7 @@ private:
 
   // Waits until the first environment begins beat k. False: a fault or the end has come before it.
   bool wait_for_the_first() noexcept {
-    const environment_record& first = shared().environments[0];
+    const auto& first = shared().environments[0];
     while (goes_on()) {
       const std::int64_t newest = begun();
       if (newest >= k) return true;

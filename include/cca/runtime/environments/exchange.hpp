@@ -12,6 +12,7 @@
 #include <limits>
 
 #include <cca/runtime/environments/crossing.hpp>
+#include <cca/runtime/environments/histogram.hpp>
 #include <cca/runtime/environments/sample_ring.hpp>
 
 namespace cca::detail {
@@ -33,12 +34,23 @@ struct leaving_samples {
 };
 
 // One per environment, in a cache line of its own.
+template <int Environments>
 struct alignas(64) environment_record {
   std::atomic<std::int64_t> position{0};
   // Of the first environment at wall-clock speed: the newest beat begun, when, and the time to the next (ns).
   std::atomic<std::int64_t> begun{-1}, begun_at{0}, interval{0};
+
   // At wall-clock speed, since start().
-  std::atomic<std::int64_t> late{0}, overruns{0}, lost_periods{0};
+  std::atomic<std::int64_t> overruns{0}, lost_periods{0};
+  std::array<std::atomic<std::int64_t>, array_size(Environments)> late{};  // what comes from each
+  histogram wake_up{}, beat{};
+
+  void forget() {
+    overruns = lost_periods = 0;
+    for (auto& channel : late) channel = 0;
+    wake_up.forget();
+    beat.forget();
+  }
 };
 
 // The writer's.
@@ -76,7 +88,7 @@ struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, O
     return beat * calls_and_one + done;
   }
 
-  std::array<environment_record, array_size(environment_count<D>)> environments{};
+  std::array<environment_record<environment_count<D>>, array_size(environment_count<D>)> environments{};
   fault_record fault{};
   std::atomic<bool> should_stop{false};  // no further beat
 

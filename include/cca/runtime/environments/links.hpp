@@ -48,6 +48,14 @@ public:
     (receive_one<Arriving>(state, k), ...);
   }
 
+  // Beat k was cut or skipped: what should have left by a known clock leaves again.
+  void repeat_leaving(std::int64_t k) noexcept {
+    [&]<int... Output>(std::integer_sequence<int, Output...>) {
+      const int all[] = {0, (repeat_one<Output>(k), 0)...};
+      (void)all;
+    }(chosen<counts_of<D>.output_count, leaves_by_clock<D, E>>{});
+  }
+
   // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
   // that a sample is lost, or might still fault in the beat before.
   bool may_begin(std::int64_t k) const noexcept { return (is_far_enough<Other>(k) && ...); }
@@ -107,6 +115,11 @@ private:
       sample_in<part<D, E>, at.array>(state, at.index).put(came.vector, came.origin, came.published_in, k);
   }
 
+  template <int Output>
+  void repeat_one(std::int64_t k) noexcept {
+    if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
+  }
+
   bool has_done(int environment, std::int64_t beats) const noexcept {
     return shared->position(environment) >= exchange<D>::position_of(beats);
   }
@@ -135,7 +148,7 @@ private:
     if constexpr (least_delay(X, E) > 0) {
       std::int64_t& in_a_row = late_in_a_row[X];
       const bool is_late = !has_done(X, k - least_delay(X, E) + 1);
-      if (is_late) add(shared->environments[E].late, 1);
+      if (is_late) add(shared->environments[E].late[X], 1);
       in_a_row = is_late ? in_a_row + 1 : 0;
       if (in_a_row > environments_of<D>::tolerated) lost = X;
     }

@@ -60,6 +60,15 @@ public:
     }
   }
 
+  // The writer's: its last sample once more, as of beat k, unless it is of that beat.
+  void repeat(std::int64_t k) noexcept {
+    const std::uint64_t number = count.load(std::memory_order_relaxed);
+    if (number == 0) return;
+    sample last;
+    std::uint64_t newest = number - 1;
+    if (take(newest, k, last)) put(last.vector, last.origin, k);
+  }
+
 private:
   static std::size_t index(std::uint64_t number) {
     return static_cast<std::size_t>(number) & (array_size(Capacity) - 1);
