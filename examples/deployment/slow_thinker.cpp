@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <vector>
 
 #include <cca/cca.hpp>
@@ -113,6 +114,7 @@ int main() {
        fast.overruns(), fast.lost_periods());
   tell("deployed, at wall-clock speed:", count_equal(expected, timely), timely.size(), live.late(),
        live.overruns(), live.lost_periods());
+  std::cout << '\n' << live.figures();
   if (live.fault()) std::printf("the deployed one ended with a fault: %s\n", live.fault().reason());
 
   // As fast as possible nothing can be late. At wall-clock speed that depends on the machine; but if nothing
