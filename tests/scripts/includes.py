@@ -17,9 +17,8 @@ MOST_HEADERS = 20  # in a folder
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"]}
 # Headers directly in cca/, and the folders that each may include from.
-TOP = {"cca.hpp": FOLDERS + ["runtime"], "config.hpp": ["config"] + APART["config"]} | {
-    f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS} | {"deployment.hpp": ["graph", "runtime"]}
-WITH_CORE = ["deployment.hpp"]  # includes cca.hpp
+TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"]} | {
+    f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware"}
 ONE_NAME = ["graph", "runtime"]  # no two headers in these folders have the same file name
@@ -46,8 +45,6 @@ def cca_include(where, target, part):
     if folder in OUTSIDE:
         return "the core includes an adapter or a robot"
     if "/" not in target:
-        if target == "cca.hpp" and where in WITH_CORE:
-            return None
         return f"no header includes {target}: include the headers that are needed"
     may = allowed(where.split("/")[0]) if "/" in where else TOP.get(where)
     if may is None:

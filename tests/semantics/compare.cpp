@@ -67,8 +67,8 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
 bool comparison::report(proof wanted) const {
   const bool of_environments = wanted == proof::of_environments;
   std::cout << "\nWhat was exercised:\n";
-  const bool all_exercised = of_environments ? seen.report(std::cout, coverage::wanted_of_environments)
-                                             : seen.report(std::cout);
+  const bool all_exercised =
+      of_environments ? seen.report(std::cout, coverage::wanted_of_environments) : seen.report(std::cout);
   std::cout << "\nMutants, and the architecture that caught each:\n";
   bool all_caught = true;
   for (std::size_t m = 0; m < all_mutants.size(); ++m) {
@@ -82,8 +82,7 @@ bool comparison::report(proof wanted) const {
             << seen.architectures << " architectures, " << seen.firings << " firings, " << seen.samples
             << " samples compared, " << differences << " differences\n";
   // A few architectures are for trying something out: they can't exercise everything.
-  if (wanted == proof::none)
-    std::cout << "no proof: what was not exercised or not caught is no failure\n";
+  if (wanted == proof::none) std::cout << "no proof: what was not exercised or not caught is no failure\n";
   return differences == 0 && (wanted == proof::none || (all_exercised && all_caught));
 }
 

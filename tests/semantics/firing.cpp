@@ -45,8 +45,7 @@ log merged(log all) {
   const auto key = [](const firing& f) {
     return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id);
   };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const firing& a, const firing& b) { return key(a) < key(b); });
+  std::stable_sort(all.begin(), all.end(), [&](const firing& a, const firing& b) { return key(a) < key(b); });
   return all;
 }
 

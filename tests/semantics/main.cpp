@@ -1,6 +1,6 @@
 // Runs all architectures that generate.py made, or only those whose seeds are arguments, and then prints all
-// differences. With --proof or --proof-of-environments it also fails if something was not exercised or a mutant was not
-// caught.
+// differences. With --proof or --proof-of-environments it also fails if something was not exercised or a
+// mutant was not caught.
 #include <algorithm>
 #include <iostream>
 #include <string>

@@ -12,8 +12,8 @@ inline constexpr int beats = 200;
 struct outcome {
   log firings;
   bool faulted = false;
-  bool copy_agrees = true;  // a copy made on the way went on bit for bit like the original; a deployment that is
-                            // stopped, started and resumed did what the controller does
+  bool copy_agrees = true;  // a copy made on the way went on bit for bit like the original; a deployment that
+                            // is stopped, started and resumed did what the controller does
   bool is_merged = false;   // the firings of several threads: their order in a beat is not known
 };
 

@@ -57,8 +57,7 @@ outcome run_deployed(int chance) {
   const auto d = std::make_unique<cca::deployed<Deployment>>();
   d->load();
   d->start();
-  o.firings =
-      recorded(*d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
+  o.firings = recorded(*d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
   o.faulted = d->state() == cca::state::faulted;
   if constexpr (!std::is_void_v<Architecture>)
     o.copy_agrees = agree(recorded_with_restarts<cca::controller<Architecture>>(chance), 0,

@@ -1,5 +1,5 @@
-// A beat that a fault cuts, or that an environment skips, counts as done: an output whose clock is known counts
-// as published in it, with its last sample. The readers of later beats rely on that clock.
+// A beat that a fault cuts, or that an environment skips, counts as done: an output whose clock is known
+// counts as published in it, with its last sample. The readers of later beats rely on that clock.
 #pragma once
 
 #include <cca/runtime/state.hpp>

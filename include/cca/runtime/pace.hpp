@@ -82,7 +82,8 @@ public:
   // `last`: when a run before this one began its last beat, which must have its whole period too.
   void begin(std::int64_t virtual_period, std::int64_t last) {
     start = clock.now();
-    if (last != never_begun) start = std::max(start, later(std::min(last, start), duration_of(virtual_period)));
+    if (last != never_begun)
+      start = std::max(start, later(std::min(last, start), duration_of(virtual_period)));
     before = 0;
     begun = never_begun;
     count = lost = in_a_row = 0;

@@ -19,10 +19,11 @@ namespace {
 template <class Played>
 std::string told(const Played& c) {
   std::ostringstream text;
-  text << std::hexfloat << c.beat_index() << ' ' << cca::to_string(c.state()) << ' ' << c.fault().reason() << ' '
-       << c.fault_path() << ' ' << c.template get<"filter">().kept << ' ' << c.template get<"thinker">().sum << ' '
-       << c.template get<"device">().command << ' ' << c.template get<"device">().senses << ' '
-       << c.template get<"device">().faults << ' ' << c.template get<"device">().idles;
+  text << std::hexfloat << c.beat_index() << ' ' << cca::to_string(c.state()) << ' ' << c.fault().reason()
+       << ' ' << c.fault_path() << ' ' << c.template get<"filter">().kept << ' '
+       << c.template get<"thinker">().sum << ' ' << c.template get<"device">().command << ' '
+       << c.template get<"device">().senses << ' ' << c.template get<"device">().faults << ' '
+       << c.template get<"device">().idles;
   c.observed([&](const cca::observation& o) {
     text << '\n' << o.path << ' ' << o.origin << ' ' << o.fresh;
     for (const double value : o.values) text << ' ' << value;

@@ -66,28 +66,26 @@ inline std::atomic<std::int64_t> beat_that_stalls{-1};
 inline std::atomic<int> stall_in_ms{0};
 struct stalling {
   auto process(cca::in<"x", level> x, cca::beat now) -> cca::out<"y", level> {
-    if (now.index() == beat_that_stalls)
-      std::this_thread::sleep_for(std::chrono::milliseconds(stall_in_ms));
+    if (now.index() == beat_that_stalls) std::this_thread::sleep_for(std::chrono::milliseconds(stall_in_ms));
     return 2 * x[cca::x{}];
   }
 };
 
-struct architecture
-    : cca::graph<cca::rate<1000>,
-                 cca::node<"device", device>,
-                 cca::node<"filter", filter>,
-                 cca::node<"guard", guard>,
-                 cca::node<"thinker", thinker, cca::timed<5, 2>>,
-                 cca::node<"slow", stalling>,
-                 cca::wire<"device.measured", "filter.x">,
-                 cca::wire<"filter.y", "guard.x">,
-                 cca::wire<"guard.y", "device.command">,
-                 cca::wire<"filter.y", "thinker.x", cca::delayed<2>>,
-                 cca::wire<"thinker.y", "slow.x", cca::queue<4, cca::drop_oldest>>,
-                 cca::wire<"slow.y", "guard.hint", cca::delayed<3>, cca::initial<0.5>>,
-                 cca::observe<"device.measured">,
-                 cca::observe<"guard.y">,
-                 cca::observe<"slow.y">> {};
+struct architecture : cca::graph<cca::rate<1000>,
+                                 cca::node<"device", device>,
+                                 cca::node<"filter", filter>,
+                                 cca::node<"guard", guard>,
+                                 cca::node<"thinker", thinker, cca::timed<5, 2>>,
+                                 cca::node<"slow", stalling>,
+                                 cca::wire<"device.measured", "filter.x">,
+                                 cca::wire<"filter.y", "guard.x">,
+                                 cca::wire<"guard.y", "device.command">,
+                                 cca::wire<"filter.y", "thinker.x", cca::delayed<2>>,
+                                 cca::wire<"thinker.y", "slow.x", cca::queue<4, cca::drop_oldest>>,
+                                 cca::wire<"slow.y", "guard.hint", cca::delayed<3>, cca::initial<0.5>>,
+                                 cca::observe<"device.measured">,
+                                 cca::observe<"guard.y">,
+                                 cca::observe<"slow.y">> {};
 
 struct two : cca::deployment<architecture,
                              cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,

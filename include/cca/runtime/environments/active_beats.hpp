@@ -9,8 +9,8 @@
 
 namespace cca::detail {
 
-// The clocks of an environment, each once. In the whole graph the clock of a function is known more often than
-// in the part, where a sample may come late.
+// The clocks of an environment, each once. In the whole graph the clock of a function is known more often
+// than in the part, where a sample may come late.
 template <class D>
 struct clocks_of_environment {
   std::array<clock, array_size(graph_size<D>.calls) + 1> all{};

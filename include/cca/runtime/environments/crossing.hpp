@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <cca/graph/plan/part.hpp>
+#include <cca/graph/plan/deployment/part.hpp>
 #include <cca/runtime/state.hpp>
 
 namespace cca::detail {
@@ -26,7 +26,8 @@ struct crossings {
   // Of each output the largest delay of a reader in another environment; 0: it stays.
   std::array<int, array_size(graph_size<D>.outputs) + 1> largest_delay{};
   // From an environment to another the least delay; 0: nothing goes there.
-  std::array<std::array<int, array_size(environment_count<D>)>, array_size(environment_count<D>)> least_delay{};
+  std::array<std::array<int, array_size(environment_count<D>)>, array_size(environment_count<D>)>
+      least_delay{};
 };
 
 template <class D>

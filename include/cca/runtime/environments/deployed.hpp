@@ -12,50 +12,20 @@
 #include <array>
 #include <atomic>
 #include <iostream>
-#include <latch>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <cca/runtime/component_host.hpp>
-#include <cca/runtime/environments/environment_loop.hpp>
+#include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures.hpp>
-#include <cca/runtime/environments/realtime.hpp>
 #include <cca/runtime/refusal.hpp>
+#include <cca/runtime/run_record.hpp>
 
 namespace cca {
 namespace detail {
-
-template <class D, class Environments = std::make_integer_sequence<int, environment_count<D>>>
-struct environment_loops;
-template <class D, int... E>
-struct environment_loops<D, std::integer_sequence<int, E...>> : environment_loop<D, E>... {
-  template <int Environment>
-  auto& at() {
-    return static_cast<environment_loop<D, Environment>&>(*this);
-  }
-  template <int Environment>
-  const auto& at() const {
-    return static_cast<const environment_loop<D, Environment>&>(*this);
-  }
-  // f.template operator()<E>(loop) for each.
-  template <class F>
-  void for_each(F f) {
-    (f.template operator()<E>(at<E>()), ...);
-  }
-  // For those that follow the first.
-  template <class F>
-  void for_each_follower(F f) {
-    const auto if_follower = [&]<int Environment>() {
-      if constexpr (Environment > 0) f.template operator()<Environment>(at<Environment>());
-    };
-    (if_follower.template operator()<E>(), ...);
-  }
-};
 
 struct nothing_between {
   template <class Deployed>
@@ -127,8 +97,8 @@ public:
     std::vector<environment_figures> all;
     for (std::size_t e = 0; e < shared->environments.size(); ++e) {
       const auto& record = shared->environments[e];
-      auto& one = all.emplace_back(environment_figures{name_of(e), record.wake_up, record.beat,
-                                                       record.overruns, record.lost_periods, {}});
+      auto& one = all.emplace_back(environment_figures{
+          name_of(e), record.wake_up, record.beat, record.overruns, record.lost_periods, {}});
       for (std::size_t from = 0; from < record.late.size(); ++from)
         if (detail::crossings_of<D>.least_delay[from][e] > 0)
           one.channels.push_back({name_of(from), record.late[from]});
@@ -176,8 +146,8 @@ private:
 
   template <int Output, class F>
   void observe(F& f) const {
-    constexpr int e =
-        detail::environment_of(detail::flat_of<D>(detail::plan_of<D>).view(), detail::plan_of<D>.outputs[Output].call);
+    constexpr int e = detail::environment_of(detail::flat_of<D>(detail::plan_of<D>).view(),
+                                             detail::plan_of<D>.outputs[Output].call);
     detail::observe_newest<detail::part<D, e>, Output>(loops.template at<e>().state, k, f);
   }
 
@@ -189,73 +159,12 @@ private:
     return detail::environments_of<D>::all[environment].name;
   }
 
-  // The threads of the environments behind the first. They begin together, and end with this.
-  class followers {
-  public:
-    followers(deployed& d, std::int64_t end, bool is_exact) : all(d) {
-      try {
-        d.loops.for_each_follower([&]<int E>(auto& loop) {
-          threads[E] = std::thread([&, end, is_exact] {
-            const detail::thread_setup setup(detail::wish_of_environment<D, E>);
-            refusals[E] = setup.refusal();
-            ready.count_down();
-            begins.wait(false);
-            if (is_exact) loop.follow_exactly(end);
-            else loop.follow(end);
-            loop.handle_fault();
-          });
-        });
-        ready.wait();
-        d.loops.for_each_follower([&]<int E>(auto&) { d.template report<E>(refusals[E]); });
-      } catch (const std::system_error& no_thread) {
-        release();
-        throw refused(std::string("cca::deployed: no thread for an environment: ") + no_thread.what());
-      } catch (...) {
-        release();
-        throw;
-      }
-      begin();
-    }
-    // Also where `between` or a pace throws.
-    ~followers() {
-      if (std::uncaught_exceptions() > exceptions) all.shared->should_stop = true;
-      join();
-    }
-    followers(const followers&) = delete;
-    followers& operator=(const followers&) = delete;
-
-  private:
-    static constexpr auto count = detail::array_size(detail::environment_count<D>);
-
-    void begin() {
-      begins = true;
-      begins.notify_all();
-    }
-    void release() {
-      all.shared->should_stop = true;
-      begin();
-      join();
-    }
-    void join() {
-      for (auto& t : threads)
-        if (t.joinable()) t.join();
-    }
-
-    deployed& all;
-    int exceptions = std::uncaught_exceptions();
-    std::latch ready{static_cast<std::ptrdiff_t>(count) - 1};
-    std::atomic<bool> begins{false};
-    std::array<std::string, count> refusals{};
-    std::array<std::thread, count> threads{};
-  };
-
   // What the system refused to the thread of an environment.
   template <int E>
   void report(const std::string& refusal) {
     if (refusal.empty()) return;
-    const std::string text = "cca::deployed: environment `" +
-                             std::string(name_of(E)) +
-                             "` does not run in real time: " + refusal;
+    const std::string text =
+        "cca::deployed: environment `" + std::string(name_of(E)) + "` does not run in real time: " + refusal;
     if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
     if (!is_told[E]) std::cerr << text << '\n';
     is_told[E] = true;
@@ -279,7 +188,8 @@ private:
     runs.begin(pace, period());
     {
       const finished_run all_at_one_beat{*this, is_exact};
-      const followers threads(*this, end, is_exact);
+      const detail::environment_threads<D> others(
+          loops, *shared, end, is_exact, [this]<int E>(const std::string& refusal) { report<E>(refusal); });
       if constexpr (is_exact) first.lead_exactly(end, runs, pace, after_beat);
       else first.lead(end, runs, pace, after_beat);
       first.handle_fault();

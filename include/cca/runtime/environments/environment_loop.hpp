@@ -183,7 +183,8 @@ private:
   bool all_have_come() noexcept {
     for (patience patience; fault_position() == no_position; patience.wait()) {
       bool all = true;
-      for (int x = 0; x < environment_count<D>; ++x) all = all && (x == E || shared().position(x) >= position());
+      for (int x = 0; x < environment_count<D>; ++x)
+        all = all && (x == E || shared().position(x) >= position());
       if (all) return true;
     }
     return false;

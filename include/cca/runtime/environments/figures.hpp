@@ -34,7 +34,8 @@ inline std::ostream& operator<<(std::ostream& to, const std::vector<environment_
      << "   wake-up [us] p50      p99    p99.9     most      beat [us] p50      p99    p99.9     most"
      << " overruns     late\n";
   for (const auto& e : all) {
-    to << std::left << std::setw(16) << e.name << std::right << std::setw(9) << e.beat.count() << std::setw(9) << ' ';
+    to << std::left << std::setw(16) << e.name << std::right << std::setw(9) << e.beat.count() << std::setw(9)
+       << ' ';
     put(e.wake_up);
     to << std::setw(9) << ' ';
     put(e.beat);

@@ -1,4 +1,5 @@
-// How often which duration occurred, in steps of at most an eighth of it. One thread counts, any thread reads.
+// How often which duration occurred, in steps of at most an eighth of it. One thread counts, any thread
+// reads.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +17,20 @@ public:
   histogram() = default;
   histogram(const histogram& other) { *this = other; }
   histogram& operator=(const histogram& other) {
-    for (std::size_t b = 0; b < counts.size(); ++b) counts[b] = other.counts[b].load(std::memory_order_relaxed);
+    for (std::size_t b = 0; b < counts.size(); ++b)
+      counts[b] = other.counts[b].load(std::memory_order_relaxed);
     longest = other.longest.load(std::memory_order_relaxed);
     return *this;
   }
 
-  // Nanoseconds; what is negative counts as 0. No lock, no allocation, no instruction that other cores wait for.
+  // Nanoseconds; what is negative counts as 0. No lock, no allocation, no instruction that other cores wait
+  // for.
   void add(std::int64_t duration) noexcept {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(duration, 0));
     auto& one = counts[std::min(bucket_of(value), counts.size() - 1)];
     one.store(one.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-    if (duration > longest.load(std::memory_order_relaxed)) longest.store(duration, std::memory_order_relaxed);
+    if (duration > longest.load(std::memory_order_relaxed))
+      longest.store(duration, std::memory_order_relaxed);
   }
   void forget() { *this = histogram(); }
 

@@ -25,10 +25,8 @@ template <class D,
 class environment_links;
 
 template <class D, int E, int... Other, int... Arriving>
-class environment_links<D,
-                        E,
-                        std::integer_sequence<int, Other...>,
-                        std::integer_sequence<int, Arriving...>> : next_arrival<D, Arriving>... {
+class environment_links<D, E, std::integer_sequence<int, Other...>, std::integer_sequence<int, Arriving...>>
+    : next_arrival<D, Arriving>... {
 public:
   exchange<D>* shared = nullptr;
   bool is_exact = false;   // as fast as possible: waits for whatever a result depends on

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <cca/base/array_size.hpp>
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/plan/deployment/environments.hpp>
 
 namespace cca::detail {
 
@@ -19,8 +19,8 @@ inline constexpr auto lost_contacts = [] {
   std::array<std::array<char, longest + 24>, array_size(environment_count<D>)> texts{};
   for (std::size_t e = 0; e < texts.size(); ++e) {
     char* end = texts[e].data();
-    for (const std::string_view part : {std::string_view("lost contact with `"),
-                                        environments_of<D>::all[e].name, std::string_view("`")})
+    for (const std::string_view part :
+         {std::string_view("lost contact with `"), environments_of<D>::all[e].name, std::string_view("`")})
       for (const char letter : part) *end++ = letter;
   }
   return texts;

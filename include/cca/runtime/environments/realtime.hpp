@@ -4,8 +4,8 @@
 //
 // `realtime<Priority>`: SCHED_FIFO with this priority (1 to 99), on one core if it says so, and the memory of
 // the process locked, its stack touched: then no page fault interrupts a beat. `run` is refused where the
-// system refuses, with what to do about it. `realtime_if_allowed` goes on without, and says so on the standard
-// error output. When a run ends, the thread that called `run` is as it was; memory stays locked.
+// system refuses, with what to do about it. `realtime_if_allowed` goes on without, and says so on the
+// standard error output. When a run ends, the thread that called `run` is as it was; memory stays locked.
 #pragma once
 
 #include <pthread.h>
@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/plan/deployment/environments.hpp>
 
 namespace cca {
 
@@ -48,7 +48,8 @@ struct wish_of {
 };
 template <int Priority, int... Core>
 constexpr thread_wish make_wish(bool is_needed) {
-  static_assert(Priority >= 1 && Priority <= 99, "cca::realtime: priorities go from 1 to 99, the most urgent");
+  static_assert(Priority >= 1 && Priority <= 99,
+                "cca::realtime: priorities go from 1 to 99, the most urgent");
   static_assert(sizeof...(Core) <= 1, "cca::realtime: at most one core");
   return {Priority, sizeof...(Core) == 0 ? -1 : (-1 + ... + (Core + 1)), is_needed};
 }
@@ -67,7 +68,8 @@ template <class Option>
 inline constexpr thread_wish wish_among<list<Option>> = wish_of<Option>::value;
 template <class First, class Second, class... More>
 inline constexpr thread_wish wish_among<list<First, Second, More...>> = [] {
-  static_assert(sizeof(First) == 0, "cca::environment: at most one option, cca::realtime<Priority, cca::on_core<N>>");
+  static_assert(sizeof(First) == 0,
+                "cca::environment: at most one option, cca::realtime<Priority, cca::on_core<N>>");
   return thread_wish{};
 }();
 
@@ -107,7 +109,8 @@ private:
   // The beats find their pages there.
   [[gnu::noinline]] static void touch_stack() {
     unsigned char pages[256 * 1024];
-    for (std::size_t at = 0; at < sizeof pages; at += 4096) const_cast<volatile unsigned char&>(pages[at]) = 0;
+    for (std::size_t at = 0; at < sizeof pages; at += 4096)
+      const_cast<volatile unsigned char&>(pages[at]) = 0;
   }
   void pin(int core) {
     if (core < 0) return;

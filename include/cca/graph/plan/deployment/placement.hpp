@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cca/graph/diagnosis/check.hpp>
-#include <cca/graph/plan/environments.hpp>
+#include <cca/graph/plan/deployment/environments.hpp>
 #include <cca/graph/plan/feedback.hpp>
 #include <cca/graph/plan/names.hpp>
 

@@ -2,7 +2,7 @@
 // graph: its own calls, in the order of the whole, and the samples that come from the other environments.
 #pragma once
 
-#include <cca/graph/plan/placement.hpp>
+#include <cca/graph/plan/deployment/placement.hpp>
 #include <cca/graph/plan/plan.hpp>
 
 namespace cca::detail {
