@@ -2,6 +2,7 @@
 #include <cca/adaptive.hpp>
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/deployment.hpp>
 #include <cca/mapping.hpp>
 #include <cca/motor.hpp>
 #include <cca/robot.hpp>

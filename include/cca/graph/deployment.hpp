@@ -7,7 +7,7 @@
 //
 // A deployment is a graph too, that of its architecture: `diagnosis`, `well_formed` and `describe` take it,
 // and `controller<split>` runs it as one loop. `deployed<split>` runs its environments.
-// Errors: deployment.*. Example: docs/environments.md.
+// Errors: deployment.*, graph.unknown_item. Example: docs/environments.md.
 #pragma once
 
 #include <cca/graph/graph.hpp>
@@ -29,14 +29,22 @@ struct environment {};
 template <int Beats>
 struct tolerate {};
 
+namespace detail {
+
+// Of a type that is no graph there are none. Then the deployment is no graph either, and is refused as such.
+template <class Architecture>
+struct items_of_architecture {};
+template <Graph Architecture>
+struct items_of_architecture<Architecture> {
+  using cca_items = typename Architecture::cca_items;
+};
+
+}  // namespace detail
+
 // Items: environments, and one `tolerate` (without it: 3). The first environment gives the beat.
 template <class Architecture, class... Items>
-struct deployment {
-  static_assert(Graph<Architecture>,
-                "cca::deployment: its first argument is the architecture, a struct derived from "
-                "cca::graph<...>; the environments follow");
+struct deployment : detail::items_of_architecture<Architecture> {
   using cca_architecture = Architecture;
-  using cca_items = typename Architecture::cca_items;
   using cca_environments = detail::list<Items...>;
 };
 

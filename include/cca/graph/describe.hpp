@@ -2,6 +2,8 @@
 //
 //   std::cout << cca::describe<trot<cca::sim::oncilla>>::mermaid();
 //
+// The environments of a deployment are boxes. A wire from one to another shows its transport and delay.
+//
 // Works for graphs that break a rule as far as their parts are known, so that one can look at them too.
 #pragma once
 
@@ -24,7 +26,7 @@ public:
 
   String mermaid() {
     text = "flowchart LR\n";
-    add_scope(0, 1, false);
+    add_boxes(false);
     for (int i = 0; i < g.input_count; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
         text += "  " + id(node_of_output(in.writer)) + (in.delay > 0 ? " -. \"" : " -- \"") +
@@ -34,10 +36,10 @@ public:
   }
 
   String dot() {
-    text = "digraph \"" + quoted(g.scopes[0].graph->name) +
+    text = "digraph \"" + quoted(title()) +
            "\" {\n  rankdir=LR;\n  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
            "  edge [fontname=\"sans-serif\", fontsize=10];\n";
-    add_scope(0, 1, true);
+    add_boxes(true);
     for (int i = 0; i < g.input_count; ++i)
       if (const auto& in = g.inputs[i]; in.writer >= 0)
         text += "  " + id(node_of_output(in.writer)) + " -> " + id(g.calls[in.call].node) + " [label=\"" +
@@ -50,29 +52,80 @@ private:
   static String id(int node_index) { return String("n") + std::to_string(node_index); }
   int node_of_output(int o) const { return g.calls[g.outputs[o].call].node; }
 
-  // Inner graphs are boxes around their nodes.
-  void add_scope(int s, int depth, bool as_dot) {
+  std::string_view title() const {
+    const graph_info& graph = *g.scopes[0].graph;
+    return graph.deployment ? graph.deployment->name : graph.name;
+  }
+
+  // Environments are boxes, and nodes without one stand outside of them.
+  void add_boxes(bool as_dot) {
+    add_scope(0, 1, -1, as_dot);
+    for (int e = 0; e < g.environment_count; ++e) {
+      const String name(g.environments[e].name), number = std::to_string(e);
+      text += as_dot ? "  subgraph cluster_e" + number + " {\n    label=\"" + quoted(name) +
+                           "\";\n    style=bold;\n"
+                     : "  subgraph e" + number + "[\"<b>" + escaped(name) + "</b>\"]\n";
+      add_scope(0, 2, e, as_dot);
+      text += as_dot ? "  }\n" : "  end\n";
+    }
+  }
+
+  // What runs in one environment. Inner graphs are boxes around their nodes, but for those whose nodes run in
+  // several environments.
+  void add_scope(int s, int depth, int environment, bool as_dot) {
     const String indent(static_cast<std::size_t>(2 * depth), ' ');
     for (int l = 0; l < g.node_count; ++l)
-      if (g.nodes[l].scope == s) text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
+      if (g.nodes[l].scope == s && g.nodes[l].environment == environment)
+        text += indent + (as_dot ? dot_node(l) : mermaid_node(l));
     for (int inner = s + 1; inner < g.scope_count; ++inner) {
       if (g.scopes[inner].parent != s) continue;
-      const String name(g.scopes[inner].item->from);
+      if (is_split(inner)) {
+        add_scope(inner, depth, environment, as_dot);
+        continue;
+      }
+      if (environment_of(inner) != environment) continue;
+      const String name = name_in(s, *g.scopes[inner].item);
       text += as_dot ? indent + "subgraph cluster_" + std::to_string(inner) + " {\n" + indent + "  label=\"" +
                            name + "\";\n"
                      : indent + "subgraph g" + std::to_string(inner) + "[\"" + name + "\"]\n";
-      add_scope(inner, depth + 1, as_dot);
+      add_scope(inner, depth + 1, environment, as_dot);
       text += indent + (as_dot ? "}\n" : "end\n");
     }
   }
 
+  bool is_inside(int node, int s) const {
+    for (int at = g.nodes[node].scope; at >= s; at = g.scopes[at].parent)
+      if (at == s) return true;
+    return false;
+  }
+  // That of the first component in a graph; -1: none.
+  int environment_of(int s) const {
+    for (int l = 0; l < g.node_count; ++l)
+      if (is_inside(l, s)) return g.nodes[l].environment;
+    return -1;
+  }
+  bool is_split(int s) const {
+    const int first = environment_of(s);
+    for (int l = 0; l < g.node_count; ++l)
+      if (is_inside(l, s) && g.nodes[l].environment != first) return true;
+    return false;
+  }
+  // Where the graph around it has no box, its path from the outermost graph.
+  String name_in(int s, const item_info& item) const {
+    detail::text name;
+    if (s > 0 && is_split(s)) add_scope_path(name, g, s);
+    name << item.from;
+    return String(name.view());
+  }
+  String name_of(int l) const { return name_in(g.nodes[l].scope, *g.nodes[l].item); }
+
   String mermaid_node(int l) const {
     const bool resource = g.nodes[l].item->component->resource();
-    return id(l) + (resource ? "[(\"" : "[\"") + String(g.nodes[l].item->from) + "<br/><i>" +
-           escaped(when(l)) + "</i>" + (resource ? "\")]\n" : "\"]\n");
+    return id(l) + (resource ? "[(\"" : "[\"") + name_of(l) + "<br/><i>" + escaped(when(l)) + "</i>" +
+           (resource ? "\")]\n" : "\"]\n");
   }
   String dot_node(int l) const {
-    return id(l) + " [label=\"" + String(g.nodes[l].item->from) + "\\n" + when(l) + "\"" +
+    return id(l) + " [label=\"" + name_of(l) + "\\n" + when(l) + "\"" +
            (g.nodes[l].item->component->resource() ? ", shape=cylinder" : "") + "];\n";
   }
 
@@ -94,10 +147,15 @@ private:
     all += line_break + (line_break[0] == '<' ? String(space) : quoted(space));
     if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
     if (in.wire->policy == policy_kind::delayed)
-      all += String(line_break) + "delayed " + std::to_string(in.wire->number);
+      all +=
+          line_break + String(crosses(in) ? "memory, " : "") + "delayed " + std::to_string(in.wire->number);
     if (in.wire->policy == policy_kind::queue)
       all += String(line_break) + "queue " + std::to_string(in.wire->number);
     return line_break[0] == '<' ? keep_breaks(all) : all;
+  }
+
+  bool crosses(const input& in) const {
+    return g.nodes[g.calls[in.call].node].environment != g.nodes[node_of_output(in.writer)].environment;
   }
 
   static String hertz(double hz) {

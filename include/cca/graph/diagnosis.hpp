@@ -51,6 +51,12 @@ consteval Report make_report() {
     m.say() << rule::id << ": ";
     rule::tell(m);
     r = {m.where, m.message};
+  } else if constexpr (requires { typename Type::cca_architecture; }) {
+    r.where << type_name<Type>();
+    r.message << broken_by<Type>() << ": `" << type_name<typename Type::cca_architecture>() << "` in "
+              << type_name<Type>()
+              << " is no graph: the first argument of cca::deployment is the architecture, a struct derived "
+                 "from cca::graph<...>, and the environments follow";
   } else {
     r.where << type_name<Type>();
     r.message

@@ -28,7 +28,14 @@
 // EXPECT space_missing_limits: space\.missing_limits: `limits\.command` takes commands of leg_angles, but its axis `knee` states no limits of angle to keep them within: add `static
 // EXPECT robot_unlimited_command: robot\.unlimited_command: `extra\.y` reaches the actuator `leg\.command` without passing a limiter: put a cca::limiter<hip_angle> between them \(its
 // EXPECT latency_exceeded: latency\.exceeded: a sample of `n0\.y` can be 5 beats old when `extra\.x` is read, but latency_exceeded requires at most 4: shorten a delay or a queue
+// EXPECT deployment_bad_environment: deployment\.bad_environment: `sink` in deployment_bad_environment is no item of a deployment, so it would be ignored: write cca::environment<`name`, cca::nodes
+// EXPECT deployment_unknown_node: deployment\.unknown_node: environment `one` names `extras`, but deployable has no such node; did you mean `extra`\?
+// EXPECT deployment_unplaced: deployment\.unplaced: `n0` \(source\) runs in no environment of deployment_unplaced: add its path to the cca::nodes<\.\.\.> of this environment, or give one cca
+// EXPECT deployment_placed_twice: deployment\.placed_twice: `n49` \(sink\) runs in environment `one` and in environment `two`: a component runs in one environment; remove it from one
+// EXPECT deployment_undelayed: deployment\.undelayed: `n6\.y` is published in environment `two` and read in environment `one`, so it takes at least a beat to get there: write cca::wire<`n6\.y`, `n7\.x`
 // Each rule of a graph, broken in one of fifty nodes.
+#include <cca/deployment.hpp>
+
 #include "fifty_nodes.hpp"
 
 struct hip : cca::dimension<"hip"> {
@@ -156,12 +163,25 @@ struct latency_exceeded : fifty_nodes_and<at_1000_hz,
                                           cca::wire<"n7.y", "extra.x", cca::delayed<5>>,
                                           cca::require<cca::latency<"n0.y", "extra.x">, cca::beats<4>>> {};
 
+struct deployable
+    : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"n7.y", "extra.x", cca::delayed<1>>> {};
+template <class... Items>
+using deployed_with = cca::deployment<deployable, Items..., cca::environment<"two", cca::other_nodes>>;
+struct deployment_bad_environment : deployed_with<cca::environment<"one", cca::nodes<"extra">>, sink> {};
+struct deployment_unknown_node : deployed_with<cca::environment<"one", cca::nodes<"extras">>> {};
+struct deployment_unplaced : cca::deployment<deployable, cca::environment<"one", cca::nodes<"extra">>> {};
+struct deployment_placed_twice : cca::deployment<deployable,
+                                                 cca::environment<"one", cca::nodes<"extra", "n49">>,
+                                                 cca::environment<"two", cca::nodes<"n49">>> {};
+struct deployment_undelayed : deployed_with<cca::environment<"one", cca::nodes<"n7">>> {};
+
 struct none : fifty_nodes_and<at_1000_hz> {};
+struct placed : deployed_with<cca::environment<"one", cca::nodes<"extra">>> {};
 
 }  // namespace broken
 
 #ifndef CCA_REJECT
-static_assert(cca::well_formed<broken::none>);
+static_assert(cca::well_formed<broken::none> && cca::well_formed<broken::placed>);
 #else
 cca::controller<broken::CCA_REJECT> c;
 #endif

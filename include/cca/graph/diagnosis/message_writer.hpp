@@ -14,6 +14,7 @@ struct message_writer {
   constexpr const finding& found() const { return g.found; }
   constexpr const item_info& item() const { return *g.found.item; }
   constexpr const graph_info& graph() const { return *g.scopes[g.found.scope].graph; }
+  constexpr const deployment_info& deployment() const { return *g.scopes[0].graph->deployment; }
 
   // These write `where`, what is at fault; all below write the message.
   constexpr void at_node() {

@@ -55,9 +55,11 @@ struct finished_call {};   // [call]
 struct finished_input {};  // of a space [input]
 struct stated_latency {};  // [output, input]: both ends of a require
 // place the components of a deployment
-struct stated_environment {};  // [environment, no item]
-struct placed_path {};         // a path that names nothing [name, environment, no item]
-struct placed_node {};         // named by a second environment [environment], or by none [node]
-struct crossing {};            // a wire, or an observer's node, between two environments [input, output]
+struct stated_deployment {};     // [no item]
+struct stated_environment {};    // [environment, no item]
+struct placed_path {};           // a path that names nothing [name, environment, no item]
+struct placed_node {};           // named by a second environment [environment], or by none [node]
+struct finished_environment {};  // all components have their place [environment, no item]
+struct crossing {};              // a wire, or an observer's node, between two environments [input, output]
 
 }  // namespace cca::detail::when

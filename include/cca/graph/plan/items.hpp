@@ -14,6 +14,7 @@ enum class policy_kind : std::uint8_t { unstated, latest, delayed, queue };
 enum class full_kind : std::uint8_t { drop_oldest, drop_newest, reject, unknown };
 
 struct graph_info;
+struct deployment_info;
 
 struct item_info {
   item_kind kind = item_kind::unknown;
@@ -43,6 +44,7 @@ struct graph_info {
   const item_info* items = nullptr;
   int count = 0;
   graph_sizes sizes;
+  ref<deployment_info> deployment = nullptr;  // of a deployment: graph/plan/environments.hpp
 };
 
 template <class Graph>
@@ -212,7 +214,7 @@ template <class Graph>
 struct graph_facts {
   using facts = items_facts<typename Graph::cca_items>;
   static constexpr graph_info value{graph_name(type_name<Graph>()), facts::items.data(), facts::count,
-                                    sizes_of(facts::items.data(), facts::count)};
+                                    sizes_of(facts::items.data(), facts::count), nullptr};
 };
 
 }  // namespace cca::detail

@@ -2,62 +2,97 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/deployment.hpp>
 #include <cca/graph/plan/items.hpp>
 
+namespace cca {
+
+// Options of an environment: runtime/environments/realtime.hpp.
+template <int Number>
+struct on_core;
+template <int Priority, class... Where>
+struct realtime;
+template <int Priority, class... Where>
+struct realtime_if_allowed;
+
+}  // namespace cca
+
 namespace cca::detail {
+
+// A type that does not belong where it stands in a deployment; or a second option where one is enough.
+enum class misplaced : std::uint8_t { none, item, nodes, option, second_option };
 
 struct environment_info {
   std::string_view name{};
   const std::string_view* paths = nullptr;
   int path_count = 0;
-  bool has_others = false;          // other_nodes
-  std::string_view unknown_type{};  // an item of a deployment that is none
+  bool has_others = false;  // other_nodes
+  misplaced mistake = misplaced::none;
+  std::string_view unknown_type{};
 };
+
+// What a deployment states beside its environments.
+struct deployment_info {
+  std::string_view name{};
+  std::string_view of_deployment{};  // its architecture is this deployment
+  int tolerate_count = 0, tolerated = 3;
+};
+
+template <class Option>
+inline constexpr bool is_environment_option = false;
+template <int Priority, int... Core>
+inline constexpr bool is_environment_option<realtime<Priority, on_core<Core>...>> = sizeof...(Core) <= 1;
+template <int Priority, int... Core>
+inline constexpr bool is_environment_option<realtime_if_allowed<Priority, on_core<Core>...>> =
+    sizeof...(Core) <= 1;
 
 template <fixed_string... Paths>
 inline constexpr std::array<std::string_view, sizeof...(Paths) + 1> placed_paths{Paths.view()...,
                                                                                  std::string_view()};
 
 template <class Nodes>
-constexpr environment_info placement_of(std::string_view name) {
-  return {.name = name, .unknown_type = type_name<Nodes>()};
-}
+inline constexpr environment_info nodes_of_environment{.mistake = misplaced::nodes,
+                                                       .unknown_type = type_name<Nodes>()};
 template <>
-constexpr environment_info placement_of<other_nodes>(std::string_view name) {
-  return {.name = name, .has_others = true};
-}
-template <class Nodes>
-struct named_paths {
-  static constexpr environment_info in(std::string_view name) { return placement_of<Nodes>(name); }
-};
+inline constexpr environment_info nodes_of_environment<other_nodes>{.has_others = true};
 template <fixed_string... Paths>
-struct named_paths<nodes<Paths...>> {
-  static constexpr environment_info in(std::string_view name) {
-    return {.name = name,
-            .paths = placed_paths<Paths...>.data(),
-            .path_count = static_cast<int>(sizeof...(Paths))};
-  }
-};
+inline constexpr environment_info nodes_of_environment<nodes<Paths...>>{
+    .paths = placed_paths<Paths...>.data(), .path_count = static_cast<int>(sizeof...(Paths))};
+
+template <class Option>
+constexpr void check_option(environment_info& info) {
+  if (is_environment_option<Option> || info.mistake != misplaced::none) return;
+  info.mistake = misplaced::option;
+  info.unknown_type = type_name<Option>();
+}
+
+template <class Nodes, class... Options>
+constexpr environment_info environment_item(std::string_view name) {
+  environment_info info = nodes_of_environment<Nodes>;
+  info.name = name;
+  (check_option<Options>(info), ...);
+  if (sizeof...(Options) > 1 && info.mistake == misplaced::none) info.mistake = misplaced::second_option;
+  return info;
+}
 
 template <class Item>
 struct item_of_deployment {
   static constexpr bool is_environment = true;
-  static constexpr environment_info info{.unknown_type = type_name<Item>()};
+  static constexpr environment_info info{.mistake = misplaced::item, .unknown_type = type_name<Item>()};
   using options = list<>;
 };
 template <fixed_string Name, class Nodes, class... Options>
 struct item_of_deployment<environment<Name, Nodes, Options...>> {
   static constexpr bool is_environment = true;
-  static constexpr environment_info info = named_paths<Nodes>::in(Name.view());
+  static constexpr environment_info info = environment_item<Nodes, Options...>(Name.view());
   using options = list<Options...>;
 };
 template <int Beats>
 struct item_of_deployment<tolerate<Beats>> {
-  static_assert(Beats >= 0, "cca::tolerate: a number of late beats, 0 or more");
   static constexpr bool is_environment = false;
   static constexpr int tolerated = Beats;
 };
@@ -70,20 +105,24 @@ struct environments_in<list<Items...>> {
   static constexpr auto all = [] {
     std::array<environment_info, static_cast<std::size_t>(count) + 1> infos{};
     std::size_t n = 0;
-    const auto add = [&]<class Item>(list<Item>) {
+    [[maybe_unused]] const auto add = [&]<class Item>(list<Item>) {
       if constexpr (item_of_deployment<Item>::is_environment) infos[n++] = item_of_deployment<Item>::info;
     };
     (add(list<Items>{}), ...);
     return infos;
   }();
-  static constexpr int tolerated = [] {
-    int beats = 3;
-    const auto read = [&]<class Item>(list<Item>) {
-      if constexpr (!item_of_deployment<Item>::is_environment) beats = item_of_deployment<Item>::tolerated;
+  static constexpr deployment_info facts = [] {
+    deployment_info info;
+    [[maybe_unused]] const auto read = [&]<class Item>(list<Item>) {
+      if constexpr (!item_of_deployment<Item>::is_environment) {
+        info.tolerated = item_of_deployment<Item>::tolerated;
+        ++info.tolerate_count;
+      }
     };
     (read(list<Items>{}), ...);
-    return beats;
+    return info;
   }();
+  static constexpr int tolerated = facts.tolerated;
 };
 
 // The options of environment E.
@@ -105,5 +144,29 @@ using environments_of = environments_in<typename D::cca_environments>;
 
 template <class D>
 inline constexpr int environment_count = environments_of<D>::count;
+
+// A deployment that is no named struct has its architecture in its name.
+constexpr std::string_view deployment_name(std::string_view name) {
+  return name.starts_with("deployment<") ? "the deployment" : name;
+}
+
+template <Deployment D>
+inline constexpr deployment_info facts_of_deployment = [] {
+  deployment_info info = environments_of<D>::facts;
+  info.name = deployment_name(type_name<D>());
+  if constexpr (Deployment<typename D::cca_architecture>)
+    info.of_deployment = deployment_name(type_name<typename D::cca_architecture>());
+  return info;
+}();
+
+// As a graph it is called like its architecture, in which its nodes and wires are written.
+template <Deployment D>
+struct graph_facts<D> {
+  static constexpr graph_info value = [] {
+    graph_info info = graph_facts<typename D::cca_architecture>::value;
+    info.deployment = &facts_of_deployment<D>;
+    return info;
+  }();
+};
 
 }  // namespace cca::detail

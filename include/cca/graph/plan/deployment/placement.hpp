@@ -39,6 +39,7 @@ struct placer {
   }
 
   constexpr void place_named() {
+    check<when::stated_deployment>(g, {});
     for (int e = 0; e < g.environment_count; ++e) {
       const auto& environment = g.environments[e];
       check<when::stated_environment>(g, {.environment = e});
@@ -65,6 +66,7 @@ struct placer {
       if (node.environment < 0)
         check<when::placed_node>(g, {.item = node.item, .scope = node.scope, .component = n});
     }
+    for (int e = 0; e < g.environment_count; ++e) check<when::finished_environment>(g, {.environment = e});
   }
 
   constexpr void check_crossings() {

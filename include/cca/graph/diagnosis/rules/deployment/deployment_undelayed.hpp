@@ -31,10 +31,12 @@ struct deployment_undelayed {
     m.environment(environment_of(out.call));
     m.say() << " and read in ";
     m.environment(environment_of(in.call));
-    m.say() << ", so it needs time to compute and to get there: write ";
+    m.say() << ", so it takes at least a beat to get there: write ";
     if (in.writer >= 0) m.wire_with(m.item().from, m.item().to, "cca::delayed<1>");
     else m.say() << "cca::observe<`" << port_of(m.g, in).name << "`, cca::delayed<1>>";
-    m.say() << ", or more beats, or place both in one environment";
+    if (in.writer >= 0 && m.found().scope > 0) m.say() << " in " << m.graph().name;
+    m.say() << ", or a greater delay, or place both in one environment";
+    if (is_queued(in)) m.say() << " (a queue works only inside of one)";
   }
 };
 

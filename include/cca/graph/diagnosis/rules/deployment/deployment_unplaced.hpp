@@ -15,7 +15,7 @@ struct deployment_unplaced {
   static constexpr void tell(auto& m) {
     m.at_node();
     m.node();
-    m.say() << " runs in no environment of " << m.g.scopes[0].graph->name
+    m.say() << " runs in no environment of " << m.deployment().name
             << ": add its path to the cca::nodes<...> of "
             << (m.g.environment_count == 1 ? "this environment" : "one of them")
             << ", or give one cca::other_nodes";

@@ -1,0 +1,57 @@
+// The code of docs/environments.md.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include <cca/config.hpp>
+
+#include "robot_and_mind.hpp"
+
+using namespace deployment_test;
+
+TEST_SUITE("deployment pages") {
+  TEST_CASE("parameters and components by the paths of the architecture") {
+    const auto folder = std::filesystem::temp_directory_path();
+    const std::string file = folder / "cca_test_deployment.toml";
+    const std::string again = folder / "cca_test_one_loop.toml";
+    // [access]
+    cca::deployed<two> d;
+    d.load();
+    d.set<"filter">({0.2});  // runs in `robot`
+    d.set("guard.most", 50.0);
+    d.start();
+    d.run(cca::for_<0.1>{});
+    const double sum = d.get<"thinker">().sum;  // runs in `mind`
+    d.save(file);
+
+    cca::controller<architecture> c;  // one loop
+    c.load(file);                     // the same file
+    // [access end]
+    c.start();
+    c.run(cca::for_<0.1>{});
+    CHECK_EQ(c.get<"thinker">().sum, sum);
+    CHECK_NE(sum, 0);
+    CHECK_EQ(c.get<"filter">().p.gain, 0.2);
+    CHECK_EQ(c.parameter<double>("guard.most"), 50.0);
+    c.save(again);
+    std::filesystem::remove(file);
+    std::filesystem::remove(again);
+  }
+
+  TEST_CASE("a deployment is a graph: one loop runs it too") {
+    // [as graph]
+    static_assert(cca::well_formed<two>);
+    static_assert(cca::diagnosis<two>.rule.empty());
+    cca::controller<two> c;  // in one loop, with the same results
+    // [as graph end]
+    c.load();
+    c.start();
+    CHECK_EQ(c.run(cca::for_<0.1>{}), cca::state::started);
+    cca::deployed<two> d;
+    d.load();
+    d.start();
+    d.run(cca::for_<0.1>{});
+    CHECK_EQ(c.get<"thinker">().sum, d.get<"thinker">().sum);
+  }
+}

@@ -1,0 +1,225 @@
+// Rules about deployments: what is told, and that the mended one is sound.
+#include <cca/deployment.hpp>
+
+#include "rules_parts.hpp"
+
+namespace {
+
+using namespace parts;
+
+struct chain : khz<cca::node<"a", source<>>,
+                   cca::node<"b", step<>>,
+                   cca::node<"c", sink<>>,
+                   cca::wire<"a.y", "b.x", cca::delayed<1>>,
+                   cca::wire<"b.y", "c.x", cca::delayed<2>>> {};
+
+template <cca::fixed_string Name, cca::fixed_string... Paths>
+using some = cca::environment<Name, cca::nodes<Paths...>>;
+template <cca::fixed_string Name>
+using rest = cca::environment<Name, cca::other_nodes>;
+
+struct mended : cca::deployment<chain, some<"one", "a">, rest<"two">> {};
+struct mended_too : cca::deployment<chain, cca::tolerate<0>, rest<"two">, some<"one", "a", "b", "a">> {};
+static_assert(cca::well_formed<mended_too>);
+static_assert(cca::detail::environments_of<mended>::tolerated == 3);
+static_assert(cca::detail::environments_of<mended_too>::tolerated == 0);
+
+// ---- deployment.unknown_node, unplaced, placed_twice ----
+
+struct misspelt : cca::deployment<chain, some<"one", "aa">, rest<"two">> {};
+static_assert(
+    tells<misspelt, mended>({"deployment.unknown_node", "aa",
+                             "environment `one` names `aa`, but chain has no such node; did you mean `a`?"}));
+struct misnamed : cca::deployment<chain, some<"one", "a.y.z.w">, rest<"two">> {};
+static_assert(tells<misnamed, mended>({"deployment.unknown_node", "a.y.z.w",
+                                       "environment `one` names `a.y.z.w`, but chain has no such node: write "
+                                       "the path of a component or of an inner graph, as in `skills.gait`"}));
+
+struct forgotten : cca::deployment<chain, some<"one", "a">> {};
+static_assert(
+    tells<forgotten, mended>({"deployment.unplaced", "b",
+                              "`b` (step<>) runs in no environment of forgotten: add its path to the "
+                              "cca::nodes<...> of this environment, or give one cca::other_nodes"}));
+struct forgotten_of_two : cca::deployment<chain, some<"one", "a">, some<"two", "b">> {};
+static_assert(
+    tells<forgotten_of_two, mended>({"deployment.unplaced", "c",
+                                     "`c` (sink<>) runs in no environment of forgotten_of_two: add its path "
+                                     "to the cca::nodes<...> of one of them, or give one cca::other_nodes"}));
+
+struct twice : cca::deployment<chain, some<"one", "a">, some<"two", "a", "b", "c">> {};
+static_assert(
+    tells<twice, mended>({"deployment.placed_twice", "a",
+                          "`a` (source<>) runs in environment `one` and in environment `two`: a component "
+                          "runs in one environment; remove it from one of the two (the path of an inner "
+                          "graph names all its components)"}));
+struct others_twice : cca::deployment<chain, rest<"one">, rest<"two">> {};
+static_assert(
+    tells<others_twice, mended>({"deployment.placed_twice", "two",
+                                 "cca::other_nodes stands in environment `one` and in environment `two`, so "
+                                 "these components would run twice: keep it in one of them, and name the "
+                                 "nodes of the other"}));
+
+// ---- deployment.undelayed ----
+
+template <class... Options>
+struct undelayed_chain
+    : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x", Options...>> {};
+template <class... Options>
+struct undelayed : cca::deployment<undelayed_chain<Options...>, some<"one", "a">, rest<"two">> {};
+static_assert(tells<undelayed<cca::latest>, undelayed<cca::delayed<1>>>(
+    {"deployment.undelayed", "a.y -> b.x",
+     "`a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat to "
+     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>>, or a greater delay, or place both in one "
+     "environment"}));
+static_assert(tells<undelayed<cca::queue<2, cca::drop_oldest>>, undelayed<cca::delayed<1>>>(
+    {"deployment.undelayed", "a.y -> b.x",
+     "`a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat to "
+     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>>, or a greater delay, or place both in one "
+     "environment (a queue works only inside of one)"}));
+
+template <class... Policy>
+struct hearing {
+  void process(cca::observe<"a.*", Policy...>) {}
+};
+template <class... Policy>
+struct heard : khz<cca::node<"a", source<>>, cca::node<"b", hearing<Policy...>>> {};
+template <class... Policy>
+struct hears : cca::deployment<heard<Policy...>, some<"one", "a">, rest<"two">> {};
+static_assert(tells<hears<>, hears<cca::delayed<2>>>(
+    {"deployment.undelayed", "b",
+     "`b` (hearing<>) observes `a.*`: `a.y` is published in environment `one` and read in environment `two`, "
+     "so it takes at least a beat to get there: write cca::observe<`a.*`, cca::delayed<1>>, or a greater "
+     "delay, or place both in one environment"}));
+
+// `cca::observe` as an item of a graph is for `observed`, between two beats: it needs no delay.
+struct watched : cca::deployment<khz<cca::node<"a", source<>>, cca::node<"b", source<>>, cca::observe<"*">>,
+                                 some<"one", "a">,
+                                 rest<"two">> {};
+static_assert(cca::well_formed<watched>);
+
+template <class... Options>
+struct pair : cca::graph<cca::node<"a", source<>>,
+                         cca::node<"b", step<>>,
+                         cca::wire<"a.y", "b.x", Options...>,
+                         cca::expose<"b.y", "y">> {};
+template <class Outside, class... Inside>
+struct nested
+    : khz<cca::node<"g", pair<Inside...>>, cca::node<"c", sink<>>, cca::wire<"g.y", "c.x", Outside>> {};
+template <class Outside, class... Inside>
+struct cut_inside : cca::deployment<nested<Outside, Inside...>, some<"one", "g.a">, rest<"two">> {};
+static_assert(tells<cut_inside<cca::latest>, cut_inside<cca::latest, cca::delayed<1>>>(
+    {"deployment.undelayed", "g.a.y -> g.b.x",
+     "`g.a.y` is published in environment `one` and read in environment `two`, so it takes at least a beat "
+     "to "
+     "get there: write cca::wire<`a.y`, `b.x`, cca::delayed<1>> in pair<>, or a greater delay, or place both "
+     "in one environment"}));
+template <class Outside>
+struct cut_outside : cca::deployment<nested<Outside>, some<"one", "g">, rest<"two">> {};
+static_assert(tells<cut_outside<cca::latest>, cut_outside<cca::delayed<1>>>(
+    {"deployment.undelayed", "g.y -> c.x",
+     "`g.b.y` is published in environment `one` and read in environment `two`, so it takes at least a beat "
+     "to "
+     "get there: write cca::wire<`g.y`, `c.x`, cca::delayed<1>>, or a greater delay, or place both in one "
+     "environment"}));
+
+// ---- deployment.bad_environment ----
+
+struct no_item : cca::deployment<chain, some<"one", "a">, sink<>, rest<"two">> {};
+static_assert(tells<no_item, mended>(
+    {"deployment.bad_environment", "no_item",
+     "`sink<>` in no_item is no item of a deployment, so it would be ignored: write cca::environment<`name`, "
+     "cca::nodes<`a`, `b.c`>>, or cca::tolerate<N>"}));
+struct no_nodes : cca::deployment<chain, cca::environment<"one", sink<>>, rest<"two">> {};
+static_assert(tells<no_nodes, mended>(
+    {"deployment.bad_environment", "one",
+     "environment `one` has `sink<>` in place of its nodes: write cca::nodes<`a`, `b.c`>, with the paths of "
+     "components or inner graphs, or cca::other_nodes"}));
+struct no_option : cca::deployment<chain, cca::environment<"two", cca::other_nodes, cca::timed<2>>> {};
+static_assert(tells<no_option, mended>(
+    {"deployment.bad_environment", "two",
+     "environment `two` has the option `timed<2>`, but its options are cca::realtime<Priority, "
+     "cca::on_core<N>> and cca::realtime_if_allowed: write one of them, or none (all nodes go into one "
+     "cca::nodes<...>)"}));
+template <class... Options>
+struct with_options : cca::deployment<chain, cca::environment<"two", cca::other_nodes, Options...>> {};
+static_assert(cca::well_formed<with_options<cca::realtime<80>>>);
+static_assert(cca::well_formed<with_options<cca::realtime_if_allowed<80, cca::on_core<1>>>>);
+static_assert(cca::diagnosis<with_options<cca::realtime<80, cca::on_core<1>, cca::on_core<2>>>>.rule ==
+              "deployment.bad_environment");
+static_assert(cca::diagnosis<with_options<cca::realtime<80, int>>>.rule == "deployment.bad_environment");
+static_assert(tells<with_options<cca::realtime<80>, cca::realtime_if_allowed<80>>, mended>(
+    {"deployment.bad_environment", "two",
+     "environment `two` has two options, but one says how its thread runs: leave one of them"}));
+struct unnamed : cca::deployment<chain, some<"", "a">, rest<"two">> {};
+static_assert(
+    tells<unnamed, mended>({"deployment.bad_environment", "unnamed",
+                            "an environment of unnamed has no name, so no message could name it: give it "
+                            "one"}));
+struct dotted : cca::deployment<chain, some<"one.a", "a">, rest<"two">> {};
+static_assert(tells<dotted, mended>(
+    {"deployment.bad_environment", "one.a",
+     "an environment of dotted is named `one.a`, but dots join names to paths, and `*` stands for any name: "
+     "use neither in a name"}));
+struct same_name : cca::deployment<chain, some<"one", "a">, rest<"one">> {};
+static_assert(tells<same_name, mended>(
+    {"deployment.bad_environment", "one",
+     "two environments of same_name are named `one`, so a message about one of them has two meanings: give "
+     "one another name"}));
+struct without_nodes : cca::deployment<chain, some<"one">, rest<"two">> {};
+static_assert(tells<without_nodes, mended>(
+    {"deployment.bad_environment", "one",
+     "environment `one` of without_nodes has no component, so it has nothing to run: add the path of a node "
+     "to its cca::nodes<...>, or remove it"}));
+struct without_others : cca::deployment<chain, some<"one", "a", "b", "c">, rest<"two">> {};
+static_assert(tells<without_others, mended>(
+    {"deployment.bad_environment", "two",
+     "environment `two` of without_others has no component, so it has nothing to run: the other environments "
+     "name every node; remove a path there, or this environment"}));
+struct without_environment : cca::deployment<chain> {};
+static_assert(tells<without_environment, mended>(
+    {"deployment.bad_environment", "without_environment",
+     "without_environment has no environment: write cca::environment<`name`, cca::nodes<`a`, `b.c`>> after "
+     "the architecture, and one with cca::other_nodes"}));
+struct tolerates_twice : cca::deployment<chain, rest<"one">, cca::tolerate<1>, cca::tolerate<2>> {};
+static_assert(tells<tolerates_twice, mended>(
+    {"deployment.bad_environment", "tolerates_twice",
+     "tolerates_twice states cca::tolerate more than once: leave one of them"}));
+struct tolerates_less_than_none : cca::deployment<chain, rest<"one">, cca::tolerate<-1>> {};
+static_assert(tells<tolerates_less_than_none, mended>(
+    {"deployment.bad_environment", "tolerates_less_than_none",
+     "cca::tolerate<-1> in tolerates_less_than_none is no number of late beats: write 0 or more"}));
+struct of_deployment : cca::deployment<mended, rest<"one">> {};
+static_assert(tells<of_deployment, mended>({"deployment.bad_environment", "of_deployment",
+                                            "of_deployment is a deployment of the deployment mended, whose "
+                                            "environments would be ignored: deploy its "
+                                            "architecture instead, chain"}));
+struct with_deployment : khz<cca::node<"g", mended>> {};
+struct with_architecture : khz<cca::node<"g", chain>> {};
+static_assert(tells<with_deployment, with_architecture>(
+    {"deployment.bad_environment", "g",
+     "`g` is the deployment mended, but inside of a graph its environments would be ignored: make it a node "
+     "of the architecture, chain, and deploy the graph around it"}));
+
+// Mistakes in the architecture come first, and name it as if it were not deployed.
+struct loose : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>> {};
+struct wired : khz<cca::node<"a", source<>>, cca::node<"b", sink<>>, cca::wire<"a.y", "b.x">> {};
+struct of_loose : cca::deployment<loose, some<"one", "d">, int> {};
+struct of_wired : cca::deployment<wired, rest<"one">> {};
+static_assert(tells<of_loose, of_wired>({"wire.unconnected_input", "b.x",
+                                         cca::diagnosis<loose>.message.substr(24)}));
+static_assert(cca::diagnosis<of_loose>.message == cca::diagnosis<loose>.message);
+
+struct of_component : cca::deployment<sink<>, rest<"one">> {};
+static_assert(!cca::Deployment<of_component> && !cca::well_formed<of_component>);
+static_assert(tells<of_component, mended>(
+    {"graph.unknown_item", "of_component",
+     "`sink<>` in of_component is no graph: the first argument of cca::deployment is the architecture, a "
+     "struct derived from cca::graph<...>, and the environments follow"}));
+
+// A deployment without a name of its own.
+static_assert(
+    cca::diagnosis<cca::deployment<chain, rest<"one">, int>>.message ==
+    "deployment.bad_environment: `int` in the deployment is no item of a deployment, so it would be ignored: "
+    "write cca::environment<`name`, cca::nodes<`a`, `b.c`>>, or cca::tolerate<N>");
+
+}  // namespace
