@@ -146,9 +146,7 @@ public:
                                                            "wires between environments, longer than a beat",
                                                            "observers across environments",
                                                            "queue, drop_oldest: lost",
-                                                           "faults in sense",
                                                            "faults in process",
-                                                           "faults in act",
                                                            "on_fault calls"};
 
 private:

@@ -80,6 +80,16 @@ TEST_SUITE("deployed at wall-clock speed") {
     CHECK_EQ(d.beat_index(), 400);
   }
 
+  TEST_CASE("an environment that is late at the end of a run ends with the others") {
+    for (int beat = 95; beat < 100; ++beat) {
+      cca::deployed<patient> d;
+      begin(d);
+      const stall one(beat, 20);
+      CHECK_EQ(d.run(cca::for_beats<100>{}, cca::at_wall_clock()), cca::state::started);
+      CHECK_EQ(d.beat_index(), 100);
+    }
+  }
+
   TEST_CASE("between runs with the first environment and ends the run; a fault of a follower ends it too") {
     cca::deployed<patient> d;
     begin(d);

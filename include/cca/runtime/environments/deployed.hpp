@@ -37,6 +37,11 @@ struct nothing_between {
 // Of a deployment that breaks a rule: one error, which is the message.
 template <class D>
 class deployed : public controller<D> {
+  static_assert(Deployment<D>,
+                "cca::deployed: its argument is no deployment: give it a struct derived from "
+                "cca::deployment<Architecture, cca::environment<...>, ...>, or run the graph by "
+                "cca::controller<Graph>");
+
 public:
   std::int64_t late() const noexcept { return 0; }
 };
@@ -189,7 +194,8 @@ private:
     {
       const finished_run all_at_one_beat{*this, is_exact};
       const detail::environment_threads<D> others(
-          loops, *shared, end, is_exact, [this]<int E>(const std::string& refusal) { report<E>(refusal); });
+          loops, *shared, end, is_exact,
+          [this]<int E>(const std::string& refusal) { this->template report<E>(refusal); });
       if constexpr (is_exact) first.lead_exactly(end, runs, pace, after_beat);
       else first.lead(end, runs, pace, after_beat);
       first.handle_fault();

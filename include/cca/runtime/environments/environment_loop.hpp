@@ -91,20 +91,18 @@ public:
     }
   }
 
+  // A beat that is still running when the next should begin is an overrun; the next begins with the first
+  // environment's next beat. It is the newest that is due: those in between are lost.
   void follow(std::int64_t end) {
     bool is_running = false;
-    while (!is_asleep_until(end)) {
-      const bool is_still_running = is_running && begun() >= k;
-      if (!wait_for_the_first()) return;
-      const std::int64_t now = begun();
-      is_running = now == k && !is_still_running;
-      if (is_running) {
-        run_timed_beat();
-      } else {
-        add(own().overruns, 1);
-        add(own().lost_periods, now + 1 - k);
-        skip_to(now + 1);
-      }
+    for (; !is_asleep_until(end); is_running = true) {
+      const bool is_overrun = is_running && begun() >= k;
+      const std::int64_t beat = is_overrun ? begun() + 1 : k;
+      if (is_overrun) add(own().overruns, 1);
+      if (beat >= end) return lose_until(end);
+      if (!wait_for_beat(beat)) return;
+      lose_until(newest_due(begun()));
+      run_timed_beat();
       announce();
     }
   }
@@ -143,10 +141,10 @@ private:
   }
 
   [[gnu::flatten]] void run_beat() noexcept {
-    state.receive(state, k);
     if (!state.is_exact)
       if (const int lost = state.count_late(k); lost >= 0)
         return shared().fault.state(position(), lost_contact<D>(lost), -1);
+    state.receive(state, k);
     beat_outcome outcome;
     beat_of_graph<graph>::run(state, outcome, k);
     if constexpr (counts_of<graph>.may_fault)
@@ -190,14 +188,26 @@ private:
     return false;
   }
 
-  // Waits until the first environment begins beat k. False: a fault or the end has come before it.
-  bool wait_for_the_first() noexcept {
+  void lose_until(std::int64_t next) {
+    add(own().lost_periods, next - k);
+    if (next > k) skip_to(next);
+  }
+
+  // The newest beat up to `now`, and from k on, in which something can fire.
+  std::int64_t newest_due(std::int64_t now) const {
+    std::int64_t newest = k;
+    for (std::int64_t next = k; (next = next_active_beat<D, E>(next + 1)) <= now;) newest = next;
+    return newest;
+  }
+
+  // Waits until the first environment begins this beat. False: a fault or the end has come before it.
+  bool wait_for_beat(std::int64_t beat) noexcept {
     const auto& first = shared().environments[0];
     while (goes_on()) {
       const std::int64_t newest = begun();
-      if (newest >= k) return true;
+      if (newest >= beat) return true;
       const std::int64_t interval = first.interval.load(std::memory_order_relaxed);
-      const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (k - newest) * interval;
+      const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (beat - newest) * interval;
       const std::int64_t now = monotonic_clock::now();
       monotonic_clock::sleep_until(std::clamp(due, now + shortest_sleep, now + longest_sleep(interval)));
     }
