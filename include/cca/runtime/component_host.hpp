@@ -2,6 +2,7 @@
 // components by path. `Self` is one of the two; it knows where the components are:
 //
 //   component<Node>()     the component with this number
+//   is_here(node)         whether this process runs it
 //   visit(f, self)        f(number, component) for each, in declaration order
 //   forget_runs()         the counts of the runs begin anew
 #pragma once
@@ -120,7 +121,8 @@ public:
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
   void for_each_component(F f) {
-    visit([&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); });
+    Self::visit(
+        [&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); }, self());
   }
   template <class F>
   void for_each_component(F f) const {
@@ -147,9 +149,14 @@ private:
   Self& self() { return static_cast<Self&>(*this); }
   const Self& self() const { return static_cast<const Self&>(*this); }
 
+  // Those that run in this process.
   template <class F>
   void visit(F f) {
-    Self::visit(f, self());
+    Self::visit(
+        [&](int node, auto& component) {
+          if (self().is_here(node)) f(node, component);
+        },
+        self());
   }
 
   // The nodes of an inner graph, whose path has this hash.

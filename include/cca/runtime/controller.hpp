@@ -85,6 +85,7 @@ private:
   static void visit(F f, Controller& self) {
     detail::visit_components<Graph>(f, self.state_of_all);
   }
+  static constexpr bool is_here(int) { return true; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
 
   [[gnu::flatten]] void advance() noexcept {

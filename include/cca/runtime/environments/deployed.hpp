@@ -9,6 +9,7 @@
 // first, and nothing of the others but the counts. Errors: deployment.*. Example: docs/environments.md.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <iostream>
@@ -21,6 +22,8 @@
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures.hpp>
+#include <cca/runtime/environments/meeting.hpp>
+#include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
 
@@ -55,7 +58,20 @@ class deployed<D> : public detail::component_host<deployed<D>, D> {
 public:
   using host::period;
 
-  deployed() : shared(std::make_unique<detail::exchange<D>>()) {}
+  // All environments in this process.
+  deployed() : shared(std::make_shared<detail::exchange<D>>()) { here.fill(true); }
+
+  // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
+  // the deployment doesn't have, or that another process runs, and a process of another deployment.
+  template <class Transport>
+  deployed(const only& environments, const Transport& transport) {
+    choose(environments);
+    auto medium = transport.template open<D>(here);
+    shared = {medium, medium->exchanged()};
+    others = std::move(medium);
+  }
+  deployed(const deployed&) = delete;
+  deployed& operator=(const deployed&) = delete;
 
   // One beat of all environments; false where the life-cycle does not allow it. Then only the hook `on_idle`
   // of resource nodes runs. It starts and ends the threads: for many beats use `run`.
@@ -103,7 +119,7 @@ public:
     for (std::size_t e = 0; e < shared->environments.size(); ++e) {
       const auto& record = shared->environments[e];
       auto& one = all.emplace_back(environment_figures{
-          name_of(e), record.wake_up, record.beat, record.overruns, record.lost_periods, {}});
+          name_of(e), record.wake_up, record.duration, record.overruns, record.lost_periods, {}});
       for (std::size_t from = 0; from < record.late.size(); ++from)
         if (detail::crossings_of<D>.least_delay[from][e] > 0)
           one.channels.push_back({name_of(from), record.late[from]});
@@ -129,11 +145,23 @@ private:
 
   template <int Node>
   auto& component() {
+    refuse_if_elsewhere(Node);
     return component_of<Node>(*this);
   }
   template <int Node>
   const auto& component() const {
+    refuse_if_elsewhere(Node);
     return component_of<Node>(*this);
+  }
+  bool is_here(int node) const {
+    return here[detail::array_size(detail::plan_of<D>.nodes[detail::array_size(node)].environment)];
+  }
+  void refuse_if_elsewhere(int node) const {
+    if (!is_here(node))
+      throw refused("cca::deployed: `" + detail::path_of_node<D>(node) + "` runs in environment `" +
+                    std::string(name_of(
+                        detail::array_size(detail::plan_of<D>.nodes[detail::array_size(node)].environment))) +
+                    "`, which another process runs");
   }
   template <int Node, class Deployed>
   static auto& component_of(Deployed& self) {
@@ -153,13 +181,25 @@ private:
   void observe(F& f) const {
     constexpr int e = detail::environment_of(detail::flat_of<D>(detail::plan_of<D>).view(),
                                              detail::plan_of<D>.outputs[Output].call);
-    detail::observe_newest<detail::part<D, e>, Output>(loops.template at<e>().state, k, f);
+    if (here[e]) detail::observe_newest<detail::part<D, e>, Output>(loops.template at<e>().state, k, f);
   }
 
   void forget_runs() {
     runs.overruns = runs.lost_periods = 0;
-    for (auto& e : shared->environments) e.forget();
+    for (std::size_t e = 0; e < here.size(); ++e)
+      if (here[e]) shared->environments[e].forget_figures();
   }
+  void choose(const only& environments) {
+    for (const std::string& name : environments.names) {
+      std::size_t e = 0;
+      while (e < here.size() && name_of(e) != name) ++e;
+      if (e == here.size()) throw refused("cca::only: the deployment has no environment `" + name + "`");
+      here[e] = true;
+    }
+    if (environments.names.empty()) throw refused("cca::only: it names no environment");
+  }
+  int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
+
   static constexpr std::string_view name_of(std::size_t environment) {
     return detail::environments_of<D>::all[environment].name;
   }
@@ -177,70 +217,100 @@ private:
 
   template <class Pace, class Between>
   void run_all(std::int64_t beats, Pace& pace, Between& between) {
-    constexpr bool is_exact = !detail::OnClock<Pace>;
     constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
-    constexpr bool all_meet = is_exact && (is_watched || !std::is_same_v<Pace, as_fast_as_possible>);
-    const std::int64_t end = beats > detail::no_position - k ? detail::no_position : k + beats;
-    std::int64_t last_seen = k;
-    auto& first = loops.template at<0>();
-    const auto after_beat = [&] {
-      last_seen = k = first.k;
-      return detail::goes_on_after(between, *this);
-    };
-    const detail::thread_setup setup(detail::wish_of_environment<D, 0>);
-    report<0>(setup.refusal());
-    prepare(is_exact, all_meet ? 0 : detail::most_ahead);
-    runs.begin(pace, period());
+    const bool wants_exact = !detail::OnClock<Pace>;
+    const bool wants_to_meet = is_watched || !std::is_same_v<Pace, as_fast_as_possible>;
+    detail::meeting<D> together(*shared, here, others.get());
+    const auto terms =
+        together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, [this] { idle(); });
+    std::int64_t last_seen = terms.beat;
     {
-      const finished_run all_at_one_beat{*this, is_exact};
-      const detail::environment_threads<D> others(
-          loops, *shared, end, is_exact,
-          [this]<int E>(const std::string& refusal) { this->template report<E>(refusal); });
-      if constexpr (is_exact) first.lead_exactly(end, runs, pace, after_beat);
-      else first.lead(end, runs, pace, after_beat);
-      first.handle_fault();
+      const finished_run all_at_one_beat{*this, together, terms};
+      loops.for_each([&]<int E>(auto& loop) {
+        if (here[E])
+          loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead,
+                       terms.beat);
+      });
+      together.begin();
+      loops.for_each([&]<int E>(auto& first) {
+        if (E != first_here()) return;
+        const auto after_beat = [&] {
+          last_seen = k = first.k;
+          return detail::goes_on_after(between, *this);
+        };
+        run_environments<E>(first, terms, pace, after_beat);
+      });
     }
     if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
   }
 
-  void prepare(bool is_exact, std::int64_t ahead) {
-    shared->should_stop = false;
-    shared->fault.forget();
-    loops.for_each([&]<int E>(auto& loop) { loop.prepare(*shared, is_exact, ahead, k); });
+  // `first` in this thread, the others in threads of their own.
+  template <int E, class Loop, class Pace, class AfterBeat>
+  void run_environments(Loop& first, const detail::terms_of_run& terms, Pace& pace, AfterBeat after_beat) {
+    const detail::thread_setup setup(detail::wish_of_environment<D, E>);
+    report<E>(setup.refusal());
+    const detail::environment_threads<D> followers(
+        loops, [&first] { first.stop(); }, [&](int e) { return e != E && here[detail::array_size(e)]; },
+        terms.end, terms.is_exact,
+        [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); });
+    if constexpr (E > 0) {
+      if (terms.is_exact) first.follow_exactly(terms.end, after_beat);
+      else first.follow(terms.end, after_beat);
+    } else {
+      runs.begin(pace, period());
+      if constexpr (detail::OnClock<Pace>) first.lead(terms.end, runs, pace, after_beat);
+      else first.lead_exactly(terms.end, runs, pace, after_beat);
+    }
+    first.handle_fault();
   }
 
   struct finished_run {
     deployed& all;
-    bool is_exact;
-    ~finished_run() { all.finish(is_exact); }
+    detail::meeting<D>& together;
+    const detail::terms_of_run& terms;
+    ~finished_run() { all.finish(together, terms); }
   };
   // All environments continue with the same beat.
-  void finish(bool is_exact) {
-    const std::int64_t fault_at = shared->fault.position;
+  void finish(detail::meeting<D>& together, const detail::terms_of_run& terms) {
     loops.for_each([&]<int E>(auto& loop) {
-      loop.handle_fault();
-      k = std::max(k, loop.k);
+      if (here[E]) k = std::max(k, loop.k);
     });
+    k = together.end(k);
+    const auto& first = *std::ranges::min_element(shared->environments, {}, [](const auto& e) {
+      return e.fault.position.load(std::memory_order_acquire);
+    });
+    const std::int64_t fault_at = first.fault.position;
     const bool is_faulted = fault_at != detail::no_position;
-    if (is_exact && is_faulted) k = fault_at / detail::exchange<D>::calls_and_one + 1;
-    loops.for_each([&]<int E>(auto& loop) { loop.skip_to(k); });
+    if (terms.is_exact && is_faulted) k = fault_at / detail::exchange<D>::calls_and_one + 1;
+    loops.for_each([&]<int E>(auto& loop) {
+      if (!here[E]) return;
+      loop.handle_fault();
+      loop.skip_to(k);
+    });
     if (!is_faulted) return;
-    reason = {shared->fault.reason, shared->fault.node};
+    reason_text = first.fault.reason;
+    reason = {reason_text.data(), first.fault.node};
     now = detail::after(detail::transition::fail, now);
   }
 
   [[gnu::noinline]] void idle() {
     visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
+        [this]<class C>(int node, C& component) {
+          if constexpr (detail::IsResource<C> && detail::OnIdle<C>)
+            if (is_here(node)) component.on_idle();
         },
         *this);
   }
 
   using host::move, host::now, host::reason;
 
+  static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
+
   detail::environment_loops<D> loops;
-  std::unique_ptr<detail::exchange<D>> shared;
+  detail::environments_here<D> here{};
+  std::shared_ptr<const detail::peers> others;  // null: all are here
+  std::shared_ptr<detail::exchange<D>> shared;
+  std::array<char, detail::fault_record::most_letters> reason_text{};
   std::int64_t k = 0;
   detail::run_record runs{};
   std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};

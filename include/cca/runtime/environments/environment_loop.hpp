@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/active_beats.hpp>
@@ -35,23 +36,29 @@ public:
   std::int64_t k = 0;  // the next beat
 
   // Before a run, while all environments rest. `ahead`: of the others, as fast as possible.
-  void prepare(exchange<D>& shared, bool is_exact, std::int64_t ahead, std::int64_t beat) {
-    state.shared = &shared;
+  void prepare(
+      exchange<D>& exchanged, const peers* others, bool is_exact, std::int64_t ahead, std::int64_t beat) {
+    state.shared = &exchanged;
+    state.others = others;
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
     state.forget_late();
+    has_handled_fault = false;
+    skip_to(beat);
     own().begun = beat - 1;
     own().begun_at = own().interval = 0;
-    has_handled_fault = false;
-    k = beat;
+    own().fault.position = no_position;
+    own().stop_at = no_position;
     announce();
-    if (E == 0 && ahead == 0) shared.move_to(E, position() - 1);  // when its pace lets it begin
+    if (E == 0 && ahead == 0) shared().move_to(E, position() - 1);  // when its pace lets it begin
   }
+
+  // `after_beat`, of the first environment in each process, returns false at the end.
 
   // ---- as fast as possible ----
 
-  // Where nobody may be ahead, `after_beat` sees all environments at rest. It returns false at the end.
+  // Where nobody may be ahead, `after_beat` sees all environments at rest.
   template <class Pace, class AfterBeat>
   void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
     const std::int64_t first = k;
@@ -60,13 +67,15 @@ public:
       if (state.ahead == 0) announce();
       run_beat();
       if (state.ahead > 0) announce();
-      else if (all_have_come() && !after_beat()) shared().should_stop = true;
+      else if (all_have_come() && !after_beat()) stop();
     }
   }
 
-  void follow_exactly(std::int64_t end) {
+  template <class AfterBeat>
+  void follow_exactly(std::int64_t end, AfterBeat after_beat) {
     while (!is_asleep_until(end) && wait_until_it_may_begin()) {
       run_beat();
+      if (state.ahead == 0 && !after_beat()) stop();
       announce();
     }
   }
@@ -78,7 +87,7 @@ public:
     const std::int64_t first = k;
     while (k < end) {
       const cca::fault late = runs.wait(pace, (k - first) * period);
-      if (late) shared().fault.state(position(), late.reason(), -1);
+      if (late) state_fault(0, late.reason(), -1);
       if (!goes_on()) return;
       own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
@@ -87,13 +96,14 @@ public:
       own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
       run_timed_beat();
       announce();
-      if (!after_beat()) shared().should_stop = true;
+      if (!after_beat()) stop();
     }
   }
 
   // A beat that is still running when the next should begin is an overrun; the next begins with the first
   // environment's next beat. It is the newest that is due: those in between are lost.
-  void follow(std::int64_t end) {
+  template <class AfterBeat>
+  void follow(std::int64_t end, AfterBeat after_beat) {
     bool is_running = false;
     for (; !is_asleep_until(end); is_running = true) {
       const bool is_overrun = is_running && begun() >= k;
@@ -104,8 +114,12 @@ public:
       lose_until(newest_due(begun()));
       run_timed_beat();
       announce();
+      if (!after_beat()) stop();
     }
   }
+
+  // No environment begins a further beat.
+  void stop() { own().stop_at.store(k, std::memory_order_release); }
 
   // ---- at the end of a run ----
 
@@ -120,7 +134,7 @@ public:
 
   // Once, in the beat of a fault: instead of what would still have come.
   void handle_fault() noexcept {
-    if (fault_position() == no_position || has_handled_fault) return;
+    if (shared().fault_position() == no_position || has_handled_fault) return;
     has_handled_fault = true;
     visit_components<graph>(
         []<class C>(int, C& component) {
@@ -135,20 +149,19 @@ private:
   std::int64_t position(int rank = 0) const { return exchange<D>::position_of(k, rank); }
   void announce() { shared().move_to(E, position()); }
   std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
-  std::int64_t fault_position() { return shared().fault.position.load(std::memory_order_acquire); }
-  bool goes_on() {
-    return fault_position() == no_position && !shared().should_stop.load(std::memory_order_acquire);
+  bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
+  void state_fault(int rank, std::string_view reason, int node) noexcept {
+    own().fault.state(position(rank), reason, node);
   }
 
   [[gnu::flatten]] void run_beat() noexcept {
     if (!state.is_exact)
-      if (const int lost = state.count_late(k); lost >= 0)
-        return shared().fault.state(position(), lost_contact<D>(lost), -1);
+      if (const int lost = state.count_late(k); lost >= 0) return state_fault(0, lost_contact<D>(lost), -1);
     state.receive(state, k);
     beat_outcome outcome;
     beat_of_graph<graph>::run(state, outcome, k);
     if constexpr (counts_of<graph>.may_fault)
-      if (outcome.fault) shared().fault.state(position(state.fault_rank), outcome.fault, outcome.node);
+      if (outcome.fault) state_fault(state.fault_rank, outcome.fault, outcome.node);
     ++k;
   }
 
@@ -156,7 +169,7 @@ private:
     const std::int64_t begins = monotonic_clock::now();
     own().wake_up.add(begins - shared().environments[0].begun_at.load(std::memory_order_relaxed));
     run_beat();
-    own().beat.add(monotonic_clock::now() - begins);
+    own().duration.add(monotonic_clock::now() - begins);
   }
 
   // Skips the beats in which nothing can fire. True: there is no other before the end.
@@ -172,18 +185,20 @@ private:
   bool wait_until_it_may_begin() noexcept {
     for (patience patience;; patience.wait()) {
       const bool may_begin = state.may_begin(k);
-      if (fault_position() < position() || shared().should_stop.load(std::memory_order_acquire)) return false;
+      if (shared().fault_position() < position() || shared().stop_at() <= k) return false;
       if (may_begin) return true;
+      if (patience.is_time_to_ask()) state.look_for_missing(k, position() - 1);
     }
   }
 
-  // Waits until all others have done the beats in front of k. False: one of them faulted.
+  // Waits until all others have done the beats in front of k. False: somebody faulted or stopped.
   bool all_have_come() noexcept {
-    for (patience patience; fault_position() == no_position; patience.wait()) {
-      bool all = true;
-      for (int x = 0; x < environment_count<D>; ++x)
-        all = all && (x == E || shared().position(x) >= position());
-      if (all) return true;
+    for (patience patience; goes_on(); patience.wait()) {
+      const auto has_come = [&](int x) { return x == E || shared().position(x) >= position(); };
+      int x = 0;
+      while (x < environment_count<D> && has_come(x)) ++x;
+      if (x == environment_count<D>) return true;
+      if (patience.is_time_to_ask()) state.look_for(x, position() - 1, [&] { return has_come(x); });
     }
     return false;
   }
@@ -203,16 +218,20 @@ private:
   // Waits until the first environment begins this beat. False: a fault or the end has come before it.
   bool wait_for_beat(std::int64_t beat) noexcept {
     const auto& first = shared().environments[0];
+    const std::int64_t since = monotonic_clock::now();
     while (goes_on()) {
       const std::int64_t newest = begun();
       if (newest >= beat) return true;
       const std::int64_t interval = first.interval.load(std::memory_order_relaxed);
       const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (beat - newest) * interval;
       const std::int64_t now = monotonic_clock::now();
+      if (now > std::max(since, due) + longest_silence)
+        state.look_for(0, position() - 1, [&] { return begun() >= beat; });
       monotonic_clock::sleep_until(std::clamp(due, now + shortest_sleep, now + longest_sleep(interval)));
     }
     return false;
   }
+  static constexpr std::int64_t longest_silence = 10'000'000;  // then it is asked whether it is gone
   static constexpr std::int64_t shortest_sleep = 20'000;
   // A fault elsewhere wakes nobody: who must act on it looks in each beat.
   static constexpr std::int64_t longest_sleep(std::int64_t interval) {

@@ -24,14 +24,6 @@ struct environment_loops<D, std::integer_sequence<int, E...>> : environment_loop
   void for_each(F f) {
     (f.template operator()<E>(at<E>()), ...);
   }
-  // For those that follow the first.
-  template <class F>
-  void for_each_follower(F f) {
-    const auto if_follower = [&]<int Environment>() {
-      if constexpr (Environment > 0) f.template operator()<Environment>(at<Environment>());
-    };
-    (if_follower.template operator()<E>(), ...);
-  }
 };
 
 }  // namespace cca::detail

@@ -1,14 +1,19 @@
-// The threads of the environments behind the first, for one run. They begin together, and end with this.
+// The threads of the environments behind the first in this process, for one run. They begin together, and end
+// with this.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <latch>
+#include <ranges>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/environment_loops.hpp>
@@ -19,26 +24,33 @@ namespace cca::detail {
 template <class D>
 class environment_threads {
 public:
-  // report.template operator()<E>(text): what the system refused to the thread of environment E; it may
-  // throw, then nothing has run.
-  template <class Report>
-  environment_threads(
-      environment_loops<D>& loops, exchange<D>& shared_by_all, std::int64_t end, bool is_exact, Report report)
-      : shared(shared_by_all) {
+  // `stop_all()` ends the run, `runs(E)`: in a thread. report.template operator()<E>(text): what the system
+  // refused to the thread of environment E; it may throw, then nothing has run.
+  template <class Runs, class Report>
+  environment_threads(environment_loops<D>& loops,
+                      std::function<void()> stop_all,
+                      Runs runs,
+                      std::int64_t end,
+                      bool is_exact,
+                      Report report)
+      : stop(std::move(stop_all)),
+        ready(std::ranges::count_if(std::views::iota(0, environment_count<D>), runs)) {
     try {
-      loops.for_each_follower([&]<int E>(auto& loop) {
+      loops.for_each([&]<int E>(auto& loop) {
+        if (!runs(E)) return;
         threads[E] = std::thread([this, &loop, end, is_exact] {
           const thread_setup setup(wish_of_environment<D, E>);
           refusals[E] = setup.refusal();
           ready.count_down();
           begins.wait(false);
-          if (is_exact) loop.follow_exactly(end);
-          else loop.follow(end);
+          constexpr auto goes_on = [] { return true; };
+          if (is_exact) loop.follow_exactly(end, goes_on);
+          else loop.follow(end, goes_on);
           loop.handle_fault();
         });
       });
       ready.wait();
-      loops.for_each_follower([&]<int E>(auto&) { report.template operator()<E>(refusals[E]); });
+      loops.for_each([&]<int E>(auto&) { report.template operator()<E>(refusals[E]); });
     } catch (const std::system_error& no_thread) {
       release();
       throw refused(std::string("cca::deployed: no thread for an environment: ") + no_thread.what());
@@ -50,7 +62,7 @@ public:
   }
   // Also where `between` or a pace throws.
   ~environment_threads() {
-    if (std::uncaught_exceptions() > exceptions) shared.should_stop = true;
+    if (std::uncaught_exceptions() > exceptions) stop();
     join();
   }
   environment_threads(const environment_threads&) = delete;
@@ -64,7 +76,7 @@ private:
     begins.notify_all();
   }
   void release() {
-    shared.should_stop = true;
+    stop();
     begin();
     join();
   }
@@ -73,9 +85,9 @@ private:
       if (t.joinable()) t.join();
   }
 
-  exchange<D>& shared;
+  std::function<void()> stop;
   int exceptions = std::uncaught_exceptions();
-  std::latch ready{static_cast<std::ptrdiff_t>(count) - 1};
+  std::latch ready;
   std::atomic<bool> begins{false};
   std::array<std::string, count> refusals{};
   std::array<std::thread, count> threads{};

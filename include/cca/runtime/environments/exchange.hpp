@@ -5,11 +5,13 @@
 // is k * calls_and_one + r + 1; when beat k is done it is (k + 1) * calls_and_one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include <cca/runtime/environments/crossing.hpp>
 #include <cca/runtime/environments/histogram.hpp>
@@ -33,51 +35,56 @@ struct leaving_samples {
   sample_ring<size_of_output<D, Output>, ring_capacity(crossings_of<D>.largest_delay[Output])> ring;
 };
 
-// One per environment, in a cache line of its own.
+// Why an environment ended a run, and where.
+struct fault_record {
+  static constexpr std::size_t most_letters = 120;
+  std::atomic<std::int64_t> position{no_position};
+  std::array<char, most_letters> reason{};  // written before the position is
+  std::int32_t node = -1;
+
+  // The first one of a run counts.
+  void state(std::int64_t at, std::string_view why, int component) noexcept {
+    if (position.load(std::memory_order_relaxed) != no_position) return;
+    reason = {};
+    std::copy_n(why.data(), std::min(why.size(), most_letters - 1), reason.data());
+    node = component;
+    position.store(at, std::memory_order_release);
+  }
+};
+
+// The numbers of an environment: written by it, read by all.
 template <int Environments>
 struct alignas(64) environment_record {
   std::atomic<std::int64_t> position{0};
+
   // Of the first environment at wall-clock speed: the newest beat begun, when, and the time to the next (ns).
   std::atomic<std::int64_t> begun{-1}, begun_at{0}, interval{0};
+
+  fault_record fault{};
+  std::atomic<std::int64_t> stop_at{no_position};  // no environment begins this beat, or a later one
+
+  // How a run begins and ends together (meeting.hpp): numbers of runs, and what it wants of the run.
+  std::atomic<std::int64_t> arrived{0}, ready{0}, finished{0};
+  std::atomic<std::int64_t> beat{0}, length{0};
+  std::atomic<bool> is_exact{true}, all_meet{false};
 
   // At wall-clock speed, since start().
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};
   std::array<std::atomic<std::int64_t>, array_size(Environments)> late{};  // what comes from each
-  histogram wake_up{}, beat{};
+  histogram wake_up{}, duration{};
 
-  void forget() {
+  void forget_figures() {
     overruns = lost_periods = 0;
     for (auto& channel : late) channel = 0;
     wake_up.forget();
-    beat.forget();
+    duration.forget();
   }
 };
 
-// The writer's.
+// By the only writer.
 inline void add(std::atomic<std::int64_t>& number, std::int64_t some) noexcept {
   number.store(number.load(std::memory_order_relaxed) + some, std::memory_order_relaxed);
 }
-
-// The first to state a fault is the cause.
-struct alignas(64) fault_record {
-  std::atomic<std::int64_t> position{no_position};
-  std::atomic<const char*> reason{nullptr};
-  std::atomic<int> node{-1};
-
-  void state(std::int64_t at, const char* why, int component) noexcept {
-    if (is_stated.exchange(true)) return;
-    reason.store(why, std::memory_order_relaxed);
-    node.store(component, std::memory_order_relaxed);
-    position.store(at, std::memory_order_release);
-  }
-  void forget() noexcept {
-    position.store(no_position);
-    is_stated.store(false);
-  }
-
-private:
-  std::atomic<bool> is_stated{false};
-};
 
 template <class D, class Outputs = chosen<counts_of<D>.output_count, leaves_environment<D>>>
 struct exchange;
@@ -89,8 +96,6 @@ struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, O
   }
 
   std::array<environment_record<environment_count<D>>, array_size(environment_count<D>)> environments{};
-  fault_record fault{};
-  std::atomic<bool> should_stop{false};  // no further beat
 
   template <int Number>
   auto& ring() {
@@ -98,6 +103,18 @@ struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, O
   }
   std::int64_t position(int environment) const noexcept {
     return environments[array_size(environment)].position.load(std::memory_order_acquire);
+  }
+  // The first fault of this run; `no_position`: none.
+  std::int64_t fault_position() const noexcept {
+    std::int64_t first = no_position;
+    for (const auto& e : environments)
+      first = std::min(first, e.fault.position.load(std::memory_order_acquire));
+    return first;
+  }
+  std::int64_t stop_at() const noexcept {
+    std::int64_t first = no_position;
+    for (const auto& e : environments) first = std::min(first, e.stop_at.load(std::memory_order_acquire));
+    return first;
   }
   void move_to(int environment, std::int64_t position) noexcept {
     environments[array_size(environment)].position.store(position, std::memory_order_release);

@@ -8,6 +8,7 @@
 
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/fault_order.hpp>
+#include <cca/runtime/environments/lost_contact.hpp>
 #include <cca/runtime/environments/patience.hpp>
 
 namespace cca::detail {
@@ -29,10 +30,11 @@ class environment_links<D, E, std::integer_sequence<int, Other...>, std::integer
     : next_arrival<D, Arriving>... {
 public:
   exchange<D>* shared = nullptr;
-  bool is_exact = false;   // as fast as possible: waits for whatever a result depends on
-  std::int64_t ahead = 0;  // by how many beats at most, then
-  bool is_cut = false;     // a fault elsewhere comes before the next call of this beat
-  int fault_rank = 0;      // of the call that faulted here, in the order of the whole
+  const peers* others = nullptr;  // null: all environments are in this process
+  bool is_exact = false;          // as fast as possible: waits for whatever a result depends on
+  std::int64_t ahead = 0;         // by how many beats at most, then
+  bool is_cut = false;            // a fault elsewhere comes before the next call of this beat
+  int fault_rank = 0;             // of the call that faulted here, in the order of the whole
 
   // A component publishes in beat k.
   template <int Output, class Vector>
@@ -52,6 +54,18 @@ public:
       const int all[] = {0, (repeat_one<Output>(k), 0)...};
       (void)all;
     }(chosen<counts_of<D>.output_count, leaves_by_clock<D, E>>{});
+  }
+
+  // An environment that is gone will never come: that is a fault here. `has_come()` is asked once more behind
+  // that, when its numbers are final.
+  template <class F>
+  void look_for(int environment, std::int64_t position, F has_come) noexcept {
+    if (others && others->is_gone(environment) && !has_come())
+      shared->environments[E].fault.state(position, lost_contact<D>(environment), -1);
+  }
+  // For those without whom beat k may not begin.
+  void look_for_missing(std::int64_t k, std::int64_t position) noexcept {
+    (look_for(Other, position, [&] { return is_far_enough<Other>(k); }), ...);
   }
 
   // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
@@ -137,8 +151,9 @@ private:
     if (needed<X>(rank) == 0) return;
     for (patience patience; !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
-      is_cut = shared->fault.position.load(std::memory_order_acquire) <= here;
+      is_cut = shared->fault_position() <= here;
       if (is_there) return;
+      if (patience.is_time_to_ask()) look_for(X, here, [&] { return shared->position(X) >= from; });
     }
   }
   template <int X>

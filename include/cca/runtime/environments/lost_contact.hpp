@@ -27,8 +27,9 @@ inline constexpr auto lost_contacts = [] {
 }();
 
 template <class D>
-constexpr const char* lost_contact(int environment) {
-  return lost_contacts<D>[array_size(environment)].data();
+constexpr std::string_view lost_contact(int environment) {
+  const auto& text = lost_contacts<D>[array_size(environment)];
+  return {text.data(), environments_of<D>::all[array_size(environment)].name.size() + 20};
 }
 
 }  // namespace cca::detail

@@ -1,0 +1,115 @@
+// How environments begin a run together and end it together, whichever process they are in. Each writes what
+// it wants into its record, and the number of the run when it is there.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <cca/base/refused.hpp>
+#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/patience.hpp>
+
+namespace cca::detail {
+
+// Which environments this process runs.
+template <class D>
+using environments_here = std::array<bool, array_size(environment_count<D>)>;
+
+// What all agree on.
+struct terms_of_run {
+  std::int64_t beat = 0, end = no_position;
+  bool is_exact = true;   // the first environment's
+  bool all_meet = false;  // after each beat, because somebody wants to
+};
+
+template <class D>
+class meeting {
+public:
+  meeting(exchange<D>& exchanged, const environments_here<D>& is_here, const peers* others)
+      : shared(exchanged), here(is_here), away(others) {
+    for (const auto& e : shared.environments) run = std::max<std::int64_t>(run, e.finished);
+    ++run;
+  }
+
+  // Waits for all environments, at most so long; `meanwhile()` is called every few milliseconds.
+  template <class F>
+  terms_of_run agree(const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, F meanwhile) {
+    for_each_here([&](auto& own) {
+      own.beat = wanted.beat;
+      own.length = beats;
+      own.is_exact = wanted.is_exact;
+      own.all_meet = wanted.all_meet;
+      own.arrived.store(run, std::memory_order_release);
+    });
+    wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
+      meanwhile();
+      if (waited < longest) return;
+      for_each_here([](auto& own) { own.arrived = 0; });
+      throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
+                    "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
+                    " s: start the process that runs it");
+    });
+    terms_of_run agreed;
+    agreed.is_exact = shared.environments[0].is_exact;
+    for (const auto& e : shared.environments) {
+      agreed.beat = std::max<std::int64_t>(agreed.beat, e.beat);
+      agreed.all_meet = agreed.all_meet || e.all_meet;
+    }
+    for (const auto& e : shared.environments)
+      if (e.length < no_position - agreed.beat)
+        agreed.end = std::min<std::int64_t>(agreed.end, agreed.beat + e.length);
+    return agreed;
+  }
+
+  // Everybody is prepared: from here on they look at each other's positions.
+  void begin() {
+    for_each_here([&](auto& own) { own.ready.store(run, std::memory_order_release); });
+    wait(&record::ready, [](std::size_t, std::int64_t) {});
+  }
+
+  // Nobody looks any more. The beat with which they go on.
+  std::int64_t end(std::int64_t beat) {
+    for_each_here([&](auto& own) {
+      own.beat = beat;
+      own.finished.store(run, std::memory_order_release);
+    });
+    wait(&record::finished, [](std::size_t, std::int64_t) {});
+    std::int64_t next = beat;
+    for (const auto& e : shared.environments)
+      if (e.finished.load(std::memory_order_acquire) >= run) next = std::max<std::int64_t>(next, e.beat);
+    return next;
+  }
+
+private:
+  using record = environment_record<environment_count<D>>;
+
+  template <class F>
+  void for_each_here(F f) {
+    for (std::size_t e = 0; e < here.size(); ++e)
+      if (here[e]) f(shared.environments[e]);
+  }
+
+  // Until all are at this run, or their process is gone. `waiting(missing, ns)`: now and then.
+  template <class F>
+  void wait(std::atomic<std::int64_t> record::* at, F waiting) {
+    const std::int64_t since = monotonic_clock::now();
+    for (std::size_t e = 0; e < here.size(); ++e)
+      for (patience patience; (shared.environments[e].*at).load(std::memory_order_acquire) < run;
+           patience.wait()) {
+        if (!patience.is_time_to_ask()) continue;
+        waiting(e, monotonic_clock::now() - since);
+        if (at == &record::arrived) continue;
+        const bool has_withdrawn = shared.environments[e].arrived.load(std::memory_order_acquire) < run;
+        if (has_withdrawn || (away && away->is_gone(static_cast<int>(e)))) break;
+      }
+  }
+
+  exchange<D>& shared;
+  const environments_here<D>& here;
+  const peers* away;
+  std::int64_t run = 0;
+};
+
+}  // namespace cca::detail
