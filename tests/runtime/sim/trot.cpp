@@ -85,6 +85,29 @@ TEST_SUITE("trot") {
     }
   }
 
+  TEST_CASE(
+      "it converges: half of the physics step, and half again, change speed and cost of transport by 3 %") {
+    const auto figures = [](int steps_per_beat) {
+      cca::sim::oncilla_model model;
+      model.steps_per_beat = steps_per_beat;
+      model.step = 0.001 / steps_per_beat;
+      trot::trotting controller;
+      controller.load();
+      return trot::evaluate(trot::roll_out(
+          controller, cca::sim::terrain::flat(), cca::sim::disturbance::none(), 8,
+          [](const cca::sim::world&, double) {}, model));
+    };
+    trot::statistics before = figures(2);
+    for (const int steps : {4, 8}) {
+      CAPTURE(steps);
+      const trot::statistics now = figures(steps);
+      CHECK(!now.fell);
+      CHECK(now.cruise == doctest::Approx(before.cruise).epsilon(0.03));
+      CHECK(now.cost_of_transport == doctest::Approx(before.cost_of_transport).epsilon(0.03));
+      before = now;
+    }
+  }
+
   TEST_CASE("the throttle: slower is slower, and no speed is standing") {
     for (const double speed : {0.2, 0.4, 0.6}) {
       CAPTURE(speed);
@@ -214,15 +237,16 @@ TEST_SUITE("trot") {
     trot::write_svg(svg, recorded, "a test");
     CHECK(table.str().find("cost of transport") != std::string::npos);
     for (const char* key : {"speed_m_s", "distance_m", "drift_m", "fell", "max_roll_deg", "max_pitch_deg",
-                            "cost_of_transport", "real_time_factor", "controller_ns_per_beat"})
+                            "foot_slip_m_s", "slip_of_foot_m_s", "friction_power_w", "cost_of_transport",
+                            "real_time_factor", "controller_ns_per_beat"})
       CHECK(json.str().find("\"" + std::string(key) + "\": ") != std::string::npos);
     const std::string lines = csv.str();
     CHECK(std::count(lines.begin(), lines.end(), '\n') == 1 + 2500 / 5);
     CHECK(svg.str().ends_with("</svg>\n"));
     for (const char* part : {"footfalls", "path", "angles", "left front", "right hind"})
       CHECK(svg.str().find(part) != std::string::npos);
-    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "roll", "pitch",
-                            "real-time factor", "controller", "physics"})
+    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "foot slip",
+                            "friction power", "roll", "pitch", "real-time factor", "controller", "physics"})
       CHECK(table.str().find(row) != std::string::npos);
     CHECK(svg.str().find("nan") == std::string::npos);
   }
