@@ -110,7 +110,7 @@ struct by_hand {
 
   // Parameters, as in the components.
   skills::orders::parameters orders = skills::orders{}.p;
-  double frequency = 3.8, convergence = 10.0, ember = 1e-3, stiffness_of_shape = 25.0;
+  double frequency = 4.0, convergence = 10.0, ember = 1e-3, stiffness_of_shape = 25.0;
   cca::ode_settling reaching_settles{0.05, 0.1}, cpg_settles{0.05, 0.1}, dmp_settles{1e-3, 1e-2};
   vite_hips::parameters vite_h{30.0, 0.4, 2};
   vite_knees::parameters vite_k{30.0, 0.4, 2};

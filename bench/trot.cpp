@@ -56,13 +56,13 @@ struct by_hand {
   // Parameters, as in the components.
   double speed = 0.68, start = 0.2, intercept = 0.187, slope = 1.106;
   double heading = 1.2, drift = 0.4, most = 0.5;
-  double frequency = 3.8, convergence = 10.0;
+  double frequency = 4.0, convergence = 10.0;
   struct leg {
     double hip, knee, swing, lift;
   };
-  leg front{trot::degrees(48.8), trot::degrees(92.5), trot::degrees(12.3), trot::degrees(32.5)};
-  leg hind{trot::degrees(38.6), trot::degrees(80.3), trot::degrees(15.5), trot::degrees(30.3)};
-  double duty = 0.585, give = trot::degrees(2.5), lead = -0.044;
+  leg front{trot::degrees(48.8), trot::degrees(92.5), trot::degrees(13.5), trot::degrees(40.0)};
+  leg hind{trot::degrees(39.5), trot::degrees(84.0), trot::degrees(16.5), trot::degrees(52.0)};
+  double duty = 0.585, even = 0.65, give = trot::degrees(2.5), lead = -0.044;
   std::array<double, 4> offsets{0.0, 0.5, 0.374, -0.126};
 
   // State.
@@ -76,9 +76,15 @@ struct by_hand {
   static double at_least(double a, double b) { return b > a ? b : a; }
   static double at_most(double a, double b) { return b < a ? b : a; }
 
-  double warped(double phase) const {
+  double sweep(double phase) const {
     const double landing = whole * duty;
-    return phase < landing ? phase / (2 * duty) : pi + (phase - landing) / (2 * (1 - duty));
+    const bool in_stance = phase < landing;
+    const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double cosine = std::cos(pi * (in_stance ? part : 1 + part));
+    const double swing = -2 * (1 - duty) / duty;
+    const double straight =
+        in_stance ? 1 - 2 * part : -1 + part * (swing + part * (3 * (2 - swing) + part * 2 * (swing - 2)));
+    return cosine + even * (straight - cosine);
   }
   double flexion(double phase, double lift) const {
     const double landing = whole * duty;
@@ -141,8 +147,7 @@ struct by_hand {
       const leg& shape = l < 2 ? front : hind;
       const double side = l % 2 == 0 ? 1.0 : -1.0;
       const double own = phase + whole * offsets[static_cast<std::size_t>(l)];
-      command[l] =
-          shape.hip + amplitude * (1 - side * turn) * shape.swing * std::cos(warped(cca::wrap_turn(own)));
+      command[l] = shape.hip + amplitude * (1 - side * turn) * shape.swing * sweep(cca::wrap_turn(own));
       command[4 + l] = shape.knee + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
     }
 

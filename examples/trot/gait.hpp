@@ -44,10 +44,10 @@ struct gait {
                              (std::array<double, 4>,
                               offsets));  // left and right front, left and right hind, in strides
   };
-  parameters p{{degrees(48.8), degrees(92.5), degrees(12.3), degrees(32.5)},
-               {degrees(38.6), degrees(80.3), degrees(15.5), degrees(30.3)},
+  parameters p{{degrees(48.8), degrees(92.5), degrees(13.5), degrees(40.0)},
+               {degrees(39.5), degrees(84.0), degrees(16.5), degrees(52.0)},
                0.585,
-               0.0,
+               0.65,
                degrees(2.5),
                -0.044,
                {0.0, 0.5, 0.374, -0.126}};

@@ -63,11 +63,18 @@ TEST_SUITE("trot") {
     CHECK(std::abs(s.drift) < 0.05 * s.distance);
     CHECK(s.max_roll < cca::sim::degrees(30));
     CHECK(s.max_pitch < cca::sim::degrees(30));
-    CHECK(s.stride_frequency == doctest::Approx(3.8).epsilon(0.02));
-    for (const double duty : s.duty_factor) {
-      CHECK(duty > 0.3);
-      CHECK(duty < 0.9);
-    }
+    CHECK(s.stride_frequency == doctest::Approx(4.0).epsilon(0.02));
+    const double commanded = trot::gait{}.p.duty;
+    for (const double duty : s.duty_factor) CHECK(std::abs(duty - commanded) < 0.12);
+  }
+
+  TEST_CASE("it does not skate: load-weighted slip of the feet, and what friction takes") {
+    const trot::statistics s = trot::evaluate(run(10, 1));
+    CHECK(s.cruise >= 0.6);
+    CHECK(s.foot_slip > 0);
+    CHECK(s.foot_slip <= 0.15);
+    CHECK(s.friction_power > 0);
+    CHECK(s.friction_power < 6);
   }
 
   TEST_CASE("ten disturbances, 20 s each: no fall, 0.6 m/s, straight") {
