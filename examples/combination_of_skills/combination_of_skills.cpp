@@ -7,6 +7,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/csv.hpp"
 #include "../trot/report/progress.hpp"
@@ -22,6 +23,7 @@ int run(const skills::options& o) {
   skills::combined controller;
   skills::load(controller, o.shape, o.config);
 
+  const cca::interruption interrupted;  // ctrl-c: ends the run, and what it has is written
   trot::progress_bar bar("skills", !o.quiet);
   trot::recording recorded;
   const bool records = o.csv || o.svg;
@@ -31,12 +33,14 @@ int run(const skills::options& o) {
       if (c.beat_index() == 1) recorded.begin(world, 30'000);
       recorded.note(world);
     }
-    if (c.beat_index() % 20 != 0) return;
+    if (c.beat_index() % 20 != 0) return !interrupted;
     const auto& steps = c.get<"sequencer">().steps;
     char note[64];
     std::snprintf(note, sizeof note, "%5.1f s  %s", world.time(), std::string(steps.name()).c_str());
     bar.show(static_cast<double>(steps.step()) / skills::plan::count, note);
+    return !interrupted;
   });
+  controller.stop();
   bar.show(1);
   bar.done();
 
@@ -52,7 +56,8 @@ int run(const skills::options& o) {
                     result.reach_error * 1e3, result.reach_time);
       trot::write_svg(file, recorded, title);
     });
-  return skills::succeeded(result) ? 0 : 1;
+  if (interrupted) std::cerr << "combination_of_skills: interrupted; the figures are of what it has run\n";
+  return interrupted ? interrupted.exit_code() : skills::succeeded(result) ? 0 : 1;
 }
 
 }  // namespace

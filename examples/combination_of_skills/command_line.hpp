@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../trot/report/command_line.hpp"
+#include "../trot/report/option_reader.hpp"
 #include "rollout.hpp"
 
 namespace skills {
@@ -38,6 +38,7 @@ inline constexpr std::string_view usage =
     "  --csv FILE        every fifth beat\n"
     "  --svg FILE        footfalls, path and joint angles\n"
     "  --quiet           no progress bar, no table\n"
+    "  --version         the version of cca\n"
     "  --help            this text\n";
 
 namespace detail {
@@ -63,29 +64,28 @@ inline void set_seconds(circumstances& run, double seconds) {
 
 inline options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& name = arguments[i];
-    const auto value = [&]() -> const std::string& {
-      if (i + 1 == arguments.size()) throw command_line_error(name + ": expected a value after it");
-      return arguments[++i];
-    };
-    if (name == "--seed") {
-      const std::string& text = value();
-      o.run.seed = text == "none" ? std::nullopt : std::optional(trot::detail::whole_number(name, text));
-    } else if (name == "--paw") o.run.paw = static_cast<paw_side>(detail::one_of(name, value(), paw_names));
-    else if (name == "--target")
-      o.run.where = static_cast<target>(detail::one_of(name, value(), target_names));
-    else if (name == "--push") o.run.push = trot::detail::number(name, value(), 0, 100);
-    else if (name == "--seconds") set_seconds(o.run, trot::detail::number(name, value(), 1, 20));
-    else if (name == "--shape") o.shape = value();
-    else if (name == "--config") o.config = value();
-    else if (name == "--summary") o.summary = value();
-    else if (name == "--csv") o.csv = value();
-    else if (name == "--svg") o.svg = value();
-    else if (name == "--quiet") o.quiet = true;
-    else if (name == "--help") o.help = true;
-    else throw command_line_error(name + ": no such option; --help lists them");
-  }
+  trot::option_reader read;
+  read.value("--seed", [&o](const std::string& text) {
+    o.run.seed = text == "none" ? std::nullopt : std::optional(trot::detail::whole_number("--seed", text));
+  });
+  read.value("--paw", [&o](const std::string& text) {
+    o.run.paw = static_cast<paw_side>(detail::one_of("--paw", text, paw_names));
+  });
+  read.value("--target", [&o](const std::string& text) {
+    o.run.where = static_cast<target>(detail::one_of("--target", text, target_names));
+  });
+  read.number("--push", o.run.push, 0, 100);
+  read.value("--seconds", [&o](const std::string& text) {
+    set_seconds(o.run, trot::detail::number("--seconds", text, 1, 20));
+  });
+  read.text("--shape", o.shape);
+  read.text("--config", o.config);
+  read.text("--summary", o.summary);
+  read.text("--csv", o.csv);
+  read.text("--svg", o.svg);
+  read.flag("--quiet", o.quiet);
+  read.flag("--help", o.help);
+  read.all(arguments);
   return o;
 }
 

@@ -10,7 +10,10 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/program.hpp"
 #include "../trot/rollout.hpp"
@@ -41,7 +44,7 @@ angles neutral(const trot::gait::parameters& p) {
   return q;
 }
 
-std::vector<moment> recorded(double seconds) {
+std::vector<moment> recorded(double seconds, const cca::interruption& interrupted) {
   cca::controller<recorded_trot> c;
   c.load();
   c.get<"trot.robot.simulator">().put_down(
@@ -50,7 +53,7 @@ std::vector<moment> recorded(double seconds) {
   c.start();
   std::vector<moment> all;
   const double settled = 2;  // s, then it trots steadily
-  while (1e-3 * static_cast<double>(c.beat_index()) < settled + seconds) {
+  while (!interrupted && 1e-3 * static_cast<double>(c.beat_index()) < settled + seconds) {
     c.step();
     moment now;
     c.observed([&](const cca::observation& one) {
@@ -94,19 +97,22 @@ struct options {
   bool quiet = false;
 };
 
+constexpr std::string_view usage =
+    "combination_of_skills_learn: learns the shape of a trot from a recording in the simulator\n"
+    "\n"
+    "  --out FILE        the learned shape (trot.shape)\n"
+    "  --seconds S       of trot that are recorded (8)\n"
+    "  --quiet           prints nothing\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
+
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& name = arguments[i];
-    const auto value = [&]() -> const std::string& {
-      if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-      return arguments[++i];
-    };
-    if (name == "--out") o.out = value();
-    else if (name == "--seconds") o.seconds = trot::detail::number(name, value(), 1, 19);
-    else if (name == "--quiet") o.quiet = true;
-    else throw trot::command_line_error(name + ": expected --out, --seconds or --quiet");
-  }
+  trot::option_reader read;
+  read.text("--out", o.out);
+  read.number("--seconds", o.seconds, 1, 19);
+  read.flag("--quiet", o.quiet);
+  read.all(arguments);
   return o;
 }
 
@@ -126,11 +132,16 @@ double greatest_error(cca::controller<teaching>& c) {
   return worst;
 }
 
-void run(const options& o) {
+int run(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: nothing is written, since a part of a stride is no shape
   cca::controller<teaching> c;
   auto& dmp = c.get<"dmp">();
   if (!dmp.p.files.save.assign(o.out)) throw trot::command_line_error(o.out + ": this name is too long");
-  c.get<"recording">().played = recorded(o.seconds);
+  c.get<"recording">().played = recorded(o.seconds, interrupted);
+  if (interrupted) {
+    std::cerr << "combination_of_skills_learn: interrupted; nothing is written\n";
+    return interrupted.exit_code();
+  }
   c.get<"recording">().around = neutral(trot::gait{}.p);
   c.load();
   c.start();
@@ -145,11 +156,12 @@ void run(const options& o) {
   if (!o.quiet)
     std::printf("learned from %zu beats of trot, written to %s; it follows the recording within %.4f rad\n",
                 c.get<"recording">().played.size(), o.out.c_str(), error);
+  return 0;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_learn",
-                       [&] { return run(parse({arguments + 1, arguments + count})), 0; });
+  return trot::program("combination_of_skills_learn", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
 }

@@ -17,6 +17,7 @@
 #include <cca/sim/world.hpp>
 
 #include "architecture.hpp"
+#include "../trot/report/goes_on.hpp"
 #include "scene.hpp"
 
 namespace skills {
@@ -82,7 +83,7 @@ double tracking_error(const Controller& controller) {
   return error;
 }
 
-// Calls between(controller) after each beat.
+// Calls between(controller) after each beat, and ends if it returns false.
 template <class Stage, class Between>
 result act(Stage& stage, const circumstances& c, Between between) {
   constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
@@ -110,7 +111,7 @@ result act(Stage& stage, const circumstances& c, Between between) {
     camera.sees = ball.has_value();
     if (ball) camera.ball = *ball;
     stage.step();
-    between(controller);
+    const bool goes_on = trot::goes_on(between, controller);
 
     const int now_on = sequencer.step();
     if (now_on != before) {
@@ -147,7 +148,7 @@ result act(Stage& stage, const circumstances& c, Between between) {
       const auto to = world.trunk_position();
       r.speed_after = std::hypot(to[0] - from[0], to[1] - from[1]) / c.after_seconds;
     }
-    if (over || r.fell || time > most_seconds) break;
+    if (over || r.fell || time > most_seconds || !goes_on) break;
   }
   if (count > 0) r.reach_error = sum / count;
   if (late_count > 0) r.error_after_push = late_sum / late_count;

@@ -15,6 +15,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/parallel.hpp"
 #include "../trot/report/program.hpp"
@@ -32,23 +33,32 @@ struct options {
   skills::circumstances run;
 };
 
+constexpr std::string_view usage =
+    "combination_of_skills_runs: the Combination of Skills with many seeds, both paws and every target\n"
+    "\n"
+    "  --shape FILE      the learned shape of the trot (trot.shape); combination_of_skills_learn writes it\n"
+    "  --config FILE     parameters (the defaults in the code)\n"
+    "  --first N         the first seed (0)\n"
+    "  --count N         how many (10)\n"
+    "  --push F          newtons from the side while the paw is at the ball (20)\n"
+    "  --seconds S       of trot, before and after (6)\n"
+    "  --summary FILE    the figures as JSON: a list of runs\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
+
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const std::string& name = arguments[i];
-    if (i + 1 == arguments.size()) throw skills::command_line_error(name + ": expected a value after it");
-    const std::string& value = arguments[i + 1];
-    if (name == "--shape") o.shape = value;
-    else if (name == "--config") o.config = value;
-    else if (name == "--summary") o.summary = value;
-    else if (name == "--first") o.first = trot::detail::whole_number(name, value);
-    else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
-    else if (name == "--push") o.run.push = trot::detail::number(name, value, 0, 100);
-    else if (name == "--seconds") skills::set_seconds(o.run, trot::detail::number(name, value, 1, 20));
-    else
-      throw skills::command_line_error(
-          name + ": expected --shape, --config, --summary, --first, --count, --push or --seconds");
-  }
+  trot::option_reader read;
+  read.text("--shape", o.shape);
+  read.text("--config", o.config);
+  read.text("--summary", o.summary);
+  read.whole_number("--first", o.first);
+  read.whole_number("--count", o.count, 1);
+  read.number("--push", o.run.push, 0, 100);
+  read.value("--seconds", [&o](const std::string& text) {
+    skills::set_seconds(o.run, trot::detail::number("--seconds", text, 1, 20));
+  });
+  read.all(arguments);
   return o;
 }
 
@@ -133,20 +143,29 @@ int run(const options& o) {
         runs.push_back({c, {}});
       }
 
+  const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
+  std::vector<char> over(runs.size(), 0);
   trot::progress_bar bar("runs");
   trot::on_all_cores(
       runs.size(),
       [&](std::size_t i) {
+        if (interrupted) return;
         skills::combined controller = start;
-        runs[i].what = skills::roll_out(controller, runs[i].where, [](const skills::combined&) {});
+        runs[i].what = skills::roll_out(controller, runs[i].where,
+                                        [&](const skills::combined&) { return !interrupted; });
+        over[i] = !interrupted;
       },
       [&](std::size_t finished) {
         bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
       });
   bar.done();
+  std::size_t i = 0;
+  std::erase_if(runs, [&](const skills::finished_run&) { return !over[i++]; });
+  if (interrupted) std::cerr << "combination_of_skills_runs: interrupted after " << runs.size() << " runs\n";
 
   print(runs);
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });
+  if (interrupted) return interrupted.exit_code();
   return std::all_of(runs.begin(), runs.end(),
                      [](const skills::finished_run& one) { return skills::succeeded(one.what); })
              ? 0
@@ -156,6 +175,6 @@ int run(const options& o) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_runs",
-                       [&] { return run(parse({arguments + 1, arguments + count})); });
+  return trot::program("combination_of_skills_runs", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
 }

@@ -3,7 +3,6 @@
 // usage: hardware_in_the_loop_faults [faults.json [docs/hardware.md]]
 //   faults.json        writes the table as JSON
 //   docs/hardware.md   replaces the table in this page
-#include <exception>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -11,8 +10,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <cca/runtime/interruption.hpp>
+
+#include "../trot/report/program.hpp"
 #include "campaign.hpp"
 
 namespace {
@@ -26,9 +29,18 @@ auto& drive(Run& r) {
   return std::get<Drive>(r.far.drives);
 }
 
-std::vector<result> campaign() {
+// Another node holds bus 0 for this beat.
+template <class Run>
+void hold(Run& r) {
+  std::array<hw::can_frame, 8> noise;
+  noise.fill({.id = hw::standard(0), .length = 8});
+  r.wires[0].end(2).send(noise);
+}
+
+std::vector<result> campaign(const cca::interruption& interrupted) {
   std::vector<result> all;
   const auto with = [&](const auto& s) {
+    if (interrupted) return;  // what is over goes into the table
     all.push_back(run(s));
     std::cerr << '.' << std::flush;
   };
@@ -97,6 +109,84 @@ std::vector<result> campaign() {
   with(s{.fault = "soft stop asked for", .beats = 1, .each = [](limited_run& r, std::int64_t) {
            r.controller.get<"robot.emergency_stop">().stop_softly();
          }});
+  // Stopping.
+  with(s{.fault = "stop() in the middle of the trot", .each = [](limited_run& r, std::int64_t k) {
+           if (k == 0) r.controller.stop();
+         }});
+  with(s{.fault = "stop() while another node holds bus 0",
+         .beats = 2,
+         .each = [](limited_run& r, std::int64_t k) {
+           hold(r);
+           if (k == 0) r.controller.stop();
+         }});
+  with(s{.fault = "stop() with a silent drive",
+         .each =
+             [](limited_run& r, std::int64_t k) {
+               drive<2>(r).go_silent(true);
+               if (k == 0) r.controller.stop();
+             },
+         .mend = [](limited_run& r) { drive<2>(r).clear(); }});
+  with(s{.fault = "a component's fault",
+         .each = [](limited_run& r, std::int64_t) { r.controller.get<"saboteur">().gives_up = true; },
+         .mend = [](limited_run& r) { r.controller.get<"saboteur">().gives_up = false; }});
+  with(s{.fault = "a component's fault while another node holds bus 0",
+         .beats = 2,
+         .each =
+             [](limited_run& r, std::int64_t) {
+               hold(r);
+               r.controller.get<"saboteur">().gives_up = true;
+             },
+         .mend = [](limited_run& r) { r.controller.get<"saboteur">().gives_up = false; }});
+  with(s{.fault = "a component's fault, and a silent drive",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               drive<6>(r).go_silent(true);
+               r.controller.get<"saboteur">().gives_up = true;
+             },
+         .mend =
+             [](limited_run& r) {
+               drive<6>(r).clear();
+               r.controller.get<"saboteur">().gives_up = false;
+             }});
+  // The pressed emergency stop.
+  with(s{.fault = "emergency stop pressed, the legs are told to spread",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               r.controller.get<"robot.emergency_stop">().press();
+               r.controller.get<"spread">().target = 0.3;
+             },
+         .mend =
+             [](limited_run& r) {
+               r.controller.get<"robot.emergency_stop">().release();
+               r.controller.get<"spread">().target = 0;
+             }});
+  with(s{.fault = "emergency stop pressed, then started again and again",
+         .each =
+             [](limited_run& r, std::int64_t k) {
+               r.controller.get<"robot.emergency_stop">().press();
+               if (k % 20 == 10) r.controller.get<"robot.synchronizer">().start();
+             },
+         .mend = [](limited_run& r) { r.controller.get<"robot.emergency_stop">().release(); }});
+  // What is measured.
+  for (const auto& [what, scale] :
+       {std::pair{"velocity frozen at 0", 0.0}, std::pair{"velocity of the wrong sign", -1.0},
+        std::pair{"velocity 2.2 times too large", 2.2}})
+    with(s{.fault = what,
+           .each = [scale = scale](limited_run& r, std::int64_t) { r.speed_scale[2] = scale; },
+           .mend = [](limited_run& r) { r.speed_scale[2] = 1; }});
+  with(s{.fault = "calibration changed while it runs",
+         .each = [](limited_run& r,
+                    std::int64_t) { r.controller.get<"robot.synchronizer">().p.offset[0] = 0.5; },
+         .mend = [](limited_run& r) { r.controller.get<"robot.synchronizer">().p.offset[0] = 0; }});
+  with(s{.fault = "sensor board faulty",
+         .each =
+             [](limited_run& r, std::int64_t) {
+               auto reading = r.robot.board();
+               reading.status = 1;
+               r.far.board_silent = true;  // this sends in its place
+               r.wires[4].end(2).send(board::frames(reading, 0));
+             },
+         .mend = [](limited_run& r) { r.far.board_silent = false; }});
   std::cerr << '\n';
   return all;
 }
@@ -158,19 +248,26 @@ std::string renewed(const std::string& path, const std::string& table) {
   return text.replace(from, to + 1 - from, table);
 }
 
-}  // namespace
+constexpr std::string_view usage =
+    "hardware_in_the_loop_faults: the trot on virtual drives, and everything that can go wrong\n"
+    "\n"
+    "  hardware_in_the_loop_faults [FILE [PAGE]]\n"
+    "  FILE              writes the table as JSON\n"
+    "  PAGE              replaces the table in this page, docs/hardware.md\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
 
-int main(int count, char** arguments) {
-  const auto all = campaign();
+int run_campaign(const std::vector<std::string>& arguments) {
+  for (const std::string& word : arguments)
+    if (word.starts_with("-")) throw trot::command_line_error(word + ": no such option; --help lists them");
+  if (arguments.size() > 2)
+    throw trot::command_line_error(arguments[2] + ": expected at most two files; see --help");
+  const cca::interruption interrupted;
+  const auto all = campaign(interrupted);
   const std::string table = table_of(all);
   std::cout << table;
-  try {
-    if (count > 1) write(arguments[1], json_of(all));
-    if (count > 2) write(arguments[2], renewed(arguments[2], table));
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  if (arguments.size() > 0) write(arguments[0], json_of(all));
+  if (arguments.size() > 1 && !interrupted) write(arguments[1], renewed(arguments[1], table));
   int bad = 0;
   for (const result& r : all)
     if (!r.good()) {
@@ -179,5 +276,13 @@ int main(int count, char** arguments) {
                 << (r.sent_outside_limits ? "a set-point outside of the limits was sent" : "") << '\n';
       ++bad;
     }
-  return bad ? 1 : 0;
+  if (interrupted)
+    std::cerr << "hardware_in_the_loop_faults: interrupted after " << all.size() << " faults\n";
+  return interrupted ? interrupted.exit_code() : bad ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return trot::program("hardware_in_the_loop_faults", usage, count, arguments, run_campaign);
 }

@@ -15,10 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -26,7 +23,9 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/runtime/interruption.hpp>
 
+#include "../trot/report/program.hpp"
 #include "in_memory.hpp"
 #include "lock_step.hpp"
 
@@ -41,32 +40,45 @@ struct options {
   std::vector<std::string> names;
 };
 
-options parse(int count, char** words) {
+constexpr std::string_view usage =
+    "hardware_in_the_loop: the trot moves virtual drives around the simulated Oncilla, over CAN buses\n"
+    "\n"
+    "  --seconds S       how long (5)\n"
+    "  --role R          robot or drives: one of two processes, on the buses of --buses; without it both\n"
+    "                    are in this process, on buses in memory\n"
+    "  --buses A,B,C,D,E the five CAN interfaces\n"
+    "  --pace P          wall-clock or lock-step (wall-clock)\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
+
+options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (int i = 1; i < count; i += 2) {
-    const std::string_view key = words[i];
-    if (i + 1 == count) throw std::runtime_error(std::string(key) + ": needs a value");
-    const std::string value = words[i + 1];
-    if (key == "--seconds") {
-      o.beats = std::llround(1000 * std::atof(value.c_str()));
-    } else if (key == "--role") {
-      o.role = value;
-    } else if (key == "--pace") {
-      if (value != "wall-clock" && value != "lock-step")
-        throw std::runtime_error("--pace is wall-clock or lock-step");
-      o.lock_step = value == "lock-step";
-    } else if (key == "--buses") {
-      for (std::size_t from = 0; from <= value.size();) {
-        const std::size_t to = std::min(value.find(',', from), value.size());
-        o.names.push_back(value.substr(from, to - from));
-        from = to + 1;
-      }
-    } else {
-      throw std::runtime_error(std::string(key) + ": is none of --seconds, --role, --buses, --pace");
+  trot::option_reader read;
+  read.value("--seconds", [&o](const std::string& text) {
+    o.beats = std::llround(1000 * trot::detail::number("--seconds", text, 0.001, 36000));
+  });
+  read.value("--role", [&o](const std::string& text) {
+    if (text != "robot" && text != "drives")
+      throw trot::command_line_error("--role " + text + ": expected robot or drives");
+    o.role = text;
+  });
+  read.value("--pace", [&o](const std::string& text) {
+    if (text != "wall-clock" && text != "lock-step")
+      throw trot::command_line_error("--pace " + text + ": expected wall-clock or lock-step");
+    o.lock_step = text == "lock-step";
+  });
+  read.value("--buses", [&o](const std::string& text) {
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t to = std::min(text.find(',', from), text.size());
+      o.names.push_back(text.substr(from, to - from));
+      from = to + 1;
     }
-  }
-  if (!o.role.empty() && (o.names.size() != buses || (o.role != "robot" && o.role != "drives")))
-    throw std::runtime_error("--role is robot or drives, and comes with --buses and five names");
+    if (o.names.size() != buses)
+      throw trot::command_line_error("--buses " + text + ": expected the names of five CAN interfaces");
+  });
+  read.all(arguments);
+  if (o.role.empty() != o.names.empty())
+    throw trot::command_line_error("--role and --buses come together: the role, and five CAN interfaces");
   return o;
 }
 
@@ -87,16 +99,19 @@ int report(Controller& c) {
 
 int in_one_process(std::int64_t beats) {
   std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
+  const cca::interruption interrupted;  // ctrl-c: the controller stops the drives, then the program ends
   in_memory<> run;
   run.controller.load();
   run.controller.start();
-  for (std::int64_t k = 1; k <= beats; ++k) {
+  for (std::int64_t k = 1; k <= beats && !interrupted; ++k) {
     run.step();
     if (k % 1000 == 0)
       std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
   }
   if (run.robot.world.fallen()) std::printf("the robot fell\n");
-  return report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
+  const int result = report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
+  std::printf("%s\n", run.shut_down().text().c_str());
+  return interrupted ? interrupted.exit_code() : result;
 }
 
 struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
@@ -121,6 +136,11 @@ struct robots_pace {
   bool lock_step;
   cca::at_speed clock = cca::at_wall_clock();
   void begin() { clock.begin(); }
+  void begin(std::int64_t period, std::int64_t last) { clock.begin(period, last); }
+  std::int64_t overruns() const { return clock.overruns(); }
+  std::int64_t lost_periods() const { return clock.lost_periods(); }
+  std::int64_t last_begun() const { return clock.last_begun(); }
+  cca::fault fault() const { return clock.fault(); }
   void wait(std::int64_t now) {
     if (lock_step) wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now);
     else clock.wait(now);
@@ -134,15 +154,22 @@ int as_robot(const options& o) {
   drives.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   c.load();
   c.start();
+  const cca::interruption interrupted;
   bool runs = false;
   c.run(cca::for_some_beats{o.beats}, robots_pace{bus, o.lock_step}, [&](auto&) {
-    if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return;
+    if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return !interrupted;
     std::puts("robot: all drives are enabled");
     std::fflush(stdout);
+    return !interrupted;
   });
   const int result = report(c);
-  c.stop();
-  return result;
+  if (c.overruns() > 0)
+    std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
+                static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
+  // [shut down]
+  std::printf("robot: %s\n", hw::shut_down(c, robots_pace{bus, o.lock_step}).text().c_str());
+  // [shut down end]
+  return interrupted ? interrupted.exit_code() : result;
 }
 
 // Reports how the drives ended: still driven, switched off, or stopped by their watchdogs.
@@ -153,8 +180,11 @@ int as_drives(const options& o) {
   mechanics robot(put_down());
   cca::at_speed clock = cca::at_wall_clock();
   clock.begin();
-  bool driven = false, free = false, unfed = false;
-  for (std::int64_t k = 1; k <= o.beats && !(driven && free); ++k) {
+  const cca::interruption interrupted;
+  bool driven = false, free = false, unfed = false;  // unfed: since the beat in which they became free
+  double distance = 0;                               // the farthest: it slides back when it sinks
+  int off = 0;  // beats: it still answers, so that the controller sees that they are off
+  for (std::int64_t k = 1; k <= o.beats && off < 10 && !interrupted; ++k) {
     const std::int64_t now = k * in_memory<>::beat;
     if (o.lock_step) wait_for(std::span(bus), {2, 2, 2, 2, 0}, now);
     else clock.wait(now);
@@ -162,21 +192,24 @@ int as_drives(const options& o) {
     const auto laws = far.laws(now);
     free = std::none_of(laws.begin(), laws.end(),
                         [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
-    unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
+    if (!free || off == 0)
+      unfed = std::apply([&](const auto&... drive) { return (drive.unfed(now) && ...); }, far.drives);
     driven = driven || !free;
+    off = driven && free ? off + 1 : 0;
     robot.advance(laws, far.abduction);
     far.tell(robot.joints(), robot.board());
+    distance = std::max(distance, robot.world.trunk_position()[0]);
     if (k % 1000 == 0)
       std::printf("drives: %2lld s: %.2f m\n", static_cast<long long>(k / 1000),
                   robot.world.trunk_position()[0]);
   }
-  const double distance = robot.world.trunk_position()[0];
   std::printf("drives: %s, after %.2f m\n",
               !driven         ? "never enabled"
               : free && unfed ? "no set-points: all torque-free by their watchdogs"
               : free          ? "switched off"
                               : "still driven",
               distance);
+  if (interrupted) return interrupted.exit_code();
   if (driven && free && unfed) return 2;
   return driven && distance > 0.02 && !robot.world.fallen() ? 0 : 1;
 }
@@ -184,12 +217,10 @@ int as_drives(const options& o) {
 }  // namespace
 
 int main(int count, char** words) {
-  try {
-    const options o = parse(count, words);
-    if (o.role.empty()) return in_one_process(o.beats);
-    return o.role == "robot" ? as_robot(o) : as_drives(o);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hardware_in_the_loop: %s\n", error.what());
-    return 3;
-  }
+  return trot::program("hardware_in_the_loop", usage, count, words,
+                       [](const std::vector<std::string>& arguments) {
+                         const options o = parse(arguments);
+                         if (o.role.empty()) return in_one_process(o.beats);
+                         return o.role == "robot" ? as_robot(o) : as_drives(o);
+                       });
 }

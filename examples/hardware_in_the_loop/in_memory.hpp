@@ -8,6 +8,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/hardware/memory_bus.hpp>
+#include <cca/hardware/robot/shut_down.hpp>
 
 #include "../trot/architecture.hpp"
 #include "mechanics.hpp"
@@ -61,10 +62,17 @@ public:
     far.listen(heard);
     laws = far.laws(heard);
     robot.advance(laws, far.abduction);
-    far.tell(robot.joints(), robot.board());
+    auto motions = robot.joints();
+    for (std::size_t i = 0; i < motions.size(); ++i) motions[i].velocity *= speed_scale[i];
+    far.tell(motions, robot.board());
     now += beat;
     go_to(now - 1);
     return stepped;
+  }
+
+  // Stops the robot in order. The drives go on answering meanwhile.
+  cca::hardware::shut_down_report shut_down() {
+    return cca::hardware::shut_down(controller, drives_reaction{*this});
   }
 
   // For programs that put the robot down and push it.
@@ -86,10 +94,18 @@ public:
   cca::controller<Architecture> controller{};
   far_side<memory_end> far{};
   mechanics robot{hil::put_down()};
-  std::array<cca::hardware::drive_command, 8> laws{};  // of the drives in the last beat
+  std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
+  std::array<double, 8> speed_scale{1, 1, 1, 1, 1, 1, 1, 1};  // of the velocities that the drives report
   std::int64_t now = 0;
 
 private:
+  // The pace of shut_down: what the drives do between two beats.
+  struct drives_reaction {
+    in_memory& run;
+    void begin() const {}
+    void wait(std::int64_t) const { run.step(false); }
+  };
+
   void connect() {
     controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
   }

@@ -6,6 +6,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "../combination_of_skills/program.hpp"
 #include "../combination_of_skills/summary.hpp"
@@ -17,7 +18,8 @@ int run(const skills::options& o) {
   if (o.csv || o.svg) throw skills::command_line_error("--csv and --svg: only combination_of_skills records");
   hil::skills_in_memory robot;
   hil::load(robot, o.shape, o.config);
-  const auto result = skills::act(robot, o.run, [](const auto&) {});
+  const cca::interruption interrupted;  // ctrl-c: the drives are stopped, and what it has is written
+  const auto result = skills::act(robot, o.run, [&](const auto&) { return !interrupted; });
   if (!o.quiet) skills::write_table(std::cout, o.run, result);
   if (o.summary)
     trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
@@ -25,7 +27,9 @@ int run(const skills::options& o) {
   if (stop.mode() != cca::hardware::motion_mode::run)
     std::printf("stopped; first cause: %s\n",
                 std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
-  return skills::succeeded(result) ? 0 : 1;
+  const auto stopped = robot.shut_down();
+  if (!o.quiet || !stopped.complete()) std::printf("%s\n", stopped.text().c_str());
+  return interrupted ? interrupted.exit_code() : skills::succeeded(result) ? 0 : 1;
 }
 
 }  // namespace

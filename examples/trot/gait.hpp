@@ -88,8 +88,9 @@ private:
     const double landing = whole * p.duty;
     const bool in_stance = phase <= landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double height = in_stance ? static_cast<double>(p.give) : lift;
     const double sine = std::sin(half * part);
-    return (in_stance ? static_cast<double>(p.give) : lift) * sine * sine;
+    return height * sine * sine;
   }
 };
 

@@ -11,6 +11,7 @@
 #include <cca/sim/world.hpp>
 
 #include "architecture.hpp"
+#include "report/goes_on.hpp"
 #include "report/recording.hpp"
 
 namespace trot {
@@ -29,7 +30,8 @@ inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::
   return posture;
 }
 
-// Calls between(world, part of the run) after each beat. The controller must be loaded and not started.
+// Calls between(world, part of the run) after each beat, and ends if it returns false. The controller must be
+// loaded and not started.
 template <class Between>
 recording roll_out(trotting& controller,
                    const cca::sim::terrain& ground,
@@ -50,7 +52,7 @@ recording roll_out(trotting& controller,
   controller.start();
   for (std::size_t k = 1; k <= beats && !run.fell && controller.step(); ++k) {
     run.note(simulator.world());
-    between(simulator.world(), static_cast<double>(k) / static_cast<double>(beats));
+    if (!goes_on(between, simulator.world(), static_cast<double>(k) / static_cast<double>(beats))) break;
   }
   return run;
 }

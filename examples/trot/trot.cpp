@@ -17,7 +17,9 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
+#include "report/command_line.hpp"
 #include "report/csv.hpp"
 #include "idle_robot.hpp"
 #include "report/program.hpp"
@@ -61,19 +63,23 @@ int run(const trot::options& o) {
   const auto disturbance =
       o.seed ? cca::sim::disturbance::from_seed(*o.seed, o.seconds) : cca::sim::disturbance::none();
   trot::progress_bar bar("trot", !o.quiet);
+  const cca::interruption interrupted;  // ctrl-c: ends the run, and what it has is written
   double in_between = 0;
   const auto start = clock_type::now();
   const trot::recording recorded = trot::roll_out(
       controller, o.ground, disturbance, o.seconds, [&](const cca::sim::world& world, double part) {
-        if (controller.beat_index() % 20 != 0) return;
+        if (controller.beat_index() % 20 != 0) return !interrupted;
         const auto drawing = clock_type::now();
         char note[64];
         std::snprintf(note, sizeof note, "%5.1f s %6.2f m", world.time(), world.trunk_position()[0]);
         bar.show(part, note);
         in_between += seconds_since(drawing);
+        return !interrupted;
       });
+  controller.stop();
   const double taken = seconds_since(start) - in_between;
   bar.done();
+  if (interrupted) std::cerr << "trot: interrupted; the figures are of what it has run\n";
 
   const trot::statistics figures = trot::evaluate(recorded);
   trot::costs costs;
@@ -94,16 +100,12 @@ int run(const trot::options& o) {
                   o.ground.name().c_str(), figures.distance, figures.seconds, figures.speed);
     trot::write(*o.svg, [&](std::ostream& file) { trot::write_svg(file, recorded, title); });
   }
-  return figures.fell ? 1 : 0;
+  return interrupted ? interrupted.exit_code() : figures.fell ? 1 : 0;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot", [&] {
-    const trot::options options = trot::parse({arguments + 1, arguments + count});
-    if (!options.help) return run(options);
-    std::cout << trot::usage;
-    return 0;
-  });
+  return trot::program("trot", trot::usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(trot::parse(given)); });
 }

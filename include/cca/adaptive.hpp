@@ -3,6 +3,8 @@
 // Includes every public header of cca/adaptive/; to compile faster, include only those that you need.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/assembly/adaptive_options.hpp>
 #include <cca/adaptive/component_status.hpp>

@@ -2,6 +2,8 @@
 // Parameters from a file need <cca/config.hpp> as well.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 // These two come first: if they refuse something, the compilers list every file that is already open.
 #include <cca/component/port.hpp>
 

@@ -6,6 +6,8 @@
 // Example: docs/parameters.md.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -16,6 +18,7 @@
 
 #include <cca/base/file.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/config/by_path.hpp>
 #include <cca/config/read.hpp>
 #include <cca/config/write.hpp>
 
@@ -103,6 +106,13 @@ void load_parameters_from_text(Controller& controller, std::string_view text, st
     if constexpr (HasParameters<Component>) {
       auto copy = component.p;
       read_component(root, path, parameters_schema<Component>(), &copy, found);
+      if constexpr (requires { controller.step_of(path); }) {
+        std::vector<complaint> wrong;
+        if (found.count() == 0) check_at(copy, path, controller.step_of(path), wrong);
+        const toml::node* const where = node_at(root, path);
+        for (auto& each : wrong)
+          found.add(where ? &where->source() : nullptr, each.path, std::move(each.what));
+      }
     } else {
       read_component(root, path, no_parameters, nullptr, found);
     }
@@ -143,11 +153,22 @@ void save_parameters(Controller& controller, std::string_view file) {
   write_file(std::string(file), parameters_text(controller, file));
 }
 
-// A controller's load(file) and save(file) call these. The core only declares the struct.
+// A controller's load(file), save(file), and set and parameter with a path call these. The core only declares
+// the struct.
 template <class Controller>
 struct config_backend {
   static void load(Controller& controller, std::string_view file) { load_parameters(controller, file); }
   static void save(const Controller& controller, std::string_view file) { save_parameters(controller, file); }
+
+  template <class Value>
+  static void set(Controller& controller, std::string_view path, const Value& value) {
+    set_parameter(controller, path, value);
+  }
+  template <class Type>
+  static Type get(const Controller& controller, std::string_view path) {
+    return parameter<Type>(controller, path);
+  }
+  static std::vector<std::string> paths(const Controller& controller) { return parameter_paths(controller); }
 };
 
 }  // namespace cca::detail

@@ -3,6 +3,8 @@
 // compile faster, include only those that you need.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/motor/dmp_discrete.hpp>
 #include <cca/motor/equations/dmp_discrete_ode.hpp>

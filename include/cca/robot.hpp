@@ -1,10 +1,13 @@
-// What protects and describes a robot: the limiter, the watchdog, bodies and their dynamics.
+// What protects and describes a robot: the limiter, the watchdog, faults, bodies and their dynamics.
 // Includes every public header of cca/robot/; to compile faster, include only those that you need.
 #pragma once
+
+#include <cca/base/compiler.hpp>
 
 #include <cca/robot/body.hpp>
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/body_dynamics.hpp>
 #include <cca/robot/body_pose.hpp>
 #include <cca/robot/limiter.hpp>
+#include <cca/robot/unreadable_fault.hpp>
 #include <cca/robot/watchdog.hpp>

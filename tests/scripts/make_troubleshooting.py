@@ -42,7 +42,9 @@ class Reject:
         self.file, self.text = file, file.read_text()
         self.rule, _, self.variant = file.stem.partition("-")
         self.expect = re.match(r"// EXPECT: (.*)\n", self.text)[1]
-        self.meaning = " ".join(re.match(r"// EXPECT.*\n((?://.*\n)*)", self.text)[1].replace("//", "").split())
+        self.flags, self.allowed = reject.note(self.text, "FLAGS").split(), int(reject.note(self.text, "ERRORS") or 1)
+        comments = re.sub(r"^// (?:FLAGS|ERRORS): .*\n", "", self.text, flags=re.M)
+        self.meaning = " ".join(re.match(r"// EXPECT.*\n((?://.*\n)*)", comments)[1].replace("//", "").split())
         parts = re.findall(r"^#if CCA_REJECT\n(.*?)(?:^#else\n(.*?))?^#endif", self.text, re.M | re.S)
         self.broken, self.fixed = ("\n...\n".join(textwrap.dedent(p[i]).rstrip() for p in parts) for i in (0, 1))
 
@@ -54,11 +56,10 @@ def order(root):
     return [rule for rule in listed if rule in tested] + sorted(tested - set(listed))
 
 
-def trimmed(output, file):
-    """The first error and where it comes from, with file names only."""
+def trimmed(output, file, error):
+    """The error and where it comes from, with file names only."""
     lines = output.splitlines()
-    at = next(i for i, line in enumerate(lines) if " error: " in line)
-    told = [lines[at]]
+    told = [error]
     for line in lines:
         if re.search(re.escape(file.name) + r":\d+:\d+:.*(required from here|in instantiation of)", line):
             told.append(line)
@@ -81,11 +82,12 @@ def compiled(files, root, compilers):
     eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
     for compiler in compilers:
         for file in files:
-            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", *eigen], file, "-DCCA_REJECT=1")
-            first = (reject.errors(output) or [""])[0]
-            if not re.search(Reject(file).expect, reject.sentence(first)):
+            one = Reject(file)
+            _, output = reject.compile_file([compiler, "-std=c++20", f"-I{root}/include", f"-I{root}/robots/include", f"-I{root}/hardware/include", f"-I{root}/sim/include", *eigen], file, "-DCCA_REJECT=1", *one.flags)
+            first = next((error for error in reject.errors(output)[:one.allowed] if re.search(one.expect, reject.sentence(error))), "")
+            if not first:
                 sys.exit(f"{file} on {compiler}: unexpected output\n{output}")
-            said[file.name, compiler] = (trimmed(output, file), reject.sentence(first).replace("\\'", "'"))
+            said[file.name, compiler] = (trimmed(output, file, first), reject.sentence(first).replace("\\'", "'"))
     return said
 
 

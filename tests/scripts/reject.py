@@ -6,6 +6,8 @@ usage: reject.py FILE [--headers FOLDER] -- COMPILER [FLAGS...]
 
 The file's first line is `// EXPECT: <regex>`; its name is the rule's id, or `<id>-<variant>`. Or it holds many mistakes:
 its first lines are `// EXPECT <name>: <regex>`, and it is compiled once without and once with each CCA_REJECT=<name>.
+A line `// FLAGS: ...` after the first holds flags for the mistake only; a line `// ERRORS: n` allows n errors, any of
+which may match: where the mistake is in the language, the compiler goes on with errors of its own.
 What the user sees of a refusal must be good to read: one error, whose sentence names the rule and matches the regex, and
 at most 40 lines in all. --prepare precompiles the headers that most files include, which saves three quarters of the time.
 """
@@ -76,18 +78,25 @@ def sentence(error):
     return said.strip() or re.sub(r".*?\berror: ", "", error)
 
 
-def refusal_is_wrong(output, expect):
+def note(text, name):
+    """The text of the line `// <name>: text`."""
+    line = re.search(rf"^// {name}: (.*)$", text, re.M)
+    return line[1] if line else ""
+
+
+def refusal_is_wrong(output, expect, allowed=1):
     found = errors(output)
-    if not re.search(expect, sentence(found[0]) if found else ""):
-        return f"the first error does not match: {expect}"
-    if len(found) > 1:
-        return f"{len(found)} errors, and one would do"
+    if not any(re.search(expect, sentence(error)) for error in found[:allowed]):
+        return f"the first error does not match: {expect}" if allowed == 1 else f"no error matches: {expect}"
+    if len(found) > allowed:
+        return f"{len(found)} errors, and {'one' if allowed == 1 else allowed} would do"
     length = len(output.splitlines())
     return f"{length} lines of output, more than {MOST_LINES}" if length > MOST_LINES else ""
 
 
 def verdict(file, command):
     """What is wrong, or the empty string; and the output of the compiler that shows it."""
+    flags, allowed = note(file.read_text(), "FLAGS").split(), int(note(file.read_text(), "ERRORS") or 1)
     expected = re.findall(r"^// EXPECT(?: (\w+))?: (\S.*)$", file.read_text(), re.M)
     if not expected or not file.read_text().startswith("// EXPECT"):
         return "the first line is not `// EXPECT: <regex>`", ""
@@ -101,9 +110,9 @@ def verdict(file, command):
         return "it does not compile without the mistake", output
     outputs = ""
     for name, regex in expected:
-        code, output = compile_file(command, file, f"-DCCA_REJECT={name or 1}")
+        code, output = compile_file(command, file, f"-DCCA_REJECT={name or 1}", *flags)
         outputs += output
-        wrong = refusal_is_wrong(output, regex) if code != 0 else "the compiler accepts the mistake"
+        wrong = refusal_is_wrong(output, regex, allowed) if code != 0 else "the compiler accepts the mistake"
         if wrong:
             return f"{name}: {wrong}" if name else wrong, output
     return "", outputs
@@ -121,7 +130,9 @@ def main(arguments):
     if len(options) not in (1, 3) or (len(options) == 3 and options[1] != "--headers"):
         sys.exit(__doc__)
     file = pathlib.Path(options[0])
-    wrong, output = verdict(file, prepared(pathlib.Path(options[2]) if len(options) == 3 else None, command))
+    # What is compiled with other flags can't use the precompiled headers.
+    use_prepared = len(options) == 3 and not note(file.read_text(), "FLAGS")
+    wrong, output = verdict(file, prepared(pathlib.Path(options[2]) if use_prepared else None, command))
     print(output)
     if wrong:
         sys.exit(f"{file}: {wrong}")

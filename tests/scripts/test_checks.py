@@ -3,6 +3,8 @@ import pathlib
 import tempfile
 import unittest
 
+import components
+import finite
 import includes
 import make_troubleshooting
 import reject
@@ -21,6 +23,20 @@ class Tree(unittest.TestCase):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
         return file
+
+
+class Components(Tree):
+    def found(self, row, code):
+        self.write(components.PAGE, f"## Components of the library\n\n| component | header |\n|---|---|\n{row}\n")
+        self.write("include/cca/motor/a.hpp", code)
+        return list(components.problems(self.root))
+
+    def test_all(self):
+        code = "struct a {\n  auto process(beat now) -> out<1> {}\n};\n"
+        self.assertEqual(self.found("| `a<S>` | `motor/a.hpp` | x |", code), [])
+        self.assertEqual(len(self.found("| `b<S>` | `motor/a.hpp` | x |", code)), 1)  # declares no `b`
+        self.assertEqual(len(self.found("| `a<S>` | `motor/b.hpp` | x |", code)), 2)  # no such header; `a` has no row
+        self.assertEqual(self.found("| `a<S>` | `motor/a.hpp` | x |", f"namespace detail {{\n{code}}}  // namespace detail\nusing a = int;"), [])
 
 
 class Includes(Tree):
@@ -125,6 +141,18 @@ class Rules(Tree):
         self.assertEqual(len(list(rules.problems(self.root))), 3)
 
 
+class Finite(Tree):
+    def test_every_header_has_a_test_or_a_reason(self):
+        for name in finite.WITHOUT:
+            self.write(f"include/cca/{name}", "")
+        self.write("include/cca/motor/hopf.hpp", "")
+        self.write("tests/runtime/finite/motor.cpp", 'TEST_CASE("motor/hopf.hpp") {}\n')
+        self.assertEqual(list(finite.problems(self.root)), [])
+        self.write("include/cca/motor/forgotten.hpp", "")
+        self.write("tests/runtime/finite/motor.cpp", 'TEST_CASE("motor/hopf.hpp") {}\nTEST_CASE("motor/gone.hpp") {}\n')
+        self.assertEqual(len(list(finite.problems(self.root))), 2)
+
+
 class Rejects(Tree):
     SOUND = '// EXPECT: space\\.mismatch: a and b\n#if CCA_REJECT\nstatic_assert(false, "space.mismatch: a and b");\n#endif\n'
 
@@ -147,6 +175,15 @@ class Rejects(Tree):
         self.assertIn("does not match", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if CCA_REJECT\nint x = y;")))
         self.assertIn("2 errors", self.wrong(self.SOUND.replace("#endif", "int x = y;\n#endif")))
         self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"#warning {i}" for i in range(30)) + "\n#endif")))
+
+    def test_flags_and_further_errors(self):
+        text = self.SOUND.replace("#if CCA_REJECT", "// FLAGS: -DOLD=1\n#if CCA_REJECT && OLD")
+        self.assertEqual(self.wrong(text), "")
+        self.assertIn("accepts", self.wrong(text.replace("FLAGS", "FLAG")))
+        two = self.SOUND.replace("#if CCA_REJECT\n", "// ERRORS: 2\n#if CCA_REJECT\nint x = y;\n")
+        self.assertEqual(self.wrong(two), "")
+        self.assertIn("3 errors, and 2 would do", self.wrong(two.replace("#endif", "int z = y;\n#endif")))
+        self.assertIn("no error matches", self.wrong(two.replace('"space.mismatch: a', '"space.mismatch: c')))
 
     MANY = ('// EXPECT left: rule\\.a: left\n// EXPECT right: rule\\.a: right\n#if CCA_REJECT\nconstexpr int left = 1, right = 2;\n'
             'static_assert(CCA_REJECT != left, "rule.a: left");\nstatic_assert(CCA_REJECT != right, "rule.a: right");\n#endif\n').replace(
@@ -183,7 +220,7 @@ class Troubleshooting(Tree):
     def page(self):
         file = self.write("tests/rejects/rule.a.cpp", self.REJECT)
         self.write("tests/rejects/parts.hpp", "#pragma once\nstruct part {};\n")
-        said = {(file.name, c): (make_troubleshooting.trimmed(self.OUTPUT, file), "rule.a: it is `b`") for c in make_troubleshooting.COMPILERS}
+        said = {(file.name, c): (make_troubleshooting.trimmed(self.OUTPUT, file, reject.errors(self.OUTPUT)[0]), "rule.a: it is `b`") for c in make_troubleshooting.COMPILERS}
         self.write("docs/troubleshooting.md", make_troubleshooting.make(self.root, [file], said))
         return self.root / "docs/troubleshooting.md"
 

@@ -1,5 +1,6 @@
 #include "firing.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace semantics {
@@ -17,6 +18,22 @@ unsigned scrambled(int a, int b, int c) {
 }
 
 }  // namespace
+
+void add_input(firing& f,
+               std::string_view name,
+               const double* values,
+               int size,
+               std::int64_t origin,
+               bool fresh,
+               bool wired) {
+  f.inputs.push_back({std::string(name), std::vector<double>(values, values + size), origin, fresh, wired});
+}
+
+void add_output(firing& f, int size, bool is_maybe) {
+  f.outputs.push_back({std::vector<double>(static_cast<std::size_t>(size)), is_maybe});
+}
+
+void copy_value(const told& from, double* to) { std::copy(from.value.begin(), from.value.end(), to); }
 
 void respond(const habit& h, memory& m, firing& f) {
   // Every figure that the component is told changes every value from here on. Folded into -8 to 8, so that

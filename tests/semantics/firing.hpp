@@ -7,6 +7,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace semantics {
@@ -41,6 +42,17 @@ struct firing {
 };
 
 using log = std::vector<firing>;
+
+// No templates: they would be compiled again for each kind of test component.
+void add_input(firing& f,
+               std::string_view name,
+               const double* values,
+               int size,
+               std::int64_t origin,
+               bool fresh,
+               bool wired);
+void add_output(firing& f, int size, bool is_maybe);
+void copy_value(const told& from, double* to);
 
 // What distinguishes a test component from the others. It is a structural type, so it can be a template
 // argument.

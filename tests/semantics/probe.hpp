@@ -72,60 +72,45 @@ struct result<> {
   using type = void;
 };
 
-template <class Vector>
-std::vector<double> copied(const Vector& v) {
-  return std::vector<double>(v.data(), v.data() + v.size());
-}
-
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::in<Name, Space>& x) {
-  f.inputs.push_back({std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), true});
+  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), true);
 }
 template <cca::fixed_string Name, class Space>
 void note(firing& f, const cca::optional_in<Name, Space>& x) {
-  f.inputs.push_back(
-      {std::string(Name.view()), copied(x.vector()), x.origin(), x.fresh(), static_cast<bool>(x)});
+  add_input(f, Name.view(), x.vector().data(), Space::size, x.origin(), x.fresh(), static_cast<bool>(x));
 }
 // The text leaves open in which order an observer hears outputs, so they are sorted by path.
 template <cca::fixed_string Scope, class Policy>
 void note(firing& f, const cca::observe<Scope, Policy>& all) {
   const auto before = static_cast<std::ptrdiff_t>(f.inputs.size());
   for (const auto& one : all)
-    f.inputs.push_back({std::string(one.path), std::vector<double>(one.values.begin(), one.values.end()),
-                        one.origin, one.fresh, true});
+    add_input(f, one.path, one.values.data(), static_cast<int>(one.values.size()), one.origin, one.fresh,
+              true);
   std::sort(f.inputs.begin() + before, f.inputs.end(),
             [](const seen& a, const seen& b) { return a.name < b.name; });
 }
 
 template <cca::fixed_string Name, class Space>
-told blank(const cca::out<Name, Space>*) {
-  return {std::vector<double>(Space::size)};
+void add_blank(firing& f, const cca::out<Name, Space>*) {
+  add_output(f, Space::size, false);
 }
 template <cca::fixed_string Name, class Space>
-told blank(const cca::maybe<Name, Space>*) {
-  return {std::vector<double>(Space::size), true};
+void add_blank(firing& f, const cca::maybe<Name, Space>*) {
+  add_output(f, Space::size, true);
 }
+inline void add_blank(firing&, const cca::fault*) {}
 
 template <class Port>
 Port spoken(const Port*, const firing& f, std::size_t& next) {
   const told& t = f.outputs[next++];
   Port port;
-  if constexpr (Port::space::size == 1) {
-    if (t.published) port = Port(t.value[0]);
-  } else {
-    if (t.published) port = Port(Eigen::Map<const typename Port::vector_type>(t.value.data()));
-  }
+  if (t.published) copy_value(t, port.vector().data());
   if (t.sets_origin) port.with_origin(t.origin);
   return port;
 }
 inline cca::fault spoken(const cca::fault*, const firing& f, std::size_t&) {
   return f.fault ? cca::fault{"as planned"} : cca::fault{};
-}
-
-inline void add_blank(firing&, const cca::fault*) {}
-template <class Port>
-void add_blank(firing& f, const Port* port) {
-  f.outputs.push_back(blank(port));
 }
 
 // Not inlined: the loop around it is under test, and recording would be most of the optimiser's work.

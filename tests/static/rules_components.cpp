@@ -488,9 +488,11 @@ static_assert(tells<no_template_strategy, no_template_strategy_mended>(
 
 // A component, and not even that, in place of a graph.
 static_assert(!cca::well_formed<nothing> && !cca::well_formed<int>);
-static_assert(told{"graph.unknown_item", "nothing",
-                   "`nothing` is no graph: a controller runs a struct derived from cca::graph<...>; put a "
-                   "component into one as cca::node<`name`, nothing>"}
+static_assert(told{
+    "graph.unknown_item", "nothing",
+    "`nothing` is no graph: a controller runs a struct derived from cca::graph<...>; put a "
+    "component into one as cca::node<`name`, nothing>; if another error names nothing, mend that "
+    "first: a comma may be missing between two items of the graph"}
                   .by(cca::diagnosis<nothing>));
 
 }  // namespace

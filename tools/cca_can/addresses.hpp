@@ -96,6 +96,7 @@ struct unit_moteus_motor {
   static constexpr std::string_view name = "moteus";
   static constexpr double stiffness = 1, damping = 1;
   static constexpr double torque = 1e-3, timeout = 0.1;  // until stated: a torque that moves nothing
+  static constexpr double run_on = 0.01;                 // two cycles of `jog`
 };
 using unit_moteus = hw::moteus<unit_moteus_motor, 1>;
 

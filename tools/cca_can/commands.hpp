@@ -12,6 +12,7 @@
 #include "drive_name.hpp"
 #include "enable.hpp"
 #include "help.hpp"
+#include "in_memory.hpp"
 #include "interfaces.hpp"
 #include "jog.hpp"
 #include "list.hpp"
@@ -29,12 +30,13 @@ struct bus_name {
   std::string name;
   bool fd = false;
 };
-inline bus_name bus_in(words& w) {
-  auto parts = split(w.needed_next("the name of the bus, as can0,"), ',');
+inline bus_name bus_named(const std::string& text) {
+  auto parts = split(text, ',');
   if (parts.size() > 2 || (parts.size() == 2 && parts[1] != "fd"))
     throw usage_error("a bus is named as can0, or can0,fd");
   return {parts[0], parts.size() == 2};
 }
+inline bus_name bus_in(words& w) { return bus_named(w.needed_next("the name of the bus, as can0,")); }
 
 inline std::vector<std::string> drive_texts(words& w) {
   std::vector<std::string> all{w.needed_next("the drive, as mit:ak80-9:3,")};
@@ -124,11 +126,8 @@ inline calibrate_order calibrate_in(words& w) {
 }  // namespace detail
 
 template <class Open>
-ending run(const std::vector<std::string>& line, Open open, pace& time, console& say) {
-  words w(line);
-  say.yes = w.flag("--yes") || say.yes;
-  if (w.flag("--help")) return say.out << help_text, done;
-  const std::string command = w.next().value_or("help");
+ending run_command(words& w, Open open, pace& time, console& say) {
+  const std::string& command = w.command();
   const auto drive_in = [&w] { return drive_named(w.needed_next("the drive, as mit:ak80-9:3,")); };
   const auto bus_of = [&open](const detail::bus_name& b, const any_drive* d = nullptr) {
     return open(b.name, b.fd || (d && d->needs_fd));
@@ -143,15 +142,15 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     const list_order o = detail::list_in(w);
     const auto name = w.next();
     w.nothing_left();
-    const auto interfaces = can_interfaces();
+    const auto interfaces =
+        name && detail::bus_named(*name).name == bus_in_memory ? std::vector<bus_info>() : can_interfaces();
     if (!name) {
       for (const bus_info& b : interfaces) say.out << text_of(b) << '\n';
       if (interfaces.empty())
         say.out << "this machine has no CAN interface: is the adapter there, its driver loaded?\n";
       return interfaces.empty() ? failed : done;
     }
-    words of_bus({*name});
-    const detail::bus_name b = detail::bus_in(of_bus);
+    const detail::bus_name b = detail::bus_named(*name);
     bool fd = b.fd;
     for (const bus_info& each : interfaces)
       if (each.name == b.name) say.out << text_of(each) << '\n', fd = each.fd;
@@ -242,6 +241,27 @@ ending run(const std::vector<std::string>& line, Open open, pace& time, console&
     return pretend(bus, drives, o, time);
   }
   throw usage_error("there is no command `" + command + "`; see `cca-can help`");
+}
+
+// A bus in memory plays the drives of --pretend, or else those that the command names.
+template <class Open>
+ending run(const std::vector<std::string>& line, Open open, pace& time, console& say) {
+  words w(line);
+  if (w.wants_help() && w.answer().empty()) return say.out << help_text, done;
+  if (!w.answer().empty()) return say.out << w.answer(), done;
+  say.yes = w.flag("--yes") || say.yes;
+  const auto bus = w.peek();
+  auto played = w.all_of("--pretend");
+  if (!bus || detail::bus_named(*bus).name != bus_in_memory) {
+    if (!played.empty())
+      throw usage_error("--pretend plays drives in memory only: write `memory` as the bus");
+    return run_command(w, open, time, say);
+  }
+  if (w.command() == "pretend")
+    throw usage_error("`memory` lasts as long as one command: give that command --pretend DRIVE instead");
+  if (played.empty() && w.command() != "replay") played = w.words_after_first();
+  memory_pace in_memory(time, played);
+  return run_command(w, [&in_memory](const std::string&, bool) { return in_memory.open(); }, in_memory, say);
 }
 
 // The same; errors become a message and an exit code.

@@ -155,6 +155,8 @@ auto with_drive(const std::string& text, bool ranges_needed, bool by_torque, F&&
   if (!p.ranges.empty() && p.family.starts_with("odrive"))
     no_drive(text, "an ODrive has no ranges; write " + p.family + ":NUMBER");
   const auto odrive = [&]<hw::odrive_firmware Firmware>() {
+    if (!hw::detail::is_odrive_node(p.number, Firmware))
+      no_drive(text, "with firmware 0.6 node 63 means `not addressed`: such a drive takes no command");
     const odrive_address at{p.number};
     if (by_torque)
       return f.template operator()<hw::odrive<1, hw::odrive_mode::torque, Firmware>>(at, drive_scale{});
@@ -196,9 +198,9 @@ template <std::uint32_t Node, hw::odrive_mode Mode, hw::odrive_firmware Firmware
 struct played<hw::odrive<Node, Mode, Firmware, Period>> {
   using type = hw::virtual_odrive<hw::odrive<Node, Mode, Firmware, Period>, watchdog>;
 };
-template <class Motor, std::uint8_t Servo, std::uint8_t Source>
-struct played<hw::moteus<Motor, Servo, Source>> {
-  using type = hw::virtual_moteus<hw::moteus<Motor, Servo, Source>>;
+template <class Motor, std::uint8_t Servo, std::uint8_t Source, std::uint16_t Prefix>
+struct played<hw::moteus<Motor, Servo, Source, Prefix>> {
+  using type = hw::virtual_moteus<hw::moteus<Motor, Servo, Source, Prefix>>;
 };
 template <class Motor, std::uint8_t Node, hw::cia402_mode Mode>
 struct played<hw::cia402<Motor, Node, Mode>> {

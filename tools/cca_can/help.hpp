@@ -32,8 +32,9 @@ inline constexpr const char* help_text = R"(cca-can: CAN buses and the drives on
       --fault-at S --code N                 makes them report a fault, with the firmware's number N
       --load NM                             N m on each motor
 
-(*) asks first; --yes confirms beforehand.
-(*) asks first; --yes says yes beforehand.
+(*) asks first; --yes confirms beforehand. `cca-can COMMAND --help` has the options of one command; --version.
+BUS `memory` is a bus in this program, for machines without CAN: --pretend DRIVE, once or more often, says which
+drives are played on it (without it those that the command names).
 DRIVE: mit:ak80-9:3 (ak10-9, ak60-6, ak70-10, ak80-6, ak80-9, ak80-64, or ranges of position/velocity/torque as
        mit:12.5/45/20:3), damiao:12.5/45/20:3, mit-original:12.5/45/18:3; mit:ak80-9:3@16 answers under the id 16;
        odrive:3, odrive-0.5:3, moteus:KP/KD:3, cia402:COUNTS/RATED_TORQUE:3 (cyclic position), cia402-torque:... (torque)

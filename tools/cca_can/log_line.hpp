@@ -4,6 +4,7 @@
 //   (1436509052.249713) vcan0 12345678##1AABB       FD: a digit of flags (1: BRS; 2: ESI, not kept), then the
 //                                                   payload
 //
+// candump also writes how many frames it lost, which is no frame: "DROPCOUNT: dropped 3 CAN frames ...".
 // After the frame there may be R or T (received, sent: candump -x) and _9 to _F (the raw length code of a
 // classic frame), which are not kept. Error frames are marked, since they are never sent.
 // Source: linux-can/can-utils, lib.c and log2asc.c.
@@ -75,6 +76,7 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
     f.fast = (*flags & 1) != 0;
     rest.remove_prefix(2);
   } else if (rest.starts_with('R') || rest.starts_with('r')) {
+    if (rest.size() == 4 && rest[2] == '_' && digit_of(rest[3]) > 8) rest.remove_suffix(2);
     const auto length = rest.size() == 1 ? 0 : number_of(rest.substr(1, 1), 10, 1);
     if (!length || *length > 8 || rest.size() > 2)
       return "a remote frame is `#R`, or `#R` and a length of 0 to 8";
@@ -126,6 +128,16 @@ inline std::string read_line(std::string_view text, log_line& line) {
   if (!(way.empty() || way == "R" || way == "T") || !detail::next_part(text).empty())
     return "there is something after the frame";
   return {};
+}
+
+// What candump writes between the frames: `DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 7)`.
+inline bool is_drop_count(std::string_view text) {
+  return detail::next_part(text) == "DROPCOUNT:" && detail::next_part(text) == "dropped";
+}
+// The frames that are missing there.
+inline std::uint64_t dropped_in(std::string_view text) {
+  detail::next_part(text), detail::next_part(text);
+  return detail::number_of(detail::next_part(text), 10, 15).value_or(0);
 }
 
 inline std::string text_of(const hw::can_frame& f) {

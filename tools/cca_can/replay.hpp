@@ -19,7 +19,8 @@ namespace cca_can {
 
 struct log_file {
   std::vector<log_line> lines{};
-  std::uint64_t errors = 0;  // error frames, which are not sent
+  std::uint64_t errors = 0;   // error frames, which are not sent
+  std::uint64_t missing = 0;  // frames that candump has lost
 };
 
 // Throws cca::refused, with the number of the line.
@@ -28,6 +29,10 @@ inline log_file read_log(std::istream& in, const std::string& name) {
   std::string text;
   for (std::uint64_t number = 1; std::getline(in, text); ++number) {
     if (text.find_first_not_of(" \t\r") == text.npos) continue;
+    if (is_drop_count(text)) {
+      log.missing += dropped_in(text);
+      continue;
+    }
     log_line line;
     if (const std::string wrong = read_line(text, line); !wrong.empty())
       throw cca::refused(name + ":" + std::to_string(number) + ": " + wrong + ", in `" + text.substr(0, 80) +
@@ -90,6 +95,7 @@ ending replay(
   }
   say.error << sent << " of " << chosen.size() << " frames sent\n";
   if (log.errors > 0) say.error << log.errors << " error frames not sent\n";
+  if (log.missing > 0) say.error << log.missing << " frames are missing in the log: candump lost them\n";
   if (!wrong.empty()) say.error << "cca-can: " << name << ": " << wrong << '\n';
   return !wrong.empty() ? failed : time.end_wanted() ? interrupted : done;
 }

@@ -16,7 +16,9 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
+#include "../../examples/trot/report/command_line.hpp"
 #include "../../examples/trot/report/program.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
@@ -38,23 +40,21 @@ constexpr std::string_view usage =
     "  --seconds S       on each ground, simulated (3600)\n"
     "  --seed N          the disturbances (0)\n"
     "  --summary FILE    falls, way and memory as one JSON array\n"
+    "  --version         the version of cca\n"
     "  --help            this text\n";
 
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const std::string& name = arguments[i];
-    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-    const std::string& value = arguments[i + 1];
-    if (name == "--config") o.config = value;
-    else if (name == "--summary") o.summary = value;
-    else if (name == "--terrain") {
-      trot::detail::ground(value);
-      o.grounds = {value};
-    } else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 1, 86400);
-    else if (name == "--seed") o.seed = trot::detail::whole_number(name, value);
-    else throw trot::command_line_error(name + ": no such option; --help lists them");
-  }
+  trot::option_reader read;
+  read.text("--config", o.config);
+  read.value("--terrain", [&o](const std::string& text) {
+    trot::detail::ground(text);
+    o.grounds = {text};
+  });
+  read.number("--seconds", o.seconds, 1, 86400);
+  read.whole_number("--seed", o.seed);
+  read.text("--summary", o.summary);
+  read.all(arguments);
   return o;
 }
 
@@ -74,7 +74,10 @@ struct result {
   bool fell = false;
 };
 
-result run(const trot::trotting& start, const options& o, const std::string& ground) {
+result run(const trot::trotting& start,
+           const options& o,
+           const std::string& ground,
+           const cca::interruption& interrupted) {
   constexpr double minute = 60;
   trot::trotting controller = start;
   const auto shape = cca::sim::terrain::named(ground);
@@ -94,7 +97,7 @@ result run(const trot::trotting& start, const options& o, const std::string& gro
   double last_x = began[0];
   controller.start();
   const auto beats = std::llround(o.seconds * 1000), beats_a_minute = std::llround(minute * 1000);
-  for (long long k = 1; k <= beats && !r.fell && controller.step(); ++k) {
+  for (long long k = 1; k <= beats && !r.fell && !interrupted && controller.step(); ++k) {
     const cca::sim::world& world = simulator.world();
     r.fell = world.fallen();
     if (k % beats_a_minute != 0) continue;
@@ -111,17 +114,20 @@ result run(const trot::trotting& start, const options& o, const std::string& gro
   r.seconds = simulator.world().time();
   r.distance = simulator.world().trunk_position()[0] - began[0];
   r.climbed = simulator.world().trunk_position()[2] - began[2];
+  if (r.seconds < minute) r.slowest_minute = r.distance / r.seconds;
   return r;
 }
 
 int run(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: the figures are of what it has walked
   trot::trotting start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
   std::string all;
   bool fell = false;
   for (const std::string& ground : o.grounds) {
-    const result r = run(start, o, ground);
+    if (interrupted) break;
+    const result r = run(start, o, ground, interrupted);
     fell = fell || r.fell;
     std::printf(
         "%-8s %s after %.0f s: %.0f m, %+.1f m high, %.3f m/s, in the slowest minute %.3f; "
@@ -139,16 +145,13 @@ int run(const options& o) {
     all += text;
   }
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { file << "[" << all << "\n]\n"; });
-  return fell ? 1 : 0;
+  if (interrupted) std::cerr << "trot_hour: interrupted\n";
+  return interrupted ? interrupted.exit_code() : fell ? 1 : 0;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_hour", [&] {
-    const std::vector<std::string> asked(arguments + 1, arguments + count);
-    if (!trot::asks_for_help(asked)) return run(parse(asked));
-    std::cout << usage;
-    return 0;
-  });
+  return trot::program("trot_hour", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
 }

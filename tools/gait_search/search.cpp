@@ -19,6 +19,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
 #include "cma_es.hpp"
 #include "../../examples/trot/report/parallel.hpp"
@@ -99,7 +100,8 @@ double worth(const trot::statistics& s, double duty, const trial& t) {
 double worth(const trot::trotting& start,
              const searched& what,
              const std::vector<trial>& trials,
-             int generation) {
+             int generation,
+             const cca::interruption& interrupted) {
   double sum = 0, worst = 1e9;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trot::trotting controller = start;
@@ -108,7 +110,7 @@ double worth(const trot::trotting& start,
     const auto seed = 1000 + static_cast<std::uint64_t>(generation % 7) * trials.size() + i;
     const trial& t = trials[i];
     const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
-                                    t.seconds, [](const cca::sim::world&, double) {});
+                                    t.seconds, [&](const cca::sim::world&, double) { return !interrupted; });
     const double value = worth(trot::evaluate(run), what.gait.duty, t);
     sum += value;
     worst = std::min(worst, value);
@@ -132,28 +134,28 @@ constexpr std::string_view usage =
     "  --population N    gaits per generation (12)\n"
     "  --seconds S       of each run, simulated (7)\n"
     "  --seed N          of the search (1)\n"
+    "  --version         the version of cca\n"
     "  --help            this text\n";
 
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const std::string& name = arguments[i];
-    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-    const std::string& value = arguments[i + 1];
-    if (name == "--config") o.config = value;
-    else if (name == "--out") o.out = value;
-    else if (name == "--generations")
-      o.generations = static_cast<int>(trot::detail::number(name, value, 1, 1e5));
-    else if (name == "--population")
-      o.population = static_cast<int>(trot::detail::number(name, value, 4, 1e4));
-    else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 3, 1000);
-    else if (name == "--seed") o.seed = trot::detail::whole_number(name, value);
-    else throw trot::command_line_error(name + ": no such option; --help lists them");
-  }
+  trot::option_reader read;
+  read.text("--config", o.config);
+  read.text("--out", o.out);
+  read.value("--generations", [&o](const std::string& text) {
+    o.generations = static_cast<int>(trot::detail::number("--generations", text, 1, 1e5));
+  });
+  read.value("--population", [&o](const std::string& text) {
+    o.population = static_cast<int>(trot::detail::number("--population", text, 4, 1e4));
+  });
+  read.number("--seconds", o.seconds, 3, 1000);
+  read.whole_number("--seed", o.seed);
+  read.all(arguments);
   return o;
 }
 
-void search(const options& o) {
+int search(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: the best gait so far is written
   trot::trotting start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
@@ -165,10 +167,10 @@ void search(const options& o) {
 
   gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;
-  double best_worth = worth(start, first, trials, 0);
+  double best_worth = worth(start, first, trials, 0, interrupted);
   trot::progress_bar bar("search");
   const double total = o.generations * static_cast<double>(o.population + 1);
-  for (int generation = 0; generation < o.generations; ++generation) {
+  for (int generation = 0; generation < o.generations && !interrupted; ++generation) {
     // The last point is the mean of the generation before: only means become the result.
     std::vector<Eigen::VectorXd> points = evolution.ask();
     points.push_back(evolution.mean());
@@ -177,7 +179,8 @@ void search(const options& o) {
         points.size(),
         [&](std::size_t i) {
           const int draw = i + 1 == points.size() ? 0 : generation;  // all means meet the same disturbances
-          values[i] = worth(start, at_point(first, points[i]), trials, draw) - outside(points[i]);
+          values[i] =
+              worth(start, at_point(first, points[i]), trials, draw, interrupted) - outside(points[i]);
         },
         [&](std::size_t finished) {
           char note[80];
@@ -186,6 +189,7 @@ void search(const options& o) {
           bar.show((generation * static_cast<double>(points.size()) + static_cast<double>(finished)) / total,
                    note);
         });
+    if (interrupted) break;  // these runs were cut short
     if (values.back() > best_worth) {
       best_worth = values.back();
       best = at_point(first, points.back());
@@ -200,15 +204,13 @@ void search(const options& o) {
   found.set<"gait">(best.gait);
   found.save(o.out);
   std::cout << "worth " << best_worth << "; written to " << o.out << '\n';
+  if (interrupted) std::cerr << "trot_search: interrupted; this is the best so far\n";
+  return interrupted.exit_code();
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_search", [&] {
-    const std::vector<std::string> asked(arguments + 1, arguments + count);
-    if (trot::asks_for_help(asked)) std::cout << usage;
-    else search(parse(asked));
-    return 0;
-  });
+  return trot::program("trot_search", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return search(parse(given)); });
 }

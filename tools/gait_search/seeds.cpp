@@ -12,7 +12,9 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
 
+#include "../../examples/trot/report/command_line.hpp"
 #include "../../examples/trot/report/parallel.hpp"
 #include "../../examples/trot/report/program.hpp"
 #include "../../examples/trot/report/progress.hpp"
@@ -37,44 +39,51 @@ constexpr std::string_view usage =
     "  --seconds S       of each, simulated (20)\n"
     "  --terrain T       flat, slope[:degrees] or steps[:millimetres] (flat)\n"
     "  --summary FILE    falls, speed and drift as one JSON object\n"
+    "  --version         the version of cca\n"
     "  --help            this text\n";
 
 options parse(const std::vector<std::string>& arguments) {
   options o;
-  for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const std::string& name = arguments[i];
-    if (i + 1 == arguments.size()) throw trot::command_line_error(name + ": expected a value after it");
-    const std::string& value = arguments[i + 1];
-    if (name == "--config") o.config = value;
-    else if (name == "--summary") o.summary = value;
-    else if (name == "--terrain") o.ground = trot::detail::ground(value);
-    else if (name == "--first") o.first = trot::detail::whole_number(name, value);
-    else if (name == "--count") o.count = std::max<std::uint64_t>(1, trot::detail::whole_number(name, value));
-    else if (name == "--seconds") o.seconds = trot::detail::number(name, value, 1, 3600);
-    else throw trot::command_line_error(name + ": no such option; --help lists them");
-  }
+  trot::option_reader read;
+  read.text("--config", o.config);
+  read.text("--summary", o.summary);
+  read.value("--terrain", [&o](const std::string& text) { o.ground = trot::detail::ground(text); });
+  read.whole_number("--first", o.first);
+  read.whole_number("--count", o.count, 1);
+  read.number("--seconds", o.seconds, 1, 3600);
+  read.all(arguments);
   return o;
 }
 
-void run(const options& o) {
+int run(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
   trot::trotting start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
 
   std::vector<trot::statistics> all(o.count);
+  std::vector<char> over(o.count, 0);
   trot::progress_bar bar("seeds");
   trot::on_all_cores(
       all.size(),
       [&](std::size_t i) {
+        if (interrupted) return;
         trot::trotting controller = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
         all[i] = trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
-                                               [](const cca::sim::world&, double) {}));
+                                               [&](const cca::sim::world&, double) { return !interrupted; }));
+        over[i] = !interrupted;
       },
       [&](std::size_t finished) {
         bar.show(static_cast<double>(finished) / static_cast<double>(all.size()));
       });
   bar.done();
+  std::vector<std::uint64_t> seeds;
+  for (std::size_t i = 0; i < over.size(); ++i)
+    if (over[i]) all[seeds.size()] = all[i], seeds.push_back(o.first + i);
+  all.resize(seeds.size());
+  if (interrupted) std::cerr << "trot_seeds: interrupted after " << all.size() << " runs\n";
+  if (all.empty()) return interrupted.exit_code();
 
   std::size_t falls = 0;
   double slowest = 1e9, sum = 0, aside = 0, roll = 0, pitch = 0;
@@ -82,7 +91,7 @@ void run(const options& o) {
     const trot::statistics& s = all[i];
     if (all.size() <= 20 || s.fell)
       std::printf("  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg%s\n",
-                  static_cast<std::size_t>(o.first) + i, s.speed, s.drift, s.max_roll * 57.2958,
+                  static_cast<std::size_t>(seeds[i]), s.speed, s.drift, s.max_roll * 57.2958,
                   s.max_pitch * 57.2958, s.fell ? "  FELL" : "");
     roll = std::max(roll, s.max_roll);
     pitch = std::max(pitch, s.max_pitch);
@@ -104,7 +113,7 @@ void run(const options& o) {
       "roll up to %.1f, pitch up to %.1f deg\n",
       all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, mean, slowest, 100 * aside,
       roll * 57.2958, pitch * 57.2958);
-  if (o.summary.empty()) return;
+  if (o.summary.empty()) return interrupted.exit_code();
   char text[256];
   std::snprintf(text, sizeof text,
                 "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, "
@@ -112,15 +121,12 @@ void run(const options& o) {
                 "\"greatest_drift_share\": %.6g}\n",
                 all.size(), falls, rate, mean, slowest, aside);
   trot::write(o.summary, [&](std::ostream& file) { file << text; });
+  return interrupted.exit_code();
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  return trot::program("trot_seeds", [&] {
-    const std::vector<std::string> asked(arguments + 1, arguments + count);
-    if (trot::asks_for_help(asked)) std::cout << usage;
-    else run(parse(asked));
-    return 0;
-  });
+  return trot::program("trot_seeds", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
 }

@@ -13,6 +13,9 @@
 //   in  "criterion"  criterion_port
 //   out "ode", "module"                     as received
 //   out "component"  component_status_port
+//
+// It has no state. A number that no enumerator has (NaN too) counts as the first: ode `transient`, criterion
+// `open`, so nothing is reached.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // 3, *Criterion*). It is a component with
 //
 //   in  "target", "feedback"     of matching spaces
-//   out "error"                  criterion_error, in the unit of the space
+//   out "error"                  criterion_error, in the unit of the space; at most 1e12
 //   out "state"                  criterion_port: a criterion_state
 //
 // and two constants for the adaptive component around it:
@@ -10,7 +10,9 @@
 //   compares     criterion_target::command or ::reference: which of them is the target
 //   at_rest      true if `reached` also requires that the ode has converged
 //
-// Its other inputs become inputs of the adaptive component. Rule: criterion.spaces.
+// Its other inputs become inputs of the adaptive component. While an input is NaN or infinite, the error is
+// 1e12 and the state `lost`, which is the status of a criterion for `unreadable` (input_status.hpp).
+// Rule: criterion.spaces.
 // Laws: tests/laws/criterion_laws.hpp.
 #pragma once
 
@@ -20,6 +22,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/component/input_status.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/component/parameters.hpp>
@@ -55,6 +58,9 @@ inline double furthest(const Vector& v) {
 }
 
 }  // namespace detail
+
+// The error to publish: `largest_input` if it is larger or NaN.
+constexpr double error_to_publish(double error) { return error <= largest_input ? error : largest_input; }
 
 // The distance of two samples, in the unit of the domain type: of positions the Euclidean distance, of
 // orientations the angle between them, of phases the shorter way round, else the largest difference along an
@@ -99,7 +105,7 @@ class error_monitor {
 public:
   template <Quantity Unit>
   criterion_state update(double error, const error_limits<Unit>& limits, double dt) {
-    const bool near = error <= limits.within, far = !(error <= limits.lost);
+    const bool near = error <= limits.within, far = !(error <= limits.lost) || std::isinf(error);
     for_near = near ? for_near + dt : 0;
     for_far = far ? for_far + dt : 0;
     constexpr double rounding = 1e-9;

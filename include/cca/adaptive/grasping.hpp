@@ -13,6 +13,9 @@
 // Lost: for `hold` s the aperture is at most `empty`, so the gripper closed on nothing; open again when it is
 // wider. Before each input has a sample it is open.
 //
+// While the aperture is NaN or infinite: error 1e12, `lost` after `hold` s; while the effort is: not
+// fulfilled. Neither is kept. Afterwards `hold` counts anew.
+//
 // Errors: none. Cost: negligible. Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once
 
@@ -49,8 +52,8 @@ struct grasping {
       return {0.0, status_of(state)};
     const double width = feedback.vector()[0], force = std::abs(effort.vector()[0]);
     const double speed = seen && now.dt() > 0 ? std::abs(width - before) / now.dt() : infinity;
-    before = width;
-    seen = true;
+    seen = std::isfinite(width);
+    if (seen) before = width;
     const bool closed = !(width > p.empty), holds = !closed && force >= p.firm && speed <= p.still;
     for_held = holds ? for_held + now.dt() : 0;
     for_closed = closed ? for_closed + now.dt() : 0;
@@ -59,7 +62,7 @@ struct grasping {
     else if (holds && for_held + rounding >= p.hold) state = criterion_state::fulfilled;
     else if (state == criterion_state::fulfilled ? closed || !(force >= p.slack) : !closed)
       state = criterion_state::open;
-    return {std::abs(target.vector()[0] - width), status_of(state)};
+    return {error_to_publish(std::abs(target.vector()[0] - width)), status_of(state)};
   }
 
   void on_start() {

@@ -29,13 +29,29 @@
 
 namespace cca {
 
+namespace detail {
+
+// Asked last, of what is a model in all else.
+template <class Model>
+constexpr bool has_title() {
+  constexpr bool states = requires {
+    { Model::title() } -> std::convertible_to<std::string>;
+  };
+  static_assert(
+      states,
+      "learner.model: this model has no title, by which a file of learned parameters is recognised: "
+      "add `static std::string title() { return \"reaching v1\"; }` to it");
+  return true;
+}
+
+}  // namespace detail
+
 template <class Model> concept AdaptableModel =
     detail::FixedVector<typename Model::input> && detail::FixedVector<typename Model::output> &&
     detail::Reflected<typename Model::parameters> &&
     requires(const typename Model::parameters& p, const typename Model::input& x) {
       { Model::answer(p, x) } -> std::convertible_to<typename Model::output>;
-      { Model::title() } -> std::convertible_to<std::string>;
-    };
+    } && detail::has_title<Model>();
 
 template <class Model> concept LinearModel =
     AdaptableModel<Model> && requires(typename Model::parameters& p, const typename Model::input& x) {

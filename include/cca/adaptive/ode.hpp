@@ -17,6 +17,9 @@
 //   project(x)       returns x to its valid set after each step (a quaternion to unit length)
 //   positions        the number of leading coordinates whose rates are given by the others: a second-order
 //                    system, which the semi-implicit Euler method needs
+//   fastest(x, u, p) an upper bound of its rates of decay and rotation, in 1/s: the solver divides a step
+//                    that is too long for the integrator
+//   flow(x, u, p, t) the state t seconds later in closed form: the solver takes it instead of dividing a step
 //
 // Preconditions: `derivative` returns the same for the same arguments and does not allocate.
 // Laws: tests/laws/ode_laws.hpp. Example: tests/runtime/ode/example.cpp; docs/ode.md.

@@ -1,5 +1,8 @@
 // ODE Status: `converged` if the rate of change is close to zero, else `transient`, with hysteresis (seed,
-// chapter 3).
+// chapter 3). Two more states follow the policy of input_status.hpp:
+//
+//   clamped      an input or a parameter was beyond what the component can do at this rate, and was cut
+//   unreadable   an input is NaN or infinite: the state stands still
 //
 //   (cca::ode_settling, settling)                           in the parameters of a component
 //   status.update(solver.rate(u, p).norm(), p.settling)     in process; published as
@@ -12,6 +15,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/component/input_status.hpp>
 #include <cca/component/field_types.hpp>
 #include <cca/base/reflect.hpp>
 #include <cca/space/methods/scalar.hpp>
@@ -19,7 +23,7 @@
 
 namespace cca {
 
-enum class ode_status : std::uint8_t { transient, converged };
+enum class ode_status : std::uint8_t { transient, converged, clamped, unreadable };
 
 struct ode_axis : dimension<"ode"> {};
 struct ode_status_port : space<status, axes<ode_axis>> {};
@@ -44,5 +48,12 @@ public:
 private:
   ode_status now = ode_status::transient;
 };
+
+// The number to publish: what was wrong with the inputs, else the state of the ode.
+constexpr double status_of(input_status inputs, ode_status now) {
+  return status_of(inputs == input_status::unreadable ? ode_status::unreadable
+                   : inputs == input_status::clamped  ? ode_status::clamped
+                                                      : now);
+}
 
 }  // namespace cca

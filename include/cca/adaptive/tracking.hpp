@@ -10,6 +10,8 @@
 // Parameters `limits`: within, until, lost (unit of S), hold (s). The delay of a good servo is an error too:
 // choose `within` large enough. Before both inputs have a sample it is open, with error zero.
 //
+// While an input is NaN or infinite: error 1e12, state `lost`; afterwards `open`, and `hold` counts anew.
+//
 // Errors: none. Cost: negligible. Example: tests/runtime/adaptive/tracker.cpp; docs/adaptive.md.
 #pragma once
 
@@ -34,7 +36,7 @@ struct comparing {
       -> std::tuple<out<"error", criterion_error>, out<"state", criterion_port>> {
     if (target.origin() == never || feedback.origin() == never) return {0.0, status_of(monitor.get())};
     const double error = apart<S>(target, feedback);
-    return {error, status_of(monitor.update(error, p.limits, now.dt()))};
+    return {error_to_publish(error), status_of(monitor.update(error, p.limits, now.dt()))};
   }
 
   void on_start() { monitor = {}; }

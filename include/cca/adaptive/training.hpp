@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/learned_file.hpp>
 #include <cca/adaptive/learner.hpp>
 #include <cca/adaptive/module_status.hpp>
@@ -105,10 +106,10 @@ public:
     return status_of(now, region(x, s));
   }
 
-  // Ignores examples that are not finite.
+  // Ignores examples that are not finite or beyond `largest_input`: their squares would not be.
   void teach(const input& x, const output& y, const settings& s) {
     if (now != learning::collecting && now != learning::online) return;
-    if (!x.allFinite() || !y.allFinite()) return;
+    if (!(x.array().abs() <= largest_input).all() || !(y.array().abs() <= largest_input).all()) return;
     if (now == learning::collecting) {
       kept[written++ % kept.size()] = {x, y};
     } else if constexpr (OnlineLearner<Rule>) {

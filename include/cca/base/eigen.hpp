@@ -10,6 +10,8 @@
 // then stay in memory.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #ifndef EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
 #define EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
 #endif

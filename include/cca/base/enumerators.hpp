@@ -2,6 +2,8 @@
 // "slope"`. Enumerators of value 0 to 31, of an `enum class` or an enum with a fixed underlying type.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <array>
 #include <cstddef>
 #include <string_view>

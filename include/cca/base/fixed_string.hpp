@@ -1,6 +1,8 @@
 // A string that can be a template argument: the names of nodes, ports and axes are part of types.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

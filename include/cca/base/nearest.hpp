@@ -1,6 +1,8 @@
 // Finds the name that the user probably meant, for messages about a name that doesn't exist.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -3,6 +3,8 @@
 // expression (GCC bug 71962).
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <cstddef>
 
 namespace cca::detail {

@@ -3,6 +3,8 @@
 // Cost: measured in docs/parameters.md; of Hana it includes only the struct macros, tuple, pair and string.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <array>
 #include <cstddef>
 #include <string_view>

@@ -1,6 +1,8 @@
 // The exception of calls between beats that can't be done. Its message says what, where and what to do.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <stdexcept>
 
 #ifndef __cpp_exceptions

@@ -1,6 +1,8 @@
 // Builds sentences at compile time.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string_view>

@@ -2,6 +2,8 @@
 // `cartesian_position<hip_frame>`.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 #include <array>
 #include <string_view>
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 constexpr std::string_view too_few_beats(std::int64_t count) {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 // Beats first, first + period, first + 2 period, ...; period 0: never; period -1: known only at run time.

@@ -2,6 +2,8 @@
 // so give it a literal.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 namespace cca {
 
 class fault {

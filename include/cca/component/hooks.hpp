@@ -6,6 +6,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 struct hook_names {
@@ -44,6 +46,12 @@ template <class Component> concept OnStop = requires(Component& c) {
 };
 template <class Component> concept OnFault = requires(Component& c) {
   { c.on_fault() } -> std::same_as<void>;
+};
+
+// Of a resource node: step() calls it instead of a beat while the controller is stopped or faulted, so that a
+// robot can go on stopping.
+template <class Component> concept OnIdle = requires(Component& c) {
+  { c.on_idle() } -> std::same_as<void>;
 };
 
 // Most components have no hook: one check instead of ten keeps compiling fast.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca {
 
 enum class state : std::uint8_t { created, loaded, started, running, faulted };

@@ -8,14 +8,18 @@
 //
 // A field is a bool, an integer, a float or double, an enumeration, a `bounded`, a `quantity`, a `text`, a
 // std::array or fixed-size Eigen vector or matrix of these, or another such struct. A struct may have a
-// `check() const` that returns a text: empty, or what is wrong. Errors: rule parameters.unsupported_type;
-// `cca::refused` for values. Example: docs/parameters.md.
+// `check() const` that returns a text: empty, or what is wrong. The outermost struct may have a
+// `check_at(double step) const`, too, for bounds that follow from the rate: `step` is the time between two
+// firings of the node in s. A component may have `refusal_of(values) const`, which refuses values for now,
+// for example while the robot moves. Errors: rule parameters.unsupported_type; `cca::refused` for values.
+// Example: docs/parameters.md.
 #pragma once
 
 #include <concepts>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <cca/component/component.hpp>
@@ -100,6 +104,15 @@ constexpr field_problem bad_field_of<Component> = {
 template <ForgotParameters Component>
 constexpr field_problem bad_field_of<Component> = {.forgot_parameters = true};
 
+// Bounds that follow from the rate; asked where all values are allowed by themselves.
+template <class Parameters>
+void check_at(const Parameters& values, std::string_view path, double step, std::vector<complaint>& found) {
+  if constexpr (requires { std::string(values.check_at(step)); }) {
+    if (auto what = std::string(values.check_at(step)); !what.empty())
+      found.push_back({std::string(path), std::move(what)});
+  }
+}
+
 template <class Complaints>
 void refuse(const Complaints& found) {
   if (found.empty()) return;
@@ -112,24 +125,55 @@ void refuse(const Complaints& found) {
   throw refused(text);
 }
 
+// Of values by themselves. `step` is the time between two firings of the node in s; 0: bounds that follow
+// from the rate are not asked.
+template <class Parameters>
+std::vector<complaint> complaints_about(const Parameters& values, std::string_view path, double step) {
+  std::vector<complaint> found;
+  check(schema_of<Parameters>, &values, std::string(path), found);
+  if (found.empty() && step > 0) check_at(values, path, step, found);
+  return found;
+}
+
 }  // namespace detail
 
 // Throws `cca::refused` with one line per problem: `cpg.frequency: 9 is out of range, expected 0.1 to 5`.
+// With `step`, the time between two firings in s, also for bounds that follow from the rate.
 template <class Parameters>
-void check_parameters(const Parameters& values, std::string_view path = {}) {
-  std::vector<detail::complaint> found;
-  detail::check(detail::schema_of<Parameters>, &values, std::string(path), found);
-  detail::refuse(found);
+void check_parameters(const Parameters& values, std::string_view path = {}, double step = 0) {
+  detail::refuse(detail::complaints_about(values, path, step));
 }
 
 namespace detail {
 
-// Checks all values first: if one is refused, the component keeps its old parameters.
+// Of a component that can't take other parameters at all times: why not now; empty: it can. The text begins
+// with the name of the field.
+template <class Component> concept MayRefuse =
+    requires(const Component& component, const typename Component::parameters& values) {
+      { component.refusal_of(values) } -> std::same_as<std::string_view>;
+    };
+
+// All that speaks against giving these values to a component now.
+template <HasParameters Component>
+std::vector<complaint> complaints_of(const Component& component,
+                                     const typename Component::parameters& values,
+                                     std::string_view path,
+                                     double step) {
+  auto found = complaints_about(values, path, step);
+  if constexpr (MayRefuse<Component>)
+    if (found.empty())
+      if (const std::string_view why = component.refusal_of(values); !why.empty())
+        found.push_back({{}, std::string(path) + "." + std::string(why)});
+  return found;
+}
+
+// If a value is refused, the component keeps its old parameters.
 template <HasParameters Component>
 void apply_parameters(Component& component,
                       const typename Component::parameters& values,
-                      std::string_view path = {}) {
-  check_parameters(values, path);
+                      std::string_view path = {},
+                      double step = 0) {
+  refuse(complaints_of(component, values, path, step));
   component.p = values;
 }
 

@@ -97,6 +97,31 @@ inline constexpr bool has_zeros = [] {
 
 }  // namespace detail
 
+namespace detail {
+
+// Of the wrong length. Where a length is known only at run time, Eigen checks it.
+template <class Vector, int Size> concept Unfit =
+    Vector::SizeAtCompileTime != Size && Vector::SizeAtCompileTime != Eigen::Dynamic;
+
+// An enumerator that is no number by itself.
+template <class Type> concept Enumerator = std::is_enum_v<Type> && !std::is_convertible_v<Type, double>;
+
+// Functions that are called where the mistake is, and whose arguments the compilers print.
+template <int Given, int Wanted>
+constexpr void refuse_length() {
+  static_assert(Given == Wanted,
+                "component.bad_result: this vector has another number of coordinates than the space of the "
+                "output has: return one number for each axis (an orientation and a pose have a quaternion)");
+}
+template <class Type>
+constexpr void refuse_enumerator() {
+  static_assert(!std::is_enum_v<Type>,
+                "component.bad_result: an output holds numbers, and this is an enumerator: write "
+                "`cca::status_of(...)` around it");
+}
+
+}  // namespace detail
+
 // An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates
 // at the oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
 template <fixed_string Name, class Space>
@@ -117,6 +142,15 @@ public:
     requires(space::size == 1)
   {
     coordinates[0] = number;
+  }
+  template <class Vector>
+    requires detail::Unfit<Vector, space::size>
+  constexpr out(const Eigen::MatrixBase<Vector>&) {
+    detail::refuse_length<Vector::SizeAtCompileTime, space::size>();
+  }
+  template <detail::Enumerator State>
+  constexpr out(State) {
+    detail::refuse_enumerator<State>();
   }
 
   template <class Axis>
@@ -160,6 +194,8 @@ public:
   constexpr maybe(double number)
     requires(maybe::space::size == 1)
       : out<Name, Space>(number), published(true) {}
+  template <detail::Enumerator State>
+  constexpr maybe(State state) : out<Name, Space>(state) {}
 
   // Filling it by axis publishes it.
   template <class Axis>
@@ -195,6 +231,10 @@ private:
 };
 
 struct latest;  // the default policy of a wire, in graph/graph.hpp
+
+// As the policy of an `observe`: its path names one output, which must exist. It is looked for in the graph
+// of the component, then in the graphs around it. Without it a path may match nothing.
+struct one_output;
 
 // One of the samples under a scope that an `observe` listens to.
 struct observation {

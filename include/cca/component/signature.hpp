@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/array_size.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
@@ -22,7 +23,7 @@ struct list {};
 struct port_info {
   std::string_view name{};
   ref<space_info> space = nullptr;  // none for an observer, which reads any space
-  bool optional = false;
+  bool optional = false;            // an observer that is not must hear one output
   bool maybe = false;
   int observed_delay = 0;
 };
@@ -57,7 +58,8 @@ constexpr int delay_of_policy = 0;
 template <fixed_string Scope, class Policy>
 struct parameter_facts<observe<Scope, Policy>> {
   static constexpr auto kind = parameter_kind::input;
-  static constexpr port_info port{Scope.view(), nullptr, true, false, delay_of_policy<Policy>};
+  static constexpr port_info port{Scope.view(), nullptr, !std::is_same_v<Policy, one_output>, false,
+                                  delay_of_policy<Policy>};
 };
 
 // A parameter may be taken by value or by reference to const.
@@ -152,7 +154,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
   static constexpr int output_count = ((result_facts<Results>::kind == result_kind::output) + ... + 0);
 
   static constexpr auto inputs = [] {
-    std::array<port_info, input_count + 1> found{};
+    std::array<port_info, array_size(input_count + 1)> found{};
     std::size_t n = 0;
     ((parameter_facts<Parameters>::kind == parameter_kind::input
           ? void(found[n++] = parameter_facts<Parameters>::port)
@@ -161,7 +163,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     return found;
   }();
   static constexpr auto outputs = [] {
-    std::array<port_info, output_count + 1> found{};
+    std::array<port_info, array_size(output_count + 1)> found{};
     std::size_t n = 0;
     ((result_facts<Results>::kind == result_kind::output ? void(found[n++] = result_facts<Results>::port)
                                                          : void()),

@@ -57,7 +57,8 @@ consteval Report make_report() {
         << broken_by<Type>() << ": `" << type_name<Type>()
         << "` is no graph: a controller runs a struct derived from cca::graph<...>; put a component into one "
            "as cca::node<`name`, "
-        << type_name<Type>() << ">";
+        << type_name<Type>() << ">; if another error names " << type_name<Type>()
+        << ", mend that first: a comma may be missing between two items of the graph";
   }
   return {as_written(r.where), as_written(r.message)};
 }

@@ -14,9 +14,9 @@
 // adaptive_transformation<Space, Rule> learns a correction that is added to the input: untrained, it passes
 // the input on. Programs learn between two beats through `learning`, a cca::training. Parameters: settings
 // (of the learner), files (load, save). Both are a cca::Mapping and may stand in chains.
-// Preconditions: spaces with one number per axis.
-// Errors: learner.model; `cca::refused` for files. Cost: one answer; with a teacher also one step of the
-// learner.
+// Numbers beyond 1e12 count as 1e12. NaN and infinity are never learned; the output of that firing is NaN,
+// and the status says `outside` (the trained region). Preconditions: spaces with one number per axis. Errors:
+// learner.model; `cca::refused` for files. Cost: one answer; with a teacher also one step of the learner.
 // Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
@@ -24,6 +24,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -65,7 +66,8 @@ struct learned_mapping {
       return {};
     } else {
       if (call && call.fresh()) learning.obey(call.template as<learning_call>());
-      const typename From::vector_type& x = input.vector();
+      detail::input_check inputs;
+      const typename From::vector_type x = inputs(input.vector());
       typename To::vector_type zero = To::vector_type::Zero();
       if constexpr (Correction) zero = x;
       if (teacher && teacher.fresh()) learning.teach(x, teacher.vector() - zero, p.settings);

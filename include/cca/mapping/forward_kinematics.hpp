@@ -7,6 +7,9 @@
 //    or "orientation"          if Tip is a space of orientations
 //    or "pose"                 if Tip is a space of poses
 //
+// It has no state: an angle or coordinate that is NaN or infinite makes the output of that firing NaN, which
+// components with a state and limiters recognise (input_status.hpp).
+//
 // Errors: frame.mismatch, space.mismatch. Cost: kinematics.hpp. Example:
 // tests/runtime/mapping/kinematics.cpp.
 #pragma once

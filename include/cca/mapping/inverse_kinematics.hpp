@@ -8,16 +8,24 @@
 //   out "angles"       Joints           rad (prismatic joints: m), within the limits of the axes
 //   out "status"       reaching_status  a cca::reaching
 //
-// The angles are always finite. A target out of reach gives the angles of the nearest point and `nearest`. A
-// target that is not finite gives the last angles and `unreadable`. A cca::pantograph_leg is solved in closed
-// form, every other chain by damped least squares; the fourth argument holds their settings.
+// The angles are always finite and within the limits. A cca::pantograph_leg is solved in closed form, in one
+// beat. Every other chain is solved by damped least squares from many starts (many_starts.hpp); the fourth
+// argument holds the settings. A beat takes at most `steps_per_beat` steps (100), and a longer search goes on
+// in the next ones. Until it ends the status is `unfinished`, and the angles lead to the nearest point so
+// far: they may jump when a better start is found. A target out of reach gives the angles of the nearest
+// point and `nearest`, after `starts` descents (128). A target that is not finite gives the last angles and
+// `unreadable`.
 //
-// Errors: frame.mismatch, space.mismatch. Cost: that of the solver.
+// While a search goes on, `near` is not read again. A component fires when an input is fresh: if the target
+// is published more rarely than the search takes, give the node `cca::timed<1>`.
+//
+// Errors: frame.mismatch, space.mismatch. Cost: that of the solver; docs/mappings.md has figures.
 // Example: tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
 #include <tuple>
 
+#include <cca/mapping/many_starts.hpp>
 #include <cca/mapping/pantograph.hpp>
 
 namespace cca {
@@ -25,7 +33,7 @@ namespace detail {
 
 template <class Chain, class Joints, class Tip, class Settings>
 struct solver_of {
-  using type = least_squares_solver<Chain, Joints, Tip, Settings>;
+  using type = many_starts<Chain, Joints, Tip, Settings>;
 };
 
 // The closed form fits positions only: with two joints over x and z, if the plane of the leg is that of the
@@ -69,15 +77,19 @@ public:
       for (int i = 0; i < vector::RowsAtCompileTime; ++i)
         if (std::isfinite(start[i])) last[i] = limits::clamped(i, start[i]);
     }
-    const auto found = solver::solve(target, last);
+    const auto found = search.solve(target, last);
     last = found.q;
     return {order::to(last), status_of(found.status)};
   }
 
-  void on_start() { last = limits::clamped(vector(vector::Zero())); }
+  void on_start() {
+    last = limits::clamped(vector(vector::Zero()));
+    search = solver();
+  }
 
 private:
   vector last = limits::clamped(vector(vector::Zero()));
+  [[no_unique_address]] solver search{};
 };
 
 }  // namespace cca

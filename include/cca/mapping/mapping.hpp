@@ -15,6 +15,8 @@
 // `status` and optional inputs. `Transformation<C>`: these two have matching spaces. `input_space<C>` and
 // `output_space<C>` are their spaces.
 //
+// NaN and infinity are passed to the function as they come; a function with a state must not keep them.
+//
 // Errors: transform.leaves_space, space.mismatch. Cost: that of the function.
 // Example: tests/runtime/mapping/example.cpp; docs/mappings.md.
 #pragma once

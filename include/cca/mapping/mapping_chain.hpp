@@ -6,6 +6,7 @@
 //   out <output of the last>      with its name and space
 //   out <statuses>                each status of each mapping, in order
 //
+// NaN and infinity do in it what they do in its mappings.
 // Optional inputs of the mappings are not wired. `get<0>()` is the first mapping.
 // Errors: mapping.chain, if a mapping takes another space (domain type, frame, axes, rate) than the one
 // before gives. Cost: that of its mappings. Example: tests/runtime/mapping/example.cpp.

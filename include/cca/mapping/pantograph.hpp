@@ -26,7 +26,8 @@
 #include <numbers>
 #include <type_traits>
 
-#include <cca/mapping/damped_least_squares.hpp>
+#include <cca/mapping/reaching.hpp>
+#include <cca/mapping/tip_task.hpp>
 
 namespace cca {
 
@@ -124,7 +125,7 @@ private:
   };
 };
 
-// The solver of a pantograph leg, with the interface of least_squares_solver.
+// The solver of a pantograph leg, with the interface of many_starts.
 template <class Leg, class Joints, class Tip, class Settings>
 class pantograph_solver {
   using limits = chain_limits<Leg, Joints>;

@@ -15,8 +15,8 @@ namespace cca {
 enum class reaching : std::uint8_t {
   nothing,     // no sample yet
   reached,     // the angles lead to the target
-  nearest,     // out of reach: they lead to the nearest point that the solver found
-  unfinished,  // the iterations ran out: they lead nearer than the last angles
+  nearest,     // out of reach: they lead to the nearest point, and the search has ended
+  unfinished,  // the search goes on in the next beats: they lead to the nearest point so far
   unreadable,  // the input was NaN or infinite: these are the last angles
 };
 

@@ -15,6 +15,9 @@
 // point too. Positions over some of the axes x, y, z can be translated, not rotated. For a frame that moves,
 // wire a pose and use `express`.
 //
+// It has no state: an angle or coordinate that is NaN or infinite makes the output of that firing NaN, which
+// components with a state and limiters recognise (input_status.hpp).
+//
 // Errors: frame.mismatch, space.mismatch. Cost: a rotation by a constant. Source (motion of twists and
 // wrenches): Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 2 (coordinate transforms of spatial
 // vectors). Checked against them, written as 6 x 6 matrices. Example: tests/runtime/mapping/example.cpp.

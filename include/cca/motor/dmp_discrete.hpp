@@ -15,22 +15,29 @@
 // the movement is a critically damped spring. A restart keeps position and velocity. If "start" is wired, the
 // component waits for its first sample and publishes only its status until then.
 //
-// Errors: none. While an input is not finite, the state does not change and only the status is published.
-// Cost: four derivatives of N + 1 exponentials each. Source: equations/dmp_discrete_ode.hpp.
+// Inputs (input_status.hpp): while one is NaN or infinite, the movement stands still, the velocity is 0,
+// nothing else is published, and the status is `unreadable`; beyond 1e12, and a duration below 1 ms, it is
+// cut and the status is `clamped`. A movement that is too fast for the rate of the node (duration below
+// max(stiffness / 2, goal_rate, decay) * dt / 16) runs as fast as the rate allows, with the status `clamped`.
+//
+// Errors: none. Cost: four derivatives of N + 1 exponentials each; up to 16 times as much while
+// max(stiffness / 2, goal_rate, decay) * dt > duration. Source: equations/dmp_discrete_ode.hpp.
 // Example: tests/runtime/motor/dmp.cpp.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <string_view>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/dmp_discrete_ode.hpp>
-#include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -49,6 +56,12 @@ struct dmp_discrete {
                              (bounded<double, 0, 1000>, goal_rate),
                              (bool, scaled),
                              (ode_settling, settling));
+    std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
+    std::string check_at(double step) const {
+      return detail::below_rate_bound(
+          "duration", duration,
+          std::max({stiffness / 2, goal_rate.value(), decay.value()}) / detail::rate_bound(step), step);
+    }
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, 5.0, 12.5, true, {1e-3, 1e-2}};
 
@@ -62,29 +75,32 @@ struct dmp_discrete {
                                        out<"status", ode_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
-    const double wanted = duration ? duration[duration_axis{}] : p.duration.value(),
-                 seconds = std::max(1e-3, wanted);
-    if (!detail::all_finite(goal.vector()) || !std::isfinite(wanted) ||
-        (!begun && start && !detail::has_come(start)))
-      return {{}, {}, {}, status_of(status.get())};
+    detail::input_check inputs;
+    const vector to = inputs(goal.vector());
+    const double seconds =
+        inputs.number(duration ? duration[duration_axis{}] : p.duration.value(), 1e-3, largest_input);
+    maybe<"velocity", velocity_of<S>> still;
+    if (begun) still = vector(vector::Zero());
+    if (inputs.unreadable() || (!begun && start && !detail::has_come(start)))
+      return {{}, still, {}, status_of(inputs.get(), status.get())};
     if (!begun) {
-      from = start ? start.vector() : sample<S>{}.vector();
-      solver.set(ode::at_rest(from, goal.vector()));
+      from = start ? inputs(start.vector()) : vector(sample<S>{}.vector());
+      solver.set(ode::at_rest(from, to));
       begun = true;
     } else if (restart && restart.fresh()) {
       typename ode::state x = solver.get();
-      from = x.template head<D>();
-      x.template segment<D>(2 * D) = goal.vector();
+      from = inputs(x.template head<D>());
+      x.template segment<D>(2 * D) = to;
       x[3 * D] = 1;
       solver.set(x);
     }
     const typename ode::parameters at{p.weights, p.stiffness, p.decay, p.goal_rate, p.scaled};
     typename ode::input u;
-    u << goal.vector(), from, seconds;
-    solver.advance(u, at, now.dt());
+    u << to, from, seconds;
+    if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
     return {vector(solver.get().template head<D>()), vector(rate.template head<D>()), solver.get()[3 * D],
-            status_of(status.update(rate.norm(), p.settling))};
+            status_of(inputs.get(), status.update(rate.norm(), p.settling))};
   }
 
   // The next movement begins at "start".

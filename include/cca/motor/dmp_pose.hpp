@@ -16,22 +16,28 @@
 // the position, three for the rotation vector. If "start" is wired, the component waits for its first sample
 // and publishes only its status until then.
 //
-// Errors: none. While an input is not finite, the state does not change and only the status is published.
-// Cost: four derivatives, each with N + 1 exponentials, three arc tangents and three square roots.
+// Inputs (input_status.hpp): as of dmp_discrete. While one is NaN or infinite, the movement stands still, the
+// velocity is 0, nothing else is published, and the status is `unreadable`. What is too large for the
+// component or too fast for the rate of the node is cut, with the status `clamped`.
+//
+// Errors: none. Cost: four derivatives, each with N + 1 exponentials, three arc tangents and three square
+// roots; up to 16 times as much while max(stiffness / 2, goal_rate, decay) * dt > duration.
 // Source: equations/dmp_pose_ode.hpp. Example: tests/runtime/motor/dmp_pose.cpp.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <string_view>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/dmp_pose_ode.hpp>
-#include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -54,6 +60,12 @@ struct dmp_pose {
                              (bounded<double, 0, 1000>, goal_rate),
                              (bool, scaled),
                              (ode_settling, settling));
+    std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
+    std::string check_at(double step) const {
+      return detail::below_rate_bound(
+          "duration", duration,
+          std::max({stiffness / 2, goal_rate.value(), decay.value()}) / detail::rate_bound(step), step);
+    }
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, 5.0, 12.5, true, {1e-3, 1e-2}};
 
@@ -65,35 +77,39 @@ struct dmp_pose {
                                        maybe<"velocity", twist_of<S, Tip>>,
                                        maybe<"progress", movement_progress>,
                                        out<"status", ode_status_port>> {
-    const double wanted = duration ? duration[duration_axis{}] : p.duration.value(),
-                 tau = std::max(1e-3, wanted);
-    if (!detail::all_finite(goal.vector()) || !std::isfinite(wanted) ||
-        (!begun && start && !detail::has_come(start)))
-      return {{}, {}, {}, status_of(status.get())};
+    detail::input_check inputs;
+    const typename ode::pose to = inputs(goal.vector());
+    const double tau =
+        inputs.number(duration ? duration[duration_axis{}] : p.duration.value(), 1e-3, largest_input);
+    typename twist_of<S, Tip>::vector_type velocity = twist_of<S, Tip>::vector_type::Zero();
+    if (inputs.unreadable() || (!begun && start && !detail::has_come(start))) {
+      maybe<"velocity", twist_of<S, Tip>> still;
+      if (begun) still = velocity;
+      return {{}, still, {}, status_of(inputs.get(), status.get())};
+    }
     typename ode::state x = solver.get();
     if (!begun) {
-      from = start ? start.vector() : sample<S>{}.vector();
-      x = ode::at_rest(from, goal.vector());
+      from = start ? inputs(start.vector()) : typename ode::pose(sample<S>{}.vector());
+      x = ode::at_rest(from, to);
       begun = true;
     } else if (restart && restart.fresh()) {
-      from << x.template head<3>(), x.template segment<4>(6);
-      x.template segment<7>(13) = goal.vector();
+      from << inputs(x.template head<3>()), x.template segment<4>(6);
+      x.template segment<7>(13) = to;
       x[20] = 1;
       x = ode::project(x);
     }
     const typename ode::parameters at{p.weights, p.stiffness, p.decay, p.goal_rate, p.scaled};
     typename ode::input u;
-    u << goal.vector(), from, tau;
+    u << to, from, tau;
     solver.set(x);
-    solver.advance(u, at, now.dt());
+    if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     x = solver.get();
     const double rate = solver.rate(u, at).norm();
     typename ode::pose pose;
     pose << x.template head<3>(), x.template segment<4>(6);
-    typename twist_of<S, Tip>::vector_type velocity;
     velocity << x.template segment<3>(10), x.template segment<3>(3);
     velocity /= tau;
-    return {pose, velocity, x[20], status_of(status.update(rate, p.settling))};
+    return {pose, velocity, x[20], status_of(inputs.get(), status.update(rate, p.settling))};
   }
 
   // The next movement begins at "start".

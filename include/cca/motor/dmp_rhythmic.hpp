@@ -16,23 +16,30 @@
 // publishes only its status until then. Precondition: the phase advances at the frequency. The component
 // assumes this between two firings and reads the phase again in each firing.
 //
-// Errors: none. While an input is not finite, the state does not change and only the status is published.
-// Cost: five times N exponentials. Source: equations/dmp_rhythmic_ode.hpp.
-// Example: tests/runtime/motor/dmp.cpp.
+// Inputs (input_status.hpp): while one is NaN or infinite, the movement stands still, the velocity is 0,
+// nothing else but the status is published, and the status is `unreadable`; beyond 1e12, and a frequency
+// below 0.01 Hz, it is cut and the status is `clamped`. A frequency that is too high for the rate of the node
+// (2 pi f max(stiffness / 2, 1) above 16 / dt) makes the movement slower than its phase, with the same
+// status.
+//
+// Errors: none. Cost: five times N exponentials; up to 13 times as much at high frequencies. Source:
+// equations/dmp_rhythmic_ode.hpp. Example: tests/runtime/motor/dmp.cpp.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <string>
+#include <string_view>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/dmp_rhythmic_ode.hpp>
-#include <cca/motor/finite.hpp>
 #include <cca/motor/spaces.hpp>
 
 namespace cca {
@@ -48,6 +55,12 @@ struct dmp_rhythmic {
                              (cca::quantity<cca::frequency, 0.01, 100>, frequency),
                              (bounded<double, 0.1, 1000>, stiffness),
                              (ode_settling, settling));
+    std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
+    std::string check_at(double step) const {
+      return detail::above_rate_bound(
+          "frequency", frequency,
+          detail::rate_bound(step) / (2 * std::numbers::pi * std::max(stiffness / 2, 1.0)), step);
+    }
   };
   parameters p{weight_matrix::Zero(), 1.0, 25.0, {1e-3, 1e-2}};
 
@@ -60,27 +73,33 @@ struct dmp_rhythmic {
       -> std::tuple<maybe<"position", S>, maybe<"velocity", velocity_of<S>>, out<"status", ode_status_port>> {
     constexpr int D = S::size;
     using vector = typename ode::vector;
-    const double wanted = turns ? turns[Axis{}] : p.frequency.value(), hertz = std::max(0.01, wanted);
+    detail::input_check inputs;
+    const vector centre = inputs(goal.vector());
+    const double hertz =
+        inputs.number(turns ? turns[Axis{}] : p.frequency.value(), least_frequency, largest_input);
+    const double swing = std::max(0.0, inputs.number(size[Axis{}])), at_phase = inputs.number(phase[Axis{}]);
     const typename ode::parameters at{p.weights, p.stiffness};
     typename ode::input u;
-    u << goal.vector(), std::max(0.0, size[Axis{}]), 1 / (2 * std::numbers::pi * hertz);
+    u << centre, swing, 1 / (2 * std::numbers::pi * hertz);
     const bool can_begin = begun || (start ? detail::has_come(start) : goal.origin() != never);
-    if (!can_begin || !detail::all_finite(goal.vector()) ||
-        !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted))
-      return {{}, {}, status_of(status.get())};
+    if (!can_begin || inputs.unreadable()) {
+      maybe<"velocity", velocity_of<S>> still;
+      if (begun) still = vector(vector::Zero());
+      return {{}, still, status_of(inputs.get(), status.get())};
+    }
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();
-      x.template head<D>() = start ? start.vector() : goal.vector();
+      x.template head<D>() = start ? inputs(start.vector()) : centre;
       begun = true;
     }
     // The input is the phase at the end of this step; the solver begins one step earlier.
-    x[2 * D] = phase[Axis{}] - 2 * std::numbers::pi * hertz * now.dt();
+    x[2 * D] = at_phase - 2 * std::numbers::pi * hertz * now.dt();
     solver.set(x);
-    solver.advance(u, at, now.dt());
+    if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
     return {vector(solver.get().template head<D>()), vector(rate.template head<D>()),
-            status_of(status.update(rate.template head<2 * D>().norm(), p.settling))};
+            status_of(inputs.get(), status.update(rate.template head<2 * D>().norm(), p.settling))};
   }
 
   // The next movement begins at "start".
@@ -90,6 +109,7 @@ struct dmp_rhythmic {
   }
 
 private:
+  static constexpr double least_frequency = 0.01;  // Hz
   ode_solver<ode, Integrator> solver;
   ode_monitor status;
   bool begun = false;

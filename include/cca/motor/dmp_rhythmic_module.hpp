@@ -26,27 +26,35 @@
 //
 // Parameters: frequency, stiffness, settling, settings (of the learner), files (read on load, written on
 // save). The weights depend on the stiffness: a file that was learned with another stiffness is refused.
-// Errors: learner.model; `cca::refused` for files. While an input is not finite, the state does not change
-// and only the statuses are published. Cost: five times N exponentials; with a demonstration also one step of
-// the learner. Source: equations/dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
+//
+// Inputs (input_status.hpp): while one is NaN or infinite, the movement stands still, the velocity is 0, only
+// the statuses are published besides, "ode" is `unreadable`, and demonstrations count anew; beyond 1e12, and
+// a frequency below 0.01 Hz, it is cut and "ode" is `clamped`. A frequency that is too high for the rate of
+// the node (2 pi f max(stiffness / 2, 1) above 16 / dt) makes the movement slower than its phase, with the
+// same status.
+//
+// Errors: learner.model; `cca::refused` for files. Cost: five times N exponentials, up to 13 times as much at
+// high frequencies; with a demonstration also one step of the learner. Source:
+// equations/dmp_rhythmic_ode.hpp. Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
+#include <string>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/locally_weighted_regression.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/adaptive/training.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/dmp_rhythmic_ode.hpp>
 #include <cca/motor/dmp_shapes.hpp>
-#include <cca/motor/finite.hpp>
 
 namespace cca {
 
@@ -70,6 +78,11 @@ struct dmp_rhythmic_module {
                              (ode_settling, settling),
                              (learner_settings, settings),
                              (learned_files, files));
+    std::string check_at(double step) const {
+      return detail::above_rate_bound(
+          "frequency", frequency,
+          detail::rate_bound(step) / (2 * std::numbers::pi * std::max(stiffness / 2, 1.0)), step);
+    }
   };
   parameters p{1.0, 25.0, {1e-3, 1e-2}, {}, {}};
   training<learner, Capacity> learning;
@@ -88,32 +101,40 @@ struct dmp_rhythmic_module {
     constexpr int D = S::size;
     using vector = typename ode::vector;
     if (call && call.fresh()) learning.obey(call.template as<learning_call>());
-    const double wanted = turns ? turns[Axis{}] : p.frequency.value(), hertz = std::max(0.01, wanted);
-    const double tau = 1 / (2 * std::numbers::pi * hertz), swing = std::max(0.0, size[Axis{}]);
+    detail::input_check inputs;
+    const vector centre = inputs(reference.vector());
+    const double hertz =
+        inputs.number(turns ? turns[Axis{}] : p.frequency.value(), least_frequency, largest_input);
+    const double swing = std::max(0.0, inputs.number(size[Axis{}])), at_phase = inputs.number(phase[Axis{}]);
+    const double tau = 1 / (2 * std::numbers::pi * hertz);
     const typename ode::parameters at{learning.get().function.weights, p.stiffness};
     typename ode::input u;
-    u << reference.vector(), swing, tau;
+    u << centre, swing, tau;
     const bool can_begin = begun || (start ? detail::has_come(start) : reference.origin() != never);
-    if (!can_begin || !detail::all_finite(reference.vector()) ||
-        !std::isfinite(phase[Axis{}] + size[Axis{}] + wanted)) {
+    if (!can_begin || inputs.unreadable()) {
       seen_in_a_row = 0;
-      return {{}, {}, status_of(ode_state.get()), learning.status({phase[Axis{}], swing}, p.settings)};
+      maybe<"velocity", velocity_of<S>> still;
+      if (begun) still = vector(vector::Zero());
+      return {{},
+              still,
+              status_of(inputs.get(), ode_state.get()),
+              learning.status({at_phase, swing}, p.settings)};
     }
-    observe_demonstration(demonstration, {phase[Axis{}], swing}, reference.vector(), tau, now.dt());
+    observe_demonstration(demonstration, {at_phase, swing}, centre, tau, now.dt());
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();
-      x.template head<D>() = start ? start.vector() : reference.vector();
+      x.template head<D>() = start ? inputs(start.vector()) : centre;
       begun = true;
     }
     // The input is the phase at the end of this step; the solver begins one step earlier.
-    x[2 * D] = phase[Axis{}] - now.dt() / tau;
+    x[2 * D] = at_phase - now.dt() / tau;
     solver.set(x);
-    solver.advance(u, at, now.dt());
+    if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
     return {vector(solver.get().template head<D>()), vector(rate.template head<D>()),
-            status_of(ode_state.update(rate.template head<2 * D>().norm(), p.settling)),
-            learning.status({phase[Axis{}], swing}, p.settings)};
+            status_of(inputs.get(), ode_state.update(rate.template head<2 * D>().norm(), p.settling)),
+            learning.status({at_phase, swing}, p.settings)};
   }
 
   void on_load() {
@@ -158,7 +179,7 @@ private:
         ode::wanted_forcing(last[1].y, velocity, acceleration, last[1].goal, last[1].tau, {{}, p.stiffness}),
         p.settings);
   }
-  static constexpr double least_swing = 1e-3;
+  static constexpr double least_swing = 1e-3, least_frequency = 0.01;  // no unit, Hz
 
   ode_solver<ode, Integrator> solver;
   ode_monitor ode_state;

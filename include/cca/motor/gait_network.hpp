@@ -15,20 +15,27 @@
 // amplitude 0 do not act on others. Precondition: all legs have the same frequency, or frequencies close
 // enough for the coupling to lock.
 //
-// Errors: an unknown number at "gait" means walk. While another input is not finite, the state does not
-// change.
-// Cost: 60 sines per beat (RK4). Source: equations/oscillator_network_ode.hpp, gait.hpp.
-// Example: tests/runtime/motor/gait_network.cpp.
+// Inputs (input_status.hpp): while one is NaN or infinite, the state stands still, phases and amplitudes stay
+// and the status is `unreadable`; beyond 1e12, and an amplitude below 0, it is cut and the status is
+// `clamped`. So is a coupling or a convergence that is too stiff for the rate of the node: coupling times the
+// sum of the amplitudes, and convergence / 2, are at most 16 / dt.
+//
+// Errors: an unknown number at "gait" means walk. Cost: 60 sines per beat (RK4); up to 16 times as much while
+// coupling times the sum of the amplitudes, or convergence / 2, is above 1 / dt. Source:
+// equations/oscillator_network_ode.hpp, gait.hpp. Example: tests/runtime/motor/gait_network.cpp.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
+#include <cca/adaptive/numerics/rate_bound.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/finite.hpp>
 #include <cca/motor/gait.hpp>
 #include <cca/motor/equations/oscillator_network_ode.hpp>
 #include <cca/motor/spaces.hpp>
@@ -49,35 +56,50 @@ struct gait_network {
                              (bounded<double, 0, 1000>, convergence),  // a, 1/s
                              (bounded<double, 0, 1>, nudge),           // rad
                              (ode_settling, settling));
+    // With amplitudes of 1.
+    std::string check_at(double step) const {
+      const double most = detail::rate_bound(step);
+      const auto text = detail::above_rate_bound("coupling", coupling, most / 4, step);
+      return text.empty() ? detail::above_rate_bound("convergence", convergence, 2 * most, step) : text;
+    }
   };
   parameters p{cca::gait::trot, 1.0, 4.0, 20.0, 1e-3, {0.02, 0.05}};
+
+  using result = std::tuple<out<"phase", legs<cca::phase>>,
+                            out<"amplitude", legs<cca::amplitude>>,
+                            out<"status", ode_status_port>>;
 
   auto process(in<"amplitude", legs<cca::amplitude>> wanted,
                optional_in<"frequency", legs<cca::frequency>> turns,
                optional_in<"gait", gait_choice> choice,
-               beat now) -> std::tuple<out<"phase", legs<cca::phase>>,
-                                       out<"amplitude", legs<cca::amplitude>>,
-                                       out<"status", ode_status_port>> {
-    const cca::gait next = choice ? choice.template as<cca::gait>() : p.gait;
+               beat now) -> result {
+    detail::input_check inputs;
+    ode::input u;
+    if (turns) u.template head<4>() = inputs(turns.vector());
+    else u.template head<4>().setConstant(p.frequency);
+    for (int i = 0; i < 4; ++i) u[4 + i] = inputs.number(wanted.vector()[i], 0, largest_input);
+    if (choice) inputs.number(choice.vector()[0]);
     ode::state x = solver.get();
+    if (inputs.unreadable()) return published(x, inputs.get());
+    const cca::gait next = choice ? choice.template as<cca::gait>() : p.gait;
     if (!begun) start(x, next);
     else if (next != current) change(x, next);
-    ode::input u;
-    if (turns) u.template head<4>() = turns.vector();
-    else u.template head<4>().setConstant(p.frequency);
-    u.template tail<4>() = wanted.vector();
-    at.weights.setConstant(p.coupling);
+    // What the most parts of a step can follow.
+    const double most = detail::rate_bound(now.dt()), pull = ode::radii(x, u);
+    const double coupling = pull * p.coupling > most ? most / pull : p.coupling.value();
+    at.weights.setConstant(coupling);
     at.weights.diagonal().setZero();
-    at.convergence = p.convergence;
+    at.convergence = std::min(p.convergence.value(), 2 * most);
+    if (coupling < p.coupling || at.convergence < p.convergence) inputs.note_clamped();
     solver.set(x);
-    if (detail::all_finite(u)) solver.advance(u, at, now.dt());
+    if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
     x = solver.get();
     for (int i = 0; i < 4; ++i) x[i] = wrap_turn(x[i]);
     solver.set(x);
     ode::state rate = solver.rate(u, at);
     rate.template head<4>().array() -= rate.template head<4>().mean();
-    return {x.template head<4>().eval(), x.template segment<4>(4).eval(),
-            status_of(status.update(rate.norm(), p.settling))};
+    status.update(rate.norm(), p.settling);
+    return published(x, inputs.get());
   }
 
   // Begins with amplitude 0 and the phases of the gait.
@@ -87,6 +109,9 @@ struct gait_network {
   }
 
 private:
+  result published(const ode::state& x, input_status inputs) const {
+    return {x.template head<4>().eval(), x.template segment<4>(4).eval(), status_of(inputs, status.get())};
+  }
   void start(ode::state& x, cca::gait which) {
     const auto phases = gait_phases(which);
     x.setZero();

@@ -24,7 +24,7 @@
 
 namespace cca {
 
-// Adds a lead to a phase.
+// Adds a lead to a phase. It has no state: NaN in gives NaN out, which the pattern recognises.
 template <class Axis>
 struct phase_shift {
   auto process(in<"phase", over<phase, Axis>> at, optional_in<"by", over<phase, Axis>> by)

@@ -6,6 +6,7 @@
 //   in  "position"  S               any space with one number per axis: the observed position
 //   out "velocity"  velocity_of<S>  the wanted velocity
 //   out "state"     hidden_state    the most likely state, counted from 0
+//   out "status"    input_status_port
 //
 //   h_k(t) = (sum_j h_j(t-1) a_jk) N(x; m_k^x, S_k^xx) / sum    forward variable; `priors` at first
 //   v(x)   = sum h_k (m_k^v + S_k^vx S_k^xx^-1 (x - m_k^x))     regression with these weights
@@ -14,17 +15,21 @@
 // j; they belong to the clock at which they were learned. The sequence of states distinguishes parts of the
 // movement that cross at one place; a mixture alone cannot.
 //
-// Errors: none. A position that is not finite leaves the states as they are and gives velocity 0.
-// Cost: K factorisations of D x D, K^2 products. Source: Calinon, D'halluin, Sauser, Caldwell, Billard,
-// Learning and reproduction of gestures by imitation, IEEE Robotics and Automation Magazine 17, 2010 (HMM and
-// GMR); forward variable: Rabiner, A tutorial on hidden Markov models and selected applications in speech
-// recognition, Proceedings of the IEEE 77, 1989. Checked against the recursion written out.
-// Example: tests/runtime/motor/gmr.cpp.
+// Inputs (input_status.hpp): while the position is NaN or infinite, the states stay and the velocity is 0,
+// with the status `unreadable`; beyond 1e12 it is cut, with the status `clamped`. So is a position at which
+// no state can be told from the others because numbers overflow: the states stay.
+//
+// Errors: none. Cost: K factorisations of D x D, K^2 products. Source: Calinon, D'halluin, Sauser, Caldwell,
+// Billard, Learning and reproduction of gestures by imitation, IEEE Robotics and Automation Magazine 17, 2010
+// (HMM and GMR); forward variable: Rabiner, A tutorial on hidden Markov models and selected applications in
+// speech recognition, Proceedings of the IEEE 77, 1989. Checked against the recursion written out. Example:
+// tests/runtime/motor/gmr.cpp.
 #pragma once
 
 #include <string_view>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/gaussian_mixture.hpp>
@@ -55,21 +60,26 @@ struct hmm_motion {
   };
   parameters p{{}, transition_matrix::Identity()};
 
-  auto process(in<"position", S> position)
-      -> std::tuple<out<"velocity", velocity_of<S>>, out<"state", hidden_state>> {
+  auto process(in<"position", S> position) -> std::
+      tuple<out<"velocity", velocity_of<S>>, out<"state", hidden_state>, out<"status", input_status_port>> {
     vector velocity = vector::Zero();
-    if (position.vector().allFinite()) {
+    detail::input_check inputs;
+    const vector at = inputs(position.vector());
+    if (!inputs.unreadable()) {
       const weights predicted = begun ? weights(p.transitions.transpose() * now) : p.mixture.priors;
-      const auto answer =
-          regress<S::size, S::size, K>(p.mixture, predicted, position.vector(),
-                                       [](const vector& x, const vector& mean) { return vector(x - mean); });
-      now = answer.responsibilities;
-      velocity = answer.mean;
-      begun = true;
+      const auto answer = regress<S::size, S::size, K>(
+          p.mixture, predicted, at, [](const vector& x, const vector& mean) { return vector(x - mean); });
+      if (detail::all_finite(answer.responsibilities) && detail::all_finite(answer.mean)) {
+        now = answer.responsibilities;
+        velocity = answer.mean;
+        begun = true;
+      } else {
+        inputs.note_clamped();
+      }
     }
     Eigen::Index likely = 0;
     now.maxCoeff(&likely);
-    return {velocity, static_cast<double>(likely)};
+    return {velocity, static_cast<double>(likely), status_of(inputs.get())};
   }
 
   // The probability of each state.

@@ -13,19 +13,24 @@
 // above the parameter `ember`: a resting oscillator still has a phase, and wakes up within ln(A / ember) / (c
 // A^2) s.
 //
-// Errors: none. While an input is not finite, the state does not change. Cost: four derivatives, an atan2 and
-// a square root. Source: equations/hopf_ode.hpp. Example: tests/runtime/motor/hopf.cpp.
+// Inputs (input_status.hpp): while one is NaN or infinite, the state stands still, phase and amplitude stay
+// and the status is `unreadable`; beyond 1e12 it is cut and the status is `clamped`. Steps that are too long
+// for the integrator are taken in closed form, so all parameters and amplitudes are stable at every rate.
+//
+// Errors: none. Cost: four derivatives, an atan2 and a square root. Source: equations/hopf_ode.hpp.
+// Example: tests/runtime/motor/hopf.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/adaptive/ode_solver.hpp>
 #include <cca/adaptive/ode_status.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
-#include <cca/motor/finite.hpp>
 #include <cca/motor/equations/hopf_ode.hpp>
 #include <cca/motor/spaces.hpp>
 
@@ -42,13 +47,18 @@ struct hopf {
   };
   parameters p{1.0, 10.0, 1e-3, {0.05, 0.1}};
 
+  using result = std::tuple<out<"phase", over<cca::phase, Axis>>,
+                            out<"amplitude", over<cca::amplitude, Axis>>,
+                            out<"status", ode_status_port>>;
+
   auto process(in<"amplitude", over<cca::amplitude, Axis>> wanted,
                optional_in<"frequency", over<cca::frequency, Axis>> turns,
-               beat now) -> std::tuple<out<"phase", over<cca::phase, Axis>>,
-                                       out<"amplitude", over<cca::amplitude, Axis>>,
-                                       out<"status", ode_status_port>> {
-    const hopf_ode::input u(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value());
-    if (detail::all_finite(u)) solver.advance(u, {p.convergence}, now.dt());
+               beat now) -> result {
+    detail::input_check inputs;
+    const hopf_ode::input u =
+        inputs(hopf_ode::input(wanted[Axis{}], turns ? turns[Axis{}] : p.frequency.value()));
+    if (inputs.unreadable()) return published(std::max<double>(p.ember, solver.get().norm()), inputs.get());
+    if (!solver.advance(u, {p.convergence}, now.dt())) inputs.note_clamped();
     hopf_ode::state x = solver.get();
     double radius = std::sqrt(x.dot(x));
     if (radius < p.ember) {
@@ -57,14 +67,19 @@ struct hopf {
       solver.set(x);
     }
     // At the radius `ember` it counts as resting, although the state still turns.
-    const double rate = radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0;
-    return {std::atan2(x[1], x[0]), radius, status_of(status.update(rate, p.settling))};
+    status.update(radius > p.ember ? solver.rate(u, {p.convergence}).norm() : 0.0, p.settling);
+    return published(radius, inputs.get());
   }
 
   // Begins at the radius `ember`, at rest: the status needs no reset.
   void on_start() { solver = {}; }
 
 private:
+  result published(double radius, input_status inputs) const {
+    const hopf_ode::state& x = solver.get();
+    return {std::atan2(x[1], x[0]), radius, status_of(inputs, status.get())};
+  }
+
   ode_solver<hopf_ode, Integrator> solver;
   ode_monitor status;
 };

@@ -2,30 +2,42 @@
 //
 //   cca::node<"servo", cca::pid<leg_angles, leg_torques>, cca::timed<1>>
 //
-//   in  "reference"  Measured                      the wanted value
-//   in  "measured"   Measured
-//   in  "manual"     Command                       optional: the command while "automatic" is 0
-//   in  "automatic"  over<status, automatic_axis>  optional: 0 means manual
-//   out "command"    Command                       within the limits of its axes, and at most `largest`
+//   in  "reference"    Measured                      the wanted value
+//   in  "measured"     Measured
+//   in  "manual"       Command                       optional: the command while "automatic" is 0
+//   in  "automatic"    over<status, automatic_axis>  optional: 0 means manual
+//   in  "velocity"     velocity_of<Measured>         optional: the wanted velocity; else 0
+//   in  "feedforward"  Command                       optional: added to the command
+//   out "command"      Command                       within the limits of its axes, and at most `largest`
+//   out "status"       input_status_port
 //
-//   v = kp (r - y) + I + D,  u = v cut to the limits
+//   v = kp (r - y) + I + D + F,  u = v cut to the limits
 //   I' = ki (r - y) + (u - v) / tracking        back-calculation: no wind-up
-//   D  = -kd y_f',  filter y_f' = y - y_f       a step of the reference makes no kick
+//   D  = kd (r' - y_f'),  filter y_f' = y - y_f   r' is "velocity": a step of the reference makes no kick
+//   F is "feedforward"
 //
-// Measured and Command are spaces with one number per axis. Gains: unit of Command per unit of Measured (ki:
-// and per s, kd: times s); `filter` and `tracking` in s. The integral uses forward differences, the
-// derivative backward ones: every filter time is stable. Transfers are bumpless: on a change from manual to
-// automatic or of a gain the command continues without a jump. The difference decays through the integral or,
-// with ki = 0, within the tracking time.
+// With the velocity that a movement publishes (vite, dmp_discrete) and the torque that it needs
+// (inverse_dynamics_of), the error need not be large to make the command. Measured and Command are spaces
+// with one number per axis. Gains: unit of Command per unit of Measured (ki: and per s, kd: times s), at most
+// 1e12; `filter` and `tracking` in s. The integral uses forward differences, the derivative backward ones:
+// every filter time is stable. Transfers are bumpless: on a change from manual to automatic or of a gain the
+// command continues without a jump. The difference decays through the integral or, with ki = 0, within the
+// tracking time.
 //
-// Errors: none. While an input is not finite, the last command is held. Cost: about 20 operations per axis.
-// Source: Astrom and Murray, Feedback Systems, 2008, sections 10.4, 10.5; Astrom and Hagglund, PID
-// Controllers, 1995, section 3.5. Example: tests/runtime/motor/pid.cpp.
+// Inputs (input_status.hpp): while one is NaN or infinite, the command is 0 (or the nearest that the limits
+// allow) on all axes, the integral is frozen and the status is `unreadable`. By hand, a readable "manual" is
+// followed even then. Beyond 1e12 an input is cut and the status is `clamped`.
+//
+// Errors: none. Cost: about 20 operations per axis. Source: Astrom and Murray, Feedback Systems, 2008,
+// sections 10.4, 10.5; Astrom and Hagglund, PID Controllers, 1995, section 3.5.
+// Example: tests/runtime/motor/pid.cpp.
 #pragma once
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 
+#include <cca/component/input_status.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -51,6 +63,9 @@ struct pid {
     std::string_view check() const {
       if (proportional.minCoeff() < 0 || integral.minCoeff() < 0 || derivative.minCoeff() < 0)
         return "a gain is negative";
+      if (proportional.maxCoeff() > largest_input || integral.maxCoeff() > largest_input ||
+          derivative.maxCoeff() > largest_input)
+        return "a gain is above 1e12";
       return largest.minCoeff() < 0 ? "`largest` is negative" : "";
     }
   };
@@ -60,41 +75,51 @@ struct pid {
                in<"measured", Measured> measured,
                optional_in<"manual", Command> manual,
                optional_in<"automatic", over<cca::status, automatic_axis>> automatic,
-               beat now) -> out<"command", Command> {
+               beat now,
+               optional_in<"velocity", velocity_of<Measured>> velocity = {},
+               optional_in<"feedforward", Command> feedforward = {})
+      -> std::tuple<out<"command", Command>, out<"status", input_status_port>> {
     const bool by_hand = manual && automatic && automatic[automatic_axis{}] == 0;
-    const vector y = measured.vector(), e = reference.vector() - y;
-    if (!e.allFinite() || (by_hand && !manual.vector().allFinite())) return command;
+    detail::input_check inputs;
+    vector hand = vector::Zero();
+    if (by_hand) hand = inputs(manual.vector());
+    const bool hand_is_readable = !inputs.unreadable();
+    const vector y = inputs(measured.vector()), e = inputs(reference.vector()) - y;
+    vector speed = vector::Zero(), added = vector::Zero();
+    if (velocity) speed = inputs(velocity.vector());
+    if (feedforward) added = inputs(feedforward.vector());
+    if (automatic) inputs.number(automatic[automatic_axis{}]);
+    if (inputs.unreadable())
+      return {limited(by_hand && hand_is_readable ? hand : vector(vector::Zero())), status_of(inputs.get())};
     if (!begun) {
       filtered = y;
       proportional = p.proportional, derivative = p.derivative;
       begun = true;
     }
     const double dt = now.dt();
-    const vector slope = (y - filtered) / (p.filter + dt);
+    const vector slope = (y - filtered) / (p.filter + dt), lag = speed - slope;
     filtered += dt * slope;
     integral +=
-        (proportional - p.proportional).cwiseProduct(e) - (derivative - p.derivative).cwiseProduct(slope);
+        (proportional - p.proportional).cwiseProduct(e) + (derivative - p.derivative).cwiseProduct(lag);
     proportional = p.proportional, derivative = p.derivative;
 
-    const vector direct = proportional.cwiseProduct(e) - derivative.cwiseProduct(slope);
+    const vector direct = proportional.cwiseProduct(e) + derivative.cwiseProduct(lag) + added;
     if (by_hand) {
-      command = limited(manual.vector());
+      const vector command = limited(hand);
       integral = command - direct;
-      return command;
+      return {command, status_of(inputs.get())};
     }
-    const vector wanted = direct + integral;
-    command = limited(wanted);
+    const vector wanted = direct + integral, command = limited(wanted);
     const double back = std::min(1.0, dt / p.tracking);
     for (int i = 0; i < vector::RowsAtCompileTime; ++i)
       integral[i] += p.integral[i] > 0 ? dt * p.integral[i] * e[i] + back * (command[i] - wanted[i])
                                        : -back * integral[i];
-    return command;
+    return {command, status_of(inputs.get())};
   }
 
   void on_start() {
     begun = false;
     integral.setZero();
-    command.setZero();
   }
 
 private:
@@ -103,7 +128,7 @@ private:
     return within.cwiseMin(p.largest).cwiseMax(-p.largest);
   }
 
-  vector integral = vector::Zero(), filtered = vector::Zero(), command = vector::Zero();
+  vector integral = vector::Zero(), filtered = vector::Zero();
   vector proportional = vector::Zero(), derivative = vector::Zero();  // gains in the last firing
   bool begun = false;
 };

@@ -5,20 +5,26 @@
 //
 //   in  "teacher"  S    optional: each fresh sample is fed back and published instead of the network's output
 //   out "pattern"  S    any space with one number per axis
+//   out "status"   input_status_port
 //
 // The pattern advances once per firing, so run it at the clock of its training. The parameter `readout` has
 // one row per axis: a weight per unit, then a constant. To train: feed the teacher, collect `activity()` as
 // regressors, find the weights by ridge regression. The network must be the same then: seed, spectral_radius,
 // leak, feedback, bias. The network is made on load, or in the first firing.
 //
-// Errors: none. The activity is bounded by 1, so the pattern is bounded by its weights. A teacher sample that
-// is not finite is ignored. Cost: N (10 + D) products and N hyperbolic tangents per firing; 120 bytes per
-// unit.
-// Source: equations/reservoir.hpp; as a pattern generator: Wyffels and Schrauwen, Design of a central pattern
-// generator using reservoir computing for learning human motion, ATEQUAL 2009.
-// Example: tests/runtime/motor/rcpg.cpp.
+// Inputs (input_status.hpp): a teacher sample with NaN or infinity is ignored: the network goes on by itself,
+// with the status `unreadable`; beyond 1e12 it is cut, with the status `clamped`.
+//
+// Errors: none. The activity is bounded by 1, so the pattern is bounded by its weights. Cost: N (10 + D)
+// products and N hyperbolic tangents per firing; 120 bytes per unit. Source: equations/reservoir.hpp; as a
+// pattern generator: Wyffels and Schrauwen, Design of a central pattern generator using reservoir computing
+// for learning human motion, ATEQUAL 2009. Example: tests/runtime/motor/rcpg.cpp.
 #pragma once
 
+#include <string_view>
+#include <tuple>
+
+#include <cca/component/input_status.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/equations/reservoir.hpp>
@@ -40,15 +46,22 @@ struct rcpg {
                              (bounded<double, 0, 1>, leak),
                              (bounded<double, 0, 100>, feedback),
                              (bounded<double, 0, 100>, bias));
+    std::string_view check() const {
+      return detail::too_large(readout, "a weight of `readout` is above 1e12");
+    }
   };
   parameters p{readout_matrix::Zero(), 1, 0.9, 0.3, 1.0, 0.2};
 
-  auto process(optional_in<"teacher", S> teacher) -> out<"pattern", S> {
+  auto process(optional_in<"teacher", S> teacher)
+      -> std::tuple<out<"pattern", S>, out<"status", input_status_port>> {
     if (!made) on_load();
     network.step(y, p.leak);
-    const bool taught = teacher && teacher.fresh() && teacher.vector().allFinite();
-    y = taught ? output(teacher.vector()) : output(p.readout * activity());
-    return y;
+    detail::input_check inputs;
+    const bool taught = teacher && teacher.fresh();
+    output wanted = output::Zero();
+    if (taught) wanted = inputs(teacher.vector());
+    y = taught && !inputs.unreadable() ? wanted : output(p.readout * activity());
+    return {y, status_of(inputs.get())};
   }
 
   // The regressors of the readout: the activity of each unit, then 1.

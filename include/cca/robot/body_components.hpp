@@ -19,6 +19,8 @@
 //
 // The spaces have the axes of the body in any order; all but Torques may have others too. Without "attitude"
 // the base is upright. Parameter: `gravity`, m/s^2.
+// They have no state: NaN or infinity in an input makes the outputs of that firing NaN. A limiter of torques
+// publishes the allowed number nearest to 0 then.
 // Errors: space.mismatch, frame.mismatch. Cost: body_dynamics.hpp. Example: tests/runtime/body/example.cpp.
 #pragma once
 

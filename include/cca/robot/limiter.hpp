@@ -8,13 +8,11 @@
 // none at will. Each number is checked for
 //
 //   finite   NaN and infinity are no commands: the quantity's `on_nan` says whether the last safe command is
-//   held
-//            (an angle, a stiffness) or the allowed number nearest to zero is published (a velocity, a
+//            held (an angle, a stiffness) or the allowed number nearest to zero is published (a velocity, a
 //            torque);
 //   range    else the nearest allowed number is published;
 //   rate     and of the allowed numbers the nearest that can be reached since the last safe command, in at
-//   most
-//            one period of the space's rate: after a pause a command may not jump.
+//            most one period of the space's rate: after a pause a command may not jump.
 //
 // It starts from "measured", if that is wired and a sample has arrived, and holds it until the first command;
 // else it takes the first command as it is. It counts each number that it changes, and keeps the first cause:
@@ -116,13 +114,15 @@ struct limits_of {
     return true;
   }();
 
-  static constexpr double in_range(std::size_t i, double value) {
+  static constexpr double in_range(int axis, double value) {
+    const auto i = static_cast<std::size_t>(axis);
     return at_most(range[i].upper, at_least(range[i].lower, value));
   }
 
   // The range, and of it what can be reached from the last number within dt: all of it where the rate is
   // infinite, also in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
-  static constexpr bounds window(std::size_t i, double last, double dt) {
+  static constexpr bounds window(int axis, double last, double dt) {
+    const auto i = static_cast<std::size_t>(axis);
     if constexpr (!has_any_rate) return range[i];
     return {at_least(range[i].lower, last + rate[i].lower * dt),
             at_most(range[i].upper, last + rate[i].upper * dt)};

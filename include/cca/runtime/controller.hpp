@@ -4,7 +4,8 @@
 //   c.load(); c.start(); c.run(cca::for_<10>{});
 //
 // Outside of the loop, what can't be done is refused by `cca::refused` with a message. In the loop nothing
-// throws, allocates or locks.
+// throws, allocates or locks. So no other thread may call anything here, `get`, `set` and `observed`
+// included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
 #include <string>
@@ -13,18 +14,16 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/graph/layout/nodes_by_path.hpp>
+#include <cca/graph/diagnosis/unknown_path.hpp>
+#include <cca/runtime/each_component.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/parameters_by_path.hpp>
 #include <cca/runtime/refusal.hpp>
+#include <cca/runtime/run_record.hpp>
 
 namespace cca {
 namespace detail {
-
-// Reading and writing files, in cca/config.hpp.
-template <class Controller>
-struct config_backend;
-template <class Controller> concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
 template <class Graph>
 struct is_watched {
@@ -35,14 +34,17 @@ struct is_watched {
 
 template <class Graph>
   requires well_formed<Graph>
-class controller<Graph> {
+class controller<Graph> : public detail::parameters_by_path<controller<Graph>> {
 public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
     check(detail::transition::load, "load()");
-    for_each_component([]<class C>(std::string_view path, C& component) {
-      if constexpr (HasParameters<C>) check_parameters(component.p, path);
-    });
+    visit(
+        []<class C>(int node, C& component) {
+          if constexpr (HasParameters<C>)
+            check_parameters(component.p, path_of(node), detail::step_of<Graph>(node));
+        },
+        state_of_all);
     // A hook may refuse, where a file is damaged: then the state stays as it was.
     visit(
         []<class C>(int, C& component) {
@@ -71,16 +73,19 @@ public:
     move(detail::transition::save, "save()");
   }
 
+  // Writes the parameters into a file. In `loaded` it saves as save() does; between two beats of a started
+  // controller it does no more than that, and the state stays.
   void save(std::string_view file) {
     static_assert(detail::HasConfig<controller>,
                   "cca::controller: save(file) needs #include <cca/config.hpp>");
-    check(detail::transition::save, "save(file)");
+    if (now == cca::state::created) check(detail::transition::save, "save(file)");
     detail::config_backend<controller>::save(*this, file);
-    save();
+    if (now == cca::state::loaded) save();
   }
 
   void start() {
     move(detail::transition::start, "start()");
+    runs.overruns = runs.lost_periods = 0;
     visit(
         []<class C>(int, C& component) {
           if constexpr (detail::OnStart<C>) component.on_start();
@@ -104,28 +109,37 @@ public:
     reason = {};
   }
 
-  // One beat. False, and nothing happens, where the life-cycle does not allow it: before start(), and after a
-  // fault.
+  // One beat. False where the life-cycle does not allow it: before start(), after stop() and after a fault.
+  // Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
   bool step() noexcept {
-    if (!detail::is_legal(detail::transition::run, now)) return false;
-    advance();
-    return true;
+    const bool may_run = detail::is_legal(detail::transition::run, now);
+    if (may_run) advance();
+    else if constexpr (detail::has_idle_hook<Graph>) idle();
+    return may_run;
   }
 
-  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault.
+  // Beats for a time, at a pace, and between them a call of yours: between(*this). Ends at once on a fault,
+  // and where `between` returns false. Whatever ends it, an exception too, it is then `started` or `faulted`.
   template <class Duration, class Pace = as_fast_as_possible, class Between = void (*)(controller&)>
-  cca::state run(Duration duration, Pace pace = {}, Between between = [](controller&) {}) {
+  cca::state run(Duration duration, Pace pace = {}, Between&& between = [](controller&) {}) {
     move(detail::transition::run, "run()");
-    const std::int64_t beats = duration.beats(detail::counts_of<Graph>.period);
-    pace.begin();
-    for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
-      pace.wait(i * detail::counts_of<Graph>.period);
-      advance();
-      between(*this);
+    {
+      const detail::end_of_run at_the_end{now};
+      const std::int64_t beats = duration.beats(period());
+      runs.begin(pace, period());
+      for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
+        if (const cca::fault late = runs.wait(pace, i * period())) fail({late.reason(), -1});
+        else advance();
+        if (!detail::goes_on_after(between, *this)) break;
+      }
     }
-    if (now == cca::state::running) now = detail::after(detail::transition::pause, now);
     return now;
   }
+
+  // In the runs at wall-clock speed since start(): the beats that were still running when the next should
+  // begin, and the periods in which no beat began.
+  std::int64_t overruns() const noexcept { return runs.overruns; }
+  std::int64_t lost_periods() const noexcept { return runs.lost_periods; }
 
   cca::state state() const noexcept { return now; }
 
@@ -137,16 +151,23 @@ public:
 
   // What stopped it: a reason and the path of the component; empty in all states but `faulted`.
   cca::fault fault() const noexcept { return reason.fault ? cca::fault(reason.fault) : cca::fault(); }
-  std::string fault_path() const { return reason.fault ? path_of(reason.node) : std::string(); }
+  // Empty too where no component is the cause, but an overrun.
+  std::string fault_path() const {
+    return reason.fault && reason.node >= 0 ? path_of(reason.node) : std::string();
+  }
 
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
   decltype(auto) get() {
-    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
+    constexpr auto path = detail::hash(Path.view());
+    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
+    return at<path, detail::node_with_hash<Graph>(path)>(*this);
   }
   template <fixed_string Path>
   decltype(auto) get() const {
-    return at<detail::hash(Path.view()), detail::node_at<Graph>(Path.view())>(*this);
+    constexpr auto path = detail::hash(Path.view());
+    static_assert(decltype(detail::check_path<Graph, 0, Path, path>())::value || true);
+    return at<path, detail::node_with_hash<Graph>(path)>(*this);
   }
 
   // Calls f(observation) for each output that an `observe` among the items of a graph names, with its newest
@@ -161,11 +182,17 @@ public:
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
   // hold. In braces they are of the component's own type: `c.set<"cpg">({1.5, 0.0})`.
-  template <
-      fixed_string Path,
-      class Parameters = typename detail::parameters_at<Graph, detail::node_at<Graph>(Path.view())>::type>
+  using detail::parameters_by_path<controller>::set;  // by a path that is known only at run time
+  template <fixed_string Path, class Parameters = typename detail::parameters_at<Graph, Path>::type>
   void set(const Parameters& parameters) {
-    detail::apply_parameters(get<Path>(), parameters, Path.view());
+    if constexpr (detail::can_set<Graph, Path>())
+      detail::apply_parameters(get<Path>(), parameters, Path.view(), step_of(Path.view()));
+  }
+
+  // The time between two firings of the component with this path, in s; one beat if its clock is known only
+  // at run time.
+  static double step_of(std::string_view path) {
+    return detail::step_of<Graph>(detail::node_at<Graph>(path));
   }
 
   // Calls f(path, component) for each component, in declaration order.
@@ -180,20 +207,11 @@ public:
   }
 
 private:
-  // f(number, component) for each. By way of a table, so that what `f` does with components of one type is
-  // compiled once.
-  template <class F, class Memory, int First>
-  static void visit_one(F& f, Memory& m, int node) {
-    f(node, detail::component_in<Graph, First>(m, detail::layout_of<Graph>.components[node].index));
+  template <class F, class State>
+  static void visit(F f, State& state) {
+    detail::visit_components<Graph>(f, state);
   }
-  template <class F, class Memory>
-  static void visit(F f, Memory& m) {
-    [&]<int... Node>(std::integer_sequence<int, Node...>) {
-      static constexpr void (*visitors[])(F&, Memory&, int) = {
-          visit_one<F, Memory, detail::layout_of<Graph>.components[Node].array>..., nullptr};
-      for (int node = 0; node < static_cast<int>(sizeof...(Node)); ++node) visitors[node](f, m, node);
-    }(std::make_integer_sequence<int, detail::counts_of<Graph>.node_count>{});
-  }
+  static std::string path_of(int node) { return detail::path_of_node<Graph>(node); }
 
   // The nodes of an inner graph, whose path has this hash.
   template <class Controller, std::uint64_t Scope>
@@ -203,6 +221,7 @@ private:
     template <fixed_string Path>
     decltype(auto) get() const {
       constexpr auto path = detail::hash(Path.view(), detail::after_dot(Scope));
+      static_assert(decltype(detail::check_path<Graph, Scope, Path, path>())::value || true);
       return at<path, detail::node_with_hash<Graph>(path)>(of);
     }
   };
@@ -212,7 +231,6 @@ private:
     if constexpr (Node >= 0) {
       return (detail::component_at<Graph, Node>(controller.state_of_all));
     } else {
-      static_assert(detail::has_scope<Graph>(Path), "cca::controller::get: no node has this path");
       return nodes<Controller, Path>{controller};
     }
   }
@@ -228,15 +246,6 @@ private:
                   {values, static_cast<std::size_t>(detail::size_of_output<Graph, Output>)},
                   sample ? sample->origin() : never,
                   k > 0 && stored.arrived(k - 1, 0) == k - 1});
-  }
-
-  static std::string path_of(int node) {
-    const auto& plan = detail::plan_of<Graph>;
-    std::string path(plan.nodes[static_cast<std::size_t>(node)].item->from);
-    for (int s = plan.nodes[static_cast<std::size_t>(node)].scope;
-         plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
-      path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
-    return path;
   }
 
   void check(detail::transition what, const char* call) const {
@@ -268,10 +277,19 @@ private:
     now = detail::after(detail::transition::fail, now);
   }
 
+  [[gnu::noinline]] void idle() noexcept {
+    visit(
+        []<class C>(int, C& component) {
+          if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
+        },
+        state_of_all);
+  }
+
   detail::controller_state<Graph> state_of_all;
   std::int64_t k = 0;
   detail::beat_outcome reason{};
   cca::state now = cca::state::created;
+  detail::run_record runs{};
 };
 
 }  // namespace cca

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <limits>
 #include <string>
 
 #include <cca/base/refused.hpp>
+#include <cca/component/fault.hpp>
 
 namespace cca {
 
@@ -29,33 +32,124 @@ struct for_some_beats {
   constexpr std::int64_t beats(std::int64_t) const { return count; }
 };
 
+// Until `between` returns false, or a fault.
+struct without_end {
+  static constexpr std::int64_t beats(std::int64_t) { return std::numeric_limits<std::int64_t>::max(); }
+};
+
 struct as_fast_as_possible {
   constexpr void begin() {}
   constexpr void wait(std::int64_t) {}
 };
 
-// Beat k begins `factor` times as fast as wall-clock time says: 1 real time, 0.1 ten times slower, 2 twice as
-// fast. Wakes at absolute times, so a late beat does not shift those after it.
-class at_speed {
+namespace detail {
+
+struct monotonic_clock {
+  static std::int64_t now() {
+    timespec t{};
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
+  }
+  static void sleep_until(std::int64_t time) {
+    timespec wake{};
+    wake.tv_sec = static_cast<std::time_t>(time / 1'000'000'000);
+    wake.tv_nsec = static_cast<long>(time % 1'000'000'000);
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {}
+  }
+};
+
+// Beats in step with a clock. A beat that is still running when the next should begin is an overrun. It is
+// counted, and the next beat begins at the next whole period: beats are never caught up, so no time of a beat
+// is shorter than it should be, and a limiter never counts more time than has passed.
+template <class Clock>
+class clocked_pace {
 public:
-  explicit at_speed(double factor) : speed(factor) {
+  explicit clocked_pace(double factor, Clock c = {}) : clock(c), speed(factor) {
     if (!(factor > 0))
       throw refused("cca::at_speed: " + std::to_string(factor) + " is no pace, expected a number above 0");
   }
-  void begin() { clock_gettime(CLOCK_MONOTONIC, &start); }
-  void wait(std::int64_t virtual_nanoseconds) const {
-    const auto passed =
-        static_cast<std::int64_t>(std::min(static_cast<double>(virtual_nanoseconds) / speed, 9e18)) +
-        start.tv_nsec;
-    timespec wake{};
-    wake.tv_sec = start.tv_sec + static_cast<std::time_t>(passed / 1'000'000'000);
-    wake.tv_nsec = static_cast<long>(passed % 1'000'000'000);
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {}
+
+  // More than n - 1 overruns in a row are a fault of the controller.
+  clocked_pace& fault_after(std::int64_t n) {
+    if (n < 1)
+      throw refused("cca::at_wall_clock().fault_after: " + std::to_string(n) +
+                    " is no number of overruns, expected 1 or more");
+    most_in_a_row = n;
+    return *this;
   }
 
+  void begin() { begin(0, never_begun); }
+  // `last`: when a run before this one began its last beat, which must have its whole period too.
+  void begin(std::int64_t virtual_period, std::int64_t last) {
+    start = clock.now();
+    if (last != never_begun) start = std::max(start, later(std::min(last, start), real(virtual_period)));
+    before = 0;
+    begun = never_begun;
+    count = lost = in_a_row = 0;
+  }
+
+  // Waits until the beat at this virtual time begins, whole periods later after an overrun.
+  void wait(std::int64_t virtual_nanoseconds) {
+    const std::int64_t period = std::max<std::int64_t>(1, real(virtual_nanoseconds - before));
+    before = virtual_nanoseconds;
+    std::int64_t due = later(start, real(virtual_nanoseconds));
+    const std::int64_t late = clock.now() - due;
+    if (late > 0 && virtual_nanoseconds > 0) {
+      const std::int64_t periods = (late + period - 1) / period;
+      start = later(start, periods * period);
+      due = later(due, periods * period);
+      lost += periods;
+      ++count;
+      ++in_a_row;
+      if (fault()) return;
+    } else {
+      in_a_row = 0;
+    }
+    clock.sleep_until(due);
+    begun = due;
+  }
+
+  // Beats that were still running when the next should begin, and the periods in which no beat began. Of this
+  // run; a controller adds them up.
+  std::int64_t overruns() const { return count; }
+  std::int64_t lost_periods() const { return lost; }
+  cca::fault fault() const {
+    return in_a_row >= most_in_a_row
+               ? cca::fault("overruns in a row: the beats take longer than their period")
+               : cca::fault();
+  }
+  std::int64_t last_begun() const { return begun; }
+
+  static constexpr std::int64_t never_begun = std::numeric_limits<std::int64_t>::lowest();
+
 private:
+  static constexpr std::int64_t longest = 9'000'000'000'000'000'000;
+  std::int64_t real(std::int64_t virtual_nanoseconds) const {
+    return static_cast<std::int64_t>(
+        std::min(static_cast<double>(virtual_nanoseconds) / speed, static_cast<double>(longest)));
+  }
+  static std::int64_t later(std::int64_t time, std::int64_t by) {
+    return time > longest - by ? longest : time + by;
+  }
+
+  [[no_unique_address]] Clock clock;
   double speed;
-  timespec start{};
+  std::int64_t most_in_a_row = std::numeric_limits<std::int64_t>::max();
+  std::int64_t start = 0, before = 0, begun = never_begun;
+  std::int64_t count = 0, lost = 0, in_a_row = 0;
+};
+
+}  // namespace detail
+
+// Virtual time passes `factor` times as fast as the wall clock: 1 real time, 0.1 ten times slower, 2 twice as
+// fast. Wakes at absolute times, so a beat that begins a little late does not shift those after it.
+class at_speed : public detail::clocked_pace<detail::monotonic_clock> {
+public:
+  explicit at_speed(double factor) : clocked_pace(factor) {}
+  at_speed& fault_after(std::int64_t n) {
+    clocked_pace::fault_after(n);
+    return *this;
+  }
 };
 
 inline at_speed at_wall_clock() { return at_speed(1); }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
@@ -44,13 +45,15 @@ public:
   void stop() {}
   void resume() {}
   bool step() noexcept { return false; }
-  template <class... Options>
-  cca::state run(Options...) {
+  template <class Duration, class Pace = int, class Between = int>
+  cca::state run(Duration, Pace = {}, Between&& = {}) {
     return {};
   }
   cca::state state() const noexcept { return {}; }
   cca::fault fault() const noexcept { return {}; }
   std::string fault_path() const { return {}; }
+  std::int64_t overruns() const noexcept { return 0; }
+  std::int64_t lost_periods() const noexcept { return 0; }
   std::int64_t beat_index() const noexcept { return 0; }
   static constexpr std::int64_t period() { return detail::counts_of<Graph>.period; }
   template <fixed_string Path>
@@ -59,6 +62,12 @@ public:
   void set(const Parameters&) {}
   template <fixed_string Path>
   void set(detail::anything) {}  // in braces
+  void set(std::string_view, detail::anything) {}
+  template <class Type = std::string>
+  Type parameter(std::string_view) const {
+    return {};
+  }
+  std::vector<std::string> parameter_paths() const { return {}; }
   template <class F>
   void observed(F) const {}
   template <class F>

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <cca/base/array_size.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/stored_samples.hpp>
 
@@ -27,7 +28,7 @@ struct kept_component {
 // All components of the type of node `First`, which is the first of them.
 template <class Component, int Count>
 struct components_of_type {
-  kept_component<Component> all[Count];
+  kept_component<Component> all[array_size(Count)];
   CCA_INLINE Component& at(int index) { return all[index].component; }
   CCA_INLINE const Component& at(int index) const { return all[index].component; }
 };
@@ -104,7 +105,7 @@ struct last_firing {
 };
 template <int Count>
 struct last_firings {
-  last_firing firings[Count]{};
+  last_firing firings[array_size(Count)]{};
 };
 template <>
 struct last_firings<0> {};

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/base/array_size.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/base/inlining.hpp>
 #include <cca/component/fault.hpp>
@@ -64,7 +65,7 @@ inline constexpr int outputs_in<std::tuple<Outputs...>> = (0 + ... + !std::is_sa
 // Which outputs were published in this beat. A result of each beat needs no marks.
 template <int Count>
 struct published_marks {
-  bool is_published[Count] = {};
+  bool is_published[array_size(Count)] = {};
 };
 template <>
 struct published_marks<0> {};
@@ -183,7 +184,7 @@ private:
     return number < 0 ? nullptr : &entries[index_in_ring(number)];
   }
 
-  entry entries[Depth];
+  entry entries[array_size(Depth)];
   std::int64_t count = 0;
 };
 
@@ -227,7 +228,7 @@ private:
     --count;
   }
 
-  stored_sample<Size> ring[Capacity];
+  stored_sample<Size> ring[array_size(Capacity)];
   stored_sample<Size> taken;
   int head = 0, count = 0;
 };

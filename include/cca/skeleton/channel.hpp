@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 template <class Value, std::size_t Capacity>

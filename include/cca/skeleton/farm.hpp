@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <cca/base/array_size.hpp>
 #include <cca/skeleton/arity.hpp>
 #include <cca/skeleton/sharing.hpp>
 #include <cca/skeleton/stage_ports.hpp>
@@ -91,7 +92,7 @@ struct wrong_farm {
 template <class Worker, class From, class To>
 constexpr auto farm_kind() {
   if constexpr (constexpr int count = workers_in<Worker, From, To>; count > 0)
-    return std::type_identity<farm_of<Worker, From, To, std::make_index_sequence<count>>>();
+    return std::type_identity<farm_of<Worker, From, To, std::make_index_sequence<array_size(count)>>>();
   else return std::type_identity<bad_skeleton<wrong_farm<Worker, From, To>>>();
 }
 

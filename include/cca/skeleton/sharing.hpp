@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include <cca/base/array_size.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/array.hpp>
 
@@ -25,8 +26,9 @@ constexpr int parts_in = [] {
   else {
     constexpr int count = Whole::axes::count / Part::axes::count;
     if constexpr (std::is_same_v<typename Whole::domain, array_domain<typename Part::domain, count>>)
-      return std::is_same_v<typename Whole::axes,
-                            typename array_axes<typename Part::axes, std::make_index_sequence<count>>::type>
+      return std::is_same_v<
+                 typename Whole::axes,
+                 typename array_axes<typename Part::axes, std::make_index_sequence<array_size(count)>>::type>
                  ? count
                  : 0;
     else
@@ -62,8 +64,8 @@ struct gather_of<Whole, Part, std::index_sequence<I...>> {
 };
 
 template <class Whole, class Part, int Count>
-struct share_out : share_out_of<Whole, Part, std::make_index_sequence<Count>> {};
+struct share_out : share_out_of<Whole, Part, std::make_index_sequence<array_size(Count)>> {};
 template <class Whole, class Part, int Count>
-struct gather : gather_of<Whole, Part, std::make_index_sequence<Count>> {};
+struct gather : gather_of<Whole, Part, std::make_index_sequence<array_size(Count)>> {};
 
 }  // namespace cca::detail

@@ -21,6 +21,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <cca/base/array_size.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
@@ -81,7 +82,7 @@ private:
     return true;
   }
 
-  std::array<double, count> weights{1}, begin{1};
+  std::array<double, array_size(count)> weights{1}, begin{1};
   double passed = 0, span = 0;  // of the current hand-over, in s
   int chosen = -1;
 };

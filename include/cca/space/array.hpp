@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <cca/base/array_size.hpp>
 #include <cca/space/frame.hpp>
 #include <cca/base/joined_names.hpp>
 #include <cca/space/methods/linear.hpp>
@@ -84,7 +85,8 @@ struct array_axes<axes<Axes...>, std::index_sequence<Number...>> {
 template <class Element, int Count>
 struct array_of
     : space<array_domain<typename Element::domain, Count>,
-            typename detail::array_axes<typename Element::axes, std::make_index_sequence<Count>>::type,
+            typename detail::array_axes<typename Element::axes,
+                                        std::make_index_sequence<detail::array_size(Count)>>::type,
             typename Element::rate> {
   static_assert(Count > 0, "cca::array_of<Space, N>: N is the number of elements, at least one");
   using element_space = Element;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca {
 
 // The time of origin of an initial value.

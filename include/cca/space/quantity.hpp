@@ -16,6 +16,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca {
 
 enum class nan_policy : std::uint8_t {

@@ -3,6 +3,8 @@
 // it, so that the records of two devices do not match.
 #pragma once
 
+#include <cca/base/compiler.hpp>
+
 namespace cca {
 
 template <int Numbers>

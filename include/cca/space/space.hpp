@@ -4,6 +4,7 @@
 //
 // Two spaces match if domain type (with its frame), ordered axes and rate agree, whatever their names. A rate
 // that only one of them states does not count.
+// Errors: space.bad_axes, space.bad_domain, rate.missing.
 #pragma once
 
 #include <array>
@@ -50,12 +51,58 @@ struct axes {
   }();
 };
 
-template <class Domain, class Axes, class Rate = void>
+namespace detail {
+
+template <class Type>
+constexpr bool is_axes = false;
+template <class... Axes>
+constexpr bool is_axes<axes<Axes...>> = true;
+
+// Stands for what is no domain type, so that there is one error and not twenty.
+struct no_domain {
+  using quantity = void;
+  static constexpr bool actuated = false;
+  static constexpr int width(int axes) { return axes; }
+  static constexpr double zero(int, int) { return 0; }
+  template <class>
+  struct methods {};
+};
+
+template <class Axes>
+constexpr auto axes_or_refused() {
+  static_assert(is_axes<Axes>,
+                "space.bad_axes: the second argument of a space is the list of its axes, as in `struct "
+                "leg_angles : cca::space<cca::joint_angles, cca::axes<hip, knee>> {};`");
+  return std::type_identity<std::conditional_t<is_axes<Axes>, Axes, axes<x>>>{};
+}
+
+template <class Domain>
+constexpr auto domain_or_refused() {
+  constexpr bool is_domain = requires {
+    { Domain::width(1) } -> std::convertible_to<int>;
+    { Domain::zero(0, 1) } -> std::convertible_to<double>;
+    { Domain::actuated } -> std::convertible_to<bool>;
+  };
+  constexpr bool has_quantity = requires { typename Domain::quantity; };
+  static_assert(is_domain,
+                "space.bad_domain: the first argument of a space is a domain type, as cca::joint_angles; a "
+                "type of your own is one if it states `quantity`, `actuated`, `width`, `zero` and `methods`: "
+                "see CONTRIBUTING.md, \"How to add a domain type\"");
+  static_assert(!is_domain || has_quantity,
+                "space.bad_domain: this domain type does not say what is measured along its axes: add `using "
+                "quantity = cca::angle;` or another quantity to it, or `using quantity = void;` for none");
+  return std::type_identity<std::conditional_t<is_domain && has_quantity, Domain, no_domain>>{};
+}
+
+}  // namespace detail
+
+// `Axes` has a default only so that its absence gives a sentence.
+template <class Domain, class Axes = void, class Rate = void>
 struct space {
-  using domain = Domain;
-  using axes = Axes;
+  using domain = typename decltype(detail::domain_or_refused<Domain>())::type;
+  using axes = typename decltype(detail::axes_or_refused<Axes>())::type;
   using rate = Rate;
-  static constexpr int size = Domain::width(Axes::count);  // stored coordinates; an orientation has four
+  static constexpr int size = domain::width(axes::count);  // stored coordinates; an orientation has four
   using vector_type = Eigen::Matrix<double, size, 1>;
 };
 

@@ -59,6 +59,18 @@ struct overflowing : cca::graph<cca::rate<1000>,
                                 cca::node<"sometimes", adder, cca::inactive>,
                                 cca::wire<"noise.y", "sometimes.x", cca::queue<3, cca::drop_oldest>>> {};
 
+struct brake {
+  void act(cca::in<"x", reading>) { ++acts; }
+  void on_idle() { ++idle; }
+  int acts = 0, idle = 0;
+};
+struct braking : cca::graph<cca::rate<1000>,
+                            cca::node<"before", counter>,
+                            cca::node<"check", checking>,
+                            cca::node<"brake", brake>,
+                            cca::wire<"before.y", "check.x">,
+                            cca::wire<"check.y", "brake.x">> {};
+
 struct now_and_then {
   auto process() -> cca::maybe<"y", reading> { return 1; }
 };
@@ -132,6 +144,26 @@ TEST_SUITE("faults") {
     CHECK_EQ(std::string(c.fault().reason()), "a sample arrived while the queue was full");
     CHECK_EQ(c.fault_path(), "reader");
     CHECK_EQ(notified, std::vector<std::string>{"device"});
+  }
+
+  TEST_CASE("on_idle of a resource node runs in each step() that runs no beat") {
+    auto c = started<braking>();
+    c.get<"check">().limit = 2;
+    CHECK_EQ(c.run(cca::for_beats<100>{}), cca::state::faulted);
+    CHECK_EQ(c.get<"brake">().idle, 0);
+    for (int k = 1; k <= 3; ++k) {
+      CHECK_FALSE(c.step());
+      CHECK_EQ(c.get<"brake">().idle, k);
+    }
+    CHECK_EQ(c.beat_index(), 3);
+    CHECK_EQ(c.get<"brake">().acts, 2);
+    c.get<"check">().limit = 100;
+    c.resume();
+    CHECK(c.step());
+    CHECK_EQ(c.get<"brake">().idle, 3);
+    c.stop();
+    CHECK_FALSE(c.step());
+    CHECK_EQ(c.get<"brake">().idle, 4);
   }
 
   TEST_CASE("a copy of a faulted controller is faulted") {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <cca/runtime/interruption.hpp>
+
 #include "../picture.hpp"
 #include "counting.hpp"
 
@@ -196,5 +198,20 @@ TEST_SUITE("pages") {
     // [controller end]
     CHECK_EQ(c.beat_index(), 55);
     CHECK_EQ(c.get<"camera">().frames, 2);
+  }
+
+  TEST_CASE("interruption") {
+    const auto main = [] {
+      // [interruption]
+      const cca::interruption interrupted;  // notes signals from here on
+      cca::controller<following> c;
+      c.load();
+      c.start();
+      c.run(cca::for_<0.01>{}, cca::at_wall_clock(), interrupted);
+      c.stop();
+      return interrupted.exit_code();  // 130 after SIGINT, 143 after SIGTERM, otherwise 0
+      // [interruption end]
+    };
+    CHECK_EQ(main(), 0);
   }
 }

@@ -263,4 +263,29 @@ TEST_SUITE("families of drives") {
     l.beats(3);
     CHECK(l.all_give_way());
   }
+
+  TEST_CASE("a CANopen drive whose frames of velocity are lost trips, and is not started without them") {
+    std::array<hw::bus_fault, 1> lost{{{.what = hw::bus_trouble::lose,
+                                        .from = 1'200'000'000,
+                                        .end = 0,
+                                        .frames = hw::can_filter{hw::standard(0x281)}}}};
+    lab late;
+    late.wires[2] = wire({.script = lost});
+    late.controller.start();
+    late.beats(1200);
+    REQUIRE(late.stop().mode() == hw::motion_mode::run);
+    late.beats(5);
+    CHECK(late.stop().mode() == hw::motion_mode::damped);
+    CHECK(late.stop().first_cause().rule == hw::safety_rule::implausible);
+    CHECK(late.stop().first_cause().joint == 4);
+
+    lost[0].from = 0;
+    lab never;
+    never.wires[2] = wire({.script = lost});
+    never.controller.start();
+    never.beats(1000);
+    CHECK(never.synchronizer().refusal() == hw::safety_rule::enabling);
+    CHECK(hw::text_of(never.synchronizer().failure()) ==
+          "left_front_knee: its drive does not report its velocity");
+  }
 }

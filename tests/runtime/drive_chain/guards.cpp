@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include <doctest/doctest.h>
@@ -439,6 +440,38 @@ TEST_SUITE("guards") {
     const both safe = pass(g, marked, 111, 100 * millisecond);
     CHECK(safe[0].broken() == safety_rule::stale);
     CHECK(safe[1].broken() == safety_rule::not_finite);  // the first rule that it broke
+  }
+
+  TEST_CASE("stale: an origin in the future counts as its arrival") {
+    hw::stale_guard<joints> g;  // 50 ms
+    const auto is_stale = [&](std::int64_t beat, std::int64_t origin) {
+      return pass(g, none, beat, origin)[0].broken() == safety_rule::stale;
+    };
+    const std::int64_t ahead = 5000 * millisecond;
+    for (std::int64_t k = 10; k <= 60; ++k) CHECK_FALSE(is_stale(k, ahead));
+    CHECK(is_stale(61, ahead));  // frozen
+    CHECK(is_stale(4000, ahead));
+    for (std::int64_t k = 4001; k < 4200; ++k) CHECK_FALSE(is_stale(k, ahead + k));  // a clock that is ahead
+    g.on_start();
+    CHECK_FALSE(is_stale(4500, ahead));
+  }
+
+  TEST_CASE("emergency stop: any thread may press it, and a start does not release it") {
+    hw::emergency_stop<joints> stop;
+    const measured begin{at(0, 0, hw::motion_phase::begins), at(1, 0, hw::motion_phase::begins)};
+    std::thread hand([&] {
+      for (int i = 0; i < 1000; ++i) stop.press(), stop.stop_softly(), stop.release();
+      stop.press();
+    });
+    for (int k = 0; k < 1000; ++k) pass(stop, none, begin, k);
+    hand.join();
+    stop.on_start();
+    pass(stop, none, begin, 1000);
+    CHECK(stop.mode() == hw::motion_mode::damped);
+    CHECK(stop.first_cause().rule == safety_rule::pressed);
+    stop.release();
+    pass(stop, none, begin, 1001);
+    CHECK(stop.mode() == hw::motion_mode::run);
   }
 
   TEST_CASE("emergency stop: the mode that each rule leads to, and whether it names a joint") {

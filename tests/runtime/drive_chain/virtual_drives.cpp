@@ -58,6 +58,10 @@ struct old : odrive_of<odrive<4, odrive_mode::position, odrive_firmware::v0_5>,
 struct n1 {
   static constexpr std::string_view name = "n1";
   static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.02;
+  static constexpr double run_on = std::numeric_limits<double>::infinity();
+};
+struct n1_with_stop : n1 {
+  static constexpr double run_on = 0.005;
 };
 using hip = moteus<n1, 3>;
 template <moteus_timeout Then>
@@ -157,10 +161,22 @@ TEST_SUITE("virtual drives") {
     v.hear(hip::disable()[0], 1'000'000'000);
     CHECK(v.law(1'000'000'000).damping == 0);
     can_frame f = hip::stay();
-    detail::put_float(f.data, 6 + 6 * 4 + 2, 0.5f);  // the timeout, after six floats and a head
+    detail::put_float(f.data, 6 + 7 * 4, 0.5f);  // the timeout, after seven floats
     v.hear(f, 2'000'000'000);
     CHECK(v.law(2'499'000'000).stiffness == 80);
     CHECK(gives_way(v.law(2'501'000'000)));
+  }
+
+  TEST_CASE("moteus: a command of a controller that died moves on for run_on and no longer") {
+    using D = moteus<n1_with_stop, 3>;
+    virtual_moteus<D, moteus_timeout::hold, 10.0> v;
+    v.hear(D::set_point({.position = 1, .velocity = 13.5, .stiffness = 40}).frames[0], 0);
+    CHECK(v.law(1'000'000).position == doctest::Approx(1 + 0.0135));  // until the next command, as before
+    CHECK(v.law(1'000'000).velocity == doctest::Approx(13.5));
+    for (const std::int64_t later : {5'100'000, 19'000'000, 21'000'000, 900'000'000}) {
+      CHECK(v.law(later).position == doctest::Approx(1 + 13.5 * 0.005));
+      CHECK(v.law(later).velocity == 0);
+    }
   }
 
   TEST_CASE("moteus: in timeout mode 10 it slows down to 0 and holds there until it is stopped") {

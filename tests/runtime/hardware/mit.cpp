@@ -115,6 +115,25 @@ TEST_CASE("mit: no command looks like a special frame") {
             .data[7] == 0xFC);
 }
 
+TEST_CASE("mit: the original firmware answers with 6 bytes or, with the supply's voltage, with 7") {
+  drive_report r, longer;
+  can_frame f = cheetah::reply(1, 2, 3);
+  CHECK(f.length == 6);
+  REQUIRE(cheetah::decode(f, r));
+  f.length = 7;
+  f.data[6] = 0x18;
+  REQUIRE(cheetah::decode(f, longer));
+  CHECK(longer.position == r.position);
+  CHECK(longer.velocity == r.velocity);
+  CHECK(longer.torque == r.torque);
+  CHECK(longer.told == r.told);
+  for (const unsigned length : {5u, 8u}) {
+    f.length = static_cast<std::uint8_t>(length);
+    CHECK_FALSE(cheetah::decode(f, r));
+  }
+  static_assert(cheetah::traffic[1].shape.length == 7);
+}
+
 TEST_CASE("mit: NaN does not become the end of a range") {
   drive_command c{.stiffness = 100};
   c.position = std::numeric_limits<double>::quiet_NaN();

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include <cca/hardware/moteus.hpp>
@@ -35,6 +36,10 @@ can_frame from_hex(can_id id, std::string_view hex) {
 }
 
 static_assert(servo::set_point({.position = 1}).frames[0].length == 48);
+
+struct runs_on : motor {
+  static constexpr double run_on = std::numeric_limits<double>::infinity();
+};
 
 template <int Milliseconds>
 struct waits : motor {
@@ -86,6 +91,50 @@ TEST_CASE("moteus: the request and the reply of its documentation") {
   CHECK(r.torque == doctest::Approx(-1.44));
   CHECK(r.temperature == 20);
   CHECK(r.fault == drive_fault::none);
+}
+
+TEST_CASE("moteus: subframes of the diagnostic stream are skipped, wherever they stand") {
+  drive_report r;
+  const std::string_view reply = "2404000a005000000170ff";
+  for (const std::string_view stream : {"4101026f6b", "410100", "4001016f", "420120"}) {
+    r = {};
+    REQUIRE(servo::decode(from_hex(standard(0x100), std::string(stream) + std::string(reply)), r));
+    CHECK(r.position == doctest::Approx(0.008 * turn));
+    r = {};
+    REQUIRE(servo::decode(from_hex(standard(0x100), std::string(reply) + std::string(stream)), r));
+    CHECK(r.torque == doctest::Approx(-1.44));
+  }
+  r = {};
+  CHECK_FALSE(servo::decode(from_hex(standard(0x100), std::string(reply) + std::string("41017f6f")),
+                            r));                                           // ends too early
+  CHECK_FALSE(servo::decode(from_hex(standard(0x100), "4101026f6b"), r));  // no register
+  CHECK(r.frames == 0);
+}
+
+TEST_CASE("moteus: a commanded velocity has an end") {
+  servo::request q;
+  REQUIRE(servo::hear(servo::set_point({.position = 1, .velocity = 2}).frames[0], q));
+  CHECK(q.stop_position == doctest::Approx(1 + 2 * 0.005));
+  REQUIRE(servo::hear(servo::set_point({.position = 1, .velocity = -2}).frames[0], q));
+  CHECK(q.stop_position == doctest::Approx(1 - 2 * 0.005));
+  REQUIRE(servo::hear(servo::set_point({.position = 1}).frames[0], q));
+  CHECK(std::isnan(q.stop_position));  // nothing moves on
+  using until_the_timeout = moteus<runs_on, 1>;
+  until_the_timeout::request p;
+  REQUIRE(until_the_timeout::hear(until_the_timeout::set_point({.position = 1, .velocity = 2}).frames[0], p));
+  CHECK(std::isnan(p.stop_position));
+}
+
+TEST_CASE("moteus: can.prefix stands above the other bits of both ids") {
+  using far = moteus<motor, 3, 0, 0x123>;
+  laws::drive<far>();
+  CHECK(far::request_id == extended(0x01238003));
+  const can_frame reply = far::reply(10, 1, 0, 0);
+  CHECK(reply.id == extended(0x01230300));
+  drive_report r;
+  CHECK(far::decode(reply, r));
+  CHECK_FALSE(moteus<motor, 3>::decode(reply, r));
+  CHECK_FALSE(far::decode(moteus<motor, 3>::reply(10, 1, 0, 0), r));
 }
 
 TEST_CASE("moteus: a command survives encoding and decoding, floats exactly") {

@@ -290,6 +290,12 @@ TEST_CASE("odrive: states and faults of 0.6 and 0.5") {
                      r));  // means something else in 0.5
 }
 
+// Node 63 of firmware 0.6 is not addressed: `odrive<63, Mode>` does not compile.
+static_assert(!detail::is_odrive_node(63, odrive_firmware::v0_6));
+static_assert(detail::is_odrive_node(63, odrive_firmware::v0_5));
+static_assert(detail::is_odrive_node(62, odrive_firmware::v0_6) &&
+              detail::is_odrive_node(64, odrive_firmware::v0_6));
+
 TEST_CASE("odrive: goes to closed loop from where it is") {
   position::enabling enabling;
   drive_report r;

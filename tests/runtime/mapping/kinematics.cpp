@@ -15,15 +15,18 @@ using forward = cca::forward_kinematics<Chain, angles_of<Chain>, Tip>;
 template <class Chain, class Tip>
 using inverse = cca::inverse_kinematics<Chain, angles_of<Chain>, Tip>;
 
-// Calls the inverse directly.
+// Calls the inverse directly, until its search ends.
 template <class Ik, class Vector>
 auto solve(Ik& ik, const Vector& target) {
-  const auto all = laws::map_all(ik, target);
   struct {
     cca::output_space<Ik>::vector_type q;
-    cca::reaching status;
-  } found{std::get<0>(all).vector(),
-          static_cast<cca::reaching>(static_cast<int>(std::get<1>(all).vector()[0]))};
+    cca::reaching status = cca::reaching::unfinished;
+  } found;
+  for (int beat = 0; beat < 1000 && found.status == cca::reaching::unfinished; ++beat) {
+    const auto all = laws::map_all(ik, target);
+    found.q = std::get<0>(all).vector();
+    found.status = static_cast<cca::reaching>(static_cast<int>(std::get<1>(all).vector()[0]));
+  }
   return found;
 }
 
@@ -36,11 +39,10 @@ double apart(const typename Tip::vector_type& a, const typename Tip::vector_type
 }
 
 // For a reachable target the inverse finds angles that lead there.
-template <class Chain, class Tip, int Most>
+template <class Chain, class Tip>
 struct chain_model {
   using chain = Chain;
   using tip = Tip;
-  static constexpr int most_missed = Most;  // of 1000 targets: for these it finds only a local minimum
 };
 
 // From a reachable foot position to the angles, in closed form, and back.
@@ -168,14 +170,14 @@ TEST_SUITE("kinematics") {
   }
 
   TEST_CASE_TEMPLATE(
-      "the inverse reaches reachable targets", Model, chain_model<plane_arm, foot_in_base_plane, 2>,
-      chain_model<skew_arm, foot_in_trunk, 20>, chain_model<sliding_arm, foot_in_trunk, 40>,
-      chain_model<whole_arm, foot_in_trunk, 2>, chain_model<whole_arm, turn_in_trunk, 6>,
-      chain_model<whole_arm, pose_in_trunk, 300>, chain_model<left_leg, foot_in_trunk, 0>,
-      chain_model<right_leg, foot_in_trunk, 0>, chain_model<leg_in_plane, foot_in_plane, 0>,
-      chain_model<turned_leg, foot_in_trunk, 0>, chain_model<pitched_leg, foot_in_base_plane, 0>,
-      chain_model<tilted_leg, foot_in_base_plane, 10>, chain_model<splayed_leg, foot_in_base_plane, 10>,
-      chain_model<as_chain<left_leg>, foot_in_trunk, 2>) {
+      "the inverse reaches reachable targets", Model, chain_model<plane_arm, foot_in_base_plane>,
+      chain_model<skew_arm, foot_in_trunk>, chain_model<sliding_arm, foot_in_trunk>,
+      chain_model<whole_arm, foot_in_trunk>, chain_model<whole_arm, turn_in_trunk>,
+      chain_model<whole_arm, pose_in_trunk>, chain_model<left_leg, foot_in_trunk>,
+      chain_model<right_leg, foot_in_trunk>, chain_model<leg_in_plane, foot_in_plane>,
+      chain_model<turned_leg, foot_in_trunk>, chain_model<pitched_leg, foot_in_base_plane>,
+      chain_model<tilted_leg, foot_in_base_plane>, chain_model<splayed_leg, foot_in_base_plane>,
+      chain_model<as_chain<left_leg>, foot_in_trunk>) {
     using chain = typename Model::chain;
     using tip = typename Model::tip;
     laws::source random{std::mt19937_64{23}};
@@ -192,7 +194,7 @@ TEST_SUITE("kinematics") {
       if (found.status != cca::reaching::reached) ++missed;
       else CHECK(apart<tip>(laws::map(there, found.q), target) < 2e-8);
     }
-    CHECK(missed <= Model::most_missed);
+    CHECK(missed <= 1);
   }
 
   TEST_CASE_TEMPLATE("the kinematics of a leg obey the laws of an inverse", Model,
@@ -370,10 +372,12 @@ TEST_SUITE("Oncilla's leg") {
       CHECK((found.status == cca::reaching::reached) == (distance < 1e-9));
       outside += distance > 1e-9;
       above += target[2] > 0 && distance > 1e-9;
-      // The general solver agrees, or stops in a local minimum.
+      // The general solver agrees to a micrometre.
       inverse<as_chain<Leg>, foot_in_trunk> general;
       const auto other = solve(general, target);
-      CHECK((cca::chain_pose<Leg>(other.q).tip().at - target).norm() >= distance - 1e-9);
+      const double general_distance = (cca::chain_pose<Leg>(other.q).tip().at - target).norm();
+      CHECK(general_distance >= distance - 1e-9);
+      CHECK(general_distance <= distance + 1e-6);
     }
     CHECK(outside > 100);
     CHECK(above > 50);

@@ -75,7 +75,7 @@ TEST_CASE("Gaussian mixture regression equals its formula, mean and spread") {
     motion m;
     m.p.mixture = random_model<motion::model, 3>(random);
     const number x(random(-2, 2));
-    const auto [position, spread] = m.process(given<cca::in<"input", timeline>>(x));
+    const auto [position, spread, usable] = m.process(given<cca::in<"input", timeline>>(x));
     const auto wanted = reference(m.p.mixture, m.p.mixture.priors, x);
     CHECK((position.vector() - wanted.mean).norm() < 1e-11);
     for (int i = 0; i < 2; ++i)
@@ -142,7 +142,7 @@ TEST_CASE("the hidden Markov model equals its forward recursion, written out") {
     const Eigen::VectorXd predicted =
         k == 0 ? forward : Eigen::VectorXd(h.p.transitions.transpose() * forward);
     const auto wanted = reference(h.p.mixture, predicted, x);
-    const auto [velocity, state] = h.process(given<cca::in<"position", plane>>(x));
+    const auto [velocity, state, usable] = h.process(given<cca::in<"position", plane>>(x));
     forward = wanted.h;
     CHECK((velocity.vector() - wanted.mean).norm() < 1e-10);
     CHECK((h.states() - wanted.h).norm() < 1e-10);

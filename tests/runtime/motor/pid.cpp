@@ -21,11 +21,11 @@ double command(
     P& pid, double reference, double measured, double manual = 0, std::optional<double> automatic = {}) {
   using manual_port = cca::optional_in<"manual", C>;
   using automatic_port = cca::optional_in<"automatic", cca::over<cca::status, cca::automatic_axis>>;
-  return pid
-      .process(cca::in<"reference", M>(number(reference), 0, true),
-               cca::in<"measured", M>(number(measured), 0, true),
-               automatic ? wired<manual_port>(number(manual)) : manual_port{},
-               automatic ? wired<automatic_port>(number(*automatic)) : automatic_port{}, at(0))
+  return std::get<0>(pid.process(cca::in<"reference", M>(number(reference), 0, true),
+                                 cca::in<"measured", M>(number(measured), 0, true),
+                                 automatic ? wired<manual_port>(number(manual)) : manual_port{},
+                                 automatic ? wired<automatic_port>(number(*automatic)) : automatic_port{},
+                                 at(0)))
       .vector()[0];
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("from manual to automatic without a bump, and back in manual it follow
         doctest::Approx(0.7).epsilon(1e-12));  // error 0.8: without bumpless transfer it would jump to 2
   CHECK(u_of(pid, 1, 0.2, 0.7, 1.0) == doctest::Approx(0.7 + 1e-3 * 2 * 0.8).epsilon(1e-9));
   CHECK(u_of(pid, 1, 0.2, 9.0, 0.0) == 2);           // the manual command is limited too
-  CHECK(u_of(pid, 1, 0.2, std::nan(""), 0.0) == 2);  // and ignored if it is not finite
+  CHECK(u_of(pid, 1, 0.2, std::nan(""), 0.0) == 0);  // and none if it is not finite
   CHECK(std::isfinite(u_of(pid, 1, 0.2, 0.0, 1.0)));
 }
 
@@ -171,15 +171,66 @@ TEST_CASE("a change of gains at run time makes no bump") {
   CHECK(u_of(p, 1, 0) == doctest::Approx(2 + 6 * std::pow(0.99, 100)).epsilon(1e-9));
 }
 
-TEST_CASE("numbers that are not finite are ignored, negative gains are refused, and nothing allocates") {
+TEST_CASE("without a readable number the command is 0, says its status, and the integral is frozen") {
   auto pid = gains(8, 16, 0);
-  const double before = u_of(pid, 1, 0);
-  CHECK(u_of(pid, std::nan(""), 0) == before);
-  CHECK(u_of(pid, 1, std::nan("")) == before);
-  CHECK(std::isfinite(u_of(pid, 1, 0)));
-  servo::parameters bad;
+  for (int k = 0; k < 100; ++k) (void)u_of(pid, 1, 0);
+  auto untouched = pid;
+  const auto status = [&](double r, double y) {
+    return std::get<1>(pid.process(cca::in<"reference", plant_y>(number(r), 0, true),
+                                   cca::in<"measured", plant_y>(number(y), 0, true), {}, {}, at(0)))
+        .vector()[0];
+  };
+  using enum cca::input_status;
+  for (int k = 0; k < 2000; ++k) {  // 2 s: a command that is held would have moved the joint far away
+    CHECK(u_of(pid, std::nan(""), 0) == 0);
+    CHECK(u_of(pid, 1, std::nan("")) == 0);
+    CHECK(u_of(pid, 1, cca::infinity) == 0);
+  }
+  CHECK(status(1, std::nan("")) == cca::status_of(unreadable));
+  CHECK(u_of(pid, 1, 0) == u_of(untouched, 1, 0));
+  CHECK(status(1, 0) == cca::status_of(usable));
+  CHECK(status(1e300, 0) == cca::status_of(clamped));
+}
+
+TEST_CASE("by hand a readable command is followed even without a measurement") {
+  limited pid;
+  CHECK(u_of(pid, 1, std::nan(""), 0.7, 0.0) == 0.7);
+  CHECK(u_of(pid, 1, std::nan(""), std::nan(""), 0.0) == 0);
+  CHECK(u_of(pid, 1, std::nan(""), 0.7, 1.0) == 0);
+}
+
+TEST_CASE("with the velocity of a movement and its feed-forward a joint follows without being behind") {
+  // y'' = u follows r = sin t. PD alone is behind by (kd r' + r'') / kp.
+  using velocity = cca::optional_in<"velocity", cca::velocity_of<plant_y>>;
+  using feedforward = cca::optional_in<"feedforward", plant_y>;
+  const auto worst = [](bool with_velocity, bool with_torque) {
+    auto pid = gains(100, 0, 20, 1e-3);
+    double y = 0, v = 1, most = 0;
+    for (int k = 0; k < 6000; ++k) {
+      const double t = 1e-3 * k;
+      const double u =
+          std::get<0>(pid.process(cca::in<"reference", plant_y>(number(std::sin(t)), 0, true),
+                                  cca::in<"measured", plant_y>(number(y), 0, true), {}, {}, at(k),
+                                  with_velocity ? wired<velocity>(number(std::cos(t))) : velocity{},
+                                  with_torque ? wired<feedforward>(number(-std::sin(t))) : feedforward{}))
+              .vector()[0];
+      y += 1e-3 * v + 0.5e-6 * u, v += 1e-3 * u;
+      if (k > 1000) most = std::max(most, std::abs(std::sin(t + 1e-3) - y));
+    }
+    return most;
+  };
+  CHECK(worst(false, false) > 0.15);
+  CHECK(worst(true, false) < 0.015);
+  CHECK(worst(true, true) < 1e-3);
+}
+
+TEST_CASE("negative and huge gains are refused, and nothing allocates") {
+  auto pid = gains(8, 16, 0);
+  servo::parameters bad = servo{}.p;
   CHECK_NOTHROW(cca::check_parameters(bad));
   bad.integral[0] = -1;
+  CHECK_THROWS_AS(cca::check_parameters(bad), cca::refused);
+  bad.integral[0] = 1e13;
   CHECK_THROWS_AS(cca::check_parameters(bad), cca::refused);
   const std::size_t counted = laws::allocations();
   for (int k = 0; k < 1000; ++k) (void)u_of(pid, 1, 0);

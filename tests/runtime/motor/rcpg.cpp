@@ -21,8 +21,10 @@ Eigen::Vector2d pattern(double k) {
   return {0.5 * std::sin(f) + 0.2 * std::sin(2 * f + 1), 0.4 * std::cos(f) + 0.15 * std::cos(3 * f)};
 }
 
-Eigen::Vector2d taught(generator& g, int k) { return g.process(wired<teacher>(pattern(k))).vector(); }
-Eigen::Vector2d free_run(generator& g) { return g.process(teacher{}).vector(); }
+Eigen::Vector2d taught(generator& g, int k) {
+  return std::get<0>(g.process(wired<teacher>(pattern(k)))).vector();
+}
+Eigen::Vector2d free_run(generator& g) { return std::get<0>(g.process(teacher{})).vector(); }
 
 // Ridge regression of the pattern on the activity under the teacher.
 generator trained() {
@@ -80,7 +82,8 @@ TEST_CASE(
   for (int k = 0; k < 10; ++k)
     (void)a.process(wired<teacher>(pattern(k))), (void)b.process(wired<teacher>(pattern(k)));
   for (int k = 0; k < 10; ++k)
-    CHECK(a.process(wired<teacher>(Eigen::Vector2d(9, 9), false)).vector() == b.process(teacher{}).vector());
+    CHECK(std::get<0>(a.process(wired<teacher>(Eigen::Vector2d(9, 9), false))).vector() ==
+          std::get<0>(b.process(teacher{})).vector());
   generator used = a, fresh;
   fresh.p = a.p;
   used.on_load(), fresh.on_load();

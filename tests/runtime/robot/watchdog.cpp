@@ -8,6 +8,25 @@ using namespace robot_test;
 
 namespace {
 
+struct leg_angles_at_10 : cca::space<cca::joint_angles, cca::axes<hip, knee>, cca::rate<10>> {};
+// Its encoders may fall silent.
+struct leg_with_encoders {
+  auto sense(cca::beat now) -> cca::maybe<"angles", leg_angles> {
+    if (!reporting) return {};
+    cca::maybe<"angles", leg_angles> y(at);
+    if (ahead != 0) y.with_origin(now.time() + ahead);
+    return y;
+  }
+  void act(cca::in<"command", leg_angles> to) {
+    if (to.origin() != cca::never) at = to.vector();
+  }
+  void on_fault() { ++stops; }
+  leg_angles::vector_type at{0.1, -0.9};
+  bool reporting = true;
+  std::int64_t ahead = 0;
+  int stops = 0;
+};
+
 // [watchdog]
 struct link {  // a remote command that may stop arriving
   bool up = true;
@@ -26,6 +45,34 @@ struct guarded
                  cca::wire<"watchdog.fresh", "limits.command">,
                  cca::wire<"limits.safe", "leg.command">> {};
 // [watchdog end]
+
+// [source]
+struct planner {  // a new goal ten times a second
+  auto process() -> cca::out<"goal", leg_angles_at_10> { return leg_angles::vector_type{0.3, -1}; }
+};
+struct follower {  // a command in each beat, from the goal and the measured angles
+  auto process(cca::in<"goal", leg_angles_at_10> goal, cca::in<"angles", leg_angles> angles)
+      -> cca::out<"command", leg_angles> {
+    return (angles.vector() + 0.01 * (goal.vector() - angles.vector())).eval();
+  }
+};
+
+template <class Watchdog>
+struct planned : cca::graph<cca::rate<1000>,
+                            cca::node<"planner", planner, cca::timed<100>>,
+                            cca::node<"follower", follower, cca::timed<1>>,
+                            cca::node<"watchdog", Watchdog>,
+                            cca::node<"limits", cca::limiter<leg_angles>>,
+                            cca::node<"robot", leg_with_encoders>,
+                            cca::wire<"planner.goal", "follower.goal", cca::latest>,
+                            cca::wire<"robot.angles", "follower.angles", cca::latest>,
+                            cca::wire<"follower.command", "watchdog.command">,
+                            cca::wire<"watchdog.fresh", "limits.command">,
+                            cca::wire<"limits.safe", "robot.command">> {};
+
+// The encoders must have reported within 5 beats; the goal may be as old as it likes.
+using of_encoders = cca::watchdog<leg_angles, 5, cca::of<"robot.angles">>;
+// [source end]
 
 constexpr std::string_view picture = R"(// [picture]
 flowchart LR
@@ -81,6 +128,28 @@ struct loop : cca::graph<cca::rate<1000>,
                          cca::wire<"gait.y", "limits.command">,
                          cca::wire<"limits.safe", "watchdog.command", cca::delayed<3>>,
                          cca::wire<"watchdog.fresh", "leg.command">> {};
+
+// The robot is a graph that exposes the angles; the watchdog is in another one.
+struct body : cca::graph<cca::node<"leg", leg_with_encoders>,
+                         cca::expose<"leg.angles", "angles">,
+                         cca::expose<"leg.command", "command">> {};
+struct guard : cca::graph<cca::node<"watchdog", cca::watchdog<leg_angles, 5, cca::of<"robot.angles">>>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::wire<"watchdog.fresh", "limits.command">,
+                          cca::expose<"watchdog.command", "command">,
+                          cca::expose<"limits.safe", "safe">> {};
+struct inside : cca::graph<cca::node<"robot", body>,
+                           cca::node<"guard", guard>,
+                           cca::wire<"guard.safe", "robot.command">,
+                           cca::expose<"guard.command", "command">,
+                           cca::expose<"robot.angles", "angles">> {};
+struct nested : cca::graph<cca::rate<1000>,
+                           cca::node<"planner", planner, cca::timed<100>>,
+                           cca::node<"follower", follower, cca::timed<1>>,
+                           cca::node<"body", inside>,
+                           cca::wire<"planner.goal", "follower.goal", cca::latest>,
+                           cca::wire<"body.angles", "follower.angles", cca::latest>,
+                           cca::wire<"follower.command", "body.command">> {};
 
 template <class Controller>
 std::int64_t steps_until_fault(Controller& c, int most) {
@@ -149,6 +218,44 @@ TEST_SUITE("watchdog") {
     CHECK_EQ(c.get<"leg">().origin, (90 - 2) * millisecond);
     auto stale = started<slow<10>>();
     CHECK_EQ(steps_until_fault(stale, 100), 9);
+  }
+
+  TEST_CASE("without a source a slow goal makes the command old") {
+    auto c = started<planned<cca::watchdog<leg_angles, 5>>>();
+    CHECK_EQ(steps_until_fault(c, 200), 6);
+    CHECK_EQ(std::string(c.fault().reason()), "stale command");
+  }
+
+  TEST_CASE("with a source only its age counts: a slow goal is fine, a dead encoder is not") {
+    auto c = started<planned<of_encoders>>();
+    CHECK_EQ(steps_until_fault(c, 1000), -1);
+    CHECK_EQ(c.get<"robot">().at[0], doctest::Approx(0.3).epsilon(0.01));
+    c.get<"robot">().reporting = false;  // the last sample is from beat 999
+    CHECK_EQ(steps_until_fault(c, 50), 5);
+    CHECK_EQ(std::string(c.fault().reason()), "stale source");
+    CHECK_EQ(c.fault_path(), "watchdog.watch");
+    CHECK_EQ(c.get<"robot">().stops, 1);
+    c.get<"robot">().reporting = true;
+    c.resume();
+    CHECK_EQ(steps_until_fault(c, 100), -1);
+  }
+
+  TEST_CASE("a source that never reports is stale, and one from the future by its time of arrival") {
+    auto c = started<planned<of_encoders>>();
+    c.get<"robot">().reporting = false;
+    CHECK_EQ(steps_until_fault(c, 100), 6);
+    auto ahead = started<planned<of_encoders>>();
+    ahead.get<"robot">().ahead = 1'000'000'000;
+    CHECK_EQ(steps_until_fault(ahead, 100), -1);
+    ahead.get<"robot">().reporting = false;
+    CHECK_EQ(steps_until_fault(ahead, 100), 5);
+  }
+
+  TEST_CASE("a source may be an output that an inner graph exposes, or of the inner graph itself") {
+    auto c = started<nested>();
+    CHECK_EQ(steps_until_fault(c, 1000), -1);
+    c.get<"body.robot.leg">().reporting = false;
+    CHECK_EQ(steps_until_fault(c, 50), 5);
   }
 
   TEST_CASE("a command from the future becomes stale by its time of arrival") {

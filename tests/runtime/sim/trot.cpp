@@ -223,7 +223,7 @@ TEST_SUITE("trot") {
       const std::string value = option == std::string("--terrain") ? "flat" : "1";
       CHECK_NOTHROW(trot::parse({option, value}));
     }
-    CHECK(std::count(trot::usage.begin(), trot::usage.end(), '\n') == 2 + 10);
+    CHECK(std::count(trot::usage.begin(), trot::usage.end(), '\n') == 2 + 11);
     for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{{"--fast"},
                                                                                      {"--seconds"},
                                                                                      {"--seconds", "x"},

@@ -416,6 +416,12 @@ TEST_SUITE("record and replay") {
     std::istringstream two("(1.0) can0 123#11\n(1.1) can1 124#\n(1.2) can0 20000004#0008000000006000\n");
     const log_file log = read_log(two, "two");
     CHECK(log.errors == 1);
+    std::istringstream with_loss(
+        "(1.0) can0 123#R8_9\nDROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 3)\n"
+        "(1.1) can0 124#\n");
+    const log_file lossy = read_log(with_loss, "lossy");
+    CHECK(lossy.lines.size() == 2);
+    CHECK(lossy.missing == 3);
     rig r;
     CHECK_THROWS_WITH_AS(replay(r.bus, "can0", log, {}, r, r.say),
                          "the log has several interfaces, can0, can1: choose one by --from", usage_error);
@@ -472,7 +478,7 @@ TEST_SUITE("the whole line") {
     CHECK(ends({}) == done);
     CHECK(r.printed("cca-can: CAN buses and the drives on them, by hand"));
     CHECK(ends({"jg", "can0"}) == misunderstood);
-    CHECK(r.error.str() == "cca-can: there is no command `jg`; see `cca-can help`\n");
+    CHECK(r.error.str() == "cca-can: there is no command `jg`, did you mean `jog`? See `cca-can help`\n");
     CHECK(ends({"jog", "can0", name, "--speed", "0.5", "--torque", "0.5", "--to", "0.1"}) == misunderstood);
     CHECK(r.error.str() ==
           "cca-can: --range is missing: the angles that the drive may be at, in rad, as -0.2,0.2\n");
@@ -506,6 +512,40 @@ TEST_SUITE("the whole line") {
     CHECK(ends({"pretend", "vcan0", "odrive:3", "--fault-at", "0.01"}) == misunderstood);
     CHECK(r.printed("--code is missing: the firmware's number of a fault"));
     CHECK(ends({"pretend", "can0", "odrive:3", "moteus:20/0.8:2", "--seconds", "0.1", "--yes"}) == done);
+  }
+}
+
+TEST_SUITE("in memory") {
+  TEST_CASE("every command can be tried without CAN") {
+    rig r;
+    const auto open = [&](const std::string&, bool) { return r.bus; };
+    const auto ends = [&](std::vector<std::string> line) {
+      r.out.str(""), r.error.str("");
+      return run_and_tell(line, open, r, r.say);
+    };
+    CHECK(ends({"list", "memory", "--ask", "mit", "--pretend", name, "--pretend", "mit:ak80-9:3"}) == done);
+    CHECK(r.printed("mit:7  answers 000#07"));
+    CHECK(r.printed("mit:3  answers 000#03"));
+    CHECK(ends({"jog", "memory", name, "--range=-0.2,0.2", "--speed", "0.5", "--torque", "0.5", "--to",
+                "0.1"}) == done);
+    CHECK(r.printed("disabled"));
+    CHECK(ends({"watch", "memory", "odrive:3", "--seconds", "1"}) == done);
+    CHECK(ends({"enable", "memory", "moteus:20/0.8:4", "--seconds", "0.2"}) == done);
+    CHECK(ends({"record", "memory", "--pretend", "odrive:3", "--seconds", "0.3"}) == done);
+    CHECK(r.printed("#"));
+    CHECK(r.seen.empty());  // nothing went to the other bus
+    CHECK(ends({"pretend", "memory", "odrive:3"}) == misunderstood);
+    CHECK(ends({"list", "can0", "--pretend", "odrive:3"}) == misunderstood);
+    CHECK(r.printed("--pretend plays drives in memory only"));
+  }
+  TEST_CASE("--help, -h and --version") {
+    rig r;
+    const auto open = [&](const std::string&, bool) { return r.bus; };
+    CHECK(run_and_tell({"-h"}, open, r, r.say) == done);
+    CHECK(r.printed("cca-can: CAN buses and the drives on them, by hand"));
+    CHECK(run_and_tell({"--version"}, open, r, r.say) == done);
+    CHECK(r.printed("cca-can 0."));
+    CHECK(run_and_tell({"jog", "--help"}, open, r, r.say) == done);
   }
 }
 

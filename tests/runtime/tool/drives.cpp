@@ -22,7 +22,7 @@ struct epos {
 };
 struct n1 {
   static constexpr std::string_view name = "n1";
-  static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.1;
+  static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.1, run_on = 0.01;
 };
 
 namespace {

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -26,28 +27,57 @@ std::string complaint(F f) {
 
 TEST_SUITE("command line") {
   TEST_CASE("options, flags and words in any order; the rest is reported") {
-    words w({"can0", "--speed", "0.5", "--yes", "mit:ak80-9:3", "--to", "-0.1", "--wrong"});
+    words w({"--yes", "jog", "can0", "--speed", "0.5", "mit:ak80-9:3", "--to", "-0.1", "--wrong"});
+    CHECK(w.command() == "jog");
     CHECK(w.flag("--yes"));
-    CHECK_FALSE(w.flag("--yes"));
     CHECK(w.number("--speed", "rad/s", 0, 1) == 0.5);
     CHECK(w.number("--to", "rad", -1, 1) == -0.1);
     CHECK_FALSE(w.number("--torque", "N m", 0, 1));
+    CHECK(w.peek() == "can0");
     CHECK(w.next() == "can0");
     CHECK(w.next() == "mit:ak80-9:3");
     CHECK_FALSE(w.next());
     CHECK(complaint([&] { w.nothing_left(); }) ==
           "`--wrong`: this command does not know it; see `cca-can help`");
   }
+  TEST_CASE("a value may be negative, and may follow an equals sign") {
+    words w({"jog", "can0", "--range=-1,1", "--to=-0.5", "--by", "-0.1"});
+    CHECK(w.option("--range") == "-1,1");
+    CHECK(w.number("--to", "rad", -1, 1) == -0.5);
+    CHECK(w.number("--by", "rad", -1, 1) == -0.1);
+    CHECK(words({"jog", "--range", "-1,1"}).option("--range") == "-1,1");
+  }
+  TEST_CASE("--help, -h and --version, of the program and of a command") {
+    for (const char* help : {"--help", "-h"}) {
+      CHECK(words({help}).wants_help());
+      CHECK(words({help}).answer() == "");
+      const words jog({"jog", help});
+      CHECK(jog.answer().find("--torque") != std::string::npos);
+      CHECK(jog.answer().find("--silent-at") == std::string::npos);
+    }
+    CHECK(words({"--version"}).answer().starts_with("cca-can "));
+    CHECK(words({}).command() == "help");
+  }
+  TEST_CASE("a file may be named as a command; a command that does not exist is refused") {
+    words w({"replay", "can0", "list"});
+    CHECK(w.command() == "replay");
+    CHECK(w.next() == "can0");
+    CHECK(w.next() == "list");
+    CHECK(complaint([] { words({"wtch"}); }) ==
+          "there is no command `wtch`, did you mean `watch`? See `cca-can help`");
+    CHECK(complaint([] { words({"xyz"}); }) == "there is no command `xyz`; see `cca-can help`");
+  }
   TEST_CASE("for a wrong number the message says what was expected") {
-    CHECK(complaint([] { words({"--speed", "fast"}).number("--speed", "rad/s", 0, 20); }) ==
-          "--speed fast: expected rad/s, from 0 to 20");
-    CHECK(complaint([] { words({"--speed", "21"}).number("--speed", "rad/s", 0, 20); }) ==
-          "--speed 21: expected rad/s, from 0 to 20");
-    CHECK(complaint([] { words({"--speed", "nan"}).number("--speed", "rad/s", 0, 20); }) != "");
-    CHECK(complaint([] { words({"--speed"}).number("--speed", "rad/s", 0, 20); }) ==
-          "--speed: a value is expected after it");
-    CHECK(complaint([] { words({}).needed_number("--speed", "rad/s, as 0.5", 0, 20); }) ==
-          "--speed is missing: rad/s, as 0.5");
+    const auto speed = [](std::vector<std::string> line) {
+      line.insert(line.begin(), "jog");
+      return complaint([&] { words(line).needed_number("--speed", "rad/s, as 0.5", 0, 20); });
+    };
+    CHECK(speed({"--speed", "fast"}) == "--speed fast: expected rad/s, as 0.5, from 0 to 20");
+    CHECK(speed({"--speed", "21"}) == "--speed 21: expected rad/s, as 0.5, from 0 to 20");
+    CHECK(speed({"--speed", "nan"}) != "");
+    CHECK(speed({"--speed"}) == "--speed: a value is expected after it");
+    CHECK(speed({}) == "--speed is missing: rad/s, as 0.5");
+    CHECK(speed({"--speed", "1", "--speed", "2"}) == "--speed: it stands there twice");
   }
   TEST_CASE("@file stands for its words") {
     const std::string file = "cca_can_words.limits";
@@ -55,7 +85,7 @@ TEST_SUITE("command line") {
     words w({"jog", "@" + file, "can0"});
     CHECK(w.option("--range") == "-0.2,0.2");
     CHECK(w.option("--speed") == "0.5");
-    CHECK(w.next() == "jog");
+    CHECK(w.command() == "jog");
     CHECK(w.next() == "can0");
     std::remove(file.c_str());
     CHECK(complaint([] {
@@ -100,6 +130,14 @@ TEST_SUITE("log") {
     CHECK(line.time == 1'000'000'001);
     CHECK(read_line("(1.0) can0 20000004#0008000000006000", line) == "");
     CHECK(line.error);
+    CHECK(read_line("(1.0) can0 123#R8_9", line) == "");
+    CHECK(line.frame == hw::remote(hw::standard(0x123), 8));
+    CHECK(read_line("(1.0) can0 123#R8_F", line) == "");
+    CHECK(read_line("(1.0) can0 123#R8_8", line) != "");
+    CHECK(read_line("(1.0) can0 123#R8_", line) != "");
+    CHECK(is_drop_count("DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 7)"));
+    CHECK(dropped_in("DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 7)") == 3);
+    CHECK_FALSE(is_drop_count("(1.0) can0 123#"));
   }
   TEST_CASE("every frame survives writing and reading") {
     std::mt19937 random(3);

@@ -1,4 +1,5 @@
-// For programs: the Oncilla on real drives. The code is in `robot/`.
+// For programs: the Oncilla on real drives, and its end in order. The code is in `robot/`.
 #pragma once
 
 #include <cca/hardware/robot/oncilla.hpp>
+#include <cca/hardware/robot/shut_down.hpp>

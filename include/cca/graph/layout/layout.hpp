@@ -10,6 +10,7 @@
 
 #include <bit>
 
+#include <cca/base/array_size.hpp>
 #include <cca/graph/plan/plan.hpp>
 
 namespace cca::detail {
@@ -64,16 +65,16 @@ struct first_of_key {
 template <int Nodes, int Calls, int Inputs, int Outputs>
 struct layout {
   static constexpr int max_arrays = Calls + Outputs + Inputs + 1;
-  place components[Nodes + 1]{};      // array: the first component of the same type
-  int component_counts[Nodes + 1]{};  // of the array of this number
-  int twin[Calls + 1]{};              // the first call that is a twin
-  int input_twin[Inputs + 1]{};       // the first input that reads in the same way
-  int output_twin[Outputs + 1]{};     // the first output that is published in the same way
-  call_place calls[Calls + 1]{};
-  place results[Calls + 1]{};    // what a call returns, where readers of the beat read it
-  place outputs[Outputs + 1]{};  // newest, past
-  place sources[Inputs + 1]{};   // what the input reads; a queue is its own
-  sample_array arrays[max_arrays]{};
+  place components[array_size(Nodes + 1)]{};      // array: the first component of the same type
+  int component_counts[array_size(Nodes + 1)]{};  // of the array of this number
+  int twin[array_size(Calls + 1)]{};              // the first call that is a twin
+  int input_twin[array_size(Inputs + 1)]{};       // the first input that reads in the same way
+  int output_twin[array_size(Outputs + 1)]{};     // the first output that is published in the same way
+  call_place calls[array_size(Calls + 1)]{};
+  place results[array_size(Calls + 1)]{};    // what a call returns, where readers of the beat read it
+  place outputs[array_size(Outputs + 1)]{};  // newest, past
+  place sources[array_size(Inputs + 1)]{};   // what the input reads; a queue is its own
+  sample_array arrays[array_size(max_arrays)]{};
   int array_count = 0, firing_count = 0;
 
   using node_keys = first_of_key<Nodes>;
@@ -90,7 +91,7 @@ constexpr double initial_coordinate(ref<item_info> wire, const space_info& space
 // All facts in one call: a call costs the compilers more than the computation.
 template <class... Facts>
 constexpr std::uint64_t mixed(std::uint64_t key, Facts... facts) {
-  ((key = key * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(facts)), ...);
+  ((key = key * std::uint64_t{0x9e3779b97f4a7c15} + static_cast<std::uint64_t>(facts)), ...);
   return key ^ key >> 29;
 }
 
@@ -134,7 +135,8 @@ struct layout_step {
       if (r % g.calls_in_part == 0)
         for (int array = 0; array < to.array_count; ++array) used[array] = 0;
       if (!is_read_in_beat(c)) continue;
-      const int first = functions.first(mixed(to.components[c.node].array, c.phase), index);
+      const int first =
+          functions.first(mixed(static_cast<std::uint64_t>(to.components[c.node].array), c.phase), index);
       const int array =
           array_like({.kind = storage_kind::of_beat, .call = first, .in_each_beat = c.fires.every_beat()});
       to.results[index] = {array, used[array]++};
@@ -198,7 +200,8 @@ struct layout_step {
 
   constexpr std::uint64_t key_of(const output& out, int array) const {
     const auto c = published(g, out);
-    return mixed(0, c.period, c.first, out.storage, array);
+    return mixed(0, c.period, c.first, out.storage, array,
+                 out.storage == storage_kind::of_beat ? out.port : -1);
   }
 
   constexpr std::uint64_t key_of(const call& c, int result) const {

@@ -27,14 +27,15 @@ constexpr bool has_scope(std::uint64_t path) {
   return false;
 }
 
-template <class Graph, int Node>
-struct parameters_at {
-  using type = typename node_types<Graph, Node>::component::parameters;
-};
+// The time between two firings of a node in s. A clock that is known only at run time counts as every beat.
 template <class Graph>
-struct parameters_at<Graph, -1> {
-  static_assert(sizeof(Graph) == 0, "cca::controller::set: no component has this path");
-  struct type {};
-};
+constexpr double step_of(int node) {
+  std::int64_t beats = 1;
+  for (int i = 0; i < counts_of<Graph>.call_count; ++i) {
+    const auto& one = plan_of<Graph>.calls[static_cast<std::size_t>(i)];
+    if (one.node == node && one.fires.known()) beats = one.fires.period;
+  }
+  return 1e-9 * static_cast<double>(beats * counts_of<Graph>.period);
+}
 
 }  // namespace cca::detail

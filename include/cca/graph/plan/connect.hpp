@@ -92,12 +92,26 @@ struct connector {
       const auto& port = port_of(g, g.inputs[i]);
       if (port.space) continue;
       const int from = g.nodes[g.calls[g.inputs[i].call].node].scope;
+      if (!port.optional) {
+        add_source(i, port.name, from);
+        continue;
+      }
       for (int o = 0; o < g.output_count && g.link_count < capacity; ++o)
         if (g.outputs[o].call != g.inputs[i].call && under(g.outputs[o], port.name, from)) {
           g.links[g.link_count++] = {i, o};
           g.inputs[i].wired = true;
         }
     }
+  }
+
+  // The one output that an observer names: in its own graph, else in the nearest graph around it.
+  constexpr void add_source(int i, std::string_view path, int from) {
+    for (int s = from; s >= 0; s = g.scopes[s].parent)
+      if (const int o = find(names, mask, path_hash(g.scopes[s], path, hash(path)) ^ as_output); o >= 0) {
+        g.links[g.link_count++] = {i, o};
+        g.inputs[i].wired = true;
+        return;
+      }
   }
 
   // An `observe` among the items of a graph: what it names can be read between beats.

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 struct item_info;

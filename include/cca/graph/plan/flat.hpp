@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include <cca/base/array_size.hpp>
 #include <cca/component/strategies.hpp>
 #include <cca/graph/plan/finding.hpp>
 #include <cca/graph/plan/items.hpp>
@@ -93,13 +94,13 @@ struct flat_view {
 
 template <int Scopes, int Nodes, int Calls, int Inputs, int Outputs, int Links>
 struct flat {
-  std::array<scope, Scopes + 1> scopes{};
-  std::array<component_node, Nodes + 1> nodes{};
-  std::array<call, Calls + 1> calls{};
-  std::array<input, Inputs + 1> inputs{};
-  std::array<output, Outputs + 1> outputs{};
-  std::array<link, Links + 1> links{};
-  std::array<int, Calls + 1> order{};
+  std::array<scope, array_size(Scopes + 1)> scopes{};
+  std::array<component_node, array_size(Nodes + 1)> nodes{};
+  std::array<call, array_size(Calls + 1)> calls{};
+  std::array<input, array_size(Inputs + 1)> inputs{};
+  std::array<output, array_size(Outputs + 1)> outputs{};
+  std::array<link, array_size(Links + 1)> links{};
+  std::array<int, array_size(Calls + 1)> order{};
   flat_view counts{};  // its pointers are null: a value must not point into itself
 
   constexpr flat_view view() {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca::detail {
 
 template <class Number>

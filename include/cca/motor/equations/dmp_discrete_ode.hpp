@@ -13,6 +13,7 @@
 // section 2.1. Checked against the closed form and a fitted minimum jerk (tests/runtime/motor/dmp.cpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
@@ -44,6 +45,11 @@ struct dmp_discrete_ode {
   // The scale of the forcing term.
   static vector scale(const vector& g, const vector& y0, const parameters& p) {
     return p.scaled ? vector(g - y0) : vector(vector::Ones());
+  }
+
+  // The transformation system has a double eigenvalue -az / 2.
+  static double fastest(const state&, const input& u, const parameters& p) {
+    return std::max({p.stiffness / 2, p.goal_rate, p.decay}) / u[2 * D];
   }
 
   static state derivative(const state& s, const input& u, const parameters& p) {

@@ -15,6 +15,8 @@
 // the closed form (tests/runtime/motor/dmp_pose.cpp).
 #pragma once
 
+#include <algorithm>
+
 #include <cca/adaptive/ode.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 #include <cca/space/methods/rotation.hpp>
@@ -58,6 +60,11 @@ struct dmp_pose_ode {
   }
   static vector4 turning(const vector3& angular, const vector4& q) {
     return 0.5 * rotation::product(vector4(angular[0], angular[1], angular[2], 0), q);
+  }
+
+  // The transformation system has a double eigenvalue -az / 2.
+  static double fastest(const state&, const input& u, const parameters& p) {
+    return std::max({p.stiffness / 2, p.goal_rate, p.decay}) / u[14];
   }
 
   static state derivative(const state& s, const input& u, const parameters& p) {

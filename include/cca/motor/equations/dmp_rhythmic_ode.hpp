@@ -11,6 +11,8 @@
 // closed form (tests/runtime/motor/dmp.cpp).
 #pragma once
 
+#include <algorithm>
+
 #include <cca/adaptive/ode.hpp>
 #include <cca/motor/equations/dmp_basis.hpp>
 
@@ -26,6 +28,11 @@ struct dmp_rhythmic_ode {
     double stiffness;                            // az
   };
   static constexpr int positions = D;
+
+  // The transformation system has a double eigenvalue -az / 2.
+  static double fastest(const state&, const input& u, const parameters& p) {
+    return std::max(p.stiffness / 2, 1.0) / u[D + 1];
+  }
 
   // always_inline: without it clang calls it four times in each step of rk4.
   [[gnu::always_inline]] static state derivative(const state& s, const input& u, const parameters& p) {

@@ -6,8 +6,10 @@
 //   cov(x)  = sum h_k (S_k^yy - S_k^yx S_k^xx^-1 S_k^xy + y_k y_k^T) - y y^T
 //
 // The model is a struct that a file can hold: `priors`, `means` (one column per Gaussian: input, then
-// output), `covariances`. Preconditions: the input blocks of the covariances are positive definite; `check()`
-// tests it. Far from all Gaussians the nearest one counts; nothing under- or overflows. Cost: K
+// output), `covariances`. Preconditions, which `check()` tests: the input blocks of the covariances are
+// positive definite, with standard deviations of at least 1e-12, and no number is above 1e12 (covariances:
+// 1e24). Far from all Gaussians the nearest one counts; nothing under- or overflows for inputs up to 1e12.
+// Cost: K
 // factorisations of I x I.
 // Source: Calinon, Guenter, Billard, On learning, representing, and generalizing a task in a humanoid robot,
 // IEEE Transactions on Systems, Man, and Cybernetics B 37, 2007 (regression); Calinon, A tutorial on
@@ -49,10 +51,15 @@ struct gaussian_mixture {
   std::string_view check() const {
     if (priors.minCoeff() < 0 || !(priors.sum() > 0))
       return "the priors are not weights: no prior may be negative, and not all may be zero";
+    if (priors.maxCoeff() > 1e12 || means.cwiseAbs().maxCoeff() > 1e12)
+      return "a prior or a mean is above 1e12";
     for (const auto& one : covariances) {
+      if (one.cwiseAbs().maxCoeff() > 1e24) return "a covariance is above 1e24";
       if ((one - one.transpose()).norm() > 1e-9 * one.norm()) return "a covariance is not symmetric";
-      if (block(one).llt().info() != Eigen::Success)
-        return "a covariance is not positive definite over the input";
+      const Eigen::LLT<Eigen::Matrix<double, I, I>> factor(block(one));
+      if (factor.info() != Eigen::Success) return "a covariance is not positive definite over the input";
+      if (!(factor.matrixLLT().diagonal().minCoeff() >= 1e-12))
+        return "a standard deviation over the input is below 1e-12";
     }
     return "";
   }

@@ -4,12 +4,15 @@
 //
 // input: A (the wanted amplitude), f in Hz. Positive A: a circle of radius A attracts every state but the
 // origin. Negative A: the origin attracts (a supercritical Hopf bifurcation at A = 0). Closed form, from r' =
-// c (m - r^2) r (Bernoulli): r(t)^2 = m / (1 + (m / r0^2 - 1) e^(-2 c m t)); the angle advances at w.
+// c (m - r^2) r (Bernoulli): r(t)^2 = m / (1 + (m / r0^2 - 1) e^(-2 c m t)); the angle advances at w. `flow`
+// is this form, written so that no term overflows: it holds for every step and every amplitude.
 // Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped
 // locomotion, ICRA 2008: their oscillator with alpha = beta = c; the negative amplitude: seed, section 6.3.
-// Checked against the closed form: inwards, outwards, negative amplitude (tests/runtime/motor/hopf.cpp).
+// Checked against the closed form: inwards, outwards, negative amplitude; `flow` against steps of rk4
+// (tests/runtime/motor/hopf.cpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +30,23 @@ struct hopf_ode {
   static state derivative(const state& x, const input& u, const parameters& p) {
     const double along = p.convergence * (u[0] * std::abs(u[0]) - x.dot(x)),
                  around = 2 * std::numbers::pi * u[1];
+    return {along * x[0] - around * x[1], along * x[1] + around * x[0]};
+  }
+
+  // On the way to a smaller circle the radius counts, to a larger one the amplitude.
+  static double fastest(const state& x, const input& u, const parameters& p) {
+    return 2 * p.convergence * std::max(u[0] * u[0], x.dot(x)) + 2 * std::numbers::pi * std::abs(u[1]);
+  }
+
+  // With s = 2 c m t: r^2 = r0^2 e^s / (1 + r0^2 2 c t (e^s - 1) / s), both parts divided by e^s if s > 0.
+  static state flow(const state& x, const input& u, const parameters& p, double seconds) {
+    const double s = 2 * p.convergence * u[0] * std::abs(u[0]) * seconds, falling = std::exp(-std::abs(s)),
+                 share = s == 0 ? 1 : -std::expm1(-std::abs(s)) / std::abs(s);
+    const double pull = x.dot(x) * 2 * p.convergence * seconds * share;
+    if (!(pull + falling > 0)) return x;  // the origin is an equilibrium
+    const double scale = std::sqrt(s > 0 ? 1 / (falling + pull) : falling / (1 + pull));
+    const double angle = 2 * std::numbers::pi * u[1] * seconds, along = scale * std::cos(angle),
+                 around = scale * std::sin(angle);
     return {along * x[0] - around * x[1], along * x[1] + around * x[0]};
   }
 };

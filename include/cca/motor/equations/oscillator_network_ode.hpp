@@ -12,6 +12,7 @@
 // Checked against the three closed forms (tests/runtime/motor/gait_network.cpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,6 +30,16 @@ struct oscillator_network_ode {
     matrix phases = matrix::Zero();   // phi_ij, rad
     double convergence = 0;           // a, per s
   };
+
+  // Phases: the sum of a row of the Jacobian; it is N w r if all have radius r. Amplitudes: a double
+  // eigenvalue -a / 2.
+  static double fastest(const state& x, const input& u, const parameters& p) {
+    return std::max(p.convergence / 2, p.weights.maxCoeff() * radii(x, u));
+  }
+  // The sum of the radii, now and where they go to.
+  static double radii(const state& x, const input& u) {
+    return x.template segment<N>(N).cwiseAbs().cwiseMax(u.template tail<N>().cwiseAbs()).sum();
+  }
 
   static state derivative(const state& x, const input& u, const parameters& p) {
     state rate;

@@ -15,6 +15,7 @@
 // with the rising GO signal (tests/runtime/motor/vite.cpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <cca/adaptive/ode.hpp>
@@ -38,6 +39,11 @@ struct vite_ode {
     double ratio = 1;
     for (int i = 0; i < p.exponent; ++i) ratio *= p.rise / t;
     return 1 / (1 + ratio);
+  }
+
+  // The eigenvalues l of the movement obey l^2 + a l + a G = 0.
+  static double fastest(const state&, const input& u, const parameters& p) {
+    return std::max(p.convergence, std::sqrt(p.convergence * std::abs(u[D])));
   }
 
   static state derivative(const state& x, const input& u, const parameters& p) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <cca/base/compiler.hpp>
+
 namespace cca {
 
 inline constexpr double pi = std::numbers::pi;

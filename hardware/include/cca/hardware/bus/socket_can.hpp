@@ -22,12 +22,12 @@
 // is restarted. Leave `restart-ms` at 0 and restart by `ip link set can0 down` and `up`: then the kernel
 // drops them. `stale()` counts those that went out all the same.
 //
-// Times of arrival are the kernel's, moved to the monotonic clock. The constructor throws cca::refused;
-// nothing else throws, waits or allocates. Remote frames pass only without filters. Cost: one system call per
-// batch of up to 32 frames, sent or received. A socket can't be copied; a controller that shall be copied
-// holds a pointer to it.
-// Laws: tests/laws/can_bus_laws.hpp, run in tests/runtime/hardware/socket_can.cpp. Source: Linux,
-// Documentation/networking/can.rst; lely-core, io2/linux/can_chan.c, for ENOBUFS. docs/can_bus.md.
+// Times of arrival are the kernel's, moved to the monotonic clock, and never in its future. The constructor
+// throws cca::refused; nothing else throws, waits or allocates. Remote frames pass only without filters.
+// Cost: one system call per batch of up to 32 frames, sent or received. A socket can't be copied; a
+// controller that shall be copied holds a pointer to it. Laws: tests/laws/can_bus_laws.hpp, run in
+// tests/runtime/hardware/socket_can.cpp. Source: Linux, Documentation/networking/can.rst; lely-core,
+// io2/linux/can_chan.c, for ENOBUFS. docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -43,6 +43,7 @@
 #include <linux/sock_diag.h>
 #include <sys/socket.h>
 
+#include <cca/hardware/bus/arrival_clock.hpp>
 #include <cca/hardware/bus/can_bus.hpp>
 #include <cca/hardware/bus/can_interface.hpp>
 #include <cca/hardware/bus/kernel_frame.hpp>
@@ -141,10 +142,10 @@ public:
         look_for_return();
         continue;
       }
-      const std::int64_t to_monotonic =
-          nanoseconds_of(CLOCK_MONOTONIC) - (with_times ? nanoseconds_of(CLOCK_REALTIME) : 0);
+      const std::int64_t real = with_times ? nanoseconds_of(CLOCK_REALTIME) : 0;
+      const std::int64_t now = nanoseconds_of(CLOCK_MONOTONIC);
       for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i)
-        if (take(i, into[n].frame)) stamp(into[n++], (with_times ? work->time(i) : 0) + to_monotonic);
+        if (take(i, into[n].frame)) into[n++].time = arrivals(with_times ? work->time(i) : 0, real, now);
       if (static_cast<std::size_t>(got) < asked) break;  // the queue is empty
       many = true;
     }
@@ -196,10 +197,6 @@ private:
   void note_error(const canfd_frame& error) noexcept {
     if (seen != bus_state::down) seen = detail::after_error(seen, error, count);
     if (seen == bus_state::bus_off) stale_to_come = unconfirmed, carrier_was_lost = false;
-  }
-  void stamp(received_frame& f, std::int64_t time) noexcept {
-    last_time = std::max(last_time, time);  // the real-time clock may be set back
-    f.time = last_time;
   }
 
   void went_down() noexcept {
@@ -266,7 +263,7 @@ private:
   bus_counters count{};
   std::uint64_t unconfirmed = 0, stale_to_come = 0, confirmed_stale = 0;
   std::uint32_t lost_before = 0;
-  std::int64_t last_time = 0;
+  detail::arrival_clock arrivals{};
   bool carrier_was_lost = false, was_gone = false;
 };
 

@@ -140,6 +140,13 @@ struct cia402 {
   // Stops by its ramp, then goes on by object 605Ah.
   static constexpr drive_frames quick_stop() noexcept { return {control(0x0002)}; }
 
+  // A quick stop and the reaction to a fault still brake.
+  static constexpr bool is_off(const drive_report& r) noexcept {
+    const auto s = cia402_state_of(static_cast<std::uint16_t>(r.state));
+    return s != cia402_state::enabled && s != cia402_state::quick_stop && s != cia402_state::fault_reaction &&
+           s != cia402_state::unknown;
+  }
+
   class enabling {
   public:
     constexpr enable_step next(const drive_report& r) noexcept {

@@ -29,6 +29,7 @@ struct mounting {
   double gear = 1;
   double sign = 1;    // -1: the drive turns the other way round
   double offset = 0;  // rad, the joint's angle where the drive's is 0
+  double wraps = 0;   // rad; the drive's position jumps back by this at the end of its range; 0: it does not
 };
 
 struct joint_servo {
@@ -58,8 +59,9 @@ struct joint {
   static constexpr std::size_t bus = Bus;
   static constexpr bit_rates rates = Rates;
 
-  static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1),
-                "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1");
+  static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
+                "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1, and `wraps` is the width "
+                "of a range, or 0");
   static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
                     cca::detail::axis_has_limits<Axis, cca::velocity> &&
                     cca::detail::axis_has_limits<Axis, cca::torque>,

@@ -10,7 +10,8 @@
 //               position. Numbers are cut to the ranges. A zero velocity or torque is half a step off zero,
 //               0.0022 N m of 18
 //   decode      a position at the end of its range may be beyond it (`at_end`). For firmware that wraps
-//               there, use position_unwrap.hpp
+//               there, state the width of the range in the joint's mounting (`wraps`). The original firmware
+//               answers with 6 bytes, later versions with 7 (bgkatz/motorcontrol 08bfade, Core/Src/can.c)
 //   enabling    zero command, enter, zero command: so it enters without a jerk. Done with the first answer
 //               after that
 //   faults      the AK's error byte, Damiao's upper half of the first byte; other firmware reports none
@@ -91,12 +92,14 @@ struct mit_drive {
   static constexpr auto limits = Ranges::limits;
   static constexpr std::uint8_t uses = of_position | of_velocity | of_torque | of_stiffness | of_damping;
   static constexpr std::uint8_t reply_length = Firmware == mit_firmware::original ? 6 : 8;
+  // The original firmware's later versions add a byte, the supply's voltage.
+  static constexpr std::uint8_t longest_reply = Firmware == mit_firmware::original ? 7 : 8;
   static constexpr can_id request_id = standard(Number), reply_id = standard(Master);
   static constexpr std::array<can_filter, 1> requests{{{request_id}}}, replies{{{reply_id}}};
   // All drives may answer under one id.
   static constexpr drive_mark reply_mark{Number, Firmware == mit_firmware::damiao ? 0x0F : 0xFF};
   static constexpr std::array<frame_traffic, 2> traffic{
-      {{.shape = {.length = 8}}, {.shape = {.length = reply_length}}}};
+      {{.shape = {.length = 8}}, {.shape = {.length = longest_reply}}}};
   static constexpr drive_watchdog watchdog{0, "torque to zero; off unless CAN_TIMEOUT is set"};
 
   static constexpr set_point_frames set_point(const drive_command& c) noexcept {
@@ -108,7 +111,8 @@ struct mit_drive {
   }
 
   static constexpr bool decode(const can_frame& f, drive_report& r) noexcept {
-    if (f.id != reply_id || f.fd || f.remote || f.length != reply_length) return false;
+    if (f.id != reply_id || f.fd || f.remote || f.length < reply_length || f.length > longest_reply)
+      return false;
     const auto& d = f.data;
     if ((Firmware == mit_firmware::damiao ? d[0] & 0xFu : d[0]) != Number) return false;
     const std::uint32_t position = std::uint32_t{d[1]} << 8 | d[2],
@@ -156,6 +160,11 @@ struct mit_drive {
   static constexpr can_frame still() noexcept { return set_point({}).frames[0]; }
   static constexpr drive_frames disable() noexcept {
     return {still(), mit_special_frame(request_id, mit_special::leave)};
+  }
+  // Only Damiao drives say whether they are enabled; of the others an answer is all there is.
+  static constexpr bool is_off(const drive_report& r) noexcept {
+    return Firmware != mit_firmware::damiao || r.activity == drive_activity::disabled ||
+           r.activity == drive_activity::faulted;
   }
   // For Damiao drives.
   static constexpr can_frame clear_fault() noexcept {

@@ -12,14 +12,18 @@
 //   set_point   stiffness and damping are parts of kp and kd, from 0 to 1. Damping can't be a larger part
 //               than stiffness, since the firmware limits it so. Without stiffness it does not damp: use
 //               brake(). NaN is refused: in this protocol it would mean `stay where you are`, for which there
-//               is stay()
+//               is stay(). A commanded velocity moves the target on for 5 ms at most (`run_on` of the motor's
+//               type, in s; infinity: until the timeout), so that nothing runs away when the controller dies:
+//               that is the register of the stop position. A drive with servo.default_velocity_limit or
+//               default_accel_limit answers to it with fault 45: leave those unset, or state infinity
 //   decode      a number that the drive does not have is NaN. A position stays at 21474.83647 turns, the last
 //               that 32 bits can say. Mode 11, no command in time, is a fault until disable(). Fault numbers
 //               from 96 on are limits that the drive keeps, no faults: they are in `code` only
 //   enabling    stop, which clears faults; then stay() until the drive reports that it holds
 //   watchdog    `timeout` in each command. After that it does servo.timeout_mode (stop, hold, zero velocity
 //               or brake) until disable()
-// Source: moteus_registers.hpp. docs/drives.md.
+// `Prefix` is the drive's setting can.prefix, the upper 13 bits of its ids.
+// Source: moteus_registers.hpp; docs/reference/configuration.md, can.prefix. docs/drives.md.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -38,25 +42,31 @@ template <class Type> concept MoteusMotor = requires {
   requires Type::stiffness > 0 && Type::damping > 0 && Type::torque > 0 && Type::timeout > 0;
 };
 
-template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0>
+template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0, std::uint16_t Prefix = 0>
 struct moteus {
+  static_assert(Prefix <= 0x1FFF, "cca::hardware::moteus: can.prefix has 13 bits");
   static_assert(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source,
                 "cca::hardware::moteus: a servo's number is 1 to 127, and not the one that we send from");
   using motor = Motor;
+  static constexpr double run_on = [] {
+    if constexpr (requires { Motor::run_on; }) return static_cast<double>(Motor::run_on);
+    else return 0.005;
+  }();
 
   static constexpr std::string_view name = Motor::name;
   static constexpr auto limits =
       cca::limits{cca::torque{-Motor::torque, Motor::torque}, cca::stiffness{0, Motor::stiffness},
                   cca::damping{0, Motor::damping}};
   static constexpr std::uint8_t uses = of_position | of_velocity | of_torque | of_stiffness | of_damping;
-  static constexpr can_id request_id = extended(0x8000u | Source << 8 | Servo);
-  static constexpr std::uint32_t reply_number = Servo << 8 | Source;
+  static constexpr can_id request_id = extended(Prefix << 16 | 0x8000u | Source << 8 | Servo);
+  static constexpr std::uint32_t reply_number = std::uint32_t{Prefix} << 16 | Servo << 8 | Source;
   static constexpr std::array<can_filter, 1> requests{{{request_id}}};
   static constexpr std::array<can_filter, 2> replies{
       {{extended(reply_number)}, {reply_number <= 0x7FF ? standard(reply_number) : extended(reply_number)}}};
   // All frames to its number, from any source; it takes 11-bit and 29-bit ids.
   static constexpr std::array<can_filter, 2> occupies{
-      {{extended(Servo), 0x1FFF00FF}, {standard(Servo), 0x1FFF00FF}}};
+      {{extended(Prefix << 16 | Servo), 0x1FFF00FF},
+       {Prefix == 0 ? standard(Servo) : extended(Prefix << 16 | Servo), 0x1FFF00FF}}};
   static constexpr std::array<frame_traffic, 2> traffic{
       {{.shape = {.length = 48, .extended = true, .fd = true, .fast = true}},
        {.shape = {.length = 24, .extended = reply_number > 0x7FF, .fd = true, .fast = true}}}};
@@ -77,16 +87,17 @@ struct moteus {
     };
     constexpr double most = std::numeric_limits<float>::max();
     const double stiff = within(c.stiffness / Motor::stiffness, 0, 1, of_stiffness);
-    s.frames.add(position_mode(within(c.position / detail::radians_in_turn, -most, most, of_position),
-                               within(c.velocity / detail::radians_in_turn, -most, most, of_velocity),
-                               within(c.torque, -most_torque, most_torque, of_torque), stiff,
-                               within(c.damping / Motor::damping, 0, stiff, of_damping), most_torque));
+    const double turns = within(c.position / detail::radians_in_turn, -most, most, of_position),
+                 speed = within(c.velocity / detail::radians_in_turn, -most, most, of_velocity);
+    const double stop =
+        speed == 0 || run_on > 1e6 ? no_stop : std::clamp(turns + speed * run_on, -most, most);
+    s.frames.add(position_mode(turns, speed, within(c.torque, -most_torque, most_torque, of_torque), stiff,
+                               within(c.damping / Motor::damping, 0, stiff, of_damping), most_torque, stop));
     return s;
   }
 
   static constexpr bool decode(const can_frame& f, drive_report& r) noexcept {
-    if (f.remote || !f.valid() || (f.id != extended(reply_number) && f.id != standard(reply_number)))
-      return false;
+    if (f.remote || !f.valid() || (f.id != replies[0].id && f.id != replies[1].id)) return false;
     drive_report now = r;
     now.told = 0;
     double mode = -1, fault = -1;
@@ -145,6 +156,11 @@ struct moteus {
   static constexpr drive_frames damp() noexcept { return {brake()}; }
   static constexpr drive_frames disable() noexcept { return {detail::moteus_mode_frame(request_id, 0)}; }
 
+  // A faulted one may still hold or brake, by its timeout mode: disable() leads to mode 0.
+  static constexpr bool is_off(const drive_report& r) noexcept {
+    return r.activity == drive_activity::disabled;
+  }
+
   class enabling {
   public:
     constexpr enable_step next(const drive_report& r) noexcept {
@@ -195,14 +211,16 @@ struct moteus {
   }
 
 private:
+  static constexpr double no_stop = std::numeric_limits<double>::quiet_NaN();
   static constexpr can_frame position_mode(double turns,
                                            double turns_a_second,
                                            double torque,
                                            double stiffness_part,
                                            double damping_part,
-                                           double most_torque) {
+                                           double most_torque,
+                                           double stop = no_stop) {
     return detail::moteus_position_frame(request_id, {turns, turns_a_second, torque, stiffness_part,
-                                                      damping_part, most_torque, Motor::timeout});
+                                                      damping_part, most_torque, stop, Motor::timeout});
   }
   static constexpr drive_fault fault_of(std::uint32_t code) {
     switch (code) {

@@ -18,6 +18,7 @@ struct moteus_request {
   int mode = -1;
   drive_command command{};  // stiffness and damping as parts of kp and kd
   double most_torque = std::numeric_limits<double>::quiet_NaN(), timeout = 0;
+  double stop_position = std::numeric_limits<double>::quiet_NaN();  // rad; NaN: none
 };
 
 namespace detail {
@@ -42,17 +43,15 @@ constexpr can_frame moteus_mode_frame(can_id to, std::uint8_t mode) {
   return padded(f, w.size());
 }
 
-// Turns, turns/s, N m, parts of kp and kd, N m at most, s: in the order of their registers. The mode stands
-// first.
-constexpr can_frame moteus_position_frame(can_id to, const std::array<double, 7>& numbers) {
+// Turns, turns/s, N m, parts of kp and kd, N m at most, turns where it stops, s: in the order of their
+// registers. The mode stands first.
+constexpr can_frame moteus_position_frame(can_id to, const std::array<double, 8>& numbers) {
   can_frame f = fd(to, {});
   register_writer w(f.data);
   w.head(moteus_kind::write, moteus_value::int8, moteus_register::mode, 1);
   w.byte(10);
-  w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_position, 6);
-  for (std::size_t i = 0; i < 6; ++i) w.number(static_cast<float>(numbers[i]));
-  w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_timeout, 1);
-  w.number(static_cast<float>(numbers[6]));
+  w.head(moteus_kind::write, moteus_value::float32, moteus_register::command_position, 8);
+  for (const double number : numbers) w.number(static_cast<float>(number));
   ask_for_report(w);
   return padded(f, w.size());
 }
@@ -83,6 +82,9 @@ constexpr bool read_moteus_request(const can_frame& f, moteus_request& into) {
         break;
       case moteus_register::most_torque:
         now.most_torque = value;
+        break;
+      case moteus_register::stop_position:
+        now.stop_position = value * radians_in_turn;
         break;
       case moteus_register::command_timeout:
         now.timeout = value;

@@ -4,7 +4,8 @@
 // bytes, or a float. Integers count steps; the size of a step depends on the register. The most negative
 // integer, like NaN, means `none`, which is a value of this protocol.
 // read_registers calls f(kind, register, value) for each register. It returns false where the bytes end too
-// early or make no sense. It reads nothing past the payload, and at most 64 values.
+// early or make no sense. It reads nothing past the payload, and at most 64 values. Subframes of the
+// diagnostic stream are skipped.
 // Source: mjbots/moteus, docs/protocol/can.md and registers.md.
 #pragma once
 
@@ -30,6 +31,7 @@ enum class moteus_register : std::uint32_t {
   stiffness_scale = 0x23,
   damping_scale = 0x24,
   most_torque = 0x25,
+  stop_position = 0x26,
   command_timeout = 0x27,
 };
 enum class moteus_value : std::uint8_t { int8, int16, int32, float32 };
@@ -49,6 +51,7 @@ constexpr double moteus_step(std::uint32_t which, moteus_value as) {
       return 1;
     case moteus_register::position:
     case moteus_register::command_position:
+    case moteus_register::stop_position:
       return of(0.01, 0.0001, 0.00001);
     case moteus_register::velocity:
     case moteus_register::command_velocity:
@@ -110,6 +113,13 @@ constexpr bool read_registers(std::span<const std::uint8_t> bytes, F&& f) {
     std::uint32_t count = 0, which = 0;
     if (head == 0x30 || head == 0x31) {  // write and read errors: register, error
       if (!detail::got_varuint(bytes, at, which) || !detail::got_varuint(bytes, at, count)) return false;
+      continue;
+    }
+    if (head >= 0x40 && head <= 0x42) {  // the diagnostic stream: channel, length, bytes (of a poll: none)
+      if (!detail::got_varuint(bytes, at, which) || !detail::got_varuint(bytes, at, count)) return false;
+      if (head == 0x42) continue;
+      if (count > bytes.size() - at) return false;
+      at += count;
       continue;
     }
     if (head >= 0x30) return false;

@@ -3,16 +3,15 @@
 //
 //   using hip = cca::hardware::odrive<3, cca::hardware::odrive_mode::torque>;   // node 3, firmware 0.6
 //
-// Ids are node << 5 | command; a node above 63 has 29-bit ids. Numbers are those of its encoder's shaft:
-// turns there, rad here.
+// Ids are node << 5 | command; a node above 63 has 29-bit ids. Node 63 of 0.6 is refused: `not addressed`.
+// Numbers are those of its encoder's shaft: turns there, rad here.
 //   set_point   by mode. position: a float in turns; velocity and torque are added as thousandths in 16 bits,
 //               so up to 205.9 rad/s and 32.767 N m. velocity: a float, and a torque that is added. torque: a
 //               float. The gains are settings of the drive: stiffness and damping are not used. NaN and
 //               infinity refuse the command
 //   decode      heartbeat, encoder estimates, errors; of 0.6 also temperatures and torques. NaN means that
-//               the drive does not have the number. A position has no end and does not wrap; it gets coarser,
-//               to steps of 1/16 turn at a million turns. A heartbeat without an error does not mean that it
-//               drives: `activity` is `enabled` in closed loop only
+//               the drive does not have the number. A position does not wrap; it gets coarser, to steps of
+//               1/16 turn at a million turns. `activity` is `enabled` in closed loop only
 //   enabling    clears errors, sets the mode, waits for a measured position, commands that one, and asks for
 //               closed loop
 //   watchdog    a setting (axis.config.enable_watchdog, watchdog_timeout), off by default. Set points and
@@ -25,8 +24,7 @@
 // own database); the error and state numbers of odriverobotics/ODriveArduino, src/ODriveEnums.h, and of
 // odrive-cansimple 0.6.10; what feeds the watchdog: odriverobotics/ODriveResources, examples/can_simple.py.
 // 0.5: odriverobotics/ODrive, docs/can-protocol.rst, and the errors of odrive-cansimple 0.5.6.
-// Not verified: whether 0.6 takes frames longer than its own (we send none).
-// docs/drives.md.
+// Not verified: whether 0.6 takes frames longer than its own (we send none). docs/drives.md.
 #pragma once
 
 #include <array>
@@ -59,6 +57,10 @@ enum class odrive_command : std::uint8_t {
 
 namespace detail {
 
+constexpr bool is_odrive_node(std::uint32_t node, odrive_firmware firmware) {
+  return node <= 0xFFFFFF && !(firmware == odrive_firmware::v0_6 && node == 0x3F);
+}
+
 using fault_bit = std::pair<std::uint32_t, drive_fault>;
 
 // The fault of the first bit in `known` that is set.
@@ -88,6 +90,8 @@ template <std::uint32_t Node,
           std::int64_t EstimatesPeriod = 10'000'000>
 struct odrive {
   static_assert(Node <= 0xFFFFFF, "cca::hardware::odrive: a node is at most 0xFFFFFF");
+  static_assert(detail::is_odrive_node(Node, Firmware),
+                "cca::hardware::odrive: with firmware 0.6 node 63 (0x3F) means `not addressed`; use another");
   static constexpr std::uint32_t node = Node;
   static constexpr odrive_firmware firmware = Firmware;
   static constexpr std::int64_t report_period = EstimatesPeriod;  // ns, between two encoder estimates

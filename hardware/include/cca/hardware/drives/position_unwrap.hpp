@@ -3,6 +3,9 @@
 //
 //   position_unwrap unwrap{25.0};         // the width of the range
 //   q = unwrap(report.position);
+//   unwrap.turned()                       // how far q is from the last report: whole widths
+//
+// A joint of a robot does this itself if its mounting states `wraps`.
 //
 // It works as long as the drive moves less than half the width between two reports: with 25 rad and 50 rad/s
 // they may be 250 ms apart. The first report is the start. Use it only for drives that wrap, not for those
@@ -30,6 +33,7 @@ public:
     last = reported;
     return now;
   }
+  constexpr double turned() const { return now - last; }
   constexpr void restart() { begun = false; }
 
 private:

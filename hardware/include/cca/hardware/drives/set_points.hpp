@@ -56,7 +56,8 @@ struct safety_event {
 // are.
 enum class motion_phase : std::uint8_t { stopped, enabling, begins, running };
 // What the drives may do. `soft`: hold the measured position, softer in each beat. `damped`: only damp.
-enum class motion_mode : std::uint8_t { run, soft, damped };
+// `barred`: the emergency stop is pressed, so they only damp and none may be enabled.
+enum class motion_mode : std::uint8_t { run, soft, damped, barred };
 
 template <int Numbers>
 struct drive_record : record<Numbers> {};

@@ -2,23 +2,30 @@
 // `act`.
 //
 //   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has
-//   reported;
-//               the nodes behind it publish only numbers (oncilla_nodes.hpp)
+//               reported, and where the report is too old; the nodes behind it publish only numbers
+//               (oncilla_nodes.hpp)
 //           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
 //           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
 //   act     in "set_points" of the guards; optional "abduction" targets for the board
 //
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them.
-// `on_start` and `start()` are the deliberate way to motion: they enable the drives. Once all drives are
-// enabled, the phase `begins`, and the guards start where the joints are.
-// These trip the emergency stop in the same beat: a bus that went away; a drive that is silent for
-// `silent_beats` or three times its own period, reports a fault, jumps or no longer reports its velocity; a
-// sensor board that is silent or faulty; a loop that stood still. Then set points go out only if they damp,
-// until `start()`.
-// No set point is sent behind frames that still wait: it would be stale. `on_fault` damps at once and stops;
-// `on_stop` disables the drives.
 //
-// Parameters: `offset`, the calibration of each joint in rad, added to its type's offset.
+// Start: `on_start` and `start()` are the deliberate way to motion. They latch the calibration and enable the
+// drives. Once all are enabled, angle and velocity of all joints are measured and agree, and all joints are
+// in their range or at most `range_tolerance` outside, the phase `begins`, and the guards start where the
+// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range.
+// Trips: a bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the
+// guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
+// points go out only if they damp, until `start()`.
+// Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
+// (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
+// with it where the controller runs no beats; `stopping()` and `unconfirmed(i)` say how far it is. A start
+// waits for its end. While the emergency stop is pressed no drive is enabled.
+// The abduction servos move only where the drives may (abduction_gate.hpp). No set point is sent behind
+// frames that still wait: it would be stale.
+//
+// Parameters: `offset`, the calibration of each joint in rad, added to its type's offset. A change is refused
+// from `start()` until the robot has stopped.
 // Cost: two calls of each bus a beat, some dozen instructions a frame; no allocation. docs/hardware.md.
 #pragma once
 
@@ -26,6 +33,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -33,11 +41,17 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/set_points.hpp>
+#include <cca/hardware/robot/abduction_gate.hpp>
 #include <cca/hardware/robot/board_record.hpp>
+#include <cca/hardware/robot/drive_enabling.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
+#include <cca/hardware/robot/bus_outbox.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
 #include <cca/hardware/robot/sensor_board.hpp>
-#include <cca/hardware/safety/link_supervisor.hpp>
+#include <cca/hardware/robot/start_check.hpp>
+#include <cca/hardware/robot/start_failure.hpp>
+#include <cca/hardware/robot/stop_sequence.hpp>
+#include <cca/hardware/safety/bounds.hpp>
 #include <cca/robots/oncilla/former_names.hpp>
 
 namespace cca::hardware {
@@ -57,16 +71,19 @@ public:
   parameters p{};
 
   static constexpr int silent_beats = joint_monitor<J...>::silent_beats, silent_board_beats = 10,
-                       enabling_beats = 1000;
-  static constexpr std::int64_t longest_pause =
-      3'500'000;  // ns on the bus's clock, between two beats' frames
+                       enabling_beats = drive_enabling<J...>::most_beats,
+                       damping_beats = stop_sequence<count>::damping_beats,
+                       confirming_beats = stop_sequence<count>::confirming_beats;
+  // ns on the bus's clock, between two beats' frames
+  static constexpr std::int64_t longest_pause = 3'500'000;
+  static constexpr double range_tolerance = start_check<J...>::range_tolerance;  // rad
 
   template <class... Buses>
   void connect(Buses&... all) {
     static_assert(
         sizeof...(Buses) == buses,
         "cca::hardware::can_synchronizer: connect as many buses as the joints and the board are on");
-    bus_ends = {&all...};
+    outbox.connect({&all...});
   }
 
   auto sense() -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
@@ -78,202 +95,204 @@ public:
     for (std::size_t i = 0; i < count; ++i)
       joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), phase_now}.put(states, i);
     return each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense())(Eigen::Vector3d(drives.angle[I], J::speed_of(drives.reports[I].velocity),
-                                               J::torque_of(drives.reports[I].torque))...,
-                               trunk_record_of(reading), states);
+      return decltype(sense())(
+          Eigen::Vector3d(drives.angle_now(I), drives.speed_now(I), drives.torque_now(I))...,
+          trunk_record_of(reading), states);
     });
   }
 
   void act(in<"set_points", set_points<joints>> wanted,
            optional_in<"abduction", robots::oncilla::abduction_angles> abduction) {
-    clear(outbox), moves = {};
-    if (phase_now == motion_phase::enabling) {
-      outbox = enabling_frames;
-    } else if (phase_now == motion_phase::begins || phase_now == motion_phase::running) {
+    const motion_mode mode = set_point::of(wanted.vector(), 0).mode();
+    if (mode == motion_mode::barred &&
+        (phase_now == motion_phase::enabling || phase_now == motion_phase::begins))
+      refuse({.why = safety_rule::pressed});
+    damped_for = phase_now == motion_phase::running && mode >= motion_mode::damped ? damped_for + 1 : 0;
+    if (damped_for >= damping_beats) begin_stop(false);
+    if (stopping()) return send_stop();
+    if (phase_now != motion_phase::enabling) outbox.clear();  // else it has the frames of bring_up
+    if (moving())
       each([&]<std::size_t... I>(std::index_sequence<I...>) {
         (command_joint<J, I>(set_point::of(wanted.vector(), I)), ...);
       });
-    }
-    if (abduction && phase_now != motion_phase::stopped) {
-      const auto& a = abduction.vector();
-      outbox[Board::bus].add(Board::abduct({a[0], a[1], a[2], a[3]}));
-    }
-    send_batches();
+    const bool runs = moving() && mode == motion_mode::run && outbox.links[Board::bus].may_move();
+    if (!runs) abductions.close();
+    else if (abduction && abduction.origin() != never)
+      outbox[Board::bus].add(Board::abduct(abductions.pass(abduction.vector(), reading.abduction)));
+    outbox.send();
     if (phase_now == motion_phase::begins) phase_now = motion_phase::running;
   }
 
-  // While a bus is away or still holds frames, this waits and the drives stay as they are.
+  // While a bus is away or still holds frames, and until a stop has come to its end, this waits.
   void start() {
+    stops.hurry();
     phase_now = motion_phase::enabling;
-    enabling_steps = {};
-    ready = refused = {};
-    beats_left = enabling_beats;
-    failed = safety_rule::none;
-    drives.forget_trips();
-    drives.forget_jumps();
-    quiet_board = 0;
-    last_arrival = 0;
+    latched = p.offset;
+    failed = {};
+    begin_enabling();
   }
-  void stop() {
-    clear(outbox), moves = {};
-    each([&]<std::size_t... I>(std::index_sequence<I...>) { (add<J>(J::drive::disable()), ...); });
-    send_and_stop();
-  }
+  void stop() { begin_stop(moving()), send_stop(); }
 
   void on_start() { start(); }
   void on_stop() { stop(); }
-  void on_fault() {
-    clear(outbox), moves = {};
-    each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      (add<J>(damped<J>(std::isfinite(drives.angle[I]) ? drives.angle[I] : 0.0)), ...);
-    });
-    send_and_stop();
+  void on_fault() { stop(); }
+  // Instead of a beat, while the controller is stopped or faulted.
+  void on_idle() {
+    if (stopping()) listen(), send_stop();
   }
 
   motion_phase phase() const { return phase_now; }
   const drive_report& report(std::size_t joint) const { return drives.reports[joint]; }
   const board_reading& board() const { return reading; }
-  const link_supervisor<3>& link(std::size_t bus) const { return links[bus]; }
-  safety_rule refusal() const { return failed; }  // why the last start failed
+  const link_supervisor<3>& link(std::size_t bus) const { return outbox.links[bus]; }
+  safety_rule refusal() const { return failed.why; }  // why the last start failed
+  const start_failure& failure() const { return failed; }
+  bool stopping() const { return stops.stage() != stop_stage::none; }
+  // In the last stop, the drive of this joint has not said that it is off.
+  bool unconfirmed(std::size_t joint) const { return !stops.is_confirmed(joint); }
+  static constexpr std::string_view name_of(std::size_t joint) { return joints::names[joint]; }
+  // cca::controller::set asks: why these parameters can't be taken now; empty: they can.
+  std::string_view refusal_of(const parameters& other) const {
+    const bool idle = phase_now == motion_phase::stopped && !stopping();
+    return idle || other.offset == p.offset
+               ? ""
+               : "offset: start() has latched the calibration; stop the robot first";
+  }
 
 private:
-  static constexpr std::size_t most_frames = 8 * count + 1 + 4;
-  using batch = frame_list<most_frames>;
-  static void clear(std::array<batch, buses>& all) { std::ranges::for_each(all, &batch::clear); }
-
   template <class F>
   static decltype(auto) each(F f) {
     return f(std::make_index_sequence<count>());
   }
 
   bool moving() const { return phase_now >= motion_phase::begins; }
+  safety_rule trip_of(std::size_t i) const { return moving() ? drives.trips[i] : safety_rule::none; }
 
   void listen() {
     drives.begin_beat();
     const std::uint64_t board_frames_before = reading.frames;
     std::int64_t newest_arrival = last_arrival;
     for (std::size_t b = 0; b < buses; ++b) {
-      if (!bus_ends[b]) continue;
+      Bus* const bus = outbox.end(b);
+      if (!bus) continue;
       for (std::size_t n = inbox.size(); n == inbox.size();) {
-        n = bus_ends[b]->receive(inbox);
+        n = bus->receive(inbox);
         for (std::size_t k = 0; k < n; ++k) {
           newest_arrival = std::max(newest_arrival, inbox[k].time);
           if (b == Board::bus && Board::decode(inbox[k].frame, reading)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
-            (drives.template hear<J, I>(b, inbox[k], p.offset[I], moving()) || ...);
+            (drives.template hear<J, I>(b, inbox[k], latched[I], moving()) || ...);
           });
         }
       }
-      links[b].observe(bus_ends[b]->state(), bus_ends[b]->counters());
+      outbox.links[b].observe(bus->state(), bus->counters());
+      disabled_on[b] = disabled_on[b] || (sent_disable[b] && outbox.is_free(b));
     }
+    stops.listen(joints(), drives.reports, disabled_on);
     const std::int64_t pause = last_arrival == 0 ? 0 : newest_arrival - last_arrival;
     last_arrival = newest_arrival;
-    if (!moving()) return;
+    if (moving()) watch(pause, reading.frames == board_frames_before);
+  }
+  void watch(std::int64_t pause, bool board_was_quiet) {
     auto& trips = drives.trips;
     if (pause > longest_pause) trips.fill(safety_rule::stalled);
     drives.check();
     for (std::size_t i = 0; i < count; ++i)
-      if (links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
-    quiet_board = reading.frames == board_frames_before ? quiet_board + 1 : 0;
+      if (outbox.links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
+    quiet_board = board_was_quiet ? quiet_board + 1 : 0;
     if (quiet_board >= silent_board_beats || reading.status != 0)
       std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
-    if (links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
+    if (outbox.links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
   }
 
-  // A step of enabling. Motion begins once all drives are ready, all positions known and all buses free.
+  void begin_enabling() {
+    enabling.begin();
+    drives.restart();
+    checks.begin();
+    quiet_board = damped_for = 0;
+    last_arrival = 0;
+    abductions.close();
+  }
+  // A step of enabling. Motion begins once all drives are ready, all joints measured and all buses free.
   void bring_up() {
-    if (phase_now != motion_phase::enabling) return;
-    clear(enabling_frames);
-    bool all = true;
+    if (phase_now != motion_phase::enabling || stopping()) return;
+    outbox.clear();
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      const auto next = [&]<class One, std::size_t K>() {
-        if (!is_free(One::bus))
-          return void(all = false);  // one step at a time, and none behind those of `stop`
-        const drive_report& report = drives.reports[K];
-        const bool off = refused[K] || report.activity == drive_activity::disabled;
-        // Again every 50 beats, since a frame may be lost.
-        if (off && beats_left % 50 == 0) std::get<K>(enabling_steps) = {}, refused[K] = false;
-        if (!refused[K]) {
-          const enable_step s = std::get<K>(enabling_steps).next(report);
-          for (std::size_t k = 0; k < s.frames.size(); ++k) enabling_frames[One::bus].add(s.frames[k]);
-          ready[K] = ready[K] || s.progress == enable_progress::done;
-          refused[K] = !ready[K] && s.progress == enable_progress::failed;
-        }
-        all =
-            all && ready[K] && report.activity != drive_activity::disabled && std::isfinite(drives.angle[K]);
-      };
-      (next.template operator()<J, I>(), ...);
+      // One step at a time, and none behind frames that wait.
+      ((outbox.is_free(J::bus)
+            ? enabling.template next<J, I>(drives.reports[I], drives.is_ready(I), outbox[J::bus])
+            : void()),
+       ...);
     });
-    if (--beats_left <= 0) {
-      failed = safety_rule::enabling;
-      return stop();
-    }
-    if (!all || reading.frames == 0) return;
-    for (std::size_t b = 0; b < buses; ++b)
-      if (!is_free(b)) return;
-    for (auto& l : links) l.start(0);
+    if (const start_failure f = checks.check(drives)) return refuse(f);
+    enabling.count_beat();
+    if (enabling.is_over()) return refuse(checks.missing(drives, enabling, reading));
+    if (!outbox.are_all_free() || !enabling.are_all_ready() || reading.frames == 0) return;
+    for (auto& l : outbox.links) l.start(0);
     drives.forget_trips();
-    quiet_board = 0;
     phase_now = motion_phase::begins;
+  }
+  void refuse(const start_failure& f) {
+    failed = f;
+    begin_stop(false);
   }
 
   template <class One, std::size_t I>
   void command_joint(set_point s) {
     const bool runs = s.mode() == motion_mode::run;
-    if (runs && !links[One::bus].may_move()) return;
-    moves[One::bus] = runs;
-    s.position -= p.offset[I];
-    add<One>(frames_for<One>(s, drives.angle[I] - p.offset[I], drives.speed[I]));
+    if (runs && !outbox.links[One::bus].may_move()) return;
+    outbox.moves[One::bus] = runs;
+    const double seam = latched[I] + drives.template turned<One>(I);
+    s.position -= seam;
+    outbox.add(One::bus, frames_for<One>(s, drives.angle[I] - seam, drives.speed[I]));
   }
-  template <class One>
-  static drive_frames damped(double where) {
-    return frames_for<One>(
-        {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)}, where, 0);
-  }
-  template <class One>
-  void add(const drive_frames& frames) {
-    for (std::size_t k = 0; k < frames.size(); ++k) outbox[One::bus].add(frames[k]);
-  }
-  // Behind frames that still wait, a set point would be stale: it is dropped and counted. Only frames that
-  // damp may go behind frames that move, once: so they come last.
-  void send_batches() {
-    for (std::size_t b = 0; b < buses; ++b) {
-      if (!bus_ends[b] || outbox[b].empty() || !links[b].may_speak()) continue;
-      for (const can_frame& f : cycle_end_frames[b]) outbox[b].add(f);
-      const bool too_late = bus_ends[b]->in_flight() != 0 && (moves[b] || !moved[b]);
-      const send_result sent = too_late ? send_result{0, send_outcome::full} : bus_ends[b]->send(outbox[b]);
-      if (sent.sent != 0) moved[b] = moves[b];
-      if (links[b].may_move()) links[b].sent(sent);
-    }
-  }
-  void send_and_stop() {
-    moved.fill(true);  // so this goes out behind whatever still waits
-    send_batches();
-    phase_now = motion_phase::stopped;
-    for (auto& l : links) l.stop();
-  }
-  bool is_free(std::size_t b) const {
-    return bus_ends[b] && !is_away(bus_ends[b]->state()) && bus_ends[b]->in_flight() == 0;
+  // Damps, with no more torque than the joint may have at its present angle and speed.
+  template <class One, std::size_t I>
+  drive_frames damped() const {
+    const joint_state q{drives.angle[I], drives.speed[I]};
+    const double where = q.known() ? q.angle : 0;
+    const set_point s = limit_guard<joints>::scaled(
+        I, q, {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)});
+    return frames_for<One>(s, where, drives.speed[I]);
   }
 
-  safety_rule trip_of(std::size_t i) const { return moving() ? drives.trips[i] : safety_rule::none; }
+  void begin_stop(bool damp) {
+    if (stops.begin(damp)) sent_disable = disabled_on = {};
+    phase_now = motion_phase::stopped;
+    abductions.close();
+    for (auto& l : outbox.links) l.stop();
+    outbox.let_pass();
+  }
+  void send_stop() {
+    const stop_stage stage = stops.stage();
+    outbox.clear();
+    each([&]<std::size_t... I>(std::index_sequence<I...>) {
+      (outbox.add(J::bus, stage == stop_stage::damping ? damped<J, I>() : J::drive::disable()), ...);
+    });
+    outbox.send();
+    for (std::size_t b = 0; b < buses; ++b)
+      sent_disable[b] = sent_disable[b] || (stage == stop_stage::disabling && outbox.has_sent[b]);
+    stops.advance();
+    // Then the start that has waited begins.
+    if (!stopping() && phase_now == motion_phase::enabling) begin_enabling();
+  }
 
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
-  static constexpr auto cycle_end_frames = cycle_ends<buses, J...>();
 
-  std::array<Bus*, buses> bus_ends{};
-  std::array<link_supervisor<3>, buses> links{};
+  bus_outbox<Bus, buses, J...> outbox{};
   joint_monitor<J...> drives{};
+  drive_enabling<J...> enabling{};
+  start_check<J...> checks{};
+  start_failure failed{};
+  stop_sequence<count> stops{};
+  // Whether frames that disable were sent in this stop, and have gone over the bus.
+  std::array<bool, buses> sent_disable{}, disabled_on{};
+  abduction_gate abductions{};
   board_reading reading = board_reading::untold();
-  int quiet_board = 0, beats_left = 0;
-  safety_rule failed = safety_rule::none;
-  std::tuple<typename J::drive::enabling...> enabling_steps{};
-  std::array<bool, count> ready{}, refused{};
-  // Whether the next batch follows the controller, and whether the last one that was sent did.
-  std::array<bool, buses> moves{}, moved{};
+  offsets latched{};
+  int quiet_board = 0, damped_for = 0;
   std::int64_t last_arrival = 0;
   motion_phase phase_now = motion_phase::stopped;
-  std::array<batch, buses> enabling_frames{}, outbox{};
   std::array<received_frame, 64> inbox{};
 };
 

@@ -8,6 +8,9 @@
 //                                            a mode other than `run` the drive only damps: by damp() where it
 //                                            has that; one without stiffness is disabled
 //   cycle_ends<Buses, J...>()                the frames that end a cycle on each bus (SYNC), each once
+//   is_off<D>(report)                        the drive says that it holds nothing. A drive for which that is
+//                                            not the activity `disabled` or `faulted` states its own is_off;
+//                                            one that can't say it has answered
 //   patience<J>(beats, ns)                   after how many beats of so many ns a drive counts as silent:
 //                                            more for drives that report by themselves, with a longer period
 //
@@ -47,6 +50,12 @@ constexpr auto cycle_ends() {
   };
   (add(all[J::bus], cycle_frames_of<typename J::drive>), ...);
   return all;
+}
+
+template <Drive D>
+constexpr bool is_off(const drive_report& r) {
+  if constexpr (requires { D::is_off(r); }) return D::is_off(r);
+  else return r.activity == drive_activity::disabled || r.activity == drive_activity::faulted;
 }
 
 template <class J>

@@ -1,4 +1,4 @@
-// What the drives of a robot's joints report, and what is wrong with it.
+// What the drives of a robot's joints report, how old it is, and what is wrong with it.
 //
 //   hear<J, I>(bus, frame, offset, moving)
 //                  decodes a frame for joint I, in the joint's dimension with its offset. While the robot
@@ -6,9 +6,16 @@
 //                  jump, and is not taken
 //   begin_beat(), check()
 //                  before and after the frames of a beat. A drive trips if it has been silent for
-//                  `silent_beats` or three of its own periods, has jumped as often in a row, reports a fault,
-//                  or is disabled
-//   trip(i, rule)  keeps the first rule of joint i; forget_trips() before a new start
+//                  `silent_beats` or three of its own periods; if it still sends, but no angle or no velocity
+//                  for that time, or no state for `state_beats`; if it has jumped as often in a row, or in
+//                  every second report (two drives under one id); if it is not alone (sender_check.hpp); if
+//                  its velocity is not the change of its angle (velocity_check.hpp); if it reports a fault,
+//                  or that it is disabled
+//   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree
+//   angle_now(i), speed_now(i), torque_now(i)
+//                  what is measured; not a number where it is too old
+//   trip(i, rule)  keeps the first rule of joint i; forget_trips() when motion begins; restart() for a new
+//                  start: everything must be measured again
 //
 // Used by can_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
 #pragma once
@@ -20,8 +27,11 @@
 #include <utility>
 
 #include <cca/hardware/bus/can_bus.hpp>
+#include <cca/hardware/drives/position_unwrap.hpp>
 #include <cca/hardware/drives/set_points.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
+#include <cca/hardware/robot/sender_check.hpp>
+#include <cca/hardware/robot/velocity_check.hpp>
 
 namespace cca::hardware {
 
@@ -29,6 +39,7 @@ template <class... J>
 struct joint_monitor {
   static constexpr std::size_t count = sizeof...(J);
   static constexpr int silent_beats = 3;
+  static constexpr int state_beats = 350;  // an ODrive reports its state every 100 ms
 
   std::array<drive_report, count> reports{};
   std::array<double, count> angle = unknown(), speed{}, torque{};  // of the joint: rad, rad/s, N m
@@ -38,58 +49,113 @@ struct joint_monitor {
   bool hear(std::size_t bus, const received_frame& f, double offset, bool moving) {
     if (One::bus != bus) return false;
     drive_report heard = reports[I];
-    if (!One::drive::decode(f.frame, heard)) return false;
-    if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return ++jumps[I], true;
+    if (!One::drive::decode(f.frame, heard)) {
+      if (moving && is_command<typename One::drive>(f.frame)) senders[I].commanded();
+      return false;
+    }
+    if (moving && report_period_of<typename One::drive> == 0 && (heard.told & of_position))
+      senders[I].answered(f.frame);  // CANopen drives send further frames in a cycle
+    if ((heard.told & of_velocity) && !std::isfinite(heard.velocity)) return note_jump(I), true;
+    position_unwrap unwrapped = unwraps[I];
+    const double position =
+        One::mounted.wraps > 0 && (heard.told & of_position) ? unwrapped(heard.position) : heard.position;
+    const double now = One::angle_of(position) + offset;
     if (heard.told & of_position) {
-      const double now = One::angle_of(heard.position) + offset;
       const double pause = static_cast<double>(f.time - reported_at[I]) * 1e-9;
       const double fastest = 1.5 * std::max(One::speed.upper, -One::speed.lower);
       if (moving && std::isfinite(angle[I]) &&
           !(std::abs(now - angle[I]) <= 0.05 + fastest * (pause + 1e-3))) {
-        ++jumps[I];
+        note_jump(I);
         return true;
       }
-      jumps[I] = 0;
+      jumps[I] = std::max(0, jumps[I] - 1);  // not to 0: of two drives under one id every second one jumps
+      unwraps[I] = unwrapped;
       reported_at[I] = f.time;
-      angle[I] = now;
     }
-    if (heard.told & of_velocity) speed[I] = One::speed_of(heard.velocity);
-    if (heard.told & of_torque) torque[I] = One::torque_of(heard.torque);
+    ages& age = since[I];
+    age.frame = 0;
+    if (heard.told & of_activity) age.state = 0;
+    if (heard.told & of_torque) torque[I] = One::torque_of(heard.torque), age.torque = 0;
+    if (heard.told & of_velocity) speed[I] = One::speed_of(heard.velocity), age.speed = 0;
+    if (heard.told & of_position) {
+      angle[I] = now, age.angle = 0;
+      if (age.speed < untold && std::isfinite(now)) velocities[I].compare(now, speed[I], f.time);
+    }
     reports[I] = heard;
     return true;
   }
 
-  void begin_beat() { before = frames(); }
+  void begin_beat() {
+    for (ages& a : since)
+      for (int* age : {&a.frame, &a.angle, &a.speed, &a.torque, &a.state}) *age += *age < untold - 1;
+  }
   void check() {
-    const auto now = frames();
     for (std::size_t i = 0; i < count; ++i) {
-      quiet[i] = now[i] == before[i] ? quiet[i] + 1 : 0;
-      if (jumps[i] >= silent_beats) trip(i, safety_rule::implausible);
-      if (quiet[i] >= silent_after[i]) trip(i, safety_rule::silent);
+      const ages& a = since[i];
+      senders[i].begin_beat();
+      if (jumps[i] >= 2 * silent_beats || senders[i].too_many() || senders[i].has_stranger() ||
+          velocities[i].disagrees())
+        trip(i, safety_rule::implausible);
+      if (a.frame >= silent_after[i]) trip(i, safety_rule::silent);
+      if (is_old(i, a.angle) || is_old(i, a.speed) || (a.state >= state_beats && a.state < untold))
+        trip(i, safety_rule::implausible);
       if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
         trip(i, safety_rule::drive_fault);
     }
   }
 
+  bool is_ready(std::size_t i) const {
+    return std::isfinite(angle[i]) && knows_angle(i) && knows_speed(i) && velocities[i].passed();
+  }
+  bool knows_angle(std::size_t i) const { return std::isfinite(angle[i]) && !is_old(i, since[i].angle); }
+  bool knows_speed(std::size_t i) const { return !is_old(i, since[i].speed); }
+  const velocity_check& velocity(std::size_t i) const { return velocities[i]; }
+
+  double angle_now(std::size_t i) const {
+    return is_old(i, since[i].angle) ? drive_report::untold : angle[i];
+  }
+  double speed_now(std::size_t i) const {
+    return is_old(i, since[i].speed) ? drive_report::untold : speed[i];
+  }
+  double torque_now(std::size_t i) const {
+    return since[i].torque >= state_beats ? drive_report::untold : torque[i];
+  }
+
   void trip(std::size_t i, safety_rule rule) {
     if (trips[i] == safety_rule::none) trips[i] = rule;
   }
-  void forget_trips() { trips.fill(safety_rule::none), quiet.fill(0); }
-  void forget_jumps() { jumps.fill(0); }
-
-private:
-  static constexpr std::array<double, count> unknown() { return {(sizeof(J) ? drive_report::untold : 0)...}; }
-  static constexpr std::array<int, count> silent_after{patience<J>(silent_beats, 1'000'000)...};
-
-  std::array<std::uint64_t, count> frames() const {
-    std::array<std::uint64_t, count> all;
-    std::ranges::transform(reports, all.begin(), &drive_report::frames);
-    return all;
+  // How far the unwrapped angle of joint I is from the one that its drive counts: take this off a command, so
+  // that it never leads across the end of the range.
+  template <class One>
+  double turned(std::size_t i) const {
+    return One::mounted.wraps > 0 && std::isfinite(angle[i]) ? One::speed_of(unwraps[i].turned()) : 0;
   }
 
-  std::array<std::uint64_t, count> before{};
+  void forget_trips() { trips.fill(safety_rule::none), senders.fill({}); }
+  void restart() {
+    forget_trips();
+    jumps.fill(0);
+    since.fill({});
+    velocities.fill({});
+  }
+
+private:
+  void note_jump(std::size_t i) { jumps[i] += 2; }
+  static constexpr int untold = 1 << 30;
+  // Beats since the drive reported this.
+  struct ages {
+    int frame = untold, angle = untold, speed = untold, torque = untold, state = untold;
+  };
+  static constexpr std::array<double, count> unknown() { return {(sizeof(J) ? drive_report::untold : 0)...}; }
+  static constexpr std::array<int, count> silent_after{patience<J>(silent_beats, 1'000'000)...};
+  static bool is_old(std::size_t i, int age) { return age >= silent_after[i]; }
+
+  std::array<ages, count> since{};
+  std::array<velocity_check, count> velocities{};
   std::array<std::int64_t, count> reported_at{};
-  std::array<int, count> quiet{}, jumps{};
+  std::array<position_unwrap, count> unwraps{position_unwrap(J::mounted.wraps)...};
+  std::array<sender_check, count> senders{};
+  std::array<int, count> jumps{};
 };
 
 }  // namespace cca::hardware

@@ -3,14 +3,17 @@
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
 //   rate_guard    positions change at most as fast as the axis' `velocity`. The first one begins where the
 //                 joint is measured; until it has reached the command it moves at most with the parameter
-//                 `approach`, so a start makes no jump. The torque of a set point, which is fed forward,
-//                 changes by the axis' `torque_rate`. What stiffness and damping make has no rate: it must
-//                 follow a joint that is pushed. joint_servos feed no torque forward, so with them, as in
-//                 `oncilla`, `torque_rate` bounds nothing
-//   limit_guard   position, velocity, stiffness and damping stay within their limits. The torque that the
-//                 drive will make, at the present angle and speed, stays within the torque limits: else
-//                 stiffness, damping and torque are scaled down by one factor. Beyond an end of the range
-//                 only torque that leads back passes; above the speed limit only torque that brakes
+//                 `approach`, so a start makes no jump. Outside of its range it moves with half of that: a
+//                 joint may be faster than its set point, and must not be faster than `approach`. The torque
+//                 of a set point, which is fed forward, changes by the axis' `torque_rate`. What stiffness
+//                 and damping make has no rate: it must follow a joint that is pushed. joint_servos feed no
+//                 torque forward, so with them, as in `oncilla`, `torque_rate` bounds nothing
+//   limit_guard   a joint that begins outside of its range enters it from where it is: until then its range
+//                 reaches to its last set point, and torque that brakes passes. Position, velocity, stiffness
+//                 and damping stay within their limits. The torque that the drive will make, at the present
+//                 angle and speed, stays within the torque limits: else stiffness, damping and torque are
+//                 scaled down by one factor. Beyond an end of the range only torque that leads back passes;
+//                 above the speed limit only torque that brakes
 //
 // Each change is counted, and the first one is kept: rule, joint, beat. Cost: about ten operations a joint.
 // Source: limits by the previous command and one-sided efforts as in ros2_control's joint_limits.
@@ -50,11 +53,12 @@ public:
         j = {Joints::angle[i].nearest(q.known() ? q.angle : s.position), 0, true};
         continue;
       }
-      if (q.phase == motion_phase::begins)
-        j = {Joints::angle[i].nearest(q.known() ? q.angle : j.position), 0, true};
-      const joint_bounds speed = Joints::speed[i];
-      const double down = j.approaching ? -std::min<double>(p.approach, -speed.lower) : speed.lower;
-      const double up = j.approaching ? std::min<double>(p.approach, speed.upper) : speed.upper;
+      if (q.phase == motion_phase::begins) j = {q.known() ? q.angle : j.position, 0, true};
+      const joint_bounds speed = Joints::speed[i], range = Joints::angle[i];
+      if (j.approaching) s.position = range.nearest(s.position);
+      const double slow = p.approach * (range.holds(j.position) ? 1 : 0.5);
+      const double down = j.approaching ? -std::min(slow, -speed.lower) : speed.lower;
+      const double up = j.approaching ? std::min(slow, speed.upper) : speed.upper;
       const double position = joint_bounds{j.position + down * dt, j.position + up * dt}.nearest(s.position);
       if (position != s.position) {
         if (!j.approaching) noted.note(safety_rule::rate, static_cast<int>(i), now.index());
@@ -105,30 +109,43 @@ public:
         noted.note(rule, static_cast<int>(i), now.index());
         number = kept;
       };
-      keep(s.position, Joints::angle[i], safety_rule::range);
+      const joint_bounds range = Joints::angle[i];
+      if (q.phase == motion_phase::begins && q.known()) entered[i] = q.angle;
+      if (q.phase < motion_phase::begins || s.mode() != motion_mode::run) entered[i] = range.lower;
+      const bool entering = !range.holds(entered[i]);
+      keep(s.position,
+           entering ? joint_bounds{std::min(range.lower, entered[i]), std::max(range.upper, entered[i])}
+                    : range,
+           safety_rule::range);
+      entered[i] = s.position;
       keep(s.velocity, Joints::speed[i], safety_rule::range);
       keep(s.stiffness, {0, Joints::servo[i].most_stiff}, safety_rule::range);
       keep(s.damping, {0, most_damping}, safety_rule::range);
       keep(s.torque, Joints::torque[i], safety_rule::torque);
       if (q.known()) {
-        const double law =
-            s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
-        const double allowed = window(i, q).nearest(law);
+        const double law = law_of(s, q);
+        const bool brakes = entering && law * q.velocity < 0;
+        const double allowed = (brakes ? Joints::torque[i] : window(i, q)).nearest(law);
         // A joint that can only be pulled gives no torque where a push is wanted: that is no violation.
         if (allowed != law && !(Joints::torque[i].lower >= 0 && law < 0))
           noted.note(is_at_stop(i, q) ? safety_rule::stop : safety_rule::torque, static_cast<int>(i),
                      now.index());
-        if (allowed != law) {  // 0 is always allowed, so `allowed` has the sign of `law` and is smaller
-          const double part = allowed / law;
-          s.stiffness *= part, s.damping *= part, s.torque *= part;
-        }
+        scale(s, law, allowed);
       }
       s.put(v, i);
     }
     return v;
   }
   const safety_record& record() const { return noted; }
-  void on_start() { noted = {}; }
+  void on_start() { noted = {}, entered = lower_ends; }
+
+  // The set point with no more torque than the joint may have at its present angle and speed.
+  static set_point scaled(std::size_t i, const joint_state& q, set_point s) {
+    if (!q.known()) return s;
+    const double law = law_of(s, q);
+    scale(s, law, window(i, q).nearest(law));
+    return s;
+  }
 
   // The torques that a joint may get at its present angle and speed.
   static constexpr joint_bounds window(std::size_t i, const joint_state& q) {
@@ -143,6 +160,22 @@ private:
   static constexpr bool is_at_stop(std::size_t i, const joint_state& q) {
     return q.angle >= Joints::angle[i].upper || q.angle <= Joints::angle[i].lower;
   }
+  static double law_of(const set_point& s, const joint_state& q) {
+    return s.stiffness * (s.position - q.angle) + s.damping * (s.velocity - q.velocity) + s.torque;
+  }
+  // 0 is always allowed, so `allowed` has the sign of `law` and is smaller.
+  static void scale(set_point& s, double law, double allowed) {
+    if (allowed == law) return;
+    const double part = allowed / law;
+    s.stiffness *= part, s.damping *= part, s.torque *= part;
+  }
+
+  static constexpr std::array<double, Joints::count> lower_ends = [] {
+    std::array<double, Joints::count> all{};
+    for (std::size_t i = 0; i < Joints::count; ++i) all[i] = Joints::angle[i].lower;
+    return all;
+  }();
+  std::array<double, Joints::count> entered = lower_ends;  // the last position that went to the drive
   safety_record noted{};
 };
 

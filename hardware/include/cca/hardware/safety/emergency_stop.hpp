@@ -6,8 +6,10 @@
 //
 // It trips on what the guards before it have marked, on what the synchronizer reports about a joint, and by
 // hand:
-//   press()         from now on all drives are damped; `release()` alone moves nothing
+//   press()         from now on all drives are damped, and no drive can be enabled. `release()` alone moves
+//                   nothing, and only `release()` ends it: a start does not
 //   stop_softly()   the drives hold their position and get softer
+// These three may be called from any thread.
 // If the robot is healthy and only its command is stale, not finite or late, it stops softly. A trip by a
 // drive, a sensor or the bus damps at once. The first cause is kept: rule, joint, beat. Motion comes back
 // only when the synchronizer's `start` has enabled the drives again and the button is released.
@@ -16,6 +18,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
@@ -30,35 +33,45 @@ public:
       -> out<"safe", set_points<Joints>> {
     auto v = wanted.vector();
     const auto phase = joint_state::of(joints.vector(), 0).phase;
-    if (phase == motion_phase::begins && !pressed) {
+    const bool is_pressed = read(pressed);
+    if (phase == motion_phase::begins && !is_pressed) {
       is = motion_mode::run;
       cause = {};
-      softly = false;
+      write(softly, false);
     }
-    if (pressed) trip(safety_rule::pressed, -1, now);
-    if (softly) trip(safety_rule::asked, -1, now);
+    if (is_pressed) trip(safety_rule::pressed, -1, now);
+    if (read(softly)) trip(safety_rule::asked, -1, now);
     for (std::size_t i = 0; i < Joints::count; ++i) {
       trip(joint_state::of(joints.vector(), i).trip, static_cast<int>(i), now);
       trip(set_point::of(v, i).broken(), static_cast<int>(i), now);
     }
     for (std::size_t i = 0; i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
-      s.mark = static_cast<double>(is);
+      s.mark = static_cast<double>(is_pressed ? motion_mode::barred : is);
       s.put(v, i);
     }
     return v;
   }
 
-  void press() { pressed = true; }
-  void release() { pressed = false; }
-  void stop_softly() { softly = true; }
+  void press() { write(pressed, true); }
+  void release() { write(pressed, false); }
+  void stop_softly() { write(softly, true); }
 
   motion_mode mode() const { return is; }
   safety_event first_cause() const { return cause; }
 
-  void on_start() { *this = {}; }
+  // Whoever holds the button keeps it pressed.
+  void on_start() {
+    is = motion_mode::damped;
+    cause = {};
+    write(softly, false);
+  }
 
 private:
+  // Atomic access to plain members: so the chain stays a value that can be copied.
+  static bool read(bool& flag) { return std::atomic_ref(flag).load(std::memory_order_acquire); }
+  static void write(bool& flag, bool value) { std::atomic_ref(flag).store(value, std::memory_order_release); }
+
   void trip(safety_rule rule, int joint, const beat& now) {
     if (rule == safety_rule::none) return;
     is = std::max(is, leads_to(rule));

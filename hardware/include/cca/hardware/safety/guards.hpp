@@ -3,11 +3,13 @@
 //   act   in "wanted" set_points, out "safe" set_points. Each guard marks the joints whose set point breaks
 //         its rule (`mark`); the emergency stop behind them acts on that
 //   finite_guard   NaN or infinity: repeats the last finite set point, marked not_finite
-//   stale_guard    data older than the parameter `greatest_age`: marked stale
+//   stale_guard    data older than the parameter `greatest_age`: marked stale. The age is the time since the
+//                  origin, or since data of this origin came first, whichever is longer
 //
 // Cost: some comparisons a joint. Example: tests/runtime/drive_chain/safety.cpp; docs/hardware.md.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -56,8 +58,9 @@ public:
 
   auto act(in<"wanted", set_points<Joints>> wanted, beat now) -> out<"safe", set_points<Joints>> {
     auto v = wanted.vector();
-    const bool stale =
-        wanted.origin() != never && static_cast<double>(now.time() - wanted.origin()) > 1e9 * p.greatest_age;
+    if (wanted.origin() != newest) newest = wanted.origin(), arrived = now.time();
+    const std::int64_t from = std::min(newest, arrived);  // an origin in the future counts as its arrival
+    const bool stale = newest != never && static_cast<double>(now.time() - from) > 1e9 * p.greatest_age;
     for (std::size_t i = 0; stale && i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
       s.trip(safety_rule::stale);
@@ -66,10 +69,11 @@ public:
     if (stale) noted.note(safety_rule::stale, -1, now.index());
     return v;
   }
-  void on_start() { noted = {}; }
+  void on_start() { noted = {}, newest = never; }
   const safety_record& record() const { return noted; }
 
 private:
+  std::int64_t newest = never, arrived = 0;  // the guard before this one repeats data; its origin stays
   safety_record noted{};
 };
 

@@ -4,9 +4,9 @@
 //   soft_stop<Joints, Beats>   in the mode `soft` holds each joint at its measured position. Over `Beats`
 //                              beats its stiffness goes to 0, its damping to `safe_damping` of its servo;
 //                              then the mode is `damped`
-//   damping_stop               in the mode `damped`: no stiffness, no torque, `safe_damping` against any
-//                              motion. Not zero torque, because a leg would fall, and not a position, because
-//                              that is stiff against people
+//   damping_stop               in the modes `damped` and `barred`: no stiffness, no torque, `safe_damping`
+//                              against any motion. Not zero torque, because a leg would fall, and not a
+//                              position, because that is stiff against people
 //
 // Cost: a comparison a joint while the robot runs. Source: Unitree's reaction to a lost command
 // (unitree_legged_sdk, cmd_lost_timelimit).
@@ -59,13 +59,14 @@ struct damping_stop {
   auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints)
       -> out<"safe", set_points<Joints>> {
     auto v = wanted.vector();
-    if (set_point::of(v, 0).mode() != motion_mode::damped) return v;
+    const motion_mode mode = set_point::of(v, 0).mode();
+    if (mode < motion_mode::damped) return v;
     for (std::size_t i = 0; i < Joints::count; ++i) {
       const joint_state q = joint_state::of(joints.vector(), i);
       set_point s;
       s.position = Joints::angle[i].nearest(q.known() ? q.angle : 0);
       s.damping = Joints::servo[i].safe_damping;
-      s.mark = static_cast<double>(motion_mode::damped);
+      s.mark = static_cast<double>(mode);
       s.put(v, i);
     }
     return v;

@@ -3,9 +3,9 @@
 //   virtual_moteus<moteus<hip_motor, 3>, moteus_timeout::brake> v;      // its servo.timeout_mode
 //
 // It answers each frame that it understands. When it is stopped, as after a reboot, a set point alone makes
-// it move. Position mode follows the command, whose position moves on with its velocity; NaN as position
-// means that it stays where it is. The command holds for its own timeout (0: that of the drive's type; NaN:
-// for ever). Then comes mode 11, which does what `Then` says:
+// it move. Position mode follows the command, whose position moves on with its velocity up to the stop
+// position; NaN as position means that it stays where it is. The command holds for its own timeout (0: that
+// of the drive's type; NaN: for ever). Then comes mode 11, which does what `Then` says:
 //   stop            nothing
 //   hold            its target slows down from the command's speed to 0 by `Slowing`, in rad/s^2
 //                   (servo.default_accel_limit; infinity, as delivered, where none is set: at once), and
@@ -58,11 +58,8 @@ public:
   drive_command law(std::int64_t now) {
     advance_to(now);
     switch (mode) {
-      case positioning: {
-        drive_command c = command;
-        c.position += c.velocity * static_cast<double>(now - fed) * 1e-9;
-        return c;
-      }
+      case positioning:
+        return moved_on(static_cast<double>(now - fed) * 1e-9);
       case braking:
         return {.damping = Drive::motor::damping};
       case timed_out:
@@ -101,13 +98,22 @@ private:
     clock = now;
     if (mode == positioning && now - fed > holds) mode = timed_out;
   }
+  // The command this many seconds later: its position moves on with its velocity, and ends at the stop.
+  drive_command moved_on(double seconds) const {
+    drive_command c = command;
+    c.position += c.velocity * seconds;
+    if (!(c.velocity > 0 ? c.position >= stop : c.velocity < 0 && c.position <= stop)) return c;
+    c.position = stop;
+    c.velocity = 0;
+    return c;
+  }
   // The law of `hold`, this many seconds after the timeout.
   drive_command held(double seconds) const {
-    const double v = command.velocity, until_still = std::fabs(v) / Slowing,
+    const drive_command last_one = moved_on(static_cast<double>(holds) * 1e-9);
+    const double v = last_one.velocity, until_still = std::fabs(v) / Slowing,
                  t = std::min(seconds, until_still);
-    const double run = static_cast<double>(holds) * 1e-9;
     drive_command c{.stiffness = Drive::motor::stiffness, .damping = Drive::motor::damping};
-    c.position = command.position + v * run + (t > 0 ? (v - std::copysign(0.5 * Slowing * t, v)) * t : 0);
+    c.position = last_one.position + (t > 0 ? (v - std::copysign(0.5 * Slowing * t, v)) * t : 0);
     c.velocity = t < until_still ? v - std::copysign(Slowing * t, v) : 0;
     return c;
   }
@@ -121,6 +127,7 @@ private:
     c.stiffness = part * Drive::motor::stiffness;
     c.damping = std::clamp(c.damping, 0.0, part) * Drive::motor::damping;
     command = c;
+    stop = q.stop_position;
     mode = positioning;
     fed = clock;
     const double seconds = q.timeout;
@@ -131,6 +138,7 @@ private:
 
   drive_command command{};
   drive_motion last{};
+  double stop = std::numeric_limits<double>::quiet_NaN();
   std::int64_t fed = 0, holds = timeout;
   std::uint32_t code = 0;
   int mode = stopped, asked = 0;

@@ -17,8 +17,9 @@ struct virtual_of<mit_drive<Ranges, Number, Master, Firmware>>
 template <std::uint32_t Node, odrive_mode Mode, odrive_firmware Firmware, std::int64_t Period>
 struct virtual_of<odrive<Node, Mode, Firmware, Period>>
     : virtual_odrive<odrive<Node, Mode, Firmware, Period>> {};
-template <class Motor, std::uint8_t Servo, std::uint8_t Source>
-struct virtual_of<moteus<Motor, Servo, Source>> : virtual_moteus<moteus<Motor, Servo, Source>> {};
+template <class Motor, std::uint8_t Servo, std::uint8_t Source, std::uint16_t Prefix>
+struct virtual_of<moteus<Motor, Servo, Source, Prefix>>
+    : virtual_moteus<moteus<Motor, Servo, Source, Prefix>> {};
 template <class Motor, std::uint8_t Node, cia402_mode Mode>
 struct virtual_of<cia402<Motor, Node, Mode>> : virtual_cia402<cia402<Motor, Node, Mode>> {};
 

@@ -9,7 +9,8 @@ struct wire_unconnected_input {
   static constexpr std::string_view id = "wire.unconnected_input";
 
   static constexpr bool is_broken(when::open_input, const flat_view& g, const finding& f) {
-    return !port_of(g, g.inputs[f.input]).optional;
+    const auto& port = port_of(g, g.inputs[f.input]);
+    return !port.optional && port.space;  // an observer that hears nothing: wire.unknown_port
   }
 
   static constexpr void tell(auto& m) {

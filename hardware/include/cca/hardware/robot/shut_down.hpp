@@ -1,0 +1,83 @@
+// Stops the robot of a controller in order: the one line at the end of a program, after its last run, a fault
+// or a signal.
+//
+//   const auto report = cca::hardware::shut_down(controller);   // at wall-clock speed
+//   std::puts(report.text().c_str());
+//
+// It calls stop() where that is still to do, and then step() once a period: the drives damp, then they are
+// disabled, and each frame is repeated until each drive has confirmed or the time is over: 1 s and 0.5 s
+// (stop_sequence.hpp). The report names the joints whose drives did not confirm: switch their supply off.
+//
+//   Controller   of a graph with a can_synchronizer, at any path
+//   Pace         begin() and wait(ns), as in cca/runtime/pace.hpp. A program that plays the drives itself, in
+//                virtual time, lets them run in wait()
+//
+// It throws nothing, and allocates the report. Example: tests/runtime/drive_chain/start_and_stop.cpp.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/component/lifecycle.hpp>
+#include <cca/runtime/pace.hpp>
+
+namespace cca::hardware {
+
+struct shut_down_report {
+  std::vector<std::string> unconfirmed{};  // the joints whose drives did not say that they are off
+  std::int64_t beats = 0;                  // that it took
+
+  bool complete() const { return unconfirmed.empty(); }
+  std::string text() const {
+    if (complete()) return "all drives are off";
+    std::string names;
+    for (const std::string& name : unconfirmed) names += (names.empty() ? "" : ", ") + name;
+    return "not confirmed to be off: " + names + "; switch the supply of the drives off";
+  }
+};
+
+namespace detail {
+
+template <class Component> concept StopsDrives = requires(const Component& c) {
+  { c.stopping() } -> std::same_as<bool>;
+  { c.unconfirmed(Component::count) } -> std::same_as<bool>;
+};
+
+// f(synchronizer) for each in the controller.
+template <class Controller, class F>
+void for_each_synchronizer(const Controller& controller, F f) {
+  controller.for_each_component([&]<class C>(std::string_view, const C& component) {
+    if constexpr (StopsDrives<C>) f(component);
+  });
+}
+
+}  // namespace detail
+
+template <class Controller, class Pace = cca::at_speed>
+shut_down_report shut_down(Controller& controller, Pace pace = cca::at_wall_clock()) {
+  if (controller.state() == cca::state::started || controller.state() == cca::state::faulted)
+    controller.stop();
+  const auto is_stopping = [&] {
+    bool any = false;
+    detail::for_each_synchronizer(controller, [&](const auto& s) { any = any || s.stopping(); });
+    return any;
+  };
+  shut_down_report report;
+  pace.begin();
+  while (is_stopping()) {
+    pace.wait(report.beats * Controller::period());
+    controller.step();
+    ++report.beats;
+  }
+  detail::for_each_synchronizer(controller, [&]<class S>(const S& s) {
+    for (std::size_t i = 0; i < S::count; ++i)
+      if (s.unconfirmed(i)) report.unconfirmed.emplace_back(S::name_of(i));
+  });
+  return report;
+}
+
+}  // namespace cca::hardware

@@ -1,0 +1,51 @@
+// All components of a controller, one after the other, and their paths.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include <cca/graph/layout/lookup.hpp>
+#include <cca/runtime/state.hpp>
+
+namespace cca::detail {
+
+// "skills.gait": the path of a component, from the outermost graph.
+template <class Graph>
+std::string path_of_node(int node) {
+  const auto& plan = plan_of<Graph>;
+  std::string path(plan.nodes[static_cast<std::size_t>(node)].item->from);
+  for (int s = plan.nodes[static_cast<std::size_t>(node)].scope;
+       plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
+    path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
+  return path;
+}
+
+template <class Graph, class F, class State, int First>
+void visit_component(F& f, State& state, int node) {
+  f(node, component_in<Graph, First>(state, layout_of<Graph>.components[node].index));
+}
+
+// f(number, component) for each, in declaration order. By way of a table, so that what `f` does with
+// components of one type is compiled once.
+template <class Graph, class F, class State>
+void visit_components(F f, State& state) {
+  [&]<int... Node>(std::integer_sequence<int, Node...>) {
+    static constexpr void (*visitors[])(F&, State&, int) = {
+        visit_component<Graph, F, State, layout_of<Graph>.components[Node].array>..., nullptr};
+    for (int node = 0; node < static_cast<int>(sizeof...(Node)); ++node) visitors[node](f, state, node);
+  }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
+}
+
+// Whether a resource node has the hook `on_idle`. A list and no fold: clang nests at most 256 operands.
+template <class Graph>
+inline constexpr bool has_idle_hook = []<int... First>(std::integer_sequence<int, First...>) {
+  constexpr bool each[] = {(IsResource<typename node_types<Graph, First>::component> &&
+                            OnIdle<typename node_types<Graph, First>::component>)...,
+                           false};
+  return std::ranges::find(each, true) != std::end(each);
+}(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
+
+}  // namespace cca::detail

@@ -1,0 +1,13 @@
+// EXPECT: component\.bad_result: this vector has another number of coordinates than the space of the output has: return one number for each axis
+// An output has one number for each axis of its space.
+#include "parts.hpp"
+
+struct crouch {
+  auto process(cca::in<"angles", leg_angles>) -> cca::out<"angles", leg_angles> {
+#if CCA_REJECT
+    return Eigen::Vector3d(0.1, 0.5, -1.0);
+#else
+    return Eigen::Vector2d(0.5, -1.0);
+#endif
+  }
+};

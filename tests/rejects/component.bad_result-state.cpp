@@ -1,0 +1,16 @@
+// EXPECT: component\.bad_result: an output holds numbers, and this is an enumerator: write `cca::status_of\(\.\.\.\)` around it
+// A status is the number of a state.
+#include "parts.hpp"
+
+enum class mode { stand, walk };
+struct mode_status : cca::space<cca::status, cca::axes<cca::x>> {};
+
+struct behaviour {
+  auto process(cca::beat) -> cca::out<"mode", mode_status> {
+#if CCA_REJECT
+    return mode::walk;
+#else
+    return cca::status_of(mode::walk);
+#endif
+  }
+};

@@ -1,0 +1,20 @@
+// EXPECT: graph\.unknown_item: `walk` is no graph: a controller runs a struct derived from cca::graph<\.\.\.>; put a component into one as cca::node<`name`, walk>; if another error names walk, mend that first: a comma may be missing
+// ERRORS: 3
+// Items are separated by commas. Here the compiler's own error comes first, at the line of the wire.
+#include "parts.hpp"
+
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"log", logbook>,
+                         cca::node<"cpg", oscillator>,
+                         cca::node<"gait", gait>,
+                         cca::node<"record", recorder>,
+#if CCA_REJECT
+                         cca::wire<"cpg.phase", "gait.phase"> cca::wire<"gait.angles", "record.angles">
+#else
+                         cca::wire<"cpg.phase", "gait.phase">,
+                         cca::wire<"gait.angles", "record.angles">
+#endif
+                         > {
+};
+
+cca::controller<walk> c;

@@ -1,0 +1,7 @@
+// Every umbrella header, with warnings that users may have switched on (CMakeLists.txt).
+#include <cca/adaptive.hpp>
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/mapping.hpp>
+#include <cca/motor.hpp>
+#include <cca/robot.hpp>
