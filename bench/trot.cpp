@@ -54,20 +54,20 @@ struct by_hand {
   static constexpr double dt = 1'000'000 / 1e9, dt10 = 10'000'000 / 1e9;
 
   // Parameters, as in the components.
-  double speed = 0.68, start = 0.2, intercept = 0.266, slope = 1.008;
-  double heading = 1.2, drift = 0.4, most = 0.5;
+  double speed = 0.63, start = 0.2, intercept = 0.266, slope = 1.008;
+  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.4, average = 1, level = 1.2, damp = 0.02;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
     double hip, knee, swing, lift;
   };
-  leg front{trot::degrees(48.8), trot::degrees(92.5), trot::degrees(13.5), trot::degrees(40.0)};
-  leg hind{trot::degrees(39.5), trot::degrees(84.0), trot::degrees(16.5), trot::degrees(52.0)};
-  double duty = 0.585, even = 0.65, give = trot::degrees(2.5), lead = -0.044;
-  std::array<double, 4> offsets{0.0, 0.5, 0.374, -0.126};
+  leg front{trot::degrees(46.0), trot::degrees(95.2), trot::degrees(14.8), trot::degrees(40.4)};
+  leg hind{trot::degrees(36.6), trot::degrees(85.0), trot::degrees(18.3), trot::degrees(53.2)};
+  double duty = 0.587, even = 0.695, give = trot::degrees(-0.2), lead = -0.05;
+  std::array<double, 4> offsets{0.0, 0.5, 0.373, -0.127};
 
   // State.
   long k = 0;
-  double wanted = 0, turn = 0, aside = 0;
+  double wanted = 0, turn = 0, lean = 0, tilt = 0, aside = 0, pitch = 0, last_roll = 0;
   Eigen::Vector2d oscillator{0.01, 0};
   vector8 last = vector8::Zero(), sum = vector8::Zero();
   bool limiter_begun = false;
@@ -131,6 +131,12 @@ struct by_hand {
       const double largest = drift > 0 ? most / drift : 0.0;
       aside = std::clamp(aside + dt10 * yaw, -largest, largest);
       turn = std::clamp(-heading * yaw - drift * aside, -most, +most);
+      pitch += std::min(1.0, dt10 / average) *
+               (std::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0)) - pitch);
+      lean = upright * pitch;
+      const double roll = std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
+      tilt = level * roll + damp * ((roll - last_roll) / dt10);
+      last_roll = roll;
     }
 
     const double square = oscillator.squaredNorm();
@@ -147,8 +153,10 @@ struct by_hand {
       const leg& shape = l < 2 ? front : hind;
       const double side = l % 2 == 0 ? 1.0 : -1.0;
       const double own = phase + whole * offsets[static_cast<std::size_t>(l)];
-      command[l] = shape.hip + amplitude * (1 - side * turn) * shape.swing * sweep(cca::wrap_turn(own));
-      command[4 + l] = shape.knee + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
+      command[l] =
+          shape.hip + lean + amplitude * (1 - side * turn - lean) * shape.swing * sweep(cca::wrap_turn(own));
+      command[4 + l] =
+          shape.knee + side * tilt + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
     }
 
     if (!limiter_begun) {
@@ -192,6 +200,7 @@ struct in_classical_way {
     loop.connect("sense.orientation", "posture.orientation");
     loop.connect("throttle.amplitude", "cpg.amplitude");
     loop.connect("posture.turn", "gait.turn");
+    loop.connect("posture.lean", "gait.lean");
     loop.connect("cpg.phase", "gait.phase");
     loop.connect("cpg.amplitude", "gait.amplitude");
     loop.connect("gait.angles", "limits.command");

@@ -4,6 +4,8 @@
 //   in  "phase"       gait_phase, of the left front leg; the other legs have offsets
 //   in  "amplitude"   gait_amplitude, 0: stand; 1: the full gait
 //   in  "turn"        turning: the legs of one side swing farther, those of the other side less
+//   in  "lean"        leaning: hips forward or back, knees of one side flexed, of the other extended; uphill
+//                     the hips swing farther
 //   out "angles"      leg_angles
 //
 // A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. `even` blends this
@@ -44,26 +46,28 @@ struct gait {
                              (std::array<double, 4>,
                               offsets));  // left and right front, left and right hind, in strides
   };
-  parameters p{{degrees(48.8), degrees(92.5), degrees(13.5), degrees(40.0)},
-               {degrees(39.5), degrees(84.0), degrees(16.5), degrees(52.0)},
-               0.585,
-               0.65,
-               degrees(2.5),
-               -0.044,
-               {0.0, 0.5, 0.374, -0.126}};
+  parameters p{{degrees(46.0), degrees(95.2), degrees(14.8), degrees(40.4)},
+               {degrees(36.6), degrees(85.0), degrees(18.3), degrees(53.2)},
+               0.587,
+               0.695,
+               degrees(-0.2),
+               -0.05,
+               {0.0, 0.5, 0.373, -0.127}};
 
   auto process(cca::in<"phase", gait_phase> phase,
                cca::in<"amplitude", gait_amplitude> amplitude,
-               cca::in<"turn", turning> turn) -> cca::out<"angles", oncilla::leg_angles> {
+               cca::in<"turn", turning> turn,
+               cca::in<"lean", leaning> lean) -> cca::out<"angles", oncilla::leg_angles> {
     oncilla::leg_angles::vector_type angles;
     for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
       const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
       const double own = phase[stride{}] + whole * p.offsets[leg];
-      const double farther = 1 - oncilla::side_of(leg) * turn[yaw{}];
-      angles[oncilla::hip_of(leg)] =
-          shape.hip + amplitude[stride{}] * farther * shape.swing * sweep(cca::wrap_turn(own));
+      const double farther = 1 - oncilla::side_of(leg) * turn[yaw{}] - lean[pitch{}];
+      angles[oncilla::hip_of(leg)] = shape.hip + lean[pitch{}] +
+                                     amplitude[stride{}] * farther * shape.swing * sweep(cca::wrap_turn(own));
       angles[oncilla::knee_of(leg)] =
-          shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
+          shape.knee + oncilla::side_of(leg) * lean[roll{}] +
+          amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
     }
     return angles;
   }

@@ -28,14 +28,16 @@
 
 namespace {
 
-trot::recording run(double seconds, std::uint64_t seed, double speed = 0.68) {
+trot::recording run(double seconds,
+                    std::uint64_t seed,
+                    double speed = trot::throttle{}.p.speed,
+                    const cca::sim::terrain& ground = cca::sim::terrain::flat()) {
   trot::trotting controller;
   controller.load();
   auto wanted = controller.get<"throttle">().p;
   wanted.speed = speed;
   controller.set<"throttle">(wanted);
-  return trot::roll_out(controller, cca::sim::terrain::flat(),
-                        cca::sim::disturbance::from_seed(seed, seconds), seconds,
+  return trot::roll_out(controller, ground, cca::sim::disturbance::from_seed(seed, seconds), seconds,
                         [](const cca::sim::world&, double) {});
 }
 
@@ -75,6 +77,39 @@ TEST_SUITE("trot") {
     CHECK(s.foot_slip <= 0.15);
     CHECK(s.friction_power > 0);
     CHECK(s.friction_power < 6);
+  }
+
+  TEST_CASE(
+      "up and down slopes of 6 degrees and up steps of 6 mm: no fall, 0.6 m/s, little slip, even stance") {
+    const std::array grounds{"slope:6", "slope:-6", "steps:6"};
+    constexpr std::size_t seeds = 2;
+    std::vector<trot::statistics> all(grounds.size() * seeds);
+    trot::on_all_cores(
+        all.size(),
+        [&](std::size_t i) {
+          all[i] = trot::evaluate(
+              run(20, i % seeds, trot::throttle{}.p.speed, cca::sim::terrain::named(grounds[i / seeds])));
+        },
+        [](std::size_t) {});
+    const double commanded = trot::gait{}.p.duty;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      CAPTURE(grounds[i / seeds]);
+      CAPTURE(i % seeds);
+      CHECK(!all[i].fell);
+      CHECK(all[i].speed >= 0.6);
+      CHECK(all[i].foot_slip <= 0.15);
+      for (const double duty : all[i].duty_factor) CHECK(std::abs(duty - commanded) < 0.12);
+    }
+  }
+
+  TEST_CASE("posture: the hips follow the mean pitch") {
+    trot::posture posture;
+    const Eigen::Vector4d uphill(0, -std::sin(0.05), 0, std::cos(0.05));  // x, y, z, w: the nose 0.1 rad up
+    double lean = 0;
+    for (int k = 0; k < 3000; k += 10)
+      lean = std::get<1>(posture.process({uphill, 1'000'000LL * k, true}, cca::beat(k, 1'000'000, 10)))
+                 .vector()[0];
+    CHECK(lean == doctest::Approx(-0.1 * posture.p.upright).epsilon(0.01));
   }
 
   TEST_CASE("ten disturbances, 20 s each: no fall, 0.6 m/s, straight") {
