@@ -54,7 +54,7 @@ struct by_hand {
   static constexpr double dt = 1'000'000 / 1e9, dt10 = 10'000'000 / 1e9;
 
   // Parameters, as in the components.
-  double speed = 0.63, start = 0.2, intercept = 0.266, slope = 1.008;
+  double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
   double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.4, average = 1, level = 1.2, damp = 0.02;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
