@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../trot/report/json.hpp"
 #include "rollout.hpp"
 
 namespace skills {
@@ -30,8 +31,6 @@ inline std::string formatted(const char* format, double x) {
   std::snprintf(text, sizeof text, format, x);
   return text;
 }
-
-inline std::string number(double x) { return std::isfinite(x) ? formatted("%.6g", x) : std::string("null"); }
 
 }  // namespace detail
 
@@ -69,22 +68,21 @@ inline void write_table(std::ostream& out, const circumstances& c, const result&
 }
 
 inline void write_json(std::ostream& out, const std::vector<finished_run>& runs) {
-  using detail::number;
-  out << "[";
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto& [c, r] = runs[i];
-    out << (i ? ",\n " : "\n ") << "{\"seed\": " << (c.seed ? std::to_string(*c.seed) : "null")
-        << ", \"paw\": \"" << paw_names[static_cast<std::size_t>(c.paw)] << "\", \"target\": \""
-        << target_names[static_cast<std::size_t>(c.where)]
-        << "\", \"reach_error_mm\": " << number(r.reach_error * 1e3)
-        << ", \"worst_reach_error_mm\": " << number(r.worst_error * 1e3)
-        << ", \"reach_time_s\": " << number(r.reach_time) << ", \"push_n\": " << number(c.push)
-        << ", \"worst_error_after_push_mm\": " << number(r.worst_after_push * 1e3)
-        << ", \"fell\": " << (r.fell ? "true" : "false") << ", \"speed_after_m_s\": " << number(r.speed_after)
-        << ", \"seconds\": " << number(r.seconds) << ", \"last_skill\": \""
-        << plan::table[static_cast<std::size_t>(r.last)].name << "\"}";
-  }
-  out << "\n]\n";
+  trot::json list = trot::json::array();
+  for (const auto& [c, r] : runs)
+    list.push_back({{"seed", c.seed ? trot::json(*c.seed) : trot::json()},
+                    {"paw", paw_names[static_cast<std::size_t>(c.paw)]},
+                    {"target", target_names[static_cast<std::size_t>(c.where)]},
+                    {"reach_error_mm", r.reach_error * 1e3},
+                    {"worst_reach_error_mm", r.worst_error * 1e3},
+                    {"reach_time_s", r.reach_time},
+                    {"push_n", c.push},
+                    {"worst_error_after_push_mm", r.worst_after_push * 1e3},
+                    {"fell", r.fell},
+                    {"speed_after_m_s", r.speed_after},
+                    {"seconds", r.seconds},
+                    {"last_skill", plan::table[static_cast<std::size_t>(r.last)].name}});
+  trot::write(out, list);
 }
 
 }  // namespace skills

@@ -1,6 +1,6 @@
 #pragma once
-// One run of the fault campaign: the trot on virtual drives, a fault after 1.5 s, the robot's reaction, and a
-// restart by the operator.
+// The fault campaign: the trot with faults in its controller, what a fault is, and what a run tells. A run is
+// in campaign_run.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,17 +15,19 @@
 namespace hil {
 
 // Faults in the controller: commands that are not numbers, commands that are made of the same old data again
-// and again, and a component that gives up.
+// and again, a component that gives up, and one that takes longer than a beat may.
 struct saboteur {
   auto process(cca::in<"angles", robots::oncilla::leg_angles> wanted)
       -> std::tuple<cca::out<"angles", robots::oncilla::leg_angles>, cca::fault> {
     if (!stuck) origin = wanted.origin(), angles = wanted.vector();
+    if (works) works();
     cca::out<"angles", robots::oncilla::leg_angles> result = angles;
     if (not_a_number) result[robots::oncilla::left_hind_hip{}] = std::nan("");
     result = result.with_origin(origin);
     return {result, gives_up ? cca::fault("it gives up") : cca::fault()};
   }
   bool not_a_number = false, stuck = false, gives_up = false;
+  std::function<void()> works{};  // time may pass in it
 
 private:
   robots::oncilla::leg_angles::vector_type angles = robots::oncilla::leg_angles::vector_type::Zero();
@@ -77,8 +79,16 @@ struct scenario {
   std::function<void(run_type&, std::int64_t)> each =
       {};                                    // called in each of its beats, with their number from 0 on
   std::function<void(run_type&)> mend = {};  // ends the fault
-  std::function<bool(std::int64_t)> controller_runs = {};  // in each of its beats; empty: always
-  bool killed = false;                                     // the program is killed and started again
+  bool killed = false;                       // the program is killed and started again
+  bool stops = false;                        // the program ends its run and calls stop()
+  std::int64_t stands_still = 0;    // periods that the program loses between two beats, as the fault begins
+  std::int64_t long_beat = 0;       // periods after which the beat still works in which the fault begins
+  bool every_beat_is_long = false;  // so do the beats after it
+  std::int64_t fault_after = 0;     // overruns in a row are a fault; 0: never
+
+  std::int64_t lost_beats() const {
+    return every_beat_is_long ? long_beat * fault_after : stands_still + long_beat;
+  }
 };
 
 struct result {
@@ -90,8 +100,11 @@ struct result {
       0;  // rad, from the position at the detection; without one, from a run without the fault
   double max_torque = 0;
   std::int64_t sent = 0, sent_outside_limits = 0;
+  std::int64_t lost_beats = 0, expected_lost_beats = 0;
   bool recovered = false, fell = false;
-  bool good() const { return recovered && sent_outside_limits == 0 && beats_to_safe <= 3; }
+  bool good() const {
+    return recovered && sent_outside_limits == 0 && beats_to_safe <= 3 && lost_beats == expected_lost_beats;
+  }
 };
 
 struct timing {  // in beats: before a fault, after it, of the longest fault, after the restart
@@ -131,111 +144,6 @@ inline double farthest(const path& a, const path& b) {
   for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
     for (std::size_t i = 0; i < 8; ++i) most = std::max(most, std::abs(a[k][i] - b[k][i]));
   return most;
-}
-
-template <class Architecture>
-result run(const scenario<Architecture>& s) {
-  constexpr std::int64_t begin = timing::begin, after = timing::after, restarted = timing::restarted;
-  std::vector<hw::bus_fault> script;
-  for (hw::bus_fault f : s.script) {
-    f.from = begin * 1'000'000, f.until = (begin + s.beats) * 1'000'000;
-    script.push_back(f);
-    if (f.end != hw::every_end) continue;
-    script.back().end = 0;  // for robot and drives, not for the spy
-    f.end = 1;
-    script.push_back(f);
-  }
-  in_memory<Architecture> r(script, true, early);
-  r.controller.load();
-  r.controller.start();
-  auto& stop = r.controller.template get<"robot.emergency_stop">();
-  spy watcher;
-
-  result found;
-  found.fault = s.fault;
-  std::int64_t last_moving = -1, detected = -1;
-  std::array<double, 8> where{};
-  auto former = r.laws;
-  path gone;
-  const auto note = [&](std::int64_t k) {
-    watcher.look(r);
-    const auto q = r.robot.joints();
-    const auto finds = [&](const char* who) {
-      if (detected >= 0) return;
-      detected = k;
-      found.detected_by = who;
-    };
-    if (found.first_cause.empty() && r.controller.state() != cca::state::started && k >= begin && !s.killed) {
-      finds("controller");
-      found.first_cause = r.controller.fault() ? "a component's fault" : "stop()";
-    }
-    if (found.first_cause.empty() && stop.mode() != hw::motion_mode::run && k >= begin) {
-      finds("controller");
-      found.first_cause = std::string(hw::name_of(stop.first_cause().rule));
-      if (const int j = stop.first_cause().joint; j >= 0)
-        found.first_cause += ", " + std::string(joints::names[static_cast<std::size_t>(j)]);
-    }
-    bool moving = false, unfed = true;
-    for (std::size_t i = 0; i < 8; ++i) {
-      const auto& c = r.laws[i];
-      moving = moving || std::abs(c.velocity) > 0.03 ||
-               (c.stiffness > 0.2 && std::abs(c.position - former[i].position) > 0.002);
-      unfed = unfed && c.stiffness == 0 && c.damping == 0;
-    }
-    former = r.laws;
-    if (moving && k >= begin) last_moving = k;
-    if (unfed && k >= begin) finds("drives' watchdog");
-    if (k < begin) {
-      for (std::size_t i = 0; i < 8; ++i) where[i] = q[i].position;
-    } else {
-      gone.push_back(positions(r));
-      for (std::size_t i = 0; i < 8; ++i) {
-        if (detected < 0 || k <= detected) where[i] = q[i].position;
-        found.max_excursion = std::max(found.max_excursion, std::abs(q[i].position - where[i]));
-        found.max_torque = std::max(found.max_torque, std::abs(q[i].torque));
-      }
-    }
-  };
-
-  std::int64_t k = 0;
-  for (; k < begin; ++k) r.step(), note(k);
-  for (; k < begin + s.beats + after; ++k) {
-    const std::int64_t since = k - begin;
-    const bool during = since < s.beats;
-    if (during && s.each) s.each(r, since);
-    if (since == s.beats && s.mend) s.mend(r);
-    r.step(!(s.killed || (during && s.controller_runs && !s.controller_runs(since))));
-    note(k);
-  }
-
-  const bool tripped = detected >= 0;
-  if (tripped) {
-    found.beats_to_detect = detected - begin;
-    found.beats_to_safe = std::max<std::int64_t>(0, last_moving + 1 - detected);
-  } else {
-    found.max_excursion = farthest(gone, undisturbed<Architecture>());
-  }
-  found.fell = r.robot.world.fallen();
-
-  // The restart by the operator.
-  if (s.killed) {
-    r.restart_program();
-    r.controller.load();
-    r.controller.start();
-  } else if (tripped) {
-    if (r.controller.state() != cca::state::loaded) r.controller.stop();
-    r.controller.start();
-  }
-  for (const std::int64_t end = k + restarted; k < end; ++k) r.step(), watcher.look(r);
-  auto& now = r.controller;
-  found.recovered = now.template get<"robot.emergency_stop">().mode() == hw::motion_mode::run &&
-                    !now.template get<"robot.rate">().approaching();
-  if (!found.recovered && found.first_cause.empty())
-    found.first_cause =
-        std::string(hw::name_of(now.template get<"robot.emergency_stop">().first_cause().rule));
-  found.sent = watcher.sent;
-  found.sent_outside_limits = watcher.outside;
-  return found;
 }
 
 }  // namespace hil

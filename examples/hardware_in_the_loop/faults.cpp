@@ -15,8 +15,9 @@
 
 #include <cca/runtime/interruption.hpp>
 
+#include "../trot/report/json.hpp"
 #include "../trot/report/program.hpp"
-#include "campaign.hpp"
+#include "campaign_run.hpp"
 
 namespace {
 
@@ -101,7 +102,16 @@ std::vector<result> campaign(const cca::interruption& interrupted) {
   for (const std::int64_t beats : {1, 10, 100})
     with(s{.fault = "controller stalled for " + std::to_string(beats) + (beats == 1 ? " beat" : " beats"),
            .beats = beats,
-           .controller_runs = [](std::int64_t) { return false; }});
+           .stands_still = beats});
+  for (const std::int64_t beats : {1, 10})
+    with(s{.fault = "a beat takes more than " + std::to_string(beats) + (beats == 1 ? " period" : " periods"),
+           .beats = beats,
+           .long_beat = beats});
+  with(s{.fault = "all beats take more than 1 period; 10 in a row are a fault",
+         .beats = 100,
+         .long_beat = 1,
+         .every_beat_is_long = true,
+         .fault_after = 10});
   with(s{.fault = "process killed", .beats = 1, .killed = true});
   with(s{.fault = "emergency stop pressed",
          .each = [](limited_run& r, std::int64_t) { r.controller.get<"robot.emergency_stop">().press(); },
@@ -110,22 +120,15 @@ std::vector<result> campaign(const cca::interruption& interrupted) {
            r.controller.get<"robot.emergency_stop">().stop_softly();
          }});
   // Stopping.
-  with(s{.fault = "stop() in the middle of the trot", .each = [](limited_run& r, std::int64_t k) {
-           if (k == 0) r.controller.stop();
-         }});
+  with(s{.fault = "stop() in the middle of the trot", .stops = true});
   with(s{.fault = "stop() while another node holds bus 0",
          .beats = 2,
-         .each = [](limited_run& r, std::int64_t k) {
-           hold(r);
-           if (k == 0) r.controller.stop();
-         }});
+         .each = [](limited_run& r, std::int64_t) { hold(r); },
+         .stops = true});
   with(s{.fault = "stop() with a silent drive",
-         .each =
-             [](limited_run& r, std::int64_t k) {
-               drive<2>(r).go_silent(true);
-               if (k == 0) r.controller.stop();
-             },
-         .mend = [](limited_run& r) { drive<2>(r).clear(); }});
+         .each = [](limited_run& r, std::int64_t) { drive<2>(r).go_silent(true); },
+         .mend = [](limited_run& r) { drive<2>(r).clear(); },
+         .stops = true});
   with(s{.fault = "a component's fault",
          .each = [](limited_run& r, std::int64_t) { r.controller.get<"saboteur">().gives_up = true; },
          .mend = [](limited_run& r) { r.controller.get<"saboteur">().gives_up = false; }});
@@ -213,21 +216,20 @@ std::string table_of(const std::vector<result>& all) {
 }
 
 std::string json_of(const std::vector<result>& all) {
+  trot::json list = trot::json::array();
+  for (const result& r : all)
+    list.push_back({{"fault", r.fault},
+                    {"first_cause", r.first_cause},
+                    {"detected_by", r.detected_by},
+                    {"beats_to_detect", r.beats_to_detect < 0 ? trot::json() : trot::json(r.beats_to_detect)},
+                    {"beats_to_safe", r.beats_to_safe},
+                    {"max_excursion_rad", r.max_excursion},
+                    {"max_torque_nm", r.max_torque},
+                    {"set_points_sent", r.sent},
+                    {"sent_outside_limits", r.sent_outside_limits},
+                    {"recovered", r.recovered}});
   std::ostringstream out;
-  out << "[";
-  const char* between = "\n";
-  for (const result& r : all) {
-    out << between << "  {\"fault\": \"" << r.fault << "\", \"first_cause\": \"" << r.first_cause
-        << "\", \"detected_by\": \"" << r.detected_by << "\", \"beats_to_detect\": ";
-    if (r.beats_to_detect < 0) out << "null";
-    else out << r.beats_to_detect;
-    out << ", \"beats_to_safe\": " << r.beats_to_safe << ", \"max_excursion_rad\": " << r.max_excursion
-        << ", \"max_torque_nm\": " << r.max_torque << ", \"set_points_sent\": " << r.sent
-        << ", \"sent_outside_limits\": " << r.sent_outside_limits
-        << ", \"recovered\": " << (r.recovered ? "true" : "false") << "}";
-    between = ",\n";
-  }
-  out << "\n]\n";
+  trot::write(out, list);
   return out.str();
 }
 
@@ -273,7 +275,12 @@ int run_campaign(const std::vector<std::string>& arguments) {
     if (!r.good()) {
       std::cerr << r.fault << ": " << (r.recovered ? "" : "does not recover; ")
                 << (r.beats_to_safe > 3 ? "is not safe within 3 beats; " : "")
-                << (r.sent_outside_limits ? "a set-point outside of the limits was sent" : "") << '\n';
+                << (r.sent_outside_limits ? "a set-point outside of the limits was sent; " : "")
+                << (r.lost_beats == r.expected_lost_beats
+                        ? ""
+                        : "lost " + std::to_string(r.lost_beats) + " beats, not " +
+                              std::to_string(r.expected_lost_beats))
+                << '\n';
       ++bad;
     }
   if (interrupted)

@@ -57,6 +57,12 @@ public:
   // One millisecond: the controller's beat, unless it stands still, then the drives' reaction.
   bool step(bool controller_runs = true) {
     const bool stepped = controller_runs && controller.step();
+    pass_millisecond();
+    return stepped;
+  }
+
+  // The drives' reaction to what the controller has sent.
+  void pass_millisecond() {
     const std::int64_t heard = now + answers_at;
     go_to(heard);
     far.listen(heard);
@@ -67,7 +73,6 @@ public:
     far.tell(motions, robot.board());
     now += beat;
     go_to(now - 1);
-    return stepped;
   }
 
   // Stops the robot in order. The drives go on answering meanwhile.

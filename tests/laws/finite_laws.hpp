@@ -1,5 +1,6 @@
 // The laws of input_status.hpp, stated once and run for every component of adaptive/, mapping/ and motor/:
 //
+//   `parameters values;` gives each field a value (parameter_laws.hpp);
 //   any accepted parameters, any rate and any finite inputs keep all outputs finite, and a start makes the
 //   component as good as new; NaN and infinity in any input, for one beat or many, leave no trace, and the
 //   status says that they are there.
@@ -25,6 +26,8 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
+
+#include "parameter_laws.hpp"
 
 namespace laws {
 
@@ -256,6 +259,8 @@ auto step(typename Case::component& c, std::uint64_t seed, feed what, bool wired
 // Any accepted parameters, any rate, any finite inputs.
 template <class Case>
 void stays_finite(std::uint64_t runs = 40) {
+  if constexpr (cca::HasParameters<typename Case::component>)
+    begins_with_values<typename Case::component::parameters>();
   constexpr std::int64_t periods[]{100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
   for (std::uint64_t run = 0; run < runs; ++run) {
     numbers n(run);

@@ -14,7 +14,8 @@ namespace semantics {
 class comparison {
 public:
   void add(const std::string& text, const outcome& o, int beats);
-  bool report() const;  // true: no difference, and, of 300 or more, all exercised and all mutants caught
+  // True: no difference. If it is to be a proof, also: everything was exercised, and every mutant caught.
+  bool report(bool as_proof) const;
 
 private:
   void tell(const std::string& text, const outcome& o, const interpreter& i, long at);

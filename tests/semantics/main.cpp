@@ -1,5 +1,5 @@
 // Runs all architectures that generate.py made, or only those whose seeds are arguments, and then prints all
-// differences.
+// differences. With --proof it also fails if something was not exercised or a mutant was not caught.
 #include <algorithm>
 #include <iostream>
 #include <string>
@@ -12,7 +12,8 @@ int main(int count, char** arguments) {
   auto all = registered::all();
   std::sort(all.begin(), all.end(),
             [](const registered* a, const registered* b) { return a->seed < b->seed; });
-  const std::vector<std::string> wanted(arguments + 1, arguments + count);
+  std::vector<std::string> wanted(arguments + 1, arguments + count);
+  const bool as_proof = std::erase(wanted, "--proof") > 0;
   comparison c;
   int copy_at = 0;
   for (const registered* one : all) {
@@ -21,5 +22,5 @@ int main(int count, char** arguments) {
     copy_at = (copy_at + 37) % beats;
     c.add(one->text, one->run(copy_at), beats);
   }
-  return c.report() ? 0 : 1;
+  return c.report(as_proof) ? 0 : 1;
 }

@@ -56,6 +56,20 @@ struct dmp_discrete {
                              (bounded<double, 0, 1000>, goal_rate),
                              (bool, scaled),
                              (ode_settling, settling));
+    parameters(const weight_matrix& shape = weight_matrix::Zero(),
+               double seconds = 1,
+               double stiff = 25,
+               double decays = 5,
+               double goal_follows = 12.5,
+               bool scales = true,
+               const ode_settling& settles = {1e-3, 1e-2})
+        : weights(shape),
+          duration(seconds),
+          stiffness(stiff),
+          decay(decays),
+          goal_rate(goal_follows),
+          scaled(scales),
+          settling(settles) {}
     std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
     std::string check_at(double step) const {
       return detail::below_rate_bound(
@@ -63,7 +77,7 @@ struct dmp_discrete {
           std::max({stiffness / 2, goal_rate.value(), decay.value()}) / detail::rate_bound(step), step);
     }
   };
-  parameters p{weight_matrix::Zero(), 1.0, 25.0, 5.0, 12.5, true, {1e-3, 1e-2}};
+  parameters p{};
 
   auto process(in<"goal", S> goal,
                optional_in<"start", S> start,

@@ -55,6 +55,11 @@ struct dmp_rhythmic {
                              (cca::quantity<cca::frequency, 0.01, 100>, frequency),
                              (bounded<double, 0.1, 1000>, stiffness),
                              (ode_settling, settling));
+    parameters(const weight_matrix& shape = weight_matrix::Zero(),
+               double turns_per_second = 1,
+               double stiff = 25,
+               const ode_settling& settles = {1e-3, 1e-2})
+        : weights(shape), frequency(turns_per_second), stiffness(stiff), settling(settles) {}
     std::string_view check() const { return detail::too_large(weights, "a weight is above 1e12"); }
     std::string check_at(double step) const {
       return detail::above_rate_bound(
@@ -62,7 +67,7 @@ struct dmp_rhythmic {
           detail::rate_bound(step) / (2 * std::numbers::pi * std::max(stiffness / 2, 1.0)), step);
     }
   };
-  parameters p{weight_matrix::Zero(), 1.0, 25.0, {1e-3, 1e-2}};
+  parameters p{};
 
   auto process(in<"phase", over<cca::phase, Axis>> phase,
                in<"amplitude", over<cca::amplitude, Axis>> size,

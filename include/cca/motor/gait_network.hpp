@@ -56,6 +56,18 @@ struct gait_network {
                              (bounded<double, 0, 1000>, convergence),  // a, 1/s
                              (bounded<double, 0, 1>, nudge),           // rad
                              (ode_settling, settling));
+    parameters(cca::gait which = cca::gait::trot,
+               double turns_per_second = 1,
+               double coupled = 4,
+               double converges = 20,
+               double nudged = 1e-3,
+               const ode_settling& settles = {0.02, 0.05})
+        : gait(which),
+          frequency(turns_per_second),
+          coupling(coupled),
+          convergence(converges),
+          nudge(nudged),
+          settling(settles) {}
     // With amplitudes of 1.
     std::string check_at(double step) const {
       const double most = detail::rate_bound(step);
@@ -63,7 +75,7 @@ struct gait_network {
       return text.empty() ? detail::above_rate_bound("convergence", convergence, 2 * most, step) : text;
     }
   };
-  parameters p{cca::gait::trot, 1.0, 4.0, 20.0, 1e-3, {0.02, 0.05}};
+  parameters p{};
 
   using result = std::tuple<out<"phase", legs<cca::phase>>,
                             out<"amplitude", legs<cca::amplitude>>,

@@ -49,6 +49,8 @@ struct hmm_motion {
 
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (model, mixture), (transition_matrix, transitions));
+    parameters(const model& states = {}, const transition_matrix& chances = transition_matrix::Identity())
+        : mixture(states), transitions(chances) {}
     std::string_view check() const {
       for (int k = 0; k < K; ++k)
         if (transitions.row(k).minCoeff() < 0 || transitions.row(k).sum() < 1 - 1e-6 ||
@@ -58,7 +60,7 @@ struct hmm_motion {
       return "";
     }
   };
-  parameters p{{}, transition_matrix::Identity()};
+  parameters p{};
 
   auto process(in<"position", S> position) -> std::
       tuple<out<"velocity", velocity_of<S>>, out<"state", hidden_state>, out<"status", input_status_port>> {

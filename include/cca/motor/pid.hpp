@@ -60,6 +60,18 @@ struct pid {
                              (cca::quantity<cca::duration, 0, 100>, filter),
                              (cca::quantity<cca::duration, 0.001, 1000>, tracking),
                              (vector, largest));
+    parameters(const vector& k_p = vector::Ones(),
+               const vector& k_i = vector::Zero(),
+               const vector& k_d = vector::Zero(),
+               double filter_time = 0.01,
+               double tracking_time = 0.1,
+               const vector& most = vector::Constant(1e30))
+        : proportional(k_p),
+          integral(k_i),
+          derivative(k_d),
+          filter(filter_time),
+          tracking(tracking_time),
+          largest(most) {}
     std::string_view check() const {
       if (proportional.minCoeff() < 0 || integral.minCoeff() < 0 || derivative.minCoeff() < 0)
         return "a gain is negative";
@@ -69,7 +81,7 @@ struct pid {
       return largest.minCoeff() < 0 ? "`largest` is negative" : "";
     }
   };
-  parameters p{vector::Ones(), vector::Zero(), vector::Zero(), 0.01, 0.1, vector::Constant(1e30)};
+  parameters p{};
 
   auto process(in<"reference", Measured> reference,
                in<"measured", Measured> measured,

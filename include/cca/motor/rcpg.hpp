@@ -46,11 +46,23 @@ struct rcpg {
                              (bounded<double, 0, 1>, leak),
                              (bounded<double, 0, 100>, feedback),
                              (bounded<double, 0, 100>, bias));
+    parameters(const readout_matrix& weights = readout_matrix::Zero(),
+               int seed_of_weights = 1,
+               double radius = 0.9,
+               double leaks = 0.3,
+               double feeds_back = 1,
+               double constant = 0.2)
+        : readout(weights),
+          seed(seed_of_weights),
+          spectral_radius(radius),
+          leak(leaks),
+          feedback(feeds_back),
+          bias(constant) {}
     std::string_view check() const {
       return detail::too_large(readout, "a weight of `readout` is above 1e12");
     }
   };
-  parameters p{readout_matrix::Zero(), 1, 0.9, 0.3, 1.0, 0.2};
+  parameters p{};
 
   auto process(optional_in<"teacher", S> teacher)
       -> std::tuple<out<"pattern", S>, out<"status", input_status_port>> {

@@ -34,6 +34,7 @@ namespace cca {
 
 struct gravity_parameters {
   BOOST_HANA_DEFINE_STRUCT(gravity_parameters, (double, gravity));
+  constexpr gravity_parameters(double m_s2 = 9.81) : gravity(m_s2) {}
 };
 
 struct upright : frame<"world"> {};
@@ -77,7 +78,7 @@ struct gravity_compensation {
                               decltype(detail::check_axes<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
-  parameters p{9.81};
+  parameters p{};
 
   auto process(in<"angles", Angles> angles, optional_in<"attitude", Attitude> attitude)
       -> out<"torques", Torques> {
@@ -100,7 +101,7 @@ struct inverse_dynamics_of {
                               decltype(detail::check_axes<Type, joint_torques, Torques>()),
                               decltype(detail::check_torques<Type, Torques>())>;
   using parameters = gravity_parameters;
-  parameters p{9.81};
+  parameters p{};
 
   auto process(in<"angles", Angles> angles,
                in<"velocities", Velocities> velocities,

@@ -2,17 +2,20 @@
 //
 //   cca::node<"watchdog", cca::watchdog<leg_angles, 5>>                               the oldest data
 //   cca::node<"watchdog", cca::watchdog<leg_angles, 5, cca::of<"robot.angles">>>      one source
+//   cca::node<"watchdog", cca::watchdog<leg_angles, 5, cca::of<"robot.angles">, 20>>  and slower commands
 //
 //   in  "command"   Space
 //   out "fresh"     Space   maybe; the command as it came, with its origin
 //   fault "stale command"   when the command is older than `Beats` beats
-//   fault "stale source"    with `of`: when the newest sample of the source is older than `Beats` beats
+//   with `of`:
+//   fault "stale source"    when the newest sample of the source is older than `Beats` beats
+//   fault "stale command"   when no command has arrived for `Arrival` beats; without a number, for `Beats`
 //
 // Without `of` the age is that of the oldest data from which the command was made: the time since the origin
 // of the command or since its arrival, whichever is longer ago. So a slow input, as a goal that comes once a
-// second, makes each command old. With `of` only the source counts, an output of this graph or of one around
-// it: the time since its newest sample originated or arrived, whichever is longer ago. Whether the command
-// comes at all is then not checked; put both watchdogs in a row for that.
+// second, makes each command old. With `of` the age is that of the source, an output of this graph or of one
+// around it: the time since its newest sample originated or arrived, whichever is longer ago. Of the command
+// only the arrival counts then, not its origin.
 //
 // An origin in the future counts as its arrival. Before the first sample the age counts from the first beat.
 // After a fault each resource node's `on_fault` runs in the same beat.
@@ -47,6 +50,10 @@ public:
     const std::int64_t period = static_cast<std::int64_t>(now.dt() * 1e9 + 0.5);
     return now.time() - older(origin, arrived) > beats * period;
   }
+  // By its arrival only.
+  bool is_too_old(bool fresh, std::int64_t beats, const beat& now) {
+    return is_too_old(now.time(), fresh, beats, now);
+  }
 
 private:
   std::int64_t arrived = 0;
@@ -79,9 +86,12 @@ private:
   age_clock age;
 };
 
-template <class Space, std::int64_t Beats, fixed_string Source>
+template <class Space, std::int64_t Beats, fixed_string Source, std::int64_t Arrival>
 class source_watch {
   static_assert(Beats >= 0, "cca::watchdog<Space, Beats, of<...>>: Beats is the greatest age of the source");
+  static_assert(Arrival >= 0,
+                "cca::watchdog<Space, Beats, of<...>, Arrival>: Arrival is the longest time without a "
+                "command, in beats");
 
 public:
   static constexpr bool preserves_limits = true;
@@ -89,33 +99,37 @@ public:
   auto process(in<"command", Space> command, observe<Source, one_output> source, beat now)
       -> std::tuple<maybe<"fresh", Space>, fault> {
     const observation& newest = *source.begin();
-    if (age.is_too_old(newest.origin, newest.fresh, Beats, now))
-      return {maybe<"fresh", Space>(), fault("stale source")};
+    const bool no_source = of_source.is_too_old(newest.origin, newest.fresh, Beats, now);
+    const bool no_command = of_command.is_too_old(command.fresh(), Arrival, now);
+    if (no_source) return {maybe<"fresh", Space>(), fault("stale source")};
+    if (no_command) return {maybe<"fresh", Space>(), fault("stale command")};
     return {passed_on(command), fault()};
   }
 
-  void on_start() { age = {}; }
+  void on_start() { of_source = of_command = {}; }
 
 private:
-  age_clock age;
+  age_clock of_source, of_command;
 };
 
-template <class Space, std::int64_t Beats, class Source>
+template <class Space, std::int64_t Beats, class Source, std::int64_t Arrival>
 struct watch_for;
-template <class Space, std::int64_t Beats>
-struct watch_for<Space, Beats, void> {
+template <class Space, std::int64_t Beats, std::int64_t Arrival>
+struct watch_for<Space, Beats, void, Arrival> {
+  static_assert(Arrival == Beats, "cca::watchdog<Space, Beats, of<...>, Arrival>: Arrival needs a source");
   using type = age_watch<Space, Beats>;
 };
-template <class Space, std::int64_t Beats, fixed_string Path>
-struct watch_for<Space, Beats, of<Path>> {
-  using type = source_watch<Space, Beats, Path>;
+template <class Space, std::int64_t Beats, fixed_string Path, std::int64_t Arrival>
+struct watch_for<Space, Beats, of<Path>, Arrival> {
+  using type = source_watch<Space, Beats, Path, Arrival>;
 };
 
 }  // namespace detail
 
-template <class Space, std::int64_t Beats, class Source = void>
-struct watchdog : graph<node<"watch", typename detail::watch_for<Space, Beats, Source>::type, timed<1>>,
-                        expose<"watch.command", "command">,
-                        expose<"watch.fresh", "fresh">> {};
+template <class Space, std::int64_t Beats, class Source = void, std::int64_t Arrival = Beats>
+struct watchdog
+    : graph<node<"watch", typename detail::watch_for<Space, Beats, Source, Arrival>::type, timed<1>>,
+            expose<"watch.command", "command">,
+            expose<"watch.fresh", "fresh">> {};
 
 }  // namespace cca

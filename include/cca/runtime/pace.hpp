@@ -154,4 +154,8 @@ public:
 
 inline at_speed at_wall_clock() { return at_speed(1); }
 
+// The same on a clock of yours, for tests and simulators: `now()` and `sleep_until(time)`, in nanoseconds.
+template <class Clock>
+using clocked_pace = detail::clocked_pace<Clock>;
+
 }  // namespace cca

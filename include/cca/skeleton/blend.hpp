@@ -31,9 +31,11 @@ template <fixed_string Output, class Space, class Weight, fixed_string First, fi
 struct blend_of_two {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (double, none), (double, full));
+    constexpr parameters(double only_first = 0, double only_second = 1)
+        : none(only_first), full(only_second) {}
     std::string_view check() const { return none < full ? "" : "`none` must be less than `full`"; }
   };
-  parameters p{0.0, 1.0};
+  parameters p{};
 
   auto process(in<First, Space> first, in<Second, Space> second, in<"weight", Weight> weight)
       -> out<Output, Space> {

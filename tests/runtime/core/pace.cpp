@@ -18,7 +18,7 @@ struct fake_clock {
   static std::int64_t now() { return time; }
   static void sleep_until(std::int64_t t) { time = std::max(time, t + wakes_late); }
 };
-using pace = cca::detail::clocked_pace<fake_clock>;
+using pace = cca::clocked_pace<fake_clock>;
 
 struct busy {  // takes `usual`, in some beats longer
   std::vector<std::int64_t> began{};

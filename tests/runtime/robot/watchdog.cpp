@@ -52,9 +52,11 @@ struct planner {  // a new goal ten times a second
 };
 struct follower {  // a command in each beat, from the goal and the measured angles
   auto process(cca::in<"goal", leg_angles_at_10> goal, cca::in<"angles", leg_angles> angles)
-      -> cca::out<"command", leg_angles> {
+      -> cca::maybe<"command", leg_angles> {
+    if (gone) return {};
     return (angles.vector() + 0.01 * (goal.vector() - angles.vector())).eval();
   }
+  bool gone = false;
 };
 
 template <class Watchdog>
@@ -70,8 +72,10 @@ struct planned : cca::graph<cca::rate<1000>,
                             cca::wire<"watchdog.fresh", "limits.command">,
                             cca::wire<"limits.safe", "robot.command">> {};
 
-// The encoders must have reported within 5 beats; the goal may be as old as it likes.
+// The encoders must have reported within 5 beats, and a command must have come; the goal may be of any age.
 using of_encoders = cca::watchdog<leg_angles, 5, cca::of<"robot.angles">>;
+// The same, with a command at least every 20 beats.
+using of_encoders_slowly = cca::watchdog<leg_angles, 5, cca::of<"robot.angles">, 20>;
 // [source end]
 
 constexpr std::string_view picture = R"(// [picture]
@@ -238,6 +242,29 @@ TEST_SUITE("watchdog") {
     c.get<"robot">().reporting = true;
     c.resume();
     CHECK_EQ(steps_until_fault(c, 100), -1);
+  }
+
+  TEST_CASE("with a source a command must still arrive: within the beats of the source, or its own number") {
+    auto c = started<planned<of_encoders>>();
+    CHECK_EQ(steps_until_fault(c, 1000), -1);
+    c.get<"follower">().gone = true;  // the last command is from beat 999
+    CHECK_EQ(steps_until_fault(c, 50), 5);
+    CHECK_EQ(std::string(c.fault().reason()), "stale command");
+    CHECK_EQ(c.get<"robot">().stops, 1);
+    c.get<"follower">().gone = false;
+    c.resume();
+    CHECK_EQ(steps_until_fault(c, 100), -1);
+
+    auto slowly = started<planned<of_encoders_slowly>>();
+    CHECK_EQ(steps_until_fault(slowly, 1000), -1);
+    slowly.get<"follower">().gone = true;
+    CHECK_EQ(steps_until_fault(slowly, 50), 20);
+    CHECK_EQ(std::string(slowly.fault().reason()), "stale command");
+
+    auto silent = started<planned<of_encoders>>();  // no command at all
+    silent.get<"follower">().gone = true;
+    CHECK_EQ(steps_until_fault(silent, 50), 6);
+    CHECK_EQ(std::string(silent.fault().reason()), "stale command");
   }
 
   TEST_CASE("a source that never reports is stale, and one from the future by its time of arrival") {

@@ -218,12 +218,25 @@ TEST_CASE("the summary is a list of runs") {
   skills::result r;
   r.fell = true;
   r.reach_error = 0.00125;
+  r.worst_error = 0.1 / 3;
   std::ostringstream text;
   skills::write_json(text, {{c, r}, {c, r}});
-  CHECK(text.str().find(
-            "[\n {\"seed\": 0, \"paw\": \"left\", \"target\": \"ahead\", \"reach_error_mm\": 1.25, ") == 0);
-  CHECK(text.str().find("\"reach_time_s\": null, ") != std::string::npos);
-  CHECK(text.str().find("\"fell\": true, \"speed_after_m_s\": 0, ") != std::string::npos);
+  const auto list = trot::json::parse(text.str());
+  REQUIRE(list.size() == 2);
+  const auto& one = list[0];
+  CHECK(one["seed"] == 0);
+  CHECK(one["paw"] == "left");
+  CHECK(one["target"] == "ahead");
+  CHECK(one["reach_error_mm"] == 1.25);
+  CHECK(one["worst_reach_error_mm"].get<double>() == r.worst_error * 1e3);  // all digits
+  CHECK(one["reach_time_s"].is_null());                                     // not reached
+  CHECK(one["fell"] == true);
+  CHECK(one["speed_after_m_s"] == 0);
+  std::string keys;
+  for (const auto& [key, value] : one.items()) keys += key + ' ';
+  CHECK(keys ==
+        "seed paw target reach_error_mm worst_reach_error_mm reach_time_s push_n worst_error_after_push_mm "
+        "fell speed_after_m_s seconds last_skill ");
 }
 
 TEST_CASE("a mistake on the command line is refused") {

@@ -1,5 +1,5 @@
-// Enables the drives of a robot: each goes step by step, by its own class `enabling`, to the set point at
-// which it holds where it is.
+// Enables the drives of a robot: the class `enabling` of each drive leads it there step by step, until it
+// holds its present position.
 //
 //   begin()                      a new start
 //   next<J, I>(report, known, frames)
