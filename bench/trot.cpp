@@ -55,7 +55,8 @@ struct by_hand {
 
   // Parameters, as in the components.
   double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
-  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.4, average = 1, level = 1.2, damp = 0.02;
+  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.4, average = 1, level = 1.2, damp = 0.02,
+         most_lean = 0.5;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
     double hip, knee, swing, lift;
@@ -67,7 +68,7 @@ struct by_hand {
 
   // State.
   long k = 0;
-  double wanted = 0, turn = 0, lean = 0, tilt = 0, aside = 0, pitch = 0, last_roll = 0;
+  double wanted = 0, turn = 0, hips = 0, knees = 0, aside = 0, incline = 0, last_roll = 0;
   Eigen::Vector2d oscillator{0.01, 0};
   vector8 last = vector8::Zero(), sum = vector8::Zero();
   bool limiter_begun = false;
@@ -128,15 +129,18 @@ struct by_hand {
       wanted = speed > 0 && time >= start ? intercept + slope * speed : -1.0;
       const Eigen::Vector4d& q = played.orientations[beat];
       const double yaw = std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
-      const double largest = drift > 0 ? most / drift : 0.0;
-      aside = std::clamp(aside + dt10 * yaw, -largest, largest);
-      turn = std::clamp(-heading * yaw - drift * aside, -most, +most);
-      pitch += std::min(1.0, dt10 / average) *
-               (std::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0)) - pitch);
-      lean = upright * pitch;
+      const double pitch = std::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0));
       const double roll = std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
-      tilt = level * roll + damp * ((roll - last_roll) / dt10);
-      last_roll = roll;
+      if (std::isfinite(yaw + pitch + roll)) {
+        const double largest = drift > 0 ? most / drift : 0.0;
+        aside = std::clamp(aside + dt10 * yaw, -largest, largest);
+        turn = std::clamp(-heading * yaw - drift * aside, -most, +most);
+        incline += std::min(1.0, dt10 / average) * (pitch - incline);
+        const double rolling = (roll - last_roll) / dt10;
+        last_roll = roll;
+        hips = std::clamp(upright * incline, -most_lean, +most_lean);
+        knees = std::clamp(level * roll + damp * rolling, -most_lean, +most_lean);
+      }
     }
 
     const double square = oscillator.squaredNorm();
@@ -154,9 +158,9 @@ struct by_hand {
       const double side = l % 2 == 0 ? 1.0 : -1.0;
       const double own = phase + whole * offsets[static_cast<std::size_t>(l)];
       command[l] =
-          shape.hip + lean + amplitude * (1 - side * turn - lean) * shape.swing * sweep(cca::wrap_turn(own));
+          shape.hip + hips + amplitude * (1 - side * turn - hips) * shape.swing * sweep(cca::wrap_turn(own));
       command[4 + l] =
-          shape.knee + side * tilt + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
+          shape.knee + side * knees + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
     }
 
     if (!limiter_begun) {

@@ -107,7 +107,8 @@ struct steering {
 //
 // The speed at which a hip sinks follows from the trunk's rates of turn; the knee stretches by `time` times
 // that, at most by `most`. The rates are low-passed: the toe and the knee's cable answer late, and with raw
-// rates the trunk went on rocking, so the paw was never lifted.
+// rates the trunk went on rocking, so the paw was never lifted. Rates that are not finite count as none, so
+// the correction fades.
 struct balance {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
@@ -124,7 +125,8 @@ struct balance {
                cca::in<"command", oncilla::leg_angles> command,
                cca::beat now) -> cca::out<"angles", oncilla::leg_angles> {
     oncilla::leg_angles::vector_type angles = command.vector();
-    w += std::min(1.0, now.dt() / p.smoothing) * (turning.vector() - w);
+    const Eigen::Vector3d rates = turning.vector().allFinite() ? turning.vector() : Eigen::Vector3d::Zero();
+    w += std::min(1.0, now.dt() / p.smoothing) * (rates - w);
     for (int leg = 0; leg < 4; ++leg) {
       const Eigen::Vector3d hip = hip_in_trunk(static_cast<std::size_t>(leg));
       const double rising = w[0] * hip[1] - w[1] * hip[0];

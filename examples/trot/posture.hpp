@@ -11,8 +11,11 @@
 // On a slope the trunk pitches with the ground and the weight moves to the lower feet. So the hips follow the
 // mean pitch: uphill (nose up, negative) the feet move back, under the weight. After a push from the side the
 // trunk rolls to and fro; without damping that grows, most of all downhill. So the knees of the side that
-// goes down extend, and those of the other side flex.
+// goes down extend, and those of the other side flex. Neither leans farther than `most_lean`.
+//
+// While the orientation is not finite, both outputs stay as they are.
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include <cca/cca.hpp>
@@ -29,29 +32,34 @@ struct posture {
                              (cca::bounded<double, 0, 1>, most),      // turn
                              (cca::bounded<double, 0, 1>, upright),   // of the hips, rad per rad of pitch
                              (cca::quantity<cca::duration, 0.01, 60>, average),  // of the pitch, s
-                             (cca::bounded<double, 0, 3>, level),    // of the knees, rad per rad of roll
-                             (cca::bounded<double, 0, 0.2>, damp));  // of the knees, rad per rad/s of roll
+                             (cca::bounded<double, 0, 3>, level),   // of the knees, rad per rad of roll
+                             (cca::bounded<double, 0, 0.2>, damp),  // of the knees, rad per rad/s of roll
+                             (cca::quantity<cca::angle, 0, 1>, most_lean));  // of hips and of knees
   };
-  parameters p{1.2, 0.4, 0.5, 0.4, 1.0, 1.2, 0.02};
+  parameters p{1.2, 0.4, 0.5, 0.4, 1.0, 1.2, 0.02, 0.5};
 
   auto process(cca::in<"orientation", oncilla::trunk_orientation> trunk, cca::beat now)
       -> std::tuple<cca::out<"turn", turning>, cca::out<"lean", leaning>> {
-    const double yaw = trunk.yaw();
-    const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more has no effect
-    aside = std::clamp(aside + now.dt() * yaw, -largest, largest);
-    slope += std::min(1.0, now.dt() / p.average) * (trunk.pitch() - slope);
-    const double tilt = trunk.roll(), tilting = (tilt - last_tilt) / now.dt();
-    last_tilt = tilt;
-    cca::out<"lean", leaning> lean;
-    lean[pitch{}] = p.upright * slope;
-    lean[roll{}] = p.level * tilt + p.damp * tilting;
-    return {std::clamp(-p.heading * yaw - p.drift * aside, -p.most, +p.most), lean};
+    const double yaw = trunk.yaw(), pitch = trunk.pitch(), roll = trunk.roll();
+    if (std::isfinite(yaw + pitch + roll)) {
+      const double largest = p.drift > 0 ? p.most / p.drift : 0.0;  // more has no effect
+      aside = std::clamp(aside + now.dt() * yaw, -largest, largest);
+      turn = std::clamp(-p.heading * yaw - p.drift * aside, -p.most, +p.most);
+      slope += std::min(1.0, now.dt() / p.average) * (pitch - slope);
+      const double rolling = (roll - last_roll) / now.dt();
+      last_roll = roll;
+      hips = std::clamp(p.upright * slope, -p.most_lean, +p.most_lean);
+      knees = std::clamp(p.level * roll + p.damp * rolling, -p.most_lean, +p.most_lean);
+    }
+    return {turn, leaning::vector_type(hips, knees)};
   }
 
 private:
-  double aside = 0;      // rad s
-  double slope = 0;      // rad, the mean pitch
-  double last_tilt = 0;  // rad, the roll
+  double aside = 0;            // rad s
+  double slope = 0;            // rad, the mean pitch
+  double last_roll = 0;        // rad
+  double turn = 0;             // the outputs
+  double hips = 0, knees = 0;  // rad
 };
 
 }  // namespace trot

@@ -102,16 +102,6 @@ TEST_SUITE("trot") {
     }
   }
 
-  TEST_CASE("posture: the hips follow the mean pitch") {
-    trot::posture posture;
-    const Eigen::Vector4d uphill(0, -std::sin(0.05), 0, std::cos(0.05));  // x, y, z, w: the nose 0.1 rad up
-    double lean = 0;
-    for (int k = 0; k < 3000; k += 10)
-      lean = std::get<1>(posture.process({uphill, 1'000'000LL * k, true}, cca::beat(k, 1'000'000, 10)))
-                 .vector()[0];
-    CHECK(lean == doctest::Approx(-0.1 * posture.p.upright).epsilon(0.01));
-  }
-
   TEST_CASE("ten disturbances, 20 s each: no fall, 0.6 m/s, straight") {
     std::vector<trot::statistics> all(10);
     trot::on_all_cores(
