@@ -91,8 +91,9 @@ struct by_hand {
     const double landing = whole * duty;
     const bool in_stance = phase <= landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double height = in_stance ? give : lift;
     const double sine = std::sin(pi * part);
-    return (in_stance ? give : lift) * sine * sine;
+    return height * sine * sine;
   }
 
   // First the hips, then the knees.
