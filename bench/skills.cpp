@@ -110,7 +110,7 @@ struct by_hand {
 
   // Parameters, as in the components.
   skills::orders::parameters orders = skills::orders{}.p;
-  double frequency = 3.8, convergence = 10.0, ember = 1e-3, stiffness_of_shape = 25.0;
+  double frequency = 4.0, convergence = 10.0, ember = 1e-3, stiffness_of_shape = 25.0;
   cca::ode_settling reaching_settles{0.05, 0.1}, cpg_settles{0.05, 0.1}, dmp_settles{1e-3, 1e-2};
   vite_hips::parameters vite_h{30.0, 0.4, 2};
   vite_knees::parameters vite_k{30.0, 0.4, 2};
@@ -131,7 +131,7 @@ struct by_hand {
   int now_on = 0;
   bool right = false, settled = false, timed_out = false;
   double hip_stiffness = 30, smooth = 0, aside = 0, turn = 0, wanted = 0, share = 0;
-  Vector3d correction{0, 0, 0};
+  Vector3d correction{0, 0, 0}, swaying{0, 0, 0};
   vector4 carrying = vector4::Zero();
   std::array<Vector3d, 4> solution;
   vector8 hip_goal = vector8::Zero();
@@ -383,9 +383,11 @@ struct by_hand {
     const vector8 around = command;
     for (int leg = 0; leg < 4; ++leg)
       command[leg] -= cca::sim::side_of(static_cast<std::size_t>(leg)) * turn * (around[leg] - goal[leg]);
+    swaying += std::min(1.0, dt / balance.smoothing) *
+               ((rates.allFinite() ? rates : Vector3d(Vector3d::Zero())) - swaying);
     for (int leg = 0; leg < 4; ++leg) {
       const Vector3d hip = skills::hip_in_trunk(static_cast<std::size_t>(leg));
-      const double rising = rates[0] * hip[1] - rates[1] * hip[0];
+      const double rising = swaying[0] * hip[1] - swaying[1] * hip[0];
       command[4 + leg] +=
           carrying[leg] * std::clamp(balance.time / balance.lever * rising, -balance.most, +balance.most);
     }

@@ -54,20 +54,21 @@ struct by_hand {
   static constexpr double dt = 1'000'000 / 1e9, dt10 = 10'000'000 / 1e9;
 
   // Parameters, as in the components.
-  double speed = 0.68, start = 0.2, intercept = 0.187, slope = 1.106;
-  double heading = 1.2, drift = 0.4, most = 0.5;
-  double frequency = 3.8, convergence = 10.0;
+  double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
+  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.4, average = 1, level = 1.2, damp = 0.02,
+         most_lean = 0.5;
+  double frequency = 4.0, convergence = 10.0;
   struct leg {
     double hip, knee, swing, lift;
   };
-  leg front{trot::degrees(48.8), trot::degrees(92.5), trot::degrees(12.3), trot::degrees(32.5)};
-  leg hind{trot::degrees(38.6), trot::degrees(80.3), trot::degrees(15.5), trot::degrees(30.3)};
-  double duty = 0.585, give = trot::degrees(2.5), lead = -0.044;
-  std::array<double, 4> offsets{0.0, 0.5, 0.374, -0.126};
+  leg front{trot::degrees(46.0), trot::degrees(95.2), trot::degrees(14.8), trot::degrees(40.4)};
+  leg hind{trot::degrees(36.6), trot::degrees(85.0), trot::degrees(18.3), trot::degrees(53.2)};
+  double duty = 0.587, even = 0.695, give = trot::degrees(-0.2), lead = -0.05;
+  std::array<double, 4> offsets{0.0, 0.5, 0.373, -0.127};
 
   // State.
   long k = 0;
-  double wanted = 0, turn = 0, aside = 0;
+  double wanted = 0, turn = 0, hips = 0, knees = 0, aside = 0, incline = 0, last_roll = 0;
   Eigen::Vector2d oscillator{0.01, 0};
   vector8 last = vector8::Zero(), sum = vector8::Zero();
   bool limiter_begun = false;
@@ -76,16 +77,23 @@ struct by_hand {
   static double at_least(double a, double b) { return b > a ? b : a; }
   static double at_most(double a, double b) { return b < a ? b : a; }
 
-  double warped(double phase) const {
+  double sweep(double phase) const {
     const double landing = whole * duty;
-    return phase < landing ? phase / (2 * duty) : pi + (phase - landing) / (2 * (1 - duty));
+    const bool in_stance = phase < landing;
+    const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double cosine = std::cos(pi * (in_stance ? part : 1 + part));
+    const double swing = -2 * (1 - duty) / duty;
+    const double straight =
+        in_stance ? 1 - 2 * part : -1 + part * (swing + part * (3 * (2 - swing) + part * 2 * (swing - 2)));
+    return cosine + even * (straight - cosine);
   }
   double flexion(double phase, double lift) const {
     const double landing = whole * duty;
     const bool in_stance = phase <= landing;
     const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double height = in_stance ? give : lift;
     const double sine = std::sin(pi * part);
-    return (in_stance ? give : lift) * sine * sine;
+    return height * sine * sine;
   }
 
   // First the hips, then the knees.
@@ -122,9 +130,18 @@ struct by_hand {
       wanted = speed > 0 && time >= start ? intercept + slope * speed : -1.0;
       const Eigen::Vector4d& q = played.orientations[beat];
       const double yaw = std::atan2(2 * (q[3] * q[2] + q[0] * q[1]), 1 - 2 * (q[1] * q[1] + q[2] * q[2]));
-      const double largest = drift > 0 ? most / drift : 0.0;
-      aside = std::clamp(aside + dt10 * yaw, -largest, largest);
-      turn = std::clamp(-heading * yaw - drift * aside, -most, +most);
+      const double pitch = std::asin(std::clamp(2 * (q[3] * q[1] - q[2] * q[0]), -1.0, 1.0));
+      const double roll = std::atan2(2 * (q[3] * q[0] + q[1] * q[2]), 1 - 2 * (q[0] * q[0] + q[1] * q[1]));
+      if (std::isfinite(yaw + pitch + roll)) {
+        const double largest = drift > 0 ? most / drift : 0.0;
+        aside = std::clamp(aside + dt10 * yaw, -largest, largest);
+        turn = std::clamp(-heading * yaw - drift * aside, -most, +most);
+        incline += std::min(1.0, dt10 / average) * (pitch - incline);
+        const double rolling = (roll - last_roll) / dt10;
+        last_roll = roll;
+        hips = std::clamp(upright * incline, -most_lean, +most_lean);
+        knees = std::clamp(level * roll + damp * rolling, -most_lean, +most_lean);
+      }
     }
 
     const double square = oscillator.squaredNorm();
@@ -142,8 +159,9 @@ struct by_hand {
       const double side = l % 2 == 0 ? 1.0 : -1.0;
       const double own = phase + whole * offsets[static_cast<std::size_t>(l)];
       command[l] =
-          shape.hip + amplitude * (1 - side * turn) * shape.swing * std::cos(warped(cca::wrap_turn(own)));
-      command[4 + l] = shape.knee + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
+          shape.hip + hips + amplitude * (1 - side * turn - hips) * shape.swing * sweep(cca::wrap_turn(own));
+      command[4 + l] =
+          shape.knee + side * knees + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
     }
 
     if (!limiter_begun) {
@@ -187,6 +205,7 @@ struct in_classical_way {
     loop.connect("sense.orientation", "posture.orientation");
     loop.connect("throttle.amplitude", "cpg.amplitude");
     loop.connect("posture.turn", "gait.turn");
+    loop.connect("posture.lean", "gait.lean");
     loop.connect("cpg.phase", "gait.phase");
     loop.connect("cpg.amplitude", "gait.amplitude");
     loop.connect("gait.angles", "limits.command");

@@ -32,7 +32,7 @@ struct reaching_controller : cca::vite<Joints> {
 };
 
 struct oscillator : cca::hopf<stride> {
-  oscillator() { p.frequency = 3.8; }
+  oscillator() { p.frequency = 4.0; }
 };
 
 // The shape of the trot. `combination_of_skills_learn` learns it and writes the file that is read here.
@@ -43,7 +43,7 @@ struct shape_of_trot
                                40,
                                cca::locally_weighted_regression<cca::rhythmic_shape<oncilla::leg_angles, 40>>,
                                Examples> {
-  shape_of_trot() { this->p.frequency = 3.8; }
+  shape_of_trot() { this->p.frequency = 4.0; }
 };
 
 struct tracking_criterion : cca::tracking<oncilla::leg_angles> {

@@ -37,6 +37,19 @@ struct moment {
   angles commanded = angles::Zero();
 };
 
+// The gait that is taught: that of examples/trot on straighter front legs. From the posture in which it stops
+// the paw reaches a ball that lies ahead; from the lower posture of examples/trot it does not.
+trot::gait::parameters taught() {
+  using trot::degrees;
+  return {{degrees(48.8), degrees(92.5), degrees(13.5), degrees(40.0)},
+          {degrees(39.5), degrees(84.0), degrees(16.5), degrees(52.0)},
+          0.585,
+          0.65,
+          degrees(2.5),
+          -0.044,
+          {0.0, 0.5, 0.374, -0.126}};
+}
+
 // The angles around which the gait swings.
 angles neutral(const trot::gait::parameters& p) {
   angles q;
@@ -47,6 +60,12 @@ angles neutral(const trot::gait::parameters& p) {
 std::vector<moment> recorded(double seconds, const cca::interruption& interrupted) {
   cca::controller<recorded_trot> c;
   c.load();
+  c.set<"trot.gait">(taught());
+  auto straight_on = c.get<"trot.posture">().p;  // without leaning, which is no part of the shape
+  straight_on.upright = 0.0;
+  straight_on.level = 0.0;
+  straight_on.damp = 0.0;
+  c.set<"trot.posture">(straight_on);
   c.get<"trot.robot.simulator">().put_down(
       cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(),
                       trot::put_down(c.get<"trot.gait">().p, cca::sim::disturbance::none())));
@@ -142,7 +161,7 @@ int run(const options& o) {
     std::cerr << "combination_of_skills_learn: interrupted; nothing is written\n";
     return interrupted.exit_code();
   }
-  c.get<"recording">().around = neutral(trot::gait{}.p);
+  c.get<"recording">().around = neutral(taught());
   c.load();
   c.start();
   dmp.learning.collect();

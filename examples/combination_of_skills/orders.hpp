@@ -52,7 +52,7 @@ struct orders {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (trotting, trot), (standing, stand));
   };
-  parameters p{{0.68, 0.187, 1.106, 0.2, 3.0, 0.45, {0.0382, 0.1596}, {0.0229, 0.1787}, 30},
+  parameters p{{0.68, 0.266, 1.008, 0.2, 3.0, 0.45, {0.0382, 0.1596}, {0.0212, 0.1742}, 30},
                {{0.065, 0.130}, 0.014, 0.030, 120, 0.2}};
 
   auto process(cca::in<"step", cca::step_port> step,

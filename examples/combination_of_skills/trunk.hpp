@@ -106,22 +106,27 @@ struct steering {
 //   out "angles"             leg_angles
 //
 // The speed at which a hip sinks follows from the trunk's rates of turn; the knee stretches by `time` times
-// that, at most by `most`.
+// that, at most by `most`. The rates are low-passed: the toe and the knee's cable answer late, and with raw
+// rates the trunk went on rocking, so the paw was never lifted. Rates that are not finite count as none, so
+// the correction fades.
 struct balance {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters,
                              (cca::quantity<cca::duration, 0, 0.2>, time),
+                             (cca::quantity<cca::duration, 0.001, 1>, smoothing),  // of the rates of turn
                              (cca::quantity<cca::length, 0.01, 0.2>,
                               lever),  // of the foot's height per angle of the knee, m
                              (cca::quantity<cca::angle, 0, 0.5>, most));
   };
-  parameters p{0.03, 0.09, 0.1};
+  parameters p{0.03, 0.01, 0.09, 0.1};
 
   auto process(cca::in<"angular_velocity", oncilla::trunk_angular_velocity> turning,
                cca::in<"supports", supports> standing,
-               cca::in<"command", oncilla::leg_angles> command) -> cca::out<"angles", oncilla::leg_angles> {
+               cca::in<"command", oncilla::leg_angles> command,
+               cca::beat now) -> cca::out<"angles", oncilla::leg_angles> {
     oncilla::leg_angles::vector_type angles = command.vector();
-    const auto& w = turning.vector();
+    const Eigen::Vector3d rates = turning.vector().allFinite() ? turning.vector() : Eigen::Vector3d::Zero();
+    w += std::min(1.0, now.dt() / p.smoothing) * (rates - w);
     for (int leg = 0; leg < 4; ++leg) {
       const Eigen::Vector3d hip = hip_in_trunk(static_cast<std::size_t>(leg));
       const double rising = w[0] * hip[1] - w[1] * hip[0];
@@ -129,6 +134,9 @@ struct balance {
     }
     return angles;
   }
+
+private:
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();  // rad/s
 };
 
 }  // namespace skills

@@ -39,6 +39,12 @@ public:
     judge();
     restart();
     r.controller.run(cca::for_some_beats{timing::restarted}, pace);
+    if (refused()) {
+      r.controller.stop();
+      r.put_down(put_down(), {});
+      r.controller.start();
+      r.controller.run(cca::for_some_beats{timing::restarted}, pace);
+    }
     found.recovered =
         stop().mode() == hw::motion_mode::run && !r.controller.template get<"robot.rate">().approaching();
     if (!found.recovered && found.first_cause.empty())
@@ -169,6 +175,11 @@ private:
       if (r.controller.state() != cca::state::loaded) r.controller.stop();
       r.controller.start();
     }
+  }
+
+  // A leg of the sunken robot is outside of its range. The operator then sets it on its feet by hand.
+  bool refused() {
+    return r.controller.template get<"robot.synchronizer">().refusal() == hw::safety_rule::range;
   }
 
   static constexpr std::int64_t begin = timing::begin;

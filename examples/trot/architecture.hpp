@@ -23,6 +23,7 @@ struct architecture
                  cca::wire<"robot.orientation", "posture.orientation", cca::latest>,  // 1 kHz, read at 100 Hz
                  cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,       // 100 Hz, read at 1 kHz
                  cca::wire<"posture.turn", "gait.turn", cca::latest>,
+                 cca::wire<"posture.lean", "gait.lean", cca::latest>,
                  cca::wire<"cpg.phase", "gait.phase">,
                  cca::wire<"cpg.amplitude", "gait.amplitude">,
                  cca::wire<"gait.angles", "limits.command">,

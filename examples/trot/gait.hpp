@@ -4,11 +4,14 @@
 //   in  "phase"       gait_phase, of the left front leg; the other legs have offsets
 //   in  "amplitude"   gait_amplitude, 0: stand; 1: the full gait
 //   in  "turn"        turning: the legs of one side swing farther, those of the other side less
+//   in  "lean"        leaning: hips forward or back, knees of one side flexed, of the other extended; uphill
+//                     the hips swing farther
 //   out "angles"      leg_angles
 //
-// A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. A knee flexes as a
-// squared sine: much in swing, so that the foot clears the ground; a little in stance, so that the spring
-// carries and not the cable.
+// A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. `even` blends this
+// with a stance of constant speed: the trunk's speed is almost constant, so a foot that follows a cosine must
+// slip. A knee flexes as a squared sine: much in swing, so that the foot clears the ground; a little in
+// stance, so that the spring carries and not the cable.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -36,31 +39,35 @@ struct gait {
                              (leg_shape, front),
                              (leg_shape, hind),
                              (cca::bounded<double, 0.2, 0.8>, duty),        // stance, as part of the stride
+                             (cca::bounded<double, 0, 1>, even),            // 1: constant speed in stance
                              (cca::quantity<cca::angle, -0.5, 0.5>, give),  // flexion of the knee in stance
                              (cca::bounded<double, -0.5, 0.5>,
                               lead),  // of the knee before the hip, in strides
                              (std::array<double, 4>,
                               offsets));  // left and right front, left and right hind, in strides
   };
-  parameters p{{degrees(48.8), degrees(92.5), degrees(12.3), degrees(32.5)},
-               {degrees(38.6), degrees(80.3), degrees(15.5), degrees(30.3)},
-               0.585,
-               degrees(2.5),
-               -0.044,
-               {0.0, 0.5, 0.374, -0.126}};
+  parameters p{{degrees(46.0), degrees(95.2), degrees(14.8), degrees(40.4)},
+               {degrees(36.6), degrees(85.0), degrees(18.3), degrees(53.2)},
+               0.587,
+               0.695,
+               degrees(-0.2),
+               -0.05,
+               {0.0, 0.5, 0.373, -0.127}};
 
   auto process(cca::in<"phase", gait_phase> phase,
                cca::in<"amplitude", gait_amplitude> amplitude,
-               cca::in<"turn", turning> turn) -> cca::out<"angles", oncilla::leg_angles> {
+               cca::in<"turn", turning> turn,
+               cca::in<"lean", leaning> lean) -> cca::out<"angles", oncilla::leg_angles> {
     oncilla::leg_angles::vector_type angles;
     for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
       const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
       const double own = phase[stride{}] + whole * p.offsets[leg];
-      const double farther = 1 - oncilla::side_of(leg) * turn[yaw{}];
-      angles[oncilla::hip_of(leg)] =
-          shape.hip + amplitude[stride{}] * farther * shape.swing * std::cos(warped(cca::wrap_turn(own)));
+      const double farther = 1 - oncilla::side_of(leg) * turn[yaw{}] - lean[pitch{}];
+      angles[oncilla::hip_of(leg)] = shape.hip + lean[pitch{}] +
+                                     amplitude[stride{}] * farther * shape.swing * sweep(cca::wrap_turn(own));
       angles[oncilla::knee_of(leg)] =
-          shape.knee + amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
+          shape.knee + oncilla::side_of(leg) * lean[roll{}] +
+          amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
     }
     return angles;
   }
@@ -68,10 +75,17 @@ struct gait {
 private:
   static constexpr double whole = 2 * std::numbers::pi, half = std::numbers::pi;
 
-  // Stretches the phase: stance takes `duty` of the stride, and half of the cosine.
-  double warped(double phase) const {
+  // From 1, foremost, back to -1 in stance, and forward again in swing. The blended parts have equal slopes
+  // where stance and swing meet: the cosine's are 0, the other's are the constant speed.
+  double sweep(double phase) const {
     const double landing = whole * p.duty;
-    return phase < landing ? phase / (2 * p.duty) : half + (phase - landing) / (2 * (1 - p.duty));
+    const bool in_stance = phase < landing;
+    const double part = in_stance ? phase / landing : (phase - landing) / (whole - landing);
+    const double cosine = std::cos(half * (in_stance ? part : 1 + part));
+    const double slope = -2 * (1 - p.duty) / p.duty;  // of the swing, at both ends
+    const double straight =
+        in_stance ? 1 - 2 * part : -1 + part * (slope + part * (3 * (2 - slope) + part * 2 * (slope - 2)));
+    return cosine + p.even * (straight - cosine);
   }
 
   double flexion(double phase, double lift) const {

@@ -37,10 +37,11 @@ recording roll_out(trotting& controller,
                    const cca::sim::terrain& ground,
                    const cca::sim::disturbance& disturbance,
                    double seconds,
-                   Between between) {
+                   Between between,
+                   const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
   // The robot's posture, the ground and the disturbance: [put down]
   auto& simulator = controller.get<"robot.simulator">();
-  simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
+  simulator.put_down(cca::sim::world(model, ground.with_friction(disturbance.friction),
                                      put_down(controller.get<"gait">().p, disturbance)),
                      disturbance);
   // [put down end]

@@ -30,7 +30,7 @@ struct stride_oscillator {
                              (cca::quantity<cca::frequency, 0, 10>, frequency),  // Hz
                              (cca::bounded<double, 0, 100>, convergence));       // 1/s
   };
-  parameters p{3.8, 10.0};
+  parameters p{4.0, 10.0};
 
   auto process(cca::in<"amplitude", wanted_amplitude> wanted, cca::beat now)
       -> std::tuple<cca::out<"phase", gait_phase>, cca::out<"amplitude", gait_amplitude>> {

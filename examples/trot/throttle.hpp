@@ -17,7 +17,7 @@ struct throttle {
                              (double, intercept),
                              (double, slope));  // amplitude = intercept + slope * speed
   };
-  parameters p{0.68, 0.2, 0.187, 1.106};
+  parameters p{0.66, 0.2, 0.191, 1.076};
 
   auto process(cca::beat now) -> cca::out<"amplitude", wanted_amplitude> {
     const double time = static_cast<double>(now.time()) * 1e-9;

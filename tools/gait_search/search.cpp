@@ -3,10 +3,11 @@
 //
 //   trot_search --config trot.toml --generations 40 --out found.toml
 //
-// The value of a gait is its speed, less penalties for falling, drifting, rolling and pitching. It is tried
-// on flat ground, over steps and up a slope, with new disturbances in each generation; the worst of the three
-// counts as much as their mean. So a gait that is good by luck is not kept. To adapt the trot to another
-// robot, change the robot (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
+// The value of a gait is its speed, less penalties for falling, drifting, rolling, pitching, for feet that
+// slip, and for feet that stand longer or shorter than commanded. It is tried on flat ground, over steps, up
+// a slope and down, with new disturbances in each generation; the worst of them counts as much as their mean.
+// So a gait that is good by luck is not kept. To adapt the trot to another robot, change the robot
+// (robots/oncilla/body.hpp, oncilla_model.hpp) and search again.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -29,7 +30,7 @@
 
 namespace {
 
-constexpr int parameter_count = 13;
+constexpr int parameter_count = 14;
 
 // The parameters to search, each within a range.
 struct searched {
@@ -39,21 +40,22 @@ struct searched {
   template <class Field>
   void each(Field field) {
     int i = 0;
-    field(i++, cpg.frequency, 2.2, 3.8);
-    field(i++, gait.duty, 0.45, 0.65);
-    field(i++, gait.front.hip, 0.5, 1.1);
-    field(i++, gait.hind.hip, 0.5, 1.1);
-    field(i++, gait.front.knee, 1.2, 1.8);
-    field(i++, gait.hind.knee, 1.2, 1.8);
-    field(i++, gait.front.swing, 0.15, 0.45);
-    field(i++, gait.hind.swing, 0.15, 0.45);
-    field(i++, gait.front.lift, 0.2, 1.2);
-    field(i++, gait.hind.lift, 0.2, 1.2);
-    field(i++, gait.give, -0.1, 0.3);
-    field(i++, gait.lead, -0.15, 0.15);
+    field(i++, cpg.frequency, 1.8, 4.0);
+    field(i++, gait.duty, 0.4, 0.7);
+    field(i++, gait.front.hip, 0.3, 1.1);
+    field(i++, gait.hind.hip, 0.3, 1.1);
+    field(i++, gait.front.knee, 1.1, 1.8);
+    field(i++, gait.hind.knee, 1.1, 1.8);
+    field(i++, gait.front.swing, 0.15, 0.6);
+    field(i++, gait.hind.swing, 0.15, 0.6);
+    field(i++, gait.front.lift, 0.2, 1.6);
+    field(i++, gait.hind.lift, 0.2, 1.6);
+    field(i++, gait.give, -0.2, 0.3);
+    field(i++, gait.lead, -0.2, 0.15);
     double advance = 0.5 - gait.offsets[2];  // of the hind legs before the diagonal front legs
-    field(i++, advance, -0.1, 0.2);
+    field(i++, advance, -0.15, 0.2);
     gait.offsets = {0, 0.5, 0.5 - advance, -advance};
+    field(i++, gait.even, 0.0, 1.0);
   }
 };
 
@@ -80,10 +82,18 @@ struct trial {
   double seconds, fast_enough;  // m/s; more speed adds no value
 };
 
-double worth(const trot::statistics& s, const trial& t) {
-  if (s.fell) return s.seconds / t.seconds - 2;
-  return 1.5 * std::min(s.cruise, t.fast_enough) - 0.3 * std::abs(s.drift) / s.seconds -
-         0.4 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
+// Less slip than this, and a smaller error of the duty factor, add no value.
+constexpr double steady_foot = 0.06, steadiest_foot = 0.10;  // m/s, of all feet and of the worst
+constexpr double near_duty = 0.07;
+
+double worth(const trot::statistics& s, double duty, const trial& t) {
+  if (s.fell) return s.seconds / t.seconds - 4;
+  const double worst_slip = *std::max_element(s.slip_of_foot.begin(), s.slip_of_foot.end());
+  double off_duty = 0;
+  for (const double d : s.duty_factor) off_duty += std::max(0.0, std::abs(d - duty) - near_duty);
+  return 3 * std::min(s.cruise, t.fast_enough) - 3 * std::max(0.0, s.foot_slip - steady_foot) -
+         3 * std::max(0.0, worst_slip - steadiest_foot) - 1.5 * off_duty -
+         0.3 * std::abs(s.drift) / s.seconds - 0.3 * (s.max_roll + s.max_pitch) - 0.05 * s.cost_of_transport;
 }
 
 // `start` is a controller that is loaded and not started; each run takes a copy of it.
@@ -101,7 +111,7 @@ double worth(const trot::trotting& start,
     const trial& t = trials[i];
     const auto run = trot::roll_out(controller, t.ground, cca::sim::disturbance::from_seed(seed, t.seconds),
                                     t.seconds, [&](const cca::sim::world&, double) { return !interrupted; });
-    const double value = worth(trot::evaluate(run), t);
+    const double value = worth(trot::evaluate(run), what.gait.duty, t);
     sum += value;
     worst = std::min(worst, value);
   }
@@ -152,7 +162,8 @@ int search(const options& o) {
   const searched first{start.get<"cpg">().p, start.get<"gait">().p};
   const std::vector<trial> trials{{cca::sim::terrain::flat(), o.seconds, 0.72},
                                   {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.55},
-                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.55}};
+                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.55},
+                                  {cca::sim::terrain::slope(trot::degrees(-6)), o.seconds, 0.55}};
 
   gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;

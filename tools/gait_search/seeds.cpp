@@ -1,7 +1,9 @@
-// The trot from many disturbance seeds, on all cores: how often it falls, how fast it is, how straight.
+// The trot from many disturbance seeds, on all cores: how often it falls, how fast it is, how straight, how
+// far its feet slip, and how long they stand.
 //
 //   trot_seeds --config trot.toml --count 100 --summary seeds.json
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -38,7 +40,7 @@ constexpr std::string_view usage =
     "  --count N         how many (100)\n"
     "  --seconds S       of each, simulated (20)\n"
     "  --terrain T       flat, slope[:degrees] or steps[:millimetres] (flat)\n"
-    "  --summary FILE    falls, speed and drift as one JSON object\n"
+    "  --summary FILE    falls, speed, drift, slip and duty as one JSON object\n"
     "  --version         the version of cca\n"
     "  --help            this text\n";
 
@@ -86,40 +88,54 @@ int run(const options& o) {
   if (all.empty()) return interrupted.exit_code();
 
   std::size_t falls = 0;
-  double slowest = 1e9, sum = 0, aside = 0, roll = 0, pitch = 0;
+  double slowest = 1e9, aside = 0, roll = 0, pitch = 0, most_slip = 0;
+  double speed = 0, slip = 0, friction = 0;  // means over the runs that stood
+  std::array<double, 4> duty{};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const trot::statistics& s = all[i];
     if (all.size() <= 20 || s.fell)
-      std::printf("  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg%s\n",
-                  static_cast<std::size_t>(seeds[i]), s.speed, s.drift, s.max_roll * 57.2958,
-                  s.max_pitch * 57.2958, s.fell ? "  FELL" : "");
+      std::printf(
+          "  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f m/s  duty %.2f %.2f "
+          "%.2f %.2f%s\n",
+          static_cast<std::size_t>(seeds[i]), s.speed, s.drift, s.max_roll * 57.2958, s.max_pitch * 57.2958,
+          s.foot_slip, s.duty_factor[0], s.duty_factor[1], s.duty_factor[2], s.duty_factor[3],
+          s.fell ? "  FELL" : "");
     roll = std::max(roll, s.max_roll);
     pitch = std::max(pitch, s.max_pitch);
     if (s.fell) {
       ++falls;
       continue;
     }
-    sum += s.speed;
+    speed += s.speed;
     slowest = std::min(slowest, s.speed);
     aside = std::max(aside, std::abs(s.drift) / s.distance);
+    slip += s.foot_slip;
+    most_slip = std::max(most_slip, s.foot_slip);
+    friction += s.friction_power;
+    for (std::size_t leg = 0; leg < duty.size(); ++leg) duty[leg] += s.duty_factor[leg];
   }
   const double stood = static_cast<double>(all.size() - falls),
                rate = static_cast<double>(falls) / static_cast<double>(all.size());
-  const double mean = stood > 0 ? sum / stood : 0;
   if (falls == all.size()) slowest = 0;
+  for (double* summed : {&speed, &slip, &friction, &duty[0], &duty[1], &duty[2], &duty[3]})
+    *summed = stood > 0 ? *summed / stood : 0;
   std::printf(
       "%zu seeds, %.0f s each, %s: %zu fell (%.1f %%); speed %.3f m/s on average, %.3f at least; drift up to "
-      "%.1f %%; "
-      "roll up to %.1f, pitch up to %.1f deg\n",
-      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, mean, slowest, 100 * aside,
-      roll * 57.2958, pitch * 57.2958);
+      "%.1f %%; roll up to %.1f, pitch up to %.1f deg; slip %.3f m/s on average, %.3f at most; friction %.1f "
+      "W; "
+      "duty %.3f %.3f %.3f %.3f\n",
+      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, speed, slowest, 100 * aside,
+      roll * 57.2958, pitch * 57.2958, slip, most_slip, friction, duty[0], duty[1], duty[2], duty[3]);
   if (o.summary.empty()) return interrupted.exit_code();
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, "
-                "\"least_speed_m_s\": %.6g, "
-                "\"greatest_drift_share\": %.6g}\n",
-                all.size(), falls, rate, mean, slowest, aside);
+  char text[512];
+  std::snprintf(
+      text, sizeof text,
+      "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, "
+      "\"least_speed_m_s\": %.6g, "
+      "\"greatest_drift_share\": %.6g, \"mean_foot_slip_m_s\": %.6g, \"greatest_foot_slip_m_s\": %.6g, "
+      "\"mean_friction_power_w\": %.6g, \"mean_duty_factors\": [%.6g, %.6g, %.6g, %.6g]}\n",
+      all.size(), falls, rate, speed, slowest, aside, slip, most_slip, friction, duty[0], duty[1], duty[2],
+      duty[3]);
   trot::write(o.summary, [&](std::ostream& file) { file << text; });
   return interrupted.exit_code();
 }

@@ -23,12 +23,16 @@ struct moment {
   std::array<bool, 4> contact;
 };
 
+// From then on a trot is steady, s.
+inline constexpr double settled = 2.0;
+
 struct recording {
   std::vector<moment> moments;
   cca::sim::vector3 start{};
   double beat = 0.001;
   double mass = 0, gravity = 9.81;
   double work = 0;  // J, positive mechanical work of all motors over the run
+  std::array<cca::sim::foot_account, 4> feet{}, feet_when_settled{};  // what each foot has done so far
   bool fell = false;
 
   void begin(const cca::sim::world& w, std::size_t beats) {
@@ -56,6 +60,8 @@ struct recording {
     }
     moments.push_back(m);
     work = w.positive_work();
+    for (std::size_t i = 0; i < 4; ++i) feet[i] = w.foot(i);
+    if (m.time <= settled) feet_when_settled = feet;
     fell = fell || w.fallen();
   }
 };

@@ -19,6 +19,10 @@ struct statistics {
   double stride_frequency = 0;         // Hz
   std::array<double, 4> duty_factor{};
   double cost_of_transport = 0;  // positive mechanical work / (weight * distance), without unit
+  // From 2 s on: how fast the feet slide over the ground while they carry. Each moment counts by its load.
+  double foot_slip = 0;                  // m/s, of all feet
+  std::array<double, 4> slip_of_foot{};  // m/s
+  double friction_power = 0;             // W, lost between feet and ground
   bool fell = false;
 };
 
@@ -54,8 +58,21 @@ inline double duty_factor(const recording& run, std::size_t leg, double settled)
 
 }  // namespace detail
 
+inline void evaluate_feet(const recording& run, statistics& s) {
+  double load = 0, slip = 0, work = 0;
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const cca::sim::foot_account &now = run.feet[leg], &before = run.feet_when_settled[leg];
+    const double carried = now.load - before.load, slipped = now.slip - before.slip;
+    s.slip_of_foot[leg] = carried > 0 ? slipped / carried : 0;
+    load += carried;
+    slip += slipped;
+    work += now.friction_work - before.friction_work;
+  }
+  if (load > 0) s.foot_slip = slip / load;
+  if (s.seconds > settled) s.friction_power = work / (s.seconds - settled);
+}
+
 inline statistics evaluate(const recording& run) {
-  constexpr double settled = 2.0;
   statistics s;
   s.fell = run.fell;
   if (run.moments.empty()) return s;
@@ -76,6 +93,7 @@ inline statistics evaluate(const recording& run) {
     s.stride_frequency += detail::stride_frequency(run, leg, settled) / 4;
     s.duty_factor[leg] = detail::duty_factor(run, leg, settled);
   }
+  evaluate_feet(run, s);
   if (s.distance > 0) s.cost_of_transport = run.work / (run.mass * run.gravity * s.distance);
   return s;
 }

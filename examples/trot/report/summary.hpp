@@ -48,6 +48,11 @@ inline void write_table(std::ostream& out, const statistics& s, const costs& c) 
   for (std::size_t i = 0; i < 4; ++i)
     duty += (i ? ", " : "") + std::string(leg_names[i]) + formatted(" %.2f", s.duty_factor[i]);
   row("duty factor", duty);
+  std::string slip;
+  for (std::size_t i = 0; i < 4; ++i)
+    slip += (i ? ", " : " (") + std::string(leg_names[i]) + formatted(" %.2f", s.slip_of_foot[i]);
+  row("foot slip", formatted("%.3f m/s", s.foot_slip) + slip + ")");
+  row("friction power", formatted("%.1f W", s.friction_power));
   row("trunk", "roll up to " + formatted("%.1f deg", in_degrees(s.max_roll)) +
                    formatted(", pitch up to %.1f deg", in_degrees(s.max_pitch)));
   row("cost of transport",
@@ -76,6 +81,12 @@ inline void write_json(std::ostream& out, const statistics& s, const costs& c, c
   for (std::size_t i = 0; i < 4; ++i)
     duty += (i ? ", \"" : "\"") + std::string(leg_keys[i]) + "\": " + number(s.duty_factor[i]);
   field("duty_factor", "{" + duty + "}");
+  field("foot_slip_m_s", number(s.foot_slip));
+  std::string slip;
+  for (std::size_t i = 0; i < 4; ++i)
+    slip += (i ? ", \"" : "\"") + std::string(leg_keys[i]) + "\": " + number(s.slip_of_foot[i]);
+  field("slip_of_foot_m_s", "{" + slip + "}");
+  field("friction_power_w", number(s.friction_power));
   field("cost_of_transport", number(s.cost_of_transport));
   field("real_time_factor", number(c.real_time_factor));
   field("controller_ns_per_beat", number(c.controller_ns_per_beat));

@@ -1,5 +1,6 @@
 // The leg compared with closed forms: kinematics and its inverse, springs as the derivative of their energy,
 // motors within their torque-speed lines.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -77,10 +78,31 @@ TEST_SUITE("sim leg") {
     CHECK(winch.pull(m, 0.99, 100) == 0);
     CHECK(winch.pull(m, 0.0, 0) == m.knee_motor.torque);
     const double before = winch.position;
-    winch.wind(m, 2, 1e-3);  // stalled: it holds, but winds no further
+    winch.aim(2, 1e-3);
+    winch.wind(m, 1e-3);  // stalled: it holds, but winds no further
     CHECK(winch.position == before);
-    winch.wind(m, 0, 1e-3);  // it can always let go
+    winch.aim(0, 1e-3);
+    winch.wind(m, 1e-3);  // it can always let go
     CHECK(winch.position == doctest::Approx(before - 1e-3 * m.knee_motor.no_load_speed));
+  }
+
+  TEST_CASE("the cable winds evenly: its greatest pull doesn't depend on the physics step") {
+    const auto greatest_pull = [](int steps_per_beat) {
+      sim::cable_winch winch;
+      const double beat = 1e-3, dt = beat / steps_per_beat;
+      double greatest = 0;
+      for (int k = 1; k <= 20; ++k) {
+        winch.aim(1e-3 * k, beat);  // 1 rad/s, against a knee that holds
+        for (int i = 0; i < steps_per_beat; ++i) {
+          winch.wind(m, dt);
+          greatest = std::max(greatest, winch.pull(m, 0, 0));
+        }
+        CHECK(winch.position == doctest::Approx(1e-3 * k));
+      }
+      return greatest;
+    };
+    CHECK(greatest_pull(2) == doctest::Approx(m.cable_stiffness * 0.02 + m.cable_damping * 1));
+    CHECK(greatest_pull(32) == doctest::Approx(greatest_pull(2)));
   }
 
   TEST_CASE("the engine's legs stand where the closed form says, abducted too") {

@@ -24,6 +24,7 @@ flowchart LR
   n2 -- "phase<br/>gait_phase, 1000 Hz" --> n3
   n2 -- "amplitude<br/>gait_amplitude, 1000 Hz" --> n3
   n1 -- "turn<br/>turning, 100 Hz" --> n3
+  n1 -- "lean<br/>leaning, 100 Hz" --> n3
   n3 -- "angles → command<br/>leg_angles, 1000 Hz" --> n4
   n5 -- "angles → measured<br/>leg_angles, 1000 Hz" --> n4
   n4 -- "safe → command<br/>leg_angles, 1000 Hz" --> n5

@@ -28,14 +28,16 @@
 
 namespace {
 
-trot::recording run(double seconds, std::uint64_t seed, double speed = 0.68) {
+trot::recording run(double seconds,
+                    std::uint64_t seed,
+                    double speed = trot::throttle{}.p.speed,
+                    const cca::sim::terrain& ground = cca::sim::terrain::flat()) {
   trot::trotting controller;
   controller.load();
   auto wanted = controller.get<"throttle">().p;
   wanted.speed = speed;
   controller.set<"throttle">(wanted);
-  return trot::roll_out(controller, cca::sim::terrain::flat(),
-                        cca::sim::disturbance::from_seed(seed, seconds), seconds,
+  return trot::roll_out(controller, ground, cca::sim::disturbance::from_seed(seed, seconds), seconds,
                         [](const cca::sim::world&, double) {});
 }
 
@@ -59,14 +61,44 @@ TEST_SUITE("trot") {
     const trot::recording recorded = run(6, 3);
     const trot::statistics s = trot::evaluate(recorded);
     CHECK(!s.fell);
-    CHECK(s.cruise > 0.62);
+    CHECK(s.cruise >= 0.6);
     CHECK(std::abs(s.drift) < 0.05 * s.distance);
     CHECK(s.max_roll < cca::sim::degrees(30));
     CHECK(s.max_pitch < cca::sim::degrees(30));
-    CHECK(s.stride_frequency == doctest::Approx(3.8).epsilon(0.02));
-    for (const double duty : s.duty_factor) {
-      CHECK(duty > 0.3);
-      CHECK(duty < 0.9);
+    CHECK(s.stride_frequency == doctest::Approx(4.0).epsilon(0.02));
+    const double commanded = trot::gait{}.p.duty;
+    for (const double duty : s.duty_factor) CHECK(std::abs(duty - commanded) < 0.12);
+  }
+
+  TEST_CASE("it does not skate: load-weighted slip of the feet, and what friction takes") {
+    const trot::statistics s = trot::evaluate(run(10, 1));
+    CHECK(s.cruise >= 0.6);
+    CHECK(s.foot_slip > 0);
+    CHECK(s.foot_slip <= 0.15);
+    CHECK(s.friction_power > 0);
+    CHECK(s.friction_power < 6);
+  }
+
+  TEST_CASE(
+      "up and down slopes of 6 degrees and up steps of 6 mm: no fall, 0.6 m/s, little slip, even stance") {
+    const std::array grounds{"slope:6", "slope:-6", "steps:6"};
+    constexpr std::size_t seeds = 2;
+    std::vector<trot::statistics> all(grounds.size() * seeds);
+    trot::on_all_cores(
+        all.size(),
+        [&](std::size_t i) {
+          all[i] = trot::evaluate(
+              run(20, i % seeds, trot::throttle{}.p.speed, cca::sim::terrain::named(grounds[i / seeds])));
+        },
+        [](std::size_t) {});
+    const double commanded = trot::gait{}.p.duty;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      CAPTURE(grounds[i / seeds]);
+      CAPTURE(i % seeds);
+      CHECK(!all[i].fell);
+      CHECK(all[i].speed >= 0.6);
+      CHECK(all[i].foot_slip <= 0.15);
+      for (const double duty : all[i].duty_factor) CHECK(std::abs(duty - commanded) < 0.12);
     }
   }
 
@@ -82,6 +114,29 @@ TEST_SUITE("trot") {
       CHECK(std::abs(s.drift) < 0.05 * s.distance);
       CHECK(s.max_roll < cca::sim::degrees(30));
       CHECK(s.max_pitch < cca::sim::degrees(30));
+    }
+  }
+
+  TEST_CASE(
+      "it converges: half of the physics step, and half again, change speed and cost of transport by 3 %") {
+    const auto figures = [](int steps_per_beat) {
+      cca::sim::oncilla_model model;
+      model.steps_per_beat = steps_per_beat;
+      model.step = 0.001 / steps_per_beat;
+      trot::trotting controller;
+      controller.load();
+      return trot::evaluate(trot::roll_out(
+          controller, cca::sim::terrain::flat(), cca::sim::disturbance::none(), 8,
+          [](const cca::sim::world&, double) {}, model));
+    };
+    trot::statistics before = figures(2);
+    for (const int steps : {4, 8}) {
+      CAPTURE(steps);
+      const trot::statistics now = figures(steps);
+      CHECK(!now.fell);
+      CHECK(now.cruise == doctest::Approx(before.cruise).epsilon(0.03));
+      CHECK(now.cost_of_transport == doctest::Approx(before.cost_of_transport).epsilon(0.03));
+      before = now;
     }
   }
 
@@ -214,15 +269,16 @@ TEST_SUITE("trot") {
     trot::write_svg(svg, recorded, "a test");
     CHECK(table.str().find("cost of transport") != std::string::npos);
     for (const char* key : {"speed_m_s", "distance_m", "drift_m", "fell", "max_roll_deg", "max_pitch_deg",
-                            "cost_of_transport", "real_time_factor", "controller_ns_per_beat"})
+                            "foot_slip_m_s", "slip_of_foot_m_s", "friction_power_w", "cost_of_transport",
+                            "real_time_factor", "controller_ns_per_beat"})
       CHECK(json.str().find("\"" + std::string(key) + "\": ") != std::string::npos);
     const std::string lines = csv.str();
     CHECK(std::count(lines.begin(), lines.end(), '\n') == 1 + 2500 / 5);
     CHECK(svg.str().ends_with("</svg>\n"));
     for (const char* part : {"footfalls", "path", "angles", "left front", "right hind"})
       CHECK(svg.str().find(part) != std::string::npos);
-    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "roll", "pitch",
-                            "real-time factor", "controller", "physics"})
+    for (const char* row : {"distance", "speed", "stride frequency", "duty factor", "foot slip",
+                            "friction power", "roll", "pitch", "real-time factor", "controller", "physics"})
       CHECK(table.str().find(row) != std::string::npos);
     CHECK(svg.str().find("nan") == std::string::npos);
   }

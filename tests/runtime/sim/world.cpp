@@ -151,6 +151,64 @@ TEST_SUITE("sim world") {
     CHECK(moved_by_push(0.02) > 0.15);
   }
 
+  TEST_CASE("friction takes the work of its force: on ice, mu times load times the way that the feet slide") {
+    constexpr double mu = 0.02;
+    sim::world w(m, sim::terrain::flat().with_friction(mu), crouched());
+    for (int k = 0; k < 1000; ++k) w.advance(stand());
+    const sim::world before = w;
+    w.push({0, 6, 0});
+    for (int k = 0; k < 300; ++k) w.advance(stand());
+    double load = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const sim::foot_account &now = w.foot(i), &then = before.foot(i);
+      const double slip = now.slip - then.slip;
+      load += now.load - then.load;
+      CHECK(slip > 0);
+      CHECK(now.friction_work - then.friction_work > 0.9 * mu * slip);
+      CHECK(now.friction_work - then.friction_work < 1.45 * mu * slip);  // a pyramid: up to sqrt(2)
+      CHECK(slip / (now.load - then.load) < 0.5);                        // m/s
+    }
+    CHECK(load == doctest::Approx(w.mass() * m.gravity * 0.3).epsilon(0.05));
+  }
+
+  TEST_CASE("standing, the feet don't slip") {
+    const sim::world before = standing();
+    sim::world w = before;
+    for (int k = 0; k < 1000; ++k) w.advance(stand());
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(w.foot(i).slip - before.foot(i).slip < 0.002 * (w.foot(i).load - before.foot(i).load));
+  }
+
+  TEST_CASE("the ground has no end: ten kilometres away the robot stands as at the start") {
+    struct place {
+      sim::terrain ground;
+      double x;  // from the start
+    };
+    const double pitch = sim::degrees(6);
+    for (const auto& [ground, x] :
+         {place{sim::terrain::flat(), 1e4}, place{sim::terrain::flat(), -1e4},
+          place{sim::terrain::slope(pitch), 1e4}, place{sim::terrain::slope(-pitch), 1e4},
+          place{sim::terrain::steps(0.006, 0.6), 1e4}, place{sim::terrain::steps(-0.006, 0.6), 1e4}}) {
+      CAPTURE(ground.name());
+      CAPTURE(x);
+      sim::world w(m, ground, crouched());
+      sim::world_state state = w.save();
+      const double up = std::max({ground.height(x - 0.2), ground.height(x), ground.height(x + 0.2)});
+      for (auto& body : state.bodies) {
+        body.position[0] += x;
+        body.position[1] -= x;
+        body.position[2] += up;
+      }
+      w.restore(state);
+      for (int k = 0; k < 1500; ++k) w.advance(stand());
+      CHECK(!w.fallen());
+      CHECK(w.hip_height() == doctest::Approx(0.17).epsilon(0.15));
+      double load = 0;
+      for (const auto& l : w.reading().legs) load += l.foot_force[2];
+      CHECK(load == doctest::Approx(w.mass() * m.gravity).epsilon(0.3));  // on a slope it still swings
+    }
+  }
+
   TEST_CASE("on a slope that falls away, every foot finds the ground") {
     const sim::terrain ramp = sim::terrain::slope(sim::degrees(-6), 0.0);
     sim::world w(m, ramp, crouched());
@@ -171,6 +229,16 @@ TEST_SUITE("sim world") {
     CHECK(steps.height(1.4) == 0);
     CHECK(steps.height(1.6) == doctest::Approx(0.010));
     CHECK(steps.height(2.2) == doctest::Approx(0.020));
+    CHECK(steps.height(1.5 + 0.6 * 1e6 + 0.3) == doctest::Approx(0.010 * (1e6 + 1)));  // they go on
+    CHECK(sim::terrain::steps(0.006, 0.6, 12).height(1e6) == doctest::Approx(0.072));
+    CHECK(sim::terrain::named("steps:-10").height(1.6) == doctest::Approx(-0.010));
+    CHECK(sim::terrain::flat().height(-1e9) == 0);
+    double ground = 1.4;  // strips meet
+    steps.strips_between(1.4, 5.0, [&](const sim::ground_strip& s) {
+      CHECK(s.begin <= ground);
+      ground = s.end;
+    });
+    CHECK(ground >= 5.0);
     for (const char* bad : {"", "hill", "slope:", "slope:x", "slope:5x", "slope:60", "flat:1", "steps:nan"})
       CHECK_THROWS_AS(sim::terrain::named(bad), std::invalid_argument);
   }

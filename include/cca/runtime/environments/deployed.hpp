@@ -40,7 +40,7 @@ struct nothing_between {
 // Of a deployment that breaks a rule: one error, which is the message.
 template <class D>
 class deployed : public controller<D> {
-  static_assert(Deployment<D>,
+  static_assert(Deployment<D> || !well_formed<D>,
                 "cca::deployed: its argument is no deployment: give it a struct derived from "
                 "cca::deployment<Architecture, cca::environment<...>, ...>, or run the graph by "
                 "cca::controller<Graph>");

@@ -1,13 +1,20 @@
 #pragma once
 // The terrain in the engine, and the robot's parts that can touch it.
 //
-// Each part is tested against every strip of ground in a fixed order, without a space or broad phase of the
-// engine: their order would depend on addresses, and the same run would give other bits. Parts don't collide
-// with each other. Contacts are springs and dampers, given to the engine as ERP and CFM. Friction is a
-// pyramid in proportion to the normal force (dContactApprox1; without it `mu` would be a force in newtons).
+// Each part is tested against the strips of ground below it from left to right, without a space or broad
+// phase of the engine: their order would depend on addresses, and the same run would give other bits. A
+// single box of the engine serves as ground: it is moved under the part, so the ground has no end and needs
+// no memory. Parts don't collide with each other. Contacts are springs and dampers, given to the engine as
+// ERP and CFM, so they don't depend on the step.
+//
+// Friction is a pyramid: along each of two axes at most `mu` times the load. The engine can compute that
+// limit itself (dContactApprox1), but it takes the load that there would be without friction. On a light toe
+// that load is wrong by an amount that grows with step times damping, and the trot's speed followed the step.
+// So a foot's limit comes from its load in the step before, as a force in newtons. Knees, ankles and the
+// trunk, which touch the ground only in a fall or at an edge, use the engine's.
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include <ode/ode.h>
 
@@ -20,8 +27,7 @@ namespace cca::sim {
 
 class ground {
 public:
-  ground(const oncilla_model& m, const terrain& shape) {
-    for (const ground_strip& s : shape.strips()) strips_.push_back(box(s));
+  ground(const oncilla_model& m, const terrain& shape) : shape_(shape), box_(dCreateBox(nullptr, 1, 1, 1)) {
     prototype_.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1;
     prototype_.mu = shape.friction();
     const double stiff = m.step * m.contact_stiffness;
@@ -29,40 +35,62 @@ public:
     prototype_.soft_cfm = 1 / (stiff + m.contact_damping);
   }
 
-  // Makes the contacts of a part for this physics step, and calls `on_contact(joint)` for each of them.
+  // Makes the contacts of a part for this physics step, and calls `on_contact(joint, place)` for each of
+  // them.
   template <class OnContact>
   void touch(const engine& e, dGeomID part, OnContact on_contact) const {
-    std::array<dContact, 4> contacts;
-    for (const auto& strip : strips_) {
-      const int count =
-          dCollide(part, strip.get(), static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
-      for (int i = 0; i < count; ++i) {
-        dContact& c = contacts[static_cast<std::size_t>(i)];
-        c.surface = prototype_;
-        const dJointID joint = dJointCreateContact(e.id(), e.contacts(), &c);
-        dJointAttach(joint, dGeomGetBody(part), nullptr);
-        on_contact(joint);
-      }
-    }
+    touch(e, part, prototype_, on_contact);
+  }
+
+  // The same for a part whose load is known, in newtons.
+  template <class OnContact>
+  void touch(const engine& e, dGeomID part, double load, OnContact on_contact) const {
+    dSurfaceParameters surface = prototype_;
+    surface.mode &= ~dContactApprox1;
+    surface.mu *= load;
+    touch(e, part, surface, on_contact);
   }
 
 private:
-  static constexpr double depth = 1.0, width = 100.0;
+  static constexpr double depth = 1.0, width = 2.0;
+  static constexpr double margin = 0.2;  // m beyond the part, so it never touches an edge that isn't there
 
-  // A box whose top begins at the strip's edge. Where it overlaps a neighbour it lies below the neighbour's
-  // top.
-  static engine_handle<dxGeom> box(const ground_strip& s) {
-    engine_handle<dxGeom> geom(dCreateBox(nullptr, s.length, width, depth));
-    const double c = std::cos(s.pitch), n = std::sin(s.pitch);
-    const double along = s.length / 2, down = depth / 2;
-    dGeomSetPosition(geom.get(), s.from_x + along * c + down * n, 0, s.from_z + along * n - down * c);
-    dMatrix3 rotation;
-    dRFromAxisAndAngle(rotation, 0, -1, 0, s.pitch);
-    dGeomSetRotation(geom.get(), rotation);
-    return geom;
+  template <class OnContact>
+  void touch(const engine& e, dGeomID part, const dSurfaceParameters& surface, OnContact& on_contact) const {
+    std::array<dReal, 6> bounds;  // of the part: x, y, z, each from and to
+    dGeomGetAABB(part, bounds.data());
+    const double y = (bounds[2] + bounds[3]) / 2;
+    shape_.strips_between(bounds[0], bounds[1], [&](const ground_strip& strip) {
+      const double begin = std::max(strip.begin, bounds[0] - margin),
+                   end = std::min(strip.end, bounds[1] + margin);
+      if (bounds[4] > std::max(strip.height(begin), strip.height(end))) return;
+      put_box(strip, begin, end, y);
+      std::array<dContact, 4> contacts;
+      const int count =
+          dCollide(part, box_.get(), static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
+      for (int i = 0; i < count; ++i) {
+        dContact& c = contacts[static_cast<std::size_t>(i)];
+        c.surface = surface;
+        const dJointID joint = dJointCreateContact(e.id(), e.contacts(), &c);
+        dJointAttach(joint, dGeomGetBody(part), nullptr);
+        on_contact(joint, c.geom);
+      }
+    });
   }
 
-  std::vector<engine_handle<dxGeom>> strips_;
+  // Makes the top of the box the ground from `begin` to `end`.
+  void put_box(const ground_strip& strip, double begin, double end, double y) const {
+    const double c = std::cos(strip.pitch), n = std::sin(strip.pitch);
+    const double length = (end - begin) / c, along = length / 2, down = depth / 2;
+    dGeomBoxSetLengths(box_.get(), length, width, depth);
+    dGeomSetPosition(box_.get(), begin + along * c + down * n, y, strip.height(begin) + along * n - down * c);
+    dMatrix3 rotation;
+    dRFromAxisAndAngle(rotation, 0, -1, 0, strip.pitch);
+    dGeomSetRotation(box_.get(), rotation);
+  }
+
+  terrain shape_;
+  engine_handle<dxGeom> box_;
   dSurfaceParameters prototype_{};
 };
 

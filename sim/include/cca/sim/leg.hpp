@@ -105,9 +105,9 @@ public:
     if (motors.by_law) {
       const double pull = std::max(0.0, motors.knee_law(r.knee.angle, r.knee.velocity));
       r.knee.torque = limit_torque(m.knee_motor, pull, r.knee.velocity);
-      motors.cable = {r.knee.angle, r.knee.velocity, r.knee.torque};
+      motors.cable = {r.knee.angle, 0, r.knee.velocity, r.knee.torque};
     } else {
-      motors.cable.wind(m, target.knee, dt);
+      motors.cable.wind(m, dt);
       r.knee.torque = motors.cable.pull(m, r.knee.angle, r.knee.velocity);
     }
     const double flexing =

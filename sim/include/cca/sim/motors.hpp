@@ -39,13 +39,18 @@ inline double servo_torque(
 
 // The knee's cable on its pulley. It can only pull: it flexes the knee or hangs slack. The spring extends the
 // knee.
+//
+// The pulley goes to each new target at a constant speed, within a beat. To jump there in one physics step
+// would jerk the cable at a speed that grows as the step gets shorter, and no step would be short enough.
 struct cable_winch {
   double position = 0;  // the wound cable as an angle of the knee, rad
+  double wanted = 0;    // the speed that reaches the target in a beat, rad/s
   double speed = 0;
   double torque = 0;  // of the last pull, >= 0
 
-  void wind(const oncilla_model& m, double target, double dt) {
-    const double wanted = (target - position) / dt;
+  void aim(double target, double beat) { wanted = (target - position) / beat; }
+
+  void wind(const oncilla_model& m, double dt) {
     speed = std::clamp(wanted, -m.knee_motor.no_load_speed, available_speed(m.knee_motor, torque));
     position += speed * dt;
   }

@@ -38,10 +38,19 @@ struct leg_motors {
   std::int64_t by_law = 0;  // 1: the motors follow the laws, not the targets
 };
 
+// What a foot's contact has done since the start. Divide `slip` by `load` for the speed of the slip.
+struct foot_account {
+  double pressing = 0;       // N, the force into the ground in the last physics step
+  double load = 0;           // N s, the force into the ground over time
+  double slip = 0;           // N m, that force times the speed of the contact along the ground, over time
+  double friction_work = 0;  // J, lost to friction
+};
+
 struct world_state {
   std::array<body_state, body_count> bodies;
   std::array<leg_motors, leg_count> motors{};
   robot_reading reading{};
+  std::array<foot_account, leg_count> feet{};
   vector3 push{};               // N on the trunk, until it is set again
   double positive_work = 0;     // J, mechanical work of the motors, without braking
   double absolute_work = 0;     // J, the same, with braking counted as work

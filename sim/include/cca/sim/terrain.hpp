@@ -1,34 +1,44 @@
 #pragma once
-// The ground as a value: level, a slope or steps, and its friction. Built of boxes whose tops are the ground.
+// The ground as a value: level, a slope or steps, and its friction. It has no end.
 //
-// The robot starts around x = 0 on level ground at z = 0; slopes and steps begin at `start`.
+// The robot starts around x = 0 on level ground at z = 0; slopes and steps begin at `start`. The ground is
+// the same for every y. It is a row of strips from left to right, which are computed where they are asked
+// for: its memory does not depend on how far the robot goes.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace cca::sim {
 
-// A strip of ground: begins at `from_x` in the height `from_z`, has `length` along the surface, rises by the
-// angle `pitch`.
+// A plane between two edges: at `edge_x` it has the height `edge_z`, and it rises by the angle `pitch`. The
+// first strip of a terrain begins at minus infinity, the last one ends at infinity.
 struct ground_strip {
-  double from_x, from_z, length, pitch;
+  double begin, end;  // x, m
+  double edge_x, edge_z, pitch;
+
+  double height(double x) const { return edge_z + (x - edge_x) * std::tan(pitch); }
 };
 
 class terrain {
 public:
-  static terrain flat() { return terrain("flat", {{-reach, 0, 2 * reach, 0}}); }
+  static constexpr std::int64_t endless = std::int64_t{1} << 52;  // every smaller number of steps is exact
+
+  static terrain flat() { return terrain("flat", infinity, 0, 0, infinity, 0); }
 
   static terrain slope(double pitch, double start = 1.5) {
-    return terrain("slope", {{-reach, 0, reach + start, 0}, {start, 0, reach, pitch}});
+    return terrain("slope", start, pitch, 0, infinity, 1);
   }
 
-  // Steps up by `rise` every `run` metres, `count` of them.
-  static terrain steps(double rise = 0.006, double run = 0.6, int count = 12, double start = 1.5) {
-    std::vector<ground_strip> strips{{-reach, 0, 2 * reach, 0}};
-    for (int i = 0; i < count; ++i) strips.push_back({start + i * run, (i + 1) * rise, reach - i * run, 0});
-    return terrain("steps", std::move(strips));
+  // Steps up by `rise` (down, if it is negative) every `run` metres, `count` of them.
+  static terrain steps(double rise = 0.006,
+                       double run = 0.6,
+                       std::int64_t count = endless,
+                       double start = 1.5) {
+    return terrain("steps", start, 0, rise, run, std::clamp<std::int64_t>(count, 0, endless));
   }
 
   // By name, as a command line gives it: `flat`, `slope` or `slope:DEGREES`, `steps` or `steps:MILLIMETRES`.
@@ -53,7 +63,6 @@ public:
   }
 
   const std::string& name() const { return name_; }
-  const std::vector<ground_strip>& strips() const { return strips_; }
 
   double friction() const { return friction_; }
   terrain with_friction(double mu) const {
@@ -62,25 +71,38 @@ public:
     return t;
   }
 
-  double height(double x) const {
-    double top = -reach;
-    for (const auto& s : strips_) {
-      const double along = x - s.from_x;
-      if (along < 0 || along > s.length * std::cos(s.pitch)) continue;
-      const double z = s.from_z + along * std::tan(s.pitch);
-      if (z > top) top = z;
-    }
-    return top;
+  double height(double x) const { return strip(index_at(x)).height(x); }
+
+  // Calls f(strip) for every strip that has ground between the two places, from left to right.
+  template <class F>
+  void strips_between(double low, double high, F f) const {
+    if (!(std::isfinite(low) && std::isfinite(high))) return;
+    for (std::int64_t i = index_at(low), last = index_at(high); i <= last; ++i) f(strip(i));
   }
 
 private:
-  static constexpr double reach = 200;  // m; farther than any run goes
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  terrain(std::string name, std::vector<ground_strip> strips)
-      : name_(std::move(name)), strips_(std::move(strips)) {}
+  terrain(std::string name, double start, double pitch, double rise, double run, std::int64_t count)
+      : name_(std::move(name)), start_(start), pitch_(pitch), rise_(rise), run_(run), count_(count) {}
+
+  // Strip 0 is the level ground before `start`, strip i the i-th step, or the slope.
+  std::int64_t index_at(double x) const {
+    if (!(x >= start_)) return 0;
+    return static_cast<std::int64_t>(
+        std::min(static_cast<double>(count_), 1 + std::floor((x - start_) / run_)));
+  }
+
+  ground_strip strip(std::int64_t i) const {
+    if (i == 0) return {-infinity, count_ > 0 ? start_ : infinity, 0, 0, 0};
+    const auto n = static_cast<double>(i);
+    const double begin = i == 1 ? start_ : start_ + (n - 1) * run_;
+    return {begin, i == count_ ? infinity : start_ + n * run_, begin, n * rise_, pitch_};
+  }
 
   std::string name_;
-  std::vector<ground_strip> strips_;
+  double start_, pitch_, rise_, run_;
+  std::int64_t count_;  // of strips after the first
   double friction_ = 0.75;
 };
 

@@ -19,6 +19,7 @@
 
 #include <cca/sim/attitude.hpp>
 #include <cca/sim/engine.hpp>
+#include <cca/sim/footing.hpp>
 #include <cca/sim/ground.hpp>
 #include <cca/sim/interface.hpp>
 #include <cca/sim/kinematics.hpp>
@@ -120,6 +121,7 @@ public:
   }
 
   double time() const { return static_cast<double>(state_.beats) * model_.beat(); }
+  const foot_account& foot(std::size_t leg) const { return state_.feet.at(leg); }
   double positive_work() const { return state_.positive_work; }
   double absolute_work() const { return state_.absolute_work; }
   double pantograph_error() const { return state_.pantograph_error; }
@@ -198,6 +200,7 @@ private:
       motors.by_law = 0;
       motors.hip_target_speed =
           first ? 0.0 : believable.clamp((target.hip - motors.former_hip_target) / model_.beat());
+      motors.cable.aim(target.knee, model_.beat());
     }
   }
 
@@ -214,26 +217,21 @@ private:
       legs_[i].drive(model_, state_.motors[i], state_.reading.legs[i], model_.step);
     dBodyAddForce(trunk_, state_.push[0], state_.push[1], state_.push[2]);
 
-    std::size_t touching = 0;
-    std::array<std::size_t, most_foot_contacts> leg_of;
-    std::array<dJointFeedback, most_foot_contacts> feedback;
+    footing touching;
     for (std::size_t i = 0; i < leg_count; ++i)
-      ground_.touch(engine_, feet_[i].get(), [&](dJointID contact) {
-        if (touching == most_foot_contacts) return;
-        leg_of[touching] = i;
-        dJointSetFeedback(contact, &feedback[touching++]);
-      });
+      ground_.touch(engine_, feet_[i].get(), state_.feet[i].pressing,
+                    [&](dJointID contact, const dContactGeom& place) {
+                      touching.add(i, contact, legs_[i].toe(), place);
+                    });
     for (const auto& knee : knees_)
-      ground_.touch(engine_, knee.get(), [&](dJointID) { ++state_.knee_contacts; });
+      ground_.touch(engine_, knee.get(), [&](dJointID, const dContactGeom&) { ++state_.knee_contacts; });
     bool trunk_down = false;
-    ground_.touch(engine_, trunk_shape_.get(), [&](dJointID) { trunk_down = true; });
+    ground_.touch(engine_, trunk_shape_.get(), [&](dJointID, const dContactGeom&) { trunk_down = true; });
     state_.trunk_contacts += trunk_down;
 
     engine_.step(model_.step);
 
-    for (std::size_t c = 0; c < touching; ++c)
-      for (std::size_t k = 0; k < 3; ++k)
-        state_.reading.legs[leg_of[c]].foot_force[k] += feedback[c].f1[k] / model_.steps_per_beat;
+    touching.account(state_, model_);
     dJointGroupEmpty(engine_.contacts());
     for (std::size_t i = 0; i < leg_count; ++i) {
       leg_reading& r = state_.reading.legs[i];
@@ -278,7 +276,6 @@ private:
   static vector3 velocity(dBodyID body) { return vector(dBodyGetLinearVel(body)); }
 
   static constexpr double clearance = 0.001;
-  static constexpr std::size_t most_foot_contacts = 32;
 
   oncilla_model model_;
   terrain terrain_;

@@ -1,0 +1,157 @@
+// The trot for an hour of simulated time, on flat ground, up a slope and up steps: whether it falls, how far
+// it comes, and how much memory the program has. Three pushes a minute.
+//
+//   trot_hour --config trot.toml --summary hour.json
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <unistd.h>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/runtime/interruption.hpp>
+
+#include "../../examples/trot/report/command_line.hpp"
+#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/progress.hpp"
+#include "../../examples/trot/rollout.hpp"
+
+namespace {
+
+struct options {
+  std::string config, summary;
+  std::vector<std::string> grounds{"flat", "slope:6", "steps:6"};
+  double seconds = 3600;
+  std::uint64_t seed = 0;
+};
+
+constexpr std::string_view usage =
+    "trot_hour: the trot for an hour, on flat ground, up a slope and up steps\n"
+    "\n"
+    "  --config FILE     parameters (the defaults in the code)\n"
+    "  --terrain T       one ground only: flat, slope[:degrees] or steps[:millimetres]\n"
+    "  --seconds S       on each ground, simulated (3600)\n"
+    "  --seed N          the disturbances (0)\n"
+    "  --summary FILE    falls, way and memory as one JSON array\n"
+    "  --version         the version of cca\n"
+    "  --help            this text\n";
+
+options parse(const std::vector<std::string>& arguments) {
+  options o;
+  trot::option_reader read;
+  read.text("--config", o.config);
+  read.value("--terrain", [&o](const std::string& text) {
+    trot::detail::ground(text);
+    o.grounds = {text};
+  });
+  read.number("--seconds", o.seconds, 1, 86400);
+  read.whole_number("--seed", o.seed);
+  read.text("--summary", o.summary);
+  read.all(arguments);
+  return o;
+}
+
+// What the program has in memory now, MB.
+double memory() {
+  std::ifstream pages("/proc/self/statm");
+  double all = 0, resident = 0;
+  pages >> all >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+struct result {
+  std::string ground;
+  double seconds = 0, distance = 0, climbed = 0;   // s, m
+  double slowest_minute = 1e9;                     // m/s
+  double memory_at_first = 0, memory_at_last = 0;  // MB, after the first minute and at the end
+  bool fell = false;
+};
+
+result run(const trot::trotting& start,
+           const options& o,
+           const std::string& ground,
+           const cca::interruption& interrupted) {
+  constexpr double minute = 60;
+  trot::trotting controller = start;
+  const auto shape = cca::sim::terrain::named(ground);
+  auto& simulator = controller.get<"robot.simulator">();
+  const auto disturbance_from = [&](int minutes) {
+    auto d = cca::sim::disturbance::from_seed(o.seed + static_cast<std::uint64_t>(minutes), minute);
+    for (auto& push : d.pushes) push.start += minute * minutes;
+    return d;
+  };
+  const auto first = disturbance_from(0);
+  simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, shape.with_friction(first.friction),
+                                     trot::put_down(controller.get<"gait">().p, first)),
+                     first);
+  const cca::sim::vector3 began = simulator.world().trunk_position();
+  result r{.ground = ground};
+  trot::progress_bar bar(ground);
+  double last_x = began[0];
+  controller.start();
+  const auto beats = std::llround(o.seconds * 1000), beats_a_minute = std::llround(minute * 1000);
+  for (long long k = 1; k <= beats && !r.fell && !interrupted && controller.step(); ++k) {
+    const cca::sim::world& world = simulator.world();
+    r.fell = world.fallen();
+    if (k % beats_a_minute != 0) continue;
+    const int minutes = static_cast<int>(k / beats_a_minute);
+    const double x = world.trunk_position()[0];
+    r.slowest_minute = std::min(r.slowest_minute, (x - last_x) / minute);
+    last_x = x;
+    r.memory_at_last = memory();
+    if (minutes == 1) r.memory_at_first = r.memory_at_last;
+    simulator.disturb(disturbance_from(minutes));
+    bar.show(static_cast<double>(k) / static_cast<double>(beats), "");
+  }
+  bar.done();
+  r.seconds = simulator.world().time();
+  r.distance = simulator.world().trunk_position()[0] - began[0];
+  r.climbed = simulator.world().trunk_position()[2] - began[2];
+  if (r.seconds < minute) r.slowest_minute = r.distance / r.seconds;
+  return r;
+}
+
+int run(const options& o) {
+  const cca::interruption interrupted;  // ctrl-c: the figures are of what it has walked
+  trot::trotting start;
+  if (o.config.empty()) start.load();
+  else start.load(o.config);
+  std::string all;
+  bool fell = false;
+  for (const std::string& ground : o.grounds) {
+    if (interrupted) break;
+    const result r = run(start, o, ground, interrupted);
+    fell = fell || r.fell;
+    std::printf(
+        "%-8s %s after %.0f s: %.0f m, %+.1f m high, %.3f m/s, in the slowest minute %.3f; "
+        "%.1f MB after a minute, %.1f MB at the end\n",
+        r.ground.c_str(), r.fell ? "FELL" : "stands", r.seconds, r.distance, r.climbed,
+        r.distance / r.seconds, r.slowest_minute, r.memory_at_first, r.memory_at_last);
+    std::fflush(stdout);
+    char text[320];
+    std::snprintf(text, sizeof text,
+                  "%s\n  {\"terrain\": \"%s\", \"fell\": %s, \"seconds\": %.6g, \"distance_m\": %.6g, "
+                  "\"climbed_m\": %.6g, \"slowest_minute_m_s\": %.6g, \"memory_after_a_minute_mb\": %.6g, "
+                  "\"memory_at_the_end_mb\": %.6g}",
+                  all.empty() ? "" : ",", r.ground.c_str(), r.fell ? "true" : "false", r.seconds, r.distance,
+                  r.climbed, r.slowest_minute, r.memory_at_first, r.memory_at_last);
+    all += text;
+  }
+  if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { file << "[" << all << "\n]\n"; });
+  if (interrupted) std::cerr << "trot_hour: interrupted\n";
+  return interrupted ? interrupted.exit_code() : fell ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return trot::program("trot_hour", usage, count, arguments,
+                       [](const std::vector<std::string>& given) { return run(parse(given)); });
+}
