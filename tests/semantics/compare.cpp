@@ -29,7 +29,7 @@ void comparison::add(const std::string& text, const outcome& o, int count) {
   seen.add(*i);
   if (o.is_merged) i->firings = merged(i->firings);
   const long at = difference(o.firings, i->firings);
-  if (at >= 0 || o.faulted != i->faulted || !o.copy_agrees) {
+  if (at >= 0 || o.faulted != i->faulted || !o.copy_agrees || !o.processes_agree) {
     ++differences;
     if (differences <= 5) tell(text, o, *i, at);
     return;
@@ -48,6 +48,7 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
   if (!o.copy_agrees)
     std::cout << (o.is_merged ? "stopped, started and resumed it did not do what the controller does\n"
                               : "a copy of the controller did not go on like the original\n");
+  if (!o.processes_agree) std::cout << "in processes over shared memory it did something else\n";
   if (o.faulted != i.faulted)
     std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did"
               << (i.faulted ? "" : " not") << '\n';

@@ -1,6 +1,7 @@
 #include "firing.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <mutex>
@@ -39,6 +40,37 @@ log recorded_by_threads() {
   for (const log& one : of_threads) all.insert(all.end(), one.begin(), one.end());
   of_threads.clear();
   return all;
+}
+
+std::uint64_t digest(const firing& f) {
+  std::uint64_t key = 1469598103934665603u;
+  const auto add = [&](std::uint64_t fact) { key = (key ^ fact) * 1099511628211u; };
+  const auto add_number = [&](double number) { add(std::bit_cast<std::uint64_t>(number)); };
+  const auto add_all = [&](const std::vector<double>& numbers) {
+    add(numbers.size());
+    for (const double number : numbers) add_number(number);
+  };
+  add(static_cast<std::uint64_t>(f.id));
+  add(static_cast<std::uint64_t>(f.which));
+  add(static_cast<std::uint64_t>(f.beat));
+  add(static_cast<std::uint64_t>(f.time));
+  add_number(f.dt);
+  for (const seen& s : f.inputs) {
+    for (const char letter : s.name) add(static_cast<unsigned char>(letter));
+    add_all(s.value);
+    add(static_cast<std::uint64_t>(s.origin));
+    add(s.fresh);
+    add(s.wired);
+  }
+  for (const told& t : f.outputs) {
+    add_all(t.value);
+    add(t.is_maybe);
+    add(t.published);
+    add(t.sets_origin);
+    add(static_cast<std::uint64_t>(t.origin));
+  }
+  add(f.fault);
+  return key;
 }
 
 log merged(log all) {

@@ -85,6 +85,9 @@ log recorded_by_threads();
 // In an order that does not depend on that of threads; what `on_fault` recorded comes last.
 log merged(log all);
 
+// Of all that it holds, bit for bit.
+std::uint64_t digest(const firing& f);
+
 // Bit for bit.
 bool same(const std::vector<double>& a, const std::vector<double>& b);
 bool same(const firing& a, const firing& b);

@@ -1,11 +1,18 @@
 // Runs an architecture that is spread over environments, in pieces of different lengths.
 #pragma once
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include <cca/deployment.hpp>
+#include <cca/runtime/environments/shared_memory.hpp>
 
 #include "run.hpp"
 
@@ -49,8 +56,45 @@ log recorded_with_restarts(int chance) {
   });
 }
 
-// With `Architecture`: restarted it is compared with the controller too.
-template <class Deployment, class Architecture = void>
+// The digests of what each environment recorded in a process of its own, over shared memory.
+template <class Deployment>
+std::vector<std::uint64_t> recorded_in_processes(int chance) {
+  static int number = 0;
+  const std::string name = "/cca_semantics_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
+  constexpr int count = cca::detail::environment_count<Deployment>;
+  std::vector<std::uint64_t> all;
+  int from[count];
+  for (int e = 0; e < count; ++e) {
+    int ends[2];
+    if (::pipe(ends) != 0) return {};
+    if (::fork() == 0) {
+      const cca::only here{cca::detail::environments_of<Deployment>::all[static_cast<std::size_t>(e)].name};
+      const auto d = std::make_unique<cca::deployed<Deployment>>(here, cca::shared_memory(name));
+      d->load();
+      d->start();
+      const log own = recorded(
+          *d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
+      for (const firing& f : own) {
+        const std::uint64_t one = digest(f);
+        if (::write(ends[1], &one, sizeof one) != sizeof one) ::_exit(1);
+      }
+      ::_exit(0);
+    }
+    ::close(ends[1]);
+    from[e] = ends[0];
+  }
+  for (const int end : from) {
+    for (std::uint64_t one; ::read(end, &one, sizeof one) == sizeof one;) all.push_back(one);
+    ::close(end);
+  }
+  while (::wait(nullptr) > 0) {}
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// With `Architecture`: restarted it is compared with the controller too. With `InProcesses`: also run by
+// processes.
+template <class Deployment, class Architecture = void, bool InProcesses = false>
 outcome run_deployed(int chance) {
   outcome o;
   o.is_merged = true;
@@ -62,6 +106,12 @@ outcome run_deployed(int chance) {
   if constexpr (!std::is_void_v<Architecture>)
     o.copy_agrees = agree(recorded_with_restarts<cca::controller<Architecture>>(chance), 0,
                           recorded_with_restarts<cca::deployed<Deployment>>(chance));
+  if constexpr (InProcesses) {
+    std::vector<std::uint64_t> by_threads;
+    for (const firing& f : o.firings) by_threads.push_back(digest(f));
+    std::sort(by_threads.begin(), by_threads.end());
+    o.processes_agree = by_threads == recorded_in_processes<Deployment>(chance);
+  }
   return o;
 }
 

@@ -206,7 +206,7 @@ def code(made):
     if crews:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
         lines.append(f"struct crews {{\n  template <class Controller>\n  static void settle(Controller& c) {{ {waits} }}\n}};")
-    restarted = ", top" if made.seed % 4 == 0 else ""
-    run = f"run_deployed<spread{restarted}>" if made.environments > 1 else f"run<top{', crews' if crews else ''}>"
+    forms = ", top" if made.seed % 4 == 0 else ", void, true" if made.seed % 4 == 1 else ""
+    run = f"run_deployed<spread{forms}>" if made.environments > 1 else f"run<top{', crews' if crews else ''}>"
     lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n{closed}")
     return "\n".join(lines)

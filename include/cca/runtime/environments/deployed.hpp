@@ -21,7 +21,7 @@
 
 #include <cca/runtime/component_host.hpp>
 #include <cca/runtime/environments/environment_threads.hpp>
-#include <cca/runtime/environments/figures.hpp>
+#include <cca/runtime/environments/figures_of_runs.hpp>
 #include <cca/runtime/environments/meeting.hpp>
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/refusal.hpp>
@@ -51,9 +51,11 @@ public:
 
 template <class D>
   requires Deployment<D> && well_formed<D>
-class deployed<D> : public detail::component_host<deployed<D>, D> {
+class deployed<D> : public detail::component_host<deployed<D>, D>,
+                    public detail::figures_of_runs<deployed<D>, D> {
   using host = detail::component_host<deployed<D>, D>;
   friend host;
+  friend detail::figures_of_runs<deployed<D>, D>;
 
 public:
   using host::period;
@@ -70,8 +72,8 @@ public:
     shared = {medium, medium->exchanged()};
     others = std::move(medium);
   }
-  deployed(const deployed&) = delete;
-  deployed& operator=(const deployed&) = delete;
+  deployed(deployed&&) = default;  // between two runs
+  deployed& operator=(deployed&&) = default;
 
   // One beat of all environments; false where the life-cycle does not allow it. Then only the hook `on_idle`
   // of resource nodes runs. It starts and ends the threads: for many beats use `run`.
@@ -92,39 +94,6 @@ public:
       run_all(duration.beats(period()), pace, between);
     }
     return now;
-  }
-
-  // In the runs at wall-clock speed since start(). Beats whose samples had not come when they began, each
-  // environment that was late counted; beats that were still running when the next should begin; the periods
-  // in which no beat began. Sums over all environments. These and `figures` may be called from any thread
-  // while it runs.
-  std::int64_t late() const noexcept {
-    std::int64_t all = 0;
-    for (const auto& e : shared->environments)
-      for (const auto& channel : e.late) all += channel.load(std::memory_order_relaxed);
-    return all;
-  }
-  std::int64_t overruns() const noexcept {
-    std::int64_t all = 0;
-    for (const auto& e : shared->environments) all += e.overruns.load(std::memory_order_relaxed);
-    return all;
-  }
-  std::int64_t lost_periods() const noexcept {
-    std::int64_t all = 0;
-    for (const auto& e : shared->environments) all += e.lost_periods.load(std::memory_order_relaxed);
-    return all;
-  }
-  std::vector<environment_figures> figures() const {
-    std::vector<environment_figures> all;
-    for (std::size_t e = 0; e < shared->environments.size(); ++e) {
-      const auto& record = shared->environments[e];
-      auto& one = all.emplace_back(environment_figures{
-          name_of(e), record.wake_up, record.duration, record.overruns, record.lost_periods, {}});
-      for (std::size_t from = 0; from < record.late.size(); ++from)
-        if (detail::crossings_of<D>.least_delay[from][e] > 0)
-          one.channels.push_back({name_of(from), record.late[from]});
-    }
-    return all;
   }
 
   // The next beat.
@@ -159,7 +128,7 @@ private:
   void refuse_if_elsewhere(int node) const {
     if (!is_here(node))
       throw refused("cca::deployed: `" + detail::path_of_node<D>(node) + "` runs in environment `" +
-                    std::string(name_of(
+                    std::string(detail::name_of_environment<D>(
                         detail::array_size(detail::plan_of<D>.nodes[detail::array_size(node)].environment))) +
                     "`, which another process runs");
   }
@@ -192,7 +161,7 @@ private:
   void choose(const only& environments) {
     for (const std::string& name : environments.names) {
       std::size_t e = 0;
-      while (e < here.size() && name_of(e) != name) ++e;
+      while (e < here.size() && detail::name_of_environment<D>(e) != name) ++e;
       if (e == here.size()) throw refused("cca::only: the deployment has no environment `" + name + "`");
       here[e] = true;
     }
@@ -200,16 +169,12 @@ private:
   }
   int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
 
-  static constexpr std::string_view name_of(std::size_t environment) {
-    return detail::environments_of<D>::all[environment].name;
-  }
-
   // What the system refused to the thread of an environment.
   template <int E>
   void report(const std::string& refusal) {
     if (refusal.empty()) return;
-    const std::string text =
-        "cca::deployed: environment `" + std::string(name_of(E)) + "` does not run in real time: " + refusal;
+    const std::string text = "cca::deployed: environment `" + std::string(detail::name_of_environment<D>(E)) +
+                             "` does not run in real time: " + refusal;
     if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
     if (!is_told[E]) std::cerr << text << '\n';
     is_told[E] = true;
@@ -288,8 +253,7 @@ private:
       loop.skip_to(k);
     });
     if (!is_faulted) return;
-    reason_text = first.fault.reason;
-    reason = {reason_text.data(), first.fault.node};
+    reason = {first.fault.reason.data(), first.fault.node};
     now = detail::after(detail::transition::fail, now);
   }
 
@@ -310,7 +274,6 @@ private:
   detail::environments_here<D> here{};
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
-  std::array<char, detail::fault_record::most_letters> reason_text{};
   std::int64_t k = 0;
   detail::run_record runs{};
   std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};

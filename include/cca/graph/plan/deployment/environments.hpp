@@ -145,6 +145,11 @@ using environments_of = environments_in<typename D::cca_environments>;
 template <class D>
 inline constexpr int environment_count = environments_of<D>::count;
 
+template <class D>
+constexpr std::string_view name_of_environment(std::size_t environment) {
+  return environments_of<D>::all[environment].name;
+}
+
 // A deployment that is no named struct has its architecture in its name.
 constexpr std::string_view deployment_name(std::string_view name) {
   return name.starts_with("deployment<") ? "the deployment" : name;

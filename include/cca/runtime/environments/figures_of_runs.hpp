@@ -1,0 +1,56 @@
+// What a deployment tells of its runs at wall-clock speed. `Self` has the exchange, in `shared`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <cca/runtime/environments/exchange.hpp>
+#include <cca/runtime/environments/figures.hpp>
+
+namespace cca::detail {
+
+template <class Self, class D>
+class figures_of_runs {
+public:
+  // In the runs at wall-clock speed since start(). Beats whose samples had not come when they began, each
+  // environment that was late counted; beats that were still running when the next should begin; the periods
+  // in which no beat began. Sums over all environments. These and `figures` may be called from any thread
+  // while it runs.
+  std::int64_t late() const noexcept {
+    std::int64_t all = 0;
+    for (const auto& e : records())
+      for (const auto& channel : e.late) all += channel.load(std::memory_order_relaxed);
+    return all;
+  }
+  std::int64_t overruns() const noexcept {
+    std::int64_t all = 0;
+    for (const auto& e : records()) all += e.overruns.load(std::memory_order_relaxed);
+    return all;
+  }
+  std::int64_t lost_periods() const noexcept {
+    std::int64_t all = 0;
+    for (const auto& e : records()) all += e.lost_periods.load(std::memory_order_relaxed);
+    return all;
+  }
+  std::vector<environment_figures> figures() const {
+    std::vector<environment_figures> all;
+    for (std::size_t e = 0; e < records().size(); ++e) {
+      const auto& record = records()[e];
+      auto& one = all.emplace_back(environment_figures{name_of_environment<D>(e),
+                                                       record.wake_up,
+                                                       record.duration,
+                                                       record.overruns,
+                                                       record.lost_periods,
+                                                       {}});
+      for (std::size_t from = 0; from < record.late.size(); ++from)
+        if (detail::crossings_of<D>.least_delay[from][e] > 0)
+          one.channels.push_back({name_of_environment<D>(from), record.late[from]});
+    }
+    return all;
+  }
+
+private:
+  const auto& records() const { return static_cast<const Self&>(*this).shared->environments; }
+};
+
+}  // namespace cca::detail
