@@ -5,7 +5,9 @@
 #include <cmath>
 #include <deque>
 #include <mutex>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace semantics {
 
@@ -74,11 +76,16 @@ std::uint64_t digest(const firing& f) {
 }
 
 log merged(log all) {
-  const auto key = [](const firing& f) {
-    return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id);
+  const auto key = [&](std::size_t i) {
+    const firing& f = all[i];
+    return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id, i);
   };
-  std::stable_sort(all.begin(), all.end(), [&](const firing& a, const firing& b) { return key(a) < key(b); });
-  return all;
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  log ordered;
+  for (const std::size_t i : order) ordered.push_back(std::move(all[i]));
+  return ordered;
 }
 
 void add_input(firing& f,
