@@ -13,13 +13,22 @@ class patience {
 public:
   void wait() {
     if (++times < 64) return;
-    if (times < 512) return std::this_thread::yield();
+    if (times < longest_awake) return give_way();
     monotonic_clock::sleep_until(monotonic_clock::now() + 20'000);
   }
   // Every few milliseconds.
-  bool is_time_to_ask() const { return times > 512 && times % 64 == 0; }
+  bool is_time_to_ask() const { return times > longest_awake && times % 64 == 0; }
 
 private:
+  static constexpr std::int64_t longest_awake = 512;
+
+  // Who gives way on a busy machine comes back after milliseconds; who sleeps is woken at once.
+  void give_way() {
+    const std::int64_t before = monotonic_clock::now();
+    std::this_thread::yield();
+    if (monotonic_clock::now() - before > 100'000) times = longest_awake;
+  }
+
   std::int64_t times = 0;
 };
 
