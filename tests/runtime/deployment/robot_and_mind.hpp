@@ -61,12 +61,15 @@ struct thinker {
   }
 };
 
-// Takes long, once, in the beat that a test names; never for the others.
+// Takes long, once, in the beat that a test names or the first one after it; never for the others.
 inline std::atomic<std::int64_t> beat_that_stalls{-1};
 inline std::atomic<int> stall_in_ms{0};
 struct stalling {
   auto process(cca::in<"x", level> x, cca::beat now) -> cca::out<"y", level> {
-    if (now.index() == beat_that_stalls) std::this_thread::sleep_for(std::chrono::milliseconds(stall_in_ms));
+    if (const std::int64_t beat = beat_that_stalls; beat >= 0 && now.index() >= beat) {
+      beat_that_stalls = -1;
+      std::this_thread::sleep_for(std::chrono::milliseconds(stall_in_ms));
+    }
     return 2 * x[cca::x{}];
   }
 };

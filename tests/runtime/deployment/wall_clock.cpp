@@ -55,7 +55,7 @@ TEST_SUITE("deployed at wall-clock speed") {
   TEST_CASE("an environment that is late too long has lost contact: a fault of all") {
     cca::deployed<strict> d;
     begin(d);
-    const stall one(47, 300);
+    const stall one(47, 1000);
     CHECK_EQ(d.run(cca::for_<20>{}, cca::at_wall_clock()), cca::state::faulted);
     CHECK_EQ(std::string(d.fault().reason()), "lost contact with `mind`");
     CHECK_EQ(d.fault_path(), "");
@@ -72,12 +72,12 @@ TEST_SUITE("deployed at wall-clock speed") {
   TEST_CASE("what is tolerated is counted, and the late environment skips to the beat of the first") {
     cca::deployed<patient> d;
     begin(d);
-    const stall one(47, 100);
-    CHECK_EQ(d.run(cca::for_beats<400>{}, cca::at_wall_clock()), cca::state::started);
-    CHECK_GT(d.late(), 20);
+    const stall one(47, 500);
+    CHECK_EQ(d.run(cca::for_beats<800>{}, cca::at_wall_clock()), cca::state::started);
+    CHECK_GT(d.late(), 0);
     CHECK_GT(d.overruns(), 0);
-    CHECK_GT(d.lost_periods(), 20);
-    CHECK_EQ(d.beat_index(), 400);
+    CHECK_GT(d.lost_periods(), 0);
+    CHECK_EQ(d.beat_index(), 800);
   }
 
   TEST_CASE("an environment that is late at the end of a run ends with the others") {
@@ -116,7 +116,7 @@ TEST_SUITE("deployed at wall-clock speed") {
       while (!ends)
         for (const auto& e : d.figures()) most_seen = std::max(most_seen, e.beat.count());
     });
-    const stall one(47, 50);
+    const stall one(47, 300);
     d.run(cca::for_beats<400>{}, cca::at_wall_clock());
     ends = true;
     reader.join();
@@ -127,9 +127,9 @@ TEST_SUITE("deployed at wall-clock speed") {
     CHECK_EQ(figures[0].beat.count(), 400);
     CHECK_EQ(figures[0].wake_up.count(), 400);
     CHECK_LT(figures[1].beat.count(), 400);
-    CHECK_GE(figures[1].beat.most(), 50'000'000);
-    CHECK_GE(figures[1].beat.quantile(1), 50'000'000);
-    CHECK_LT(figures[1].beat.quantile(0.5), 50'000'000);
+    CHECK_GE(figures[1].beat.most(), 300'000'000);
+    CHECK_GE(figures[1].beat.quantile(1), 300'000'000);
+    CHECK_LT(figures[1].beat.quantile(0.5), 300'000'000);
     REQUIRE_EQ(figures[0].channels.size(), 1);
     CHECK_EQ(figures[0].channels[0].from, "mind");
     CHECK_EQ(figures[0].channels[0].late + figures[1].channels.at(0).late, d.late());
