@@ -148,6 +148,7 @@ TEST_SUITE("deployed in processes") {
       std::this_thread::sleep_for(300ms);
       mind.kill();
       const std::string said = robot.said();
+      CAPTURE(said);
       CHECK(said.find("faulted lost contact with `mind`") != std::string::npos);
       CHECK(said.ends_with(" 1\n"));  // on_fault
     }

@@ -55,7 +55,7 @@ struct guard {
 struct thinker {
   double sum = 0;
   auto process(cca::in<"x", level> x, cca::beat now) -> cca::maybe<"y", level> {
-    sum += x[cca::x{}] * now.dt();
+    sum += (x[cca::x{}] - sum) * now.dt();
     if (now.index() % 20 == 0) return {};
     return sum;
   }
