@@ -4,28 +4,13 @@
 #include <cca/deployment.hpp>
 
 #include "../picture.hpp"
-#include "counting.hpp"
+#include "described.hpp"
 
 using namespace core_test;
 
 namespace {
 
 // [describe]
-struct angle_of_joint : cca::space<cca::joint_angles, cca::axes<cca::x>, cca::rate<1000>> {};
-
-struct joint {
-  auto sense() -> cca::out<"angle", angle_of_joint> { return 0; }
-};
-struct filter {
-  auto process(cca::in<"raw", angle_of_joint> x) -> cca::out<"smooth", angle_of_joint> { return x; }
-};
-
-struct smoothing : cca::graph<cca::node<"first", filter>,
-                              cca::node<"second", filter>,
-                              cca::wire<"first.smooth", "second.raw", cca::delayed<2>>,
-                              cca::expose<"first.raw", "angle">,
-                              cca::expose<"second.smooth", "angle_out">> {};
-
 struct watched : cca::graph<cca::node<"joint", joint>,
                             cca::node<"near", smoothing>,
                             cca::node<"far", smoothing>,

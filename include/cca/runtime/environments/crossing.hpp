@@ -9,18 +9,6 @@
 
 namespace cca::detail {
 
-constexpr int environment_of(const flat_view& g, int call) { return g.nodes[g.calls[call].node].environment; }
-
-// Calls f(environment, delay) for each reader of an output.
-template <class F>
-constexpr void for_each_reader(const flat_view& g, int output, F f) {
-  for (int i = g.outputs[output].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
-    f(environment_of(g, g.inputs[i].call), g.inputs[i].delay);
-  for (int l = 0; l < g.link_count; ++l)
-    if (g.links[l].output == output)
-      f(environment_of(g, g.inputs[g.links[l].input].call), delay_of(g, g.links[l]));
-}
-
 template <class D>
 struct crossings {
   // Of each output the largest delay of a reader in another environment; 0: it stays.

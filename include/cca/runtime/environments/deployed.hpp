@@ -148,8 +148,7 @@ private:
 
   template <int Output, class F>
   void observe(F& f) const {
-    constexpr int e = detail::environment_of(detail::flat_of<D>(detail::plan_of<D>).view(),
-                                             detail::plan_of<D>.outputs[Output].call);
+    constexpr int e = environment_of<detail::call_of<D, detail::output_of<D, Output>.call>.node>;
     if (here[e]) detail::observe_newest<detail::part<D, e>, Output>(loops.template at<e>().state, k, f);
   }
 

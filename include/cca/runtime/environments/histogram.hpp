@@ -23,7 +23,7 @@ public:
     return *this;
   }
 
-  // Nanoseconds; what is negative counts as 0. No lock, no allocation, no instruction that other cores wait
+  // Nanoseconds; a negative one counts as 0. No lock, no allocation, no instruction that other cores wait
   // for.
   void add(std::int64_t duration) noexcept {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(duration, 0));

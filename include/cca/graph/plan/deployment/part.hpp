@@ -43,7 +43,7 @@ constexpr bool may_fault_in(const flat_view& g, const call& c) {
 
 // Keeps the calls of one environment, in their order.
 constexpr flat_view take_part(flat_view g, int environment) {
-  const auto is_here = [&](int call) { return g.nodes[g.calls[call].node].environment == environment; };
+  const auto is_here = [&](int call) { return environment_of(g, call) == environment; };
   int count = 0;
   g.may_fault = false;
   for (int r = 0; r < g.call_count; ++r) {
@@ -56,20 +56,15 @@ constexpr flat_view take_part(flat_view g, int environment) {
     g.may_fault |= may_fault_in(g, c);
   }
   g.order_count = count;
-  for (int i = 0; i < g.input_count; ++i) {
-    g.inputs[i].in_beat = g.inputs[i].own_initial = false;
-    const int writer = g.inputs[i].writer;
-    if (writer >= 0 && is_here(g.outputs[writer].call) && !is_here(g.inputs[i].call))
-      g.outputs[writer].leaves = true;
-  }
-  for (int l = 0; l < g.link_count; ++l)
-    if (is_here(g.outputs[g.links[l].output].call) && !is_here(g.inputs[g.links[l].input].call))
-      g.outputs[g.links[l].output].leaves = true;
+  for (int i = 0; i < g.input_count; ++i) g.inputs[i].in_beat = g.inputs[i].own_initial = false;
   for (int o = 0; o < g.output_count; ++o) {
-    g.outputs[o].storage = storage_kind::none;
-    g.outputs[o].depth = 0;
-    g.outputs[o].initial_of = nullptr;
-    g.outputs[o].watched &= is_here(g.outputs[o].call);
+    auto& out = g.outputs[o];
+    out.storage = storage_kind::none;
+    out.depth = 0;
+    out.initial_of = nullptr;
+    out.watched &= is_here(out.call);
+    if (is_here(out.call))
+      for_each_reader(g, o, [&](int reader, int) { out.leaves |= reader != environment; });
   }
   return g;
 }

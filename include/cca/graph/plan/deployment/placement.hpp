@@ -9,6 +9,18 @@
 
 namespace cca::detail {
 
+constexpr int environment_of(const flat_view& g, int call) { return g.nodes[g.calls[call].node].environment; }
+
+// Calls f(environment, delay) for each reader of an output.
+template <class F>
+constexpr void for_each_reader(const flat_view& g, int output, F f) {
+  for (int i = g.outputs[output].first_reader; i >= 0; i = g.inputs[i].next_of_writer)
+    f(environment_of(g, g.inputs[i].call), g.inputs[i].delay);
+  for (int l = 0; l < g.link_count; ++l)
+    if (g.links[l].output == output)
+      f(environment_of(g, g.inputs[g.links[l].input].call), delay_of(g, g.links[l]));
+}
+
 // Is the node, or a graph around it, at this path?
 constexpr bool is_at(const flat_view& g, const component_node& n, std::uint64_t path) {
   if (path_hash(g.scopes[n.scope], n.item->from, n.item->from_hash) == path) return true;
@@ -27,8 +39,6 @@ constexpr int scope_of_wire(const flat_view& g, const input& in) {
 
 struct placer {
   flat_view g;
-
-  constexpr int environment_of(int call) const { return g.nodes[g.calls[call].node].environment; }
 
   constexpr void place(int node, int environment) {
     auto& n = g.nodes[node];
@@ -72,14 +82,14 @@ struct placer {
   constexpr void check_crossings() {
     for (int i = 0; i < g.input_count; ++i) {
       const auto& in = g.inputs[i];
-      if (in.writer >= 0 && environment_of(in.call) != environment_of(g.outputs[in.writer].call))
+      if (in.writer >= 0 && environment_of(g, in.call) != environment_of(g, g.outputs[in.writer].call))
         check<when::crossing>(
             g, {.item = &*in.wire, .scope = scope_of_wire(g, in), .input = i, .output = in.writer});
     }
     for (int l = 0; l < g.link_count; ++l) {
       const auto& in = g.inputs[g.links[l].input];
       const int reader = g.calls[in.call].node;
-      if (g.nodes[reader].environment != environment_of(g.outputs[g.links[l].output].call))
+      if (g.nodes[reader].environment != environment_of(g, g.outputs[g.links[l].output].call))
         check<when::crossing>(g, {.item = g.nodes[reader].item,
                                   .scope = g.nodes[reader].scope,
                                   .input = g.links[l].input,
