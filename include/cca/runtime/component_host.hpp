@@ -121,8 +121,8 @@ public:
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
   void for_each_component(F f) {
-    Self::visit(
-        [&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); }, self());
+    Self::visit([&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); },
+                self());
   }
   template <class F>
   void for_each_component(F f) const {
@@ -132,6 +132,9 @@ public:
   }
 
 protected:
+  // In a beat that the life-cycle does not allow.
+  [[gnu::noinline]] void idle() { visit(call_on_idle{}); }
+
   void check(transition what, const char* call) const {
     if (!is_legal(what, now))
       throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +

@@ -30,7 +30,7 @@ public:
   bool step() noexcept {
     const bool may_run = detail::is_legal(detail::transition::run, now);
     if (may_run) advance();
-    else if constexpr (detail::any_component<Graph, detail::acts_when_idle>) idle();
+    else if constexpr (detail::any_component<Graph, detail::call_on_idle>) idle();
     return may_run;
   }
 
@@ -102,23 +102,11 @@ private:
   // In the beat of the fault, instead of what would still have come.
   [[gnu::noinline]] void fail(const detail::beat_outcome& beat_outcome) noexcept {
     reason = beat_outcome;
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
-        },
-        *this);
+    visit(detail::call_on_fault{}, *this);
     now = detail::after(detail::transition::fail, now);
   }
 
-  [[gnu::noinline]] void idle() noexcept {
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
-        },
-        *this);
-  }
-
-  using host::move, host::now, host::reason;
+  using host::idle, host::move, host::now, host::reason;
 
   detail::controller_state<Graph> state_of_all;
   std::int64_t k = 0;

@@ -47,13 +47,22 @@ inline constexpr bool any_component = []<int... First>(std::integer_sequence<int
   return std::ranges::find(each, true) != std::end(each);
 }(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
 
-struct acts_when_idle {
+// Hooks of resource nodes, as visitors.
+struct call_on_idle {
   template <class C>
   static constexpr bool holds = IsResource<C> && OnIdle<C>;
+  template <class C>
+  void operator()(int, C& component) const {
+    if constexpr (holds<C>) component.on_idle();
+  }
 };
-struct acts_on_fault {
+struct call_on_fault {
   template <class C>
   static constexpr bool holds = IsResource<C> && OnFault<C>;
+  template <class C>
+  void operator()(int, C& component) const {
+    if constexpr (holds<C>) component.on_fault();
+  }
 };
 
 }  // namespace cca::detail

@@ -12,8 +12,6 @@
 #include <string>
 #include <thread>
 
-#include <cca/runtime/environments/shared_memory.hpp>
-
 #include "robot_and_mind.hpp"
 
 using namespace deployment_test;

@@ -256,16 +256,7 @@ private:
     now = detail::after(detail::transition::fail, now);
   }
 
-  [[gnu::noinline]] void idle() {
-    visit(
-        [this]<class C>(int node, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnIdle<C>)
-            if (is_here(node)) component.on_idle();
-        },
-        *this);
-  }
-
-  using host::move, host::now, host::reason;
+  using host::idle, host::move, host::now, host::reason;
 
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
 

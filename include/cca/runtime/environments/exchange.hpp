@@ -25,6 +25,10 @@ inline constexpr std::int64_t no_position = std::numeric_limits<std::int64_t>::m
 // possible.
 inline constexpr std::int64_t most_ahead = 16;
 
+// Which environments this process runs.
+template <class D>
+using environments_here = std::array<bool, array_size(environment_count<D>)>;
+
 // Enough for the samples of the beats in which the writer is ahead, and for those that are not due.
 constexpr int ring_capacity(int delay) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(most_ahead + delay + 2)));

@@ -3,19 +3,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/patience.hpp>
+#include <cca/runtime/transports/peers.hpp>
 
 namespace cca::detail {
-
-// Which environments this process runs.
-template <class D>
-using environments_here = std::array<bool, array_size(environment_count<D>)>;
 
 // What all agree on.
 struct terms_of_run {
