@@ -89,11 +89,23 @@ public:
   template <class Duration, class Pace = as_fast_as_possible, class Between = detail::nothing_between>
   cca::state run(Duration duration, Pace pace = {}, Between&& between = {}) {
     move(detail::transition::run, "run()");
+    bool is_stopped_elsewhere = false;
     {
       const detail::end_of_run at_the_end{now};
-      run_all(duration.beats(period()), pace, between);
+      is_stopped_elsewhere = !run_all(duration.beats(period()), pace, between);
     }
+    if (is_stopped_elsewhere) stop();
     return now;
+  }
+
+  // As of a controller. Where other processes run environments, their run ends with stop() too.
+  void start() {
+    host::start();
+    tell_stopped(false);
+  }
+  void stop() {
+    host::stop();
+    tell_stopped(true);
   }
 
   // The next beat.
@@ -179,14 +191,21 @@ private:
     is_told[E] = true;
   }
 
+  void tell_stopped(bool is_stopped) {
+    for (std::size_t e = 0; e < here.size(); ++e)
+      if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
+  }
+
+  // False: another process has stopped, and there is no run.
   template <class Pace, class Between>
-  void run_all(std::int64_t beats, Pace& pace, Between& between) {
+  bool run_all(std::int64_t beats, Pace& pace, Between& between) {
     constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
     const bool wants_exact = !detail::OnClock<Pace>;
     const bool wants_to_meet = is_watched || !std::is_same_v<Pace, as_fast_as_possible>;
     detail::meeting<D> together(*shared, here, others.get());
     const auto terms =
         together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, [this] { idle(); });
+    if (terms.is_stopped) return false;
     std::int64_t last_seen = terms.beat;
     {
       const finished_run all_at_one_beat{*this, together, terms};
@@ -206,6 +225,7 @@ private:
       });
     }
     if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
+    return true;
   }
 
   // `first` in this thread, the others in threads of their own.

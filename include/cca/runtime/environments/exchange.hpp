@@ -70,7 +70,7 @@ struct alignas(64) environment_record {
   // How a run begins and ends together (meeting.hpp): numbers of runs, and what it wants of the run.
   std::atomic<std::int64_t> arrived{0}, ready{0}, finished{0};
   std::atomic<std::int64_t> beat{0}, length{0};
-  std::atomic<bool> is_exact{true}, all_meet{false};
+  std::atomic<bool> is_exact{true}, all_meet{false}, is_stopped{false};
 
   // At wall-clock speed, since start().
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};

@@ -120,7 +120,10 @@ private:
     std::int64_t newest = 0;
     for (const auto& e : all) newest = std::max<std::int64_t>(newest, e.ready);
     for (std::size_t e = 0; e < here.size(); ++e)
-      if (here[e]) all[e].arrived = all[e].ready = newest, all[e].finished = newest;
+      if (here[e]) {
+        all[e].arrived = all[e].ready = all[e].finished = newest;
+        all[e].is_stopped = false;
+      }
   }
 
   static constexpr int most_environments = 64;
