@@ -1,5 +1,5 @@
-// An architecture spread over environments: `deployment`, `deployed`, and the transports of the core: threads,
-// shared memory.
+// An architecture spread over environments: `deployment`, `deployed`, and the transports of the core:
+// threads, shared memory.
 #pragma once
 
 #include <cca/graph/deployment.hpp>
