@@ -12,6 +12,7 @@
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
+#include <cca/component/switch_to.hpp>
 #include <cca/base/ref.hpp>
 #include <cca/space/info.hpp>
 
@@ -70,7 +71,7 @@ using bare_parameter =
                        std::remove_cvref_t<Type>>;
 
 // What a result of the function is.
-enum class result_kind : std::uint8_t { output, fault, bad };
+enum class result_kind : std::uint8_t { output, fault, mode_request, bad };
 
 template <class Type>
 struct result_facts {
@@ -81,6 +82,12 @@ template <>
 struct result_facts<fault> {
   static constexpr auto kind = result_kind::fault;
   static constexpr port_info port{};
+};
+template <fixed_string Mode>
+struct result_facts<switch_to<Mode>> {
+  static constexpr auto kind = result_kind::mode_request;
+  static constexpr port_info port{};
+  static constexpr std::string_view mode = Mode.view();
 };
 template <fixed_string Name, class Space>
 struct result_facts<out<Name, Space>> {
@@ -142,6 +149,8 @@ struct function_info {
   const port_info* outputs = nullptr;
   int input_count = 0, output_count = 0;
   bool may_fault = false;
+  const std::string_view* requested_modes = nullptr;  // by cca::switch_to
+  int requested_count = 0;
   std::string_view bad_parameter{}, bad_result{};  // names of types; empty if there is none
 };
 
@@ -172,7 +181,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
   }();
 
   // For each parameter its position among the inputs, for each result its position among the outputs; -1 for
-  // a beat or a fault.
+  // a beat, a fault or a request.
   static constexpr auto input_of_parameter = [] {
     std::array<int, sizeof...(Parameters) + 1> position{};
     int n = 0;
@@ -188,9 +197,24 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     return position;
   }();
 
+  static constexpr int requested_count =
+      ((result_facts<Results>::kind == result_kind::mode_request) + ... + 0);
+  static constexpr auto requested_modes = [] {
+    std::array<std::string_view, array_size(requested_count + 1)> found{};
+    [[maybe_unused]] std::size_t n = 0;
+    [[maybe_unused]] const auto add = [&]<class Result>(list<Result>) {
+      if constexpr (result_facts<Result>::kind == result_kind::mode_request)
+        found[n++] = result_facts<Result>::mode;
+    };
+    (add(list<Results>{}), ...);
+    return found;
+  }();
+
   static constexpr function_info value = [] {
     function_info function{inputs.data(), outputs.data(), input_count, output_count};
     function.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
+    function.requested_modes = requested_modes.data();
+    function.requested_count = requested_count;
     ((parameter_facts<Parameters>::kind == parameter_kind::bad && function.bad_parameter.empty()
           ? void(function.bad_parameter = type_name<Parameters>())
           : void()),

@@ -30,10 +30,20 @@ struct report {
   text where{}, message{};
 };
 
+// What a controller runs: a graph, or a set of them (graph/diagnosis/diagnosis_of_modes.hpp). `diagnosed` is
+// where its first mistake may be: the type itself, or a part of it.
+template <class Type>
+inline constexpr bool has_plan = Graph<Type>;
+template <class Type>
+struct diagnosed {
+  using type = Type;
+};
+
 // The id of the first broken rule, or nothing. A type that is no graph gets its own message.
 template <class Type>
 consteval std::string_view broken_by() {
-  if constexpr (Graph<Type>) return counts_of<Type>.found.rule;
+  using type = typename diagnosed<Type>::type;
+  if constexpr (has_plan<type>) return counts_of<type>.found.rule;
   else return graph_unknown_item::id;
 }
 
@@ -43,7 +53,7 @@ auto as_tuple(list<Rules...>) -> std::tuple<Rules*...>;
 template <class Type, class Writer, class Report>
 consteval Report make_report() {
   Report r;
-  if constexpr (Graph<Type>) {
+  if constexpr (has_plan<Type>) {
     constexpr auto number = number_of_rule(broken_by<Type>(), rules{});
     using rule = std::remove_pointer_t<std::tuple_element_t<number, decltype(as_tuple(rules{}))>>;
     auto plan = plan_of<Type>;
@@ -69,7 +79,7 @@ consteval Report make_report() {
   return {as_written(r.where), as_written(r.message)};
 }
 template <class Graph>
-inline constexpr auto report_of = make_report<Graph, message_writer, report>();
+inline constexpr auto report_of = make_report<typename diagnosed<Graph>::type, message_writer, report>();
 
 template <class Graph>
 consteval diagnosis_value make_diagnosis() {
@@ -133,6 +143,12 @@ using refusal = refused_graph<message<report_of<Graph>.message.size>(report_of<G
 
 template <class Graph>
 inline constexpr bool well_formed = detail::broken_by<Graph>().empty();
+
+namespace detail {
+
+template <class Type> concept WellFormed = well_formed<Type>;
+
+}  // namespace detail
 
 template <class Graph>
 inline constexpr diagnosis_value diagnosis = detail::make_diagnosis<Graph>();

@@ -90,6 +90,11 @@ private:
       constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy;
       constexpr bool is_period = c.fires.period == 1 || (strategy && strategy->first_dt_is_period);
       const bool is_first = b.k == c.fires.first;
+      if constexpr (c.unsteady) {  // before the switch to this mode it fired at other beats, or not at all
+        const bool since_switch = !is_first && b.k - c.fires.period >= b.state.since;
+        const std::int64_t last = since_switch ? b.k - c.fires.period : b.state.firings[at.firing].last;
+        return {ticks<c.fires>(b.k), last >= 0 ? b.k - last : is_period ? c.fires.period : 1, last};
+      }
       return {ticks<c.fires>(b.k), is_period || !is_first ? c.fires.period : 1,
               is_first ? -1 : b.k - c.fires.period};
     }
@@ -146,6 +151,9 @@ private:
   CCA_INLINE void publish_one(One& one, [[maybe_unused]] std::int64_t oldest) const {
     if constexpr (std::is_same_v<One, fault>) {
       if (one) b.outcome = {one.reason(), at.node};
+    } else if constexpr (is_mode_request<One>) {
+      if constexpr (requires { b.state.request(one); })
+        if (one) b.state.request(one);
     } else {
       publish<Graph, layout_of<Graph>.output_twin[c.first_output + P]>(
           b, one, layout_of<Graph>.outputs[at.first_output + P].index, oldest);

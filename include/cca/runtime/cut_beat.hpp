@@ -11,14 +11,17 @@ struct is_kept_by_clock {
   static constexpr bool holds(std::size_t o) {
     auto plan = plan_of<Graph>;
     const auto& out = plan.outputs[o];
-    return out.storage == storage_kind::past && published(plan.view(), out).known();
+    const bool is_kept =
+        out.storage == storage_kind::past || (out.storage == storage_kind::newest && !out.by_clock);
+    return is_kept && published(plan.view(), out).known();
   }
 };
 
 template <class Graph, int Output>
 void repeat_output(controller_state<Graph>& state, std::int64_t k) {
   constexpr place at = layout_of<Graph>.outputs[Output];
-  sample_in<Graph, at.array>(state, at.index).repeat(k);
+  if (output_of<Graph, Output>.by_clock || ticks(published_of<Graph, Output>, k))
+    sample_in<Graph, at.array>(state, at.index).repeat(k);
 }
 
 // What should have been published in beat k and was not.

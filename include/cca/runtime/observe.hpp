@@ -110,6 +110,15 @@ void observe_newest(const controller_state<Graph>& state, std::int64_t k, F& f) 
                 k > 0 && stored.arrived(k - 1, 0) == k - 1});
 }
 
+// All outputs that an `observe` among the items of a graph names.
+template <class Graph, class F>
+void observe_all(const controller_state<Graph>& state, std::int64_t k, F& f) {
+  [&]<int... Output>(std::integer_sequence<int, Output...>) {
+    const int all[] = {0, (observe_newest<Graph, Output>(state, k, f), 0)...};
+    (void)all;
+  }(chosen<counts_of<Graph>.output_count, is_watched<Graph>>{});
+}
+
 // What one observer hears. The entries point into the values, so it is filled where it stays.
 template <class Graph, int Input>
 class observations {

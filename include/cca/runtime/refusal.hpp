@@ -68,6 +68,10 @@ public:
     return {};
   }
   std::vector<std::string> parameter_paths() const { return {}; }
+  template <fixed_string Mode>
+  void switch_to() {}
+  void switch_to(std::string_view) {}
+  std::string_view mode() const noexcept { return {}; }
   template <class F>
   void observed(F) const {}
   template <class F>

@@ -152,9 +152,19 @@ CCA_INLINE auto& part_of(Whole& whole) {
   return static_cast<std::conditional_t<std::is_const_v<Whole>, const Part, Part>&>(whole);
 }
 
+// Where components and samples are kept: modes share theirs (runtime/modes/shared_state.hpp).
+template <class Graph, int First>
+struct component_home {
+  using type = component_array<Graph, First>;
+};
+template <class Graph, int Array>
+struct sample_home {
+  using type = stored_array<Graph, Array>;
+};
+
 template <class Graph, int First, class State>
 CCA_INLINE auto& component_in(State& state, int index) {
-  return part_of<component_array<Graph, First>>(state).at(index);
+  return part_of<typename component_home<Graph, First>::type>(state).at(index);
 }
 template <class Graph, int Node, class State>
 CCA_INLINE auto& component_at(State& state) {
@@ -164,7 +174,7 @@ CCA_INLINE auto& component_at(State& state) {
 
 template <class Graph, int Array, class State>
 CCA_INLINE auto& sample_in(State& state, int index) {
-  return part_of<stored_array<Graph, Array>>(state).all[index];
+  return part_of<typename sample_home<Graph, Array>::type>(state).all[index];
 }
 
 // ---- what a beat works on ----

@@ -37,6 +37,7 @@ public:
     return *std::launder(reinterpret_cast<const vector_type*>(bytes));
   }
   CCA_INLINE std::int64_t origin() const { return time; }
+  void forget() { time = never; }
 
   CCA_INLINE void store(const vector_type& v, std::int64_t origin) {
     vector() = v;
@@ -56,11 +57,12 @@ constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
 
 // ---- of_beat ----
 
-// How many outputs a result has; a fault is none.
+// How many outputs a result has; a fault and a request are none.
 template <class Result>
 inline constexpr int outputs_in = 1;
 template <class... Outputs>
-inline constexpr int outputs_in<std::tuple<Outputs...>> = (0 + ... + !std::is_same_v<Outputs, fault>);
+inline constexpr int outputs_in<std::tuple<Outputs...>> =
+    (0 + ... + (result_facts<Outputs>::kind == result_kind::output));
 
 // Which outputs were published in this beat. A result of each beat needs no marks.
 template <int Count>
@@ -84,7 +86,7 @@ public:
     if constexpr (!InEachBeat) this->is_published[Position] = true;
   }
 
-  // The output number `Position` among the results; a fault is none.
+  // The output number `Position` among the results.
   template <int Position>
   CCA_INLINE const auto& output() const {
     if constexpr (index_of<Position>(static_cast<Result*>(nullptr)) < 0) return result;
@@ -105,7 +107,7 @@ private:
   }
   template <int Position, class... Outputs>
   static constexpr int index_of(const std::tuple<Outputs...>*) {
-    constexpr bool is_output[] = {!std::is_same_v<Outputs, fault>...};
+    constexpr bool is_output[] = {result_facts<Outputs>::kind == result_kind::output...};
     int found = 0;
     for (int seen = -1; (seen += is_output[found]) < Position;) ++found;
     return found;
@@ -140,6 +142,17 @@ struct newest_sample : stored_sample<Size>, publication_beat<Published.dynamic()
     else if constexpr (Published.known()) return newest_tick(shifted(Published, delay), k);
     else return this->published_in < 0 ? -1 : this->published_in + delay;
   }
+  // It has not been published yet.
+  void forget() {
+    stored_sample<Size>::forget();
+    if constexpr (Published.dynamic()) this->published_in = -1;
+  }
+  // In beat k it should have been published and was not: it counts again.
+  void repeat(std::int64_t k)
+    requires(Published.dynamic())
+  {
+    this->published_in = k;
+  }
 };
 
 // ---- past ----
@@ -163,12 +176,17 @@ public:
   }
   // In beat k nothing was published: if its clock ticks, the sample before counts again.
   void repeat(std::int64_t k) {
+    if constexpr (Published.dynamic()) return repeat_last(k);
     if (!ticks(Published, k)) return;
     const std::int64_t number = (k - Published.first) / Published.period;
     entry& now = entries[index_in_ring(number)];
     if (now.published_in == k) return;
     now = number > 0 ? entries[index_in_ring(number - 1)] : entry();
     if (now.published_in >= 0) now.published_in = k;
+  }
+  void forget() {
+    for (entry& each : entries) each.published_in = -1;
+    count = 0;
   }
 
 private:
@@ -178,6 +196,12 @@ private:
 
   CCA_INLINE static std::size_t index_in_ring(std::int64_t number) {
     return static_cast<std::size_t>(number) & static_cast<std::size_t>(Depth - 1);
+  }
+
+  void repeat_last(std::int64_t k) {
+    if (count == 0 || entries[index_in_ring(count - 1)].published_in == k) return;
+    entries[index_in_ring(count)] = entries[index_in_ring(count - 1)];
+    entries[index_in_ring(count++)].published_in = k;
   }
 
   CCA_INLINE const entry* newest_arrived(std::int64_t k, int delay) const {
@@ -270,6 +294,10 @@ public:
     if (count == 0) return;
     taken = ring[head];
     remove_oldest();
+  }
+  void forget() {
+    taken.forget();
+    head = count = 0;
   }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cca/graph/plan/deployment/environments.hpp>
+#include <cca/graph/plan/modes/mode_info.hpp>
 #include <cca/graph/plan/paths.hpp>
 
 namespace cca::detail {
@@ -40,6 +41,9 @@ struct message_writer {
   }
   // environment `mind`
   constexpr void environment(int e) { say() << "environment `" << g.environments[e].name << "`"; }
+  // mode `trot`
+  constexpr void mode(int number) { say() << "mode `" << g.modes->modes[number].name << "`"; }
+  constexpr double rate_of(int mode) const { return g.modes->modes[mode].plan->hz; }
   template <class Port>
   constexpr void port(const Port& p) {
     say() << "`";

@@ -62,4 +62,16 @@ struct placed_node {};           // named by a second environment [environment],
 struct finished_environment {};  // all components have their place [environment, no item]
 struct crossing {};              // a wire, or an observer's node, between two environments [input, output]
 
+// share the components of a set of modes [no item, unless said otherwise]
+struct stated_modes {};        // []
+struct stated_mode {};         // [mode]
+struct known_rate_of_mode {};  // [mode, other_mode]
+struct shared_path {
+};  // two modes have a component at one path [item of the second, component, mode, other_mode]
+struct missing_node {
+};  // a component that not all modes have [item, component, mode, other_mode: has it, lacks it]
+struct requested_mode {};    // by a component [item, name]
+struct parting_commands {};  // an input on the way to an actuator is fed in two ways
+                             // [item, component, name, mode, other_mode, output, other_output]
+
 }  // namespace cca::detail::when

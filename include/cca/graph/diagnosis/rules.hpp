@@ -19,6 +19,12 @@
 #include <cca/graph/diagnosis/rules/deployment/deployment_undelayed.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_unknown_node.hpp>
 #include <cca/graph/diagnosis/rules/deployment/deployment_unplaced.hpp>
+#include <cca/graph/diagnosis/rules/modes/modes_bad_mode.hpp>
+#include <cca/graph/diagnosis/rules/modes/modes_command_jumps.hpp>
+#include <cca/graph/diagnosis/rules/modes/modes_missing_robot.hpp>
+#include <cca/graph/diagnosis/rules/modes/modes_two_rates.hpp>
+#include <cca/graph/diagnosis/rules/modes/modes_two_types.hpp>
+#include <cca/graph/diagnosis/rules/modes/modes_unknown_mode.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_coordination.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_misplaced.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_never_fires.hpp>
@@ -76,7 +82,13 @@ using rules = list<
     deployment_unknown_node,
     deployment_unplaced,
     deployment_placed_twice,
-    deployment_undelayed
+    deployment_undelayed,
+    modes_bad_mode,
+    modes_two_rates,
+    modes_two_types,
+    modes_missing_robot,
+    modes_unknown_mode,
+    modes_command_jumps
 >;
 // clang-format on
 

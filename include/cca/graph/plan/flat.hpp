@@ -14,6 +14,7 @@
 namespace cca::detail {
 
 struct environment_info;
+struct modes_info;
 
 // The outermost graph or an inner one; its hash is that of its path.
 struct scope {
@@ -28,7 +29,8 @@ struct component_node {
   const item_info* item = nullptr;
   int scope = 0;
   int first_call = 0, call_count = 0;
-  int environment = -1;  // of a deployment
+  int environment = -1;     // of a deployment
+  std::uint64_t modes = 0;  // of a set of modes: those that have it, a bit for each
 };
 
 // One function of a component: `process`, or `sense` and `act` of a resource node.
@@ -39,8 +41,10 @@ struct call {
   int first_input = 0, first_output = 0;
   int rank = 0;  // its number in the order of a beat
   clock fires{};
-  bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
-  bool elsewhere = false;    // runs in another environment
+  bool stored_seen = false;         // keeps the oldest origin that it saw when it last fired
+  bool elsewhere = false;           // runs in another environment
+  bool unsteady = false;            // its clock is known, but not the same in all modes
+  std::int64_t longest_period = 1;  // of a set of modes, where it is unsteady: in beats
 };
 
 struct input {
@@ -54,6 +58,7 @@ struct input {
   bool in_beat = false;      // surely published in the beat of the reader's firing
   bool own_initial = false;  // its initial value differs from that of the stored sample
   int queue = -1;            // number of its queue
+  std::uint64_t modes = 0;   // of a set of modes: those that have this queue
 };
 
 // How a sample is stored; decided in graph/plan/storage.hpp. A queue is an input's own.
@@ -64,8 +69,9 @@ struct output {
   int first_reader = -1;
   bool watched = false;  // an `observe` of the graph listens to it
   storage_kind storage = storage_kind::none;
-  int depth = 0;        // of the past, or of what arrives
-  bool leaves = false;  // another environment reads it
+  int depth = 0;         // of the past, or of what arrives
+  bool leaves = false;   // another environment reads it
+  bool by_clock = true;  // its clock tells when its samples were published, also in other modes
   ref<item_info> initial_of = nullptr;
 };
 
@@ -93,6 +99,7 @@ struct flat_view {
   int order_count = 0;  // calls in a beat
   const environment_info* environments = nullptr;
   int environment_count = 0;
+  const modes_info* modes = nullptr;
   double hz = 0;
   std::int64_t period = 0;  // nanoseconds a beat
   int calls_in_part = 0;    // graph/plan/long_beats.hpp
@@ -164,6 +171,11 @@ constexpr clock published(const flat_view& g, const output& o) {
   const auto& t = g.calls[o.call];
   const auto& port = t.function->outputs[o.port];
   return port.maybe ? published(port, t) : t.fires;
+}
+
+// The same for where its samples are stored.
+constexpr clock stored_clock(const flat_view& g, const output& o) {
+  return o.by_clock ? published(g, o) : dynamic_clock;
 }
 
 }  // namespace cca::detail

@@ -1,0 +1,57 @@
+// Where the components and samples of a set of modes lie. All modes use the same memory; only the results
+// that end with a beat are each mode's own.
+#pragma once
+
+#include <cca/graph/layout/layout.hpp>
+#include <cca/graph/plan/modes/plan_of_modes.hpp>
+
+namespace cca::detail {
+
+template <Modes M>
+inline constexpr auto layout_of<M> = [] {
+  constexpr auto& size = graph_size<M>;
+  layout<size.nodes, size.calls, size.inputs, size.outputs> result;
+  layout_step<decltype(result)> step{shown_plan<M>, result};
+  step.place_nowhere();
+  step.place_components();
+  step.place_samples();
+  step.place_calls();
+  return result;
+}();
+
+// The places of a mode are those of all modes.
+template <class M, int I>
+inline constexpr auto layout_of<mode_part<M, I>> = [] {
+  constexpr auto& size = graph_size<mode_part<M, I>>;
+  layout<size.nodes, size.calls, size.inputs, size.outputs> result;
+  auto plan = plan_of<mode_part<M, I>>;
+  const auto g = plan.view();
+  layout_step<decltype(result)>{g, result}.run();
+
+  const auto& whole = layout_of<M>;
+  const auto view = shared_plan_of<M>.view_of(g, shown_plan<M>);
+  for (int n = 0; n < g.node_count; ++n)
+    result.components[n].index = whole.components[view.shared_node(n)].index;
+  for (int c = 0; c < g.call_count; ++c) {
+    result.calls[c].component = result.components[g.calls[c].node].index;
+    result.calls[c].firing = whole.calls[view.shared_call(c)].firing;
+  }
+  for (int o = 0; o < g.output_count; ++o)
+    if (const int shared = view.shared_output(o); view.whole.outputs[shared].storage != storage_kind::none)
+      result.outputs[o].index = whole.outputs[shared].index;
+  for (int i = 0; i < g.input_count; ++i)
+    if (g.inputs[i].queue >= 0)
+      result.sources[i].index = whole.sources[sharing::find_queue(view, i, view.whole)].index;
+    else if (g.inputs[i].writer >= 0) result.sources[i] = result.outputs[g.inputs[i].writer];
+  return result;
+}();
+
+// The array of all modes that is this one of a mode.
+template <class M, int I, int Array>
+inline constexpr int shared_array = [] {
+  int array = 0;
+  while (!layout_of<M>.arrays[array].stores_like(layout_of<mode_part<M, I>>.arrays[Array])) ++array;
+  return array;
+}();
+
+}  // namespace cca::detail

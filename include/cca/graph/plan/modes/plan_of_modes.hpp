@@ -1,0 +1,183 @@
+// The plan of a set of modes, and of each mode in it. The part of a mode is the plan of its graph; only where
+// its samples are stored is settled for all modes together.
+#pragma once
+
+#include <cca/graph/layout/types.hpp>
+#include <cca/graph/modes.hpp>
+#include <cca/graph/plan/modes/share.hpp>
+#include <cca/graph/plan/plan.hpp>
+
+namespace cca::detail {
+
+// A plan to look at; nothing is written through it.
+template <class Graph>
+inline constexpr flat_view shown_plan = [] {
+  const auto& plan = plan_of<Graph>;
+  flat_view v = plan.counts;
+  v.scopes = const_cast<scope*>(plan.scopes.data());
+  v.nodes = const_cast<component_node*>(plan.nodes.data());
+  v.calls = const_cast<call*>(plan.calls.data());
+  v.inputs = const_cast<input*>(plan.inputs.data());
+  v.outputs = const_cast<output*>(plan.outputs.data());
+  v.links = const_cast<link*>(plan.links.data());
+  v.order = const_cast<int*>(plan.order.data());
+  return v;
+}();
+
+template <class Item>
+struct item_of_modes {
+  using graph = void;
+  static constexpr std::string_view name{};
+};
+template <fixed_string Name, class G>
+struct item_of_modes<mode<Name, G>> {
+  using graph = G;
+  static constexpr std::string_view name = Name.view();
+};
+
+template <class Item>
+constexpr mode_info describe_mode() {
+  using graph = typename item_of_modes<Item>::graph;
+  mode_info info{.name = item_of_modes<Item>::name, .is_mode = !std::is_void_v<graph>};
+  if constexpr (Graph<graph>) {
+    info.type = graph_facts<graph>::value.name;
+    info.plan = &shown_plan<graph>;
+    info.is_deployment = requires { typename graph::cca_environments; };
+  } else {
+    info.type = type_name<Item>();
+  }
+  return info;
+}
+
+// A set of modes that is no named struct has all of them in its name.
+constexpr std::string_view modes_name(std::string_view name) {
+  return name.starts_with("modes<") ? "the set of modes" : name;
+}
+
+template <class M, class Items = typename M::cca_modes>
+struct modes_of;
+template <class M, class... Items>
+struct modes_of<M, list<Items...>> {
+  static constexpr int count = sizeof...(Items);
+  static constexpr std::array<mode_info, sizeof...(Items) + 1> all{describe_mode<Items>()..., mode_info{}};
+  static constexpr modes_info value{modes_name(type_name<M>()), all.data(), count};
+
+  static constexpr graph_sizes sizes = [] {
+    graph_sizes sum;
+    const auto add = [&]<class G>(box<G>) {
+      if constexpr (Graph<G>) {
+        const auto& one = graph_size<G>;
+        sum.nodes += one.nodes, sum.scopes += one.scopes, sum.calls += one.calls;
+        sum.inputs += one.inputs, sum.outputs += one.outputs;
+      }
+    };
+    (add(box<typename item_of_modes<Items>::graph>{}), ...);
+    return sum;
+  }();
+
+  // The graph of mode I.
+  template <int I>
+  using graph = typename item_of_modes<std::tuple_element_t<std::size_t{I}, std::tuple<Items...>>>::graph;
+};
+
+template <class M>
+inline constexpr int mode_count = modes_of<M>::count;
+
+template <Modes M>
+struct graph_facts<M> {
+  static constexpr graph_info value{modes_of<M>::value.name, nullptr, 0, modes_of<M>::sizes, nullptr};
+};
+template <Modes M>
+inline constexpr graph_sizes graph_size<M> = modes_of<M>::sizes;
+
+template <class M>
+struct shared_plan {
+  flat_of<M> graph{};
+  std::array<table_entry, table_size(graph_size<M>.nodes)> names{};
+
+  constexpr mode_view view_of(const flat_view& mode, const flat_view& whole) const {
+    return {mode, whole, names.data(), names.size() - 1};
+  }
+};
+template <class M>
+consteval shared_plan<M> share() {
+  shared_plan<M> result;
+  const name_table names{result.names.data(), result.names.size() - 1};
+  result.graph.keep(share(result.graph.view(), names, modes_of<M>::value));
+  return result;
+}
+template <class M>
+inline constexpr shared_plan<M> shared_plan_of = share<M>();
+
+template <Modes M>
+inline constexpr flat_of<M> plan_of<M> = shared_plan_of<M>.graph;
+
+// ---- one mode ----
+
+// Mode I of a set, as a graph.
+template <class M, int I>
+struct mode_part {
+  using graph = typename modes_of<M>::template graph<I>;
+  using cca_items = typename graph::cca_items;
+};
+
+template <class M, int I, int Node>
+struct node_types<mode_part<M, I>, Node> : node_types<typename mode_part<M, I>::graph, Node> {};
+
+// Stores what another mode reads later, too.
+constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
+  for (int c = 0; c < g.call_count; ++c)
+    g.calls[c].unsteady = g.calls[c].fires.known() && view.whole.calls[view.shared_call(c)].fires.dynamic();
+  for (int o = 0; o < g.output_count; ++o) {
+    auto& out = g.outputs[o];
+    const auto& shared = view.whole.outputs[view.shared_output(o)];
+    out.by_clock = g.calls[out.call].fires == view.whole.calls[shared.call].fires;
+    if (shared.storage == storage_kind::none) continue;
+    out.storage = shared.storage;
+    out.depth = shared.depth;
+    out.initial_of = shared.initial_of;
+    for (int i = out.first_reader; i >= 0; i = g.inputs[i].next_of_writer) {
+      auto& in = g.inputs[i];
+      in.own_initial = out.storage == storage_kind::newest && in.queue < 0 && !in.in_beat &&
+                       !storage_step::same_initial(out.initial_of, in.wire, port_of(g, in).space->size);
+    }
+  }
+  return g;
+}
+
+template <class M, int I>
+inline constexpr graph_sizes graph_size<mode_part<M, I>> = graph_size<typename mode_part<M, I>::graph>;
+template <class M, int I>
+inline constexpr int calls_in_part<mode_part<M, I>> = calls_in_part<typename mode_part<M, I>::graph>;
+
+template <class M, int I>
+inline constexpr flat_of<mode_part<M, I>> plan_of<mode_part<M, I>> =
+    then<mode_part<M, I>>(plan_of<typename mode_part<M, I>::graph>, [](flat_view g) {
+      return store_for_all(
+          g, shared_plan_of<M>.view_of(shown_plan<typename mode_part<M, I>::graph>, shown_plan<M>));
+    });
+
+// The shared numbers of a mode's nodes.
+template <class M, int I>
+inline constexpr auto shared_nodes = [] {
+  const auto& g = shown_plan<typename mode_part<M, I>::graph>;
+  const auto view = shared_plan_of<M>.view_of(g, shown_plan<M>);
+  std::array<int, array_size(graph_size<mode_part<M, I>>.nodes + 1)> numbers{};
+  for (int n = 0; n < g.node_count; ++n) numbers[array_size(n)] = view.shared_node(n);
+  return numbers;
+}();
+
+// A shared node is that of the first mode which has it.
+template <class M, int Node>
+inline constexpr int first_mode_of = first_of(plan_of<M>.nodes[array_size(Node)].modes);
+template <class M, int Node>
+inline constexpr int number_in_first_mode = [] {
+  int n = 0;
+  while (shared_nodes<M, first_mode_of<M, Node>>[array_size(n)] != Node) ++n;
+  return n;
+}();
+template <Modes M, int Node>
+struct node_types<M, Node> : node_types<typename modes_of<M>::template graph<first_mode_of<M, Node>>,
+                                        number_in_first_mode<M, Node>> {};
+
+}  // namespace cca::detail

@@ -1,0 +1,201 @@
+// All modes of a set together, as one flat graph without an order: each component once, however many modes
+// have it, with the outputs and queues that outlive a beat in any of them. A node of a mode is found by its
+// path.
+//
+// A component that not all modes have, or that fires at other beats in another mode, is unsteady: its clock
+// does not tell when it fired before the switch, so this is kept at run time.
+#pragma once
+
+#include <cca/graph/diagnosis/check.hpp>
+#include <cca/graph/plan/modes/mode_info.hpp>
+#include <cca/graph/plan/modes/same_commands.hpp>
+
+namespace cca::detail {
+
+struct sharing {
+  flat_view to;
+  name_table names;
+  const modes_info& all;
+
+  constexpr mode_view view_of(int mode) const {
+    return {*all.modes[mode].plan, to, names.entries, names.mask};
+  }
+
+  constexpr void add_mode(int mode) {
+    const auto& from = *all.modes[mode].plan;
+    const int first_scope = to.scope_count;
+    for (int s = 0; s < from.scope_count; ++s) {
+      auto& added = to.scopes[to.scope_count++];
+      added = from.scopes[s];
+      if (added.parent >= 0) added.parent += first_scope;
+    }
+    for (int n = 0; n < from.node_count; ++n) {
+      const auto& node = from.nodes[n];
+      const auto path = path_hash(from.scopes[node.scope], node.item->from, node.item->from_hash);
+      if (names.add(path, to.node_count)) add_node(mode, n, first_scope);
+      else join_node(mode, n, find(names.entries, names.mask, path));
+    }
+  }
+
+  constexpr void add_node(int mode, int n, int first_scope) {
+    const auto& from = *all.modes[mode].plan;
+    auto& added = to.nodes[to.node_count];
+    added = from.nodes[n];
+    added.scope += first_scope;
+    added.first_call = to.call_count;
+    added.modes = bit_of(mode);
+    for (int c = 0; c < added.call_count; ++c) {
+      const auto& call = from.calls[from.nodes[n].first_call + c];
+      auto& own = to.calls[to.call_count];
+      own = call;
+      own.node = to.node_count;
+      own.first_input = 0;
+      own.first_output = to.output_count;
+      own.longest_period = call.fires.known() ? call.fires.period : 1;
+      for (int p = 0; p < call.function->output_count; ++p) {
+        to.outputs[to.output_count] = {};
+        to.outputs[to.output_count].call = to.call_count;
+        to.outputs[to.output_count++].port = p;
+      }
+      ++to.call_count;
+    }
+    ++to.node_count;
+  }
+
+  constexpr void join_node(int mode, int n, int shared) {
+    const auto& from = *all.modes[mode].plan;
+    auto& node = to.nodes[shared];
+    check<when::shared_path>(
+        to,
+        {.item = from.nodes[n].item, .component = shared, .mode = first_of(node.modes), .other_mode = mode});
+    if (to.found.is_broken()) return;
+    node.modes |= bit_of(mode);
+    for (int c = 0; c < node.call_count; ++c) {
+      const auto fires = from.calls[from.nodes[n].first_call + c].fires;
+      auto& own = to.calls[node.first_call + c];
+      if (!(own.fires == fires)) own.fires = dynamic_clock;
+      if (fires.known() && fires.period > own.longest_period) own.longest_period = fires.period;
+    }
+  }
+
+  // How a sample is stored is the same in all modes: as in the one that needs most.
+  constexpr void join_samples(int mode) {
+    const auto view = view_of(mode);
+    for (int o = 0; o < view.g.output_count; ++o) {
+      const auto& out = view.g.outputs[o];
+      auto& own = to.outputs[view.shared_output(o)];
+      own.watched |= out.watched;
+      if (out.storage == storage_kind::none || out.storage == storage_kind::of_beat) continue;
+      if (out.storage > own.storage) own.storage = out.storage;
+      if (out.depth > own.depth) own.depth = out.depth;
+      if (!own.initial_of) own.initial_of = out.initial_of;
+    }
+    for (int i = 0; i < view.g.input_count; ++i)
+      if (view.g.inputs[i].queue >= 0) join_queue(view, mode, i);
+  }
+
+  constexpr void join_queue(const mode_view& view, int mode, int i) {
+    auto& own = to.inputs[find_queue(view, i, to)];
+    if (own.queue < 0) {
+      const auto& in = view.g.inputs[i];
+      own = in;
+      own.call = view.shared_call(in.call);
+      own.writer = view.shared_output(in.writer);
+      own.queue = to.queue_count++;
+      ++to.input_count;
+    }
+    own.modes |= bit_of(mode);
+  }
+
+  // The queue of the same wire among those of all modes; if there is none, the number of the next one.
+  static constexpr int find_queue(const mode_view& view, int i, const flat_view& whole) {
+    const auto& in = view.g.inputs[i];
+    const int call = view.shared_call(in.call), writer = view.shared_output(in.writer);
+    int q = 0;
+    for (; q < whole.input_count; ++q) {
+      const auto& own = whole.inputs[q];
+      if (own.call == call && own.port == in.port && own.writer == writer && carries_alike(own, in)) break;
+    }
+    return q;
+  }
+
+  constexpr void check_nodes() {
+    const auto everywhere = all_of_modes(all);
+    for (int n = 0; n < to.node_count; ++n) {
+      const auto& node = to.nodes[n];
+      if (node.modes == everywhere) continue;
+      for (int c = node.first_call; c < node.first_call + node.call_count; ++c)
+        to.calls[c].fires = dynamic_clock;
+      check<when::missing_node>(to, {.item = node.item,
+                                     .scope = node.scope,
+                                     .component = n,
+                                     .mode = first_of(node.modes),
+                                     .other_mode = first_of(everywhere & ~node.modes)});
+    }
+    for (int c = 0; c < to.call_count; ++c)
+      for (int r = 0; r < to.calls[c].function->requested_count; ++r)
+        check<when::requested_mode>(to, {.item = &item_of_call(to, to.calls[c]),
+                                         .scope = scope_of_call(to, to.calls[c]),
+                                         .name = to.calls[c].function->requested_modes[r]});
+  }
+
+  // Each actuator, in each pair of modes.
+  constexpr void check_commands() {
+    for (int m = 0; m < all.count; ++m) {
+      const auto one = view_of(m);
+      for (int i = 0; i < one.g.input_count; ++i) {
+        if (!is_actuated(one.g, one.g.inputs[i])) continue;
+        for (int other = m + 1; other < all.count; ++other) check_command(one, m, i, view_of(other), other);
+      }
+    }
+  }
+  constexpr void check_command(
+      const mode_view& one, int mode, int i, const mode_view& other, int other_mode) {
+    const auto& in = one.g.inputs[i];
+    const int call = one.shared_call(in.call);
+    for (int x = 0; x < other.g.input_count; ++x) {
+      const auto& there = other.g.inputs[x];
+      if (there.port != in.port || other.shared_call(there.call) != call) continue;
+      const auto part = find_parting(one, i, other, x);
+      if (part.input < 0) continue;
+      const auto &a = one.g.inputs[part.input], &b = other.g.inputs[part.other];
+      const int node = to.calls[one.shared_call(a.call)].node;
+      check<when::parting_commands>(to, {.item = to.nodes[node].item,
+                                         .scope = to.nodes[node].scope,
+                                         .output = one.shared_output(a.writer),
+                                         .component = node,
+                                         .mode = mode,
+                                         .other_mode = other_mode,
+                                         .other_output = other.shared_output(b.writer),
+                                         .name = port_of(one.g, a).name});
+    }
+  }
+
+  constexpr void run() {
+    to.modes = &all;
+    check<when::stated_modes>(to, {});
+    for (int m = 0; m < all.count; ++m) check<when::stated_mode>(to, {.mode = m});
+    for (int m = 0; m < all.count; ++m)  // the mode itself says what is wrong with it
+      if (!all.modes[m].plan || all.modes[m].plan->found.is_broken()) return;
+    if (to.found.is_broken()) return;
+    to.hz = all.modes[0].plan->hz;
+    to.period = all.modes[0].plan->period;
+    for (int m = 0; m < all.count && !to.found.is_broken(); ++m) {
+      to.may_fault |= all.modes[m].plan->may_fault;
+      check<when::known_rate_of_mode>(to, {.mode = 0, .other_mode = m});
+      add_mode(m);
+    }
+    if (to.found.is_broken()) return;
+    for (int m = 0; m < all.count; ++m) join_samples(m);
+    check_nodes();
+    check_commands();
+  }
+};
+
+constexpr flat_view share(flat_view to, name_table names, const modes_info& all) {
+  sharing step{to, names, all};
+  step.run();
+  return step.to;
+}
+
+}  // namespace cca::detail

@@ -1,0 +1,76 @@
+// What a controller of one loop does: single beats, runs, and what it counts of them. `Self` is the
+// controller; besides what component_host.hpp asks of it, it has
+//
+//   advance()   the next beat
+#pragma once
+
+#include <cstdint>
+
+#include <cca/runtime/component_host.hpp>
+#include <cca/runtime/pace.hpp>
+#include <cca/runtime/run_record.hpp>
+
+namespace cca::detail {
+
+template <class Self, class Graph>
+class loop_host : public component_host<Self, Graph> {
+  using host = component_host<Self, Graph>;
+
+public:
+  using host::period;
+
+  // One beat. False where the life-cycle does not allow it: before start(), after stop() and after a fault.
+  // Then only the hook `on_idle` of resource nodes runs: a robot goes on stopping.
+  bool step() noexcept {
+    const bool may_run = is_legal(transition::run, now);
+    if (may_run) self().advance();
+    else if constexpr (any_component<Graph, call_on_idle>) this->idle();
+    return may_run;
+  }
+
+  // Beats for a time, at a pace, and between them a call of yours: between(controller). Ends at once on a
+  // fault, and where `between` returns false. Whatever ends it, an exception too, it is then `started` or
+  // `faulted`.
+  template <class Duration, class Pace = as_fast_as_possible, class Between = void (*)(Self&)>
+  cca::state run(Duration duration, Pace pace = {}, Between&& between = [](Self&) {}) {
+    this->move(transition::run, "run()");
+    {
+      const end_of_run at_the_end{now};
+      const std::int64_t beats = duration.beats(period());
+      runs.begin(pace, period());
+      for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
+        if (const cca::fault late = runs.wait(pace, i * period())) fail({late.reason(), -1});
+        else self().advance();
+        if (!goes_on_after(between, self())) break;
+      }
+    }
+    return now;
+  }
+
+  // In the runs at wall-clock speed since start(): the beats that were still running when the next should
+  // begin, and the periods in which no beat began.
+  std::int64_t overruns() const noexcept { return runs.overruns; }
+  std::int64_t lost_periods() const noexcept { return runs.lost_periods; }
+
+  // The next beat.
+  std::int64_t beat_index() const noexcept { return k; }
+
+protected:
+  // In the beat of the fault, instead of what would still have come.
+  [[gnu::noinline]] void fail(const beat_outcome& outcome) noexcept {
+    reason = outcome;
+    Self::visit(call_on_fault{}, self());
+    now = after(transition::fail, now);
+  }
+  void forget_runs() { runs.overruns = runs.lost_periods = 0; }
+
+  using host::now, host::reason;
+  std::int64_t k = 0;
+
+private:
+  Self& self() { return static_cast<Self&>(*this); }
+
+  run_record runs{};
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,162 @@
+// The controller of a set of modes. It is like that of one graph; one mode is active, at first the first.
+//
+//   cca::controller<legs> c;
+//   c.load(); c.start();
+//   c.switch_to<"stand">();          // between two beats; by a name known at run time: c.switch_to("stand")
+//   c.mode();                        // "stand"
+//
+// `load`, `save`, `get` and `set` work on the components of all modes, active or not. `start` and `stop` call
+// the hooks of the active mode. A switch between two beats stops what the next mode lacks and starts what the
+// last one lacked; in a controller that is not started no hook runs. Errors: modes.*; `cca::refused`: a name
+// of no mode, and a switch after a fault. Cost: docs/modes.md.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/base/nearest.hpp>
+#include <cca/graph/diagnosis/diagnosis_of_modes.hpp>
+#include <cca/runtime/controller.hpp>
+#include <cca/runtime/modes/mode_switch.hpp>
+
+namespace cca {
+
+template <class M>
+  requires Modes<M> && detail::WellFormed<M>
+class controller<M> : public detail::loop_host<controller<M>, M> {
+  using host = detail::loop_host<controller<M>, M>;
+  static constexpr const auto& all = detail::modes_of<M>::value;
+
+public:
+  void start() {
+    const hooks_of_active_mode now_on(*this);
+    host::start();
+  }
+  void stop() {
+    const hooks_of_active_mode now_on(*this);
+    host::stop();
+  }
+
+  template <fixed_string Mode>
+  void switch_to() {
+    constexpr int next = all.number_of(Mode.view());
+    static_assert(next >= 0, "cca::controller::switch_to: the set has no mode of this name");
+    change_to(next);
+  }
+  void switch_to(std::string_view mode) {
+    const int next = all.number_of(mode);
+    if (next < 0) throw refused("cca::controller: switch_to: " + unknown_mode(mode));
+    change_to(next);
+  }
+
+  // The active one.
+  std::string_view mode() const noexcept { return all.modes[active].name; }
+
+  // As of a controller of the active mode.
+  template <class F>
+  void observed(F f) const {
+    with_mode(active, [&]<int I>() { detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f); });
+  }
+
+private:
+  friend detail::component_host<controller, M>;
+  friend host;
+  template <int I>
+  using part = detail::mode_part<M, I>;
+
+  template <int Node>
+  auto& component() {
+    return detail::component_at<M, Node>(state_of_all);
+  }
+  template <int Node>
+  const auto& component() const {
+    return detail::component_at<M, Node>(state_of_all);
+  }
+  template <class F, class Controller>
+  static void visit(F f, Controller& self) {
+    detail::visit_components<M>(f, self.state_of_all);
+  }
+
+  // Parameters are those of all modes, on_start and on_stop the active one's.
+  bool is_here(int node) const {
+    return !is_for_active_mode ||
+           detail::has_mode(detail::plan_of<M>.nodes[detail::array_size(node)].modes, active);
+  }
+  struct hooks_of_active_mode {
+    controller& c;
+    explicit hooks_of_active_mode(controller& of) : c(of) { c.is_for_active_mode = true; }
+    ~hooks_of_active_mode() { c.is_for_active_mode = false; }
+  };
+
+  // Calls f.template operator()<I>() for the mode with this number.
+  template <class F>
+  CCA_INLINE static void with_mode(int mode, F f) {
+    [&]<int... I>(std::integer_sequence<int, I...>) {
+      (void)((mode == I && (f.template operator()<I>(), true)) || ...);
+    }(std::make_integer_sequence<int, detail::mode_count<M>>{});
+  }
+
+  void advance() noexcept {
+    with_mode(active, [this]<int I>() { advance_in<I>(); });
+  }
+
+  template <int I>
+  [[gnu::flatten, gnu::noinline]] void advance_in() noexcept {
+    detail::beat_outcome outcome;
+    detail::beat_of_graph<part<I>>::run(state_of_all, outcome, k);
+    ++k;
+    if constexpr (detail::counts_of<part<I>>.may_fault)
+      if (outcome.fault) return fail_in<I>(outcome);
+    if constexpr (detail::may_request<part<I>>)
+      if (state_of_all.requested >= 0) [[unlikely]]
+        switch_by_request();
+  }
+
+  // It stays in its mode, whatever a component asked for in this beat.
+  template <int I>
+  [[gnu::noinline]] void fail_in(detail::beat_outcome outcome) noexcept {
+    detail::repeat_outputs<part<I>>(state_of_all, k - 1);
+    state_of_all.requested = -1;
+    outcome.node = detail::shared_nodes<M, I>[detail::array_size(outcome.node)];
+    host::fail(outcome);
+  }
+
+  [[gnu::noinline]] void switch_by_request() noexcept { move_to(std::exchange(state_of_all.requested, -1)); }
+
+  void change_to(int next) {
+    if (now == cca::state::faulted)
+      throw refused("cca::controller: switch_to() is refused in the state `faulted`: " +
+                    std::string(detail::remedy(detail::transition::run, now)));
+    move_to(next);
+  }
+
+  void move_to(int next) {
+    if (next == active) return;
+    const bool is_started = now == cca::state::started || now == cca::state::running;
+    with_mode(active, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.leave(next, k, is_started); });
+    const int last = active;
+    active = next;
+    state_of_all.since = k;
+    with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, is_started); });
+  }
+
+  static std::string unknown_mode(std::string_view wrong) {
+    std::vector<std::string_view> names;
+    for (int m = 0; m < all.count; ++m) names.push_back(all.modes[m].name);
+    std::string text = std::string(all.name) + " has no mode `" + std::string(wrong) + "`";
+    if (const auto near = detail::nearest_name(wrong, names); !near.empty())
+      return text + "; did you mean `" + std::string(near) + "`?";
+    text += "; it has";
+    for (std::size_t m = 0; m < names.size(); ++m) text.append(m ? ", `" : " `").append(names[m]).append("`");
+    return text;
+  }
+
+  using host::k, host::now;
+
+  detail::state_of_modes<M> state_of_all;
+  int active = 0;
+  bool is_for_active_mode = false;
+};
+
+}  // namespace cca

@@ -1,0 +1,159 @@
+// The switch from one mode to another, between two beats: what the next mode lacks is stopped, what the last
+// one lacked begins anew and is started. All else stays where it is, so nothing is copied.
+//
+// Cost: for each component and sample that not all modes have a test, and what its hook does.
+#pragma once
+
+#include <cstdint>
+
+#include <cca/runtime/each_component.hpp>
+#include <cca/runtime/modes/shared_state.hpp>
+
+namespace cca::detail {
+
+template <class M, int I>
+inline constexpr mode_view view_of_mode =
+    shared_plan_of<M>.view_of(shown_plan<mode_part<M, I>>, shown_plan<M>);
+
+// The modes that have a node of mode I.
+template <class M, int I>
+constexpr mode_set modes_with(int node) {
+  return plan_of<M>.nodes[array_size(shared_nodes<M, I>[array_size(node)])].modes;
+}
+// May a component of a graph ask for a mode?
+template <class Graph>
+inline constexpr bool may_request = [] {
+  for (const call& one : plan_of<Graph>.calls)
+    if (one.function && one.function->requested_count > 0) return true;
+  return false;
+}();
+
+template <class M>
+inline constexpr mode_set every_mode = all_of_modes(modes_of<M>::value);
+
+// What a switch looks at in mode I: functions whose clock was another one before, and what other modes lack:
+// last firings, outputs, queues.
+template <class M, int I>
+struct unsteady_call {
+  static constexpr bool holds(std::size_t c) { return plan_of<mode_part<M, I>>.calls[c].unsteady; }
+};
+template <class M, int I>
+struct kept_firing {
+  static constexpr bool holds(std::size_t c) {
+    return layout_of<mode_part<M, I>>.calls[c].firing >= 0 &&
+           modes_with<M, I>(plan_of<mode_part<M, I>>.calls[c].node) != every_mode<M>;
+  }
+};
+template <class M, int I>
+struct passing_output {
+  static constexpr bool holds(std::size_t o) {
+    const auto& plan = plan_of<mode_part<M, I>>;
+    return plan_of<M>.outputs[array_size(view_of_mode<M, I>.shared_output(static_cast<int>(o)))].storage !=
+               storage_kind::none &&
+           modes_with<M, I>(plan.calls[array_size(plan.outputs[o].call)].node) != every_mode<M>;
+  }
+};
+template <class M, int I>
+inline constexpr auto queues_of_mode = [] {
+  std::array<int, array_size(graph_size<mode_part<M, I>>.inputs + 1)> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool is_queue = i + 1 < numbers.size() && plan_of<mode_part<M, I>>.inputs[i].queue >= 0;
+    numbers[i] = is_queue ? sharing::find_queue(view_of_mode<M, I>, static_cast<int>(i), shown_plan<M>) : -1;
+  }
+  return numbers;
+}();
+template <class M, int I>
+struct passing_queue {
+  static constexpr bool holds(std::size_t i) {
+    const int queue = queues_of_mode<M, I>[i];
+    return queue >= 0 && plan_of<M>.inputs[array_size(queue)].modes != every_mode<M>;
+  }
+};
+
+template <class M, int I>
+struct mode_switch {
+  using part = mode_part<M, I>;
+  static constexpr const auto& counts = counts_of<part>;
+  state_of_modes<M>& state;
+
+  // ---- from mode I to the next ----
+
+  void leave(int next, std::int64_t k, bool is_started) {
+    if (is_started)
+      for_each<counts.node_count, hook<false>>([&]<int Node>() {
+        if (!has_mode(modes_with<M, I>(Node), next)) component<Node>().on_stop();
+      });
+    // From here on the clock of this mode does not tell when they fired last.
+    for_each<counts.call_count, unsteady_call<M, I>>([&]<int Call>() {
+      if (const auto last = newest_tick(call_of<part, Call>.fires, k - 1); last >= 0 && last >= state.since)
+        state.firings[layout_of<part>.calls[Call].firing].last = last;
+    });
+  }
+
+  // ---- from the last mode to I ----
+
+  void enter(int last, bool is_started) {
+    for_each<counts.call_count, kept_firing<M, I>>([&]<int Call>() {
+      if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), last))
+        state.firings[layout_of<part>.calls[Call].firing] = {};
+    });
+    for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
+      if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
+        begin_anew<Output>();
+    });
+    for_each<counts.input_count, passing_queue<M, I>>([&]<int Input>() {
+      constexpr int queue = queues_of_mode<M, I>[array_size(Input)];
+      if (!has_mode(plan_of<M>.inputs[array_size(queue)].modes, last)) {
+        constexpr place at = layout_of<M>.sources[queue];
+        sample_in<M, at.array>(state, at.index).forget();
+      }
+    });
+    if (is_started)
+      for_each<counts.node_count, hook<true>>([&]<int Node>() {
+        if (!has_mode(modes_with<M, I>(Node), last)) component<Node>().on_start();
+      });
+  }
+
+private:
+  // Components of this mode, but not of all modes, that have on_start, or on_stop.
+  template <bool Starts>
+  struct hook {
+    static constexpr auto nodes = []<int... Node>(std::integer_sequence<int, Node...>) {
+      return std::array<bool, sizeof...(Node) + 1>{
+          (Starts ? OnStart<typename node_types<part, Node>::component>
+                  : OnStop<typename node_types<part, Node>::component>)...,
+          false};
+    }(std::make_integer_sequence<int, counts.node_count>{});
+    static constexpr bool holds(std::size_t node) {
+      return nodes[node] && modes_with<M, I>(static_cast<int>(node)) != every_mode<M>;
+    }
+  };
+
+  template <int Count, class Predicate, class F>
+  static void for_each(F f) {
+    [&]<int... Number>(std::integer_sequence<int, Number...>) {
+      const int all[] = { 0, (f.template operator()<Number>(), 0)... };
+      (void)all;
+    }(chosen<Count, Predicate>{});
+  }
+
+  template <int Node>
+  auto& component() {
+    return component_at<M, shared_nodes<M, I>[array_size(Node)]>(state);
+  }
+
+  // It has not been published yet: it shows the initial value.
+  template <int Output>
+  void begin_anew() {
+    constexpr int shared = view_of_mode<M, I>.shared_output(Output);
+    constexpr place at = layout_of<M>.outputs[shared];
+    auto& sample = sample_in<M, at.array>(state, at.index);
+    sample.forget();
+    if constexpr (array_of<M, at.array>.kind == storage_kind::newest)
+      for (int c = 0; c < size_of_output<M, shared>; ++c)
+        sample.vector()[c] =
+            initial_coordinate(output_of<M, shared>.initial_of, *output_port_of<M, shared>.space, c);
+  }
+};
+
+}  // namespace cca::detail
