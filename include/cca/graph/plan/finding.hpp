@@ -17,7 +17,7 @@ struct finding {
   int call = -1, input = -1, other_input = -1, output = -1;  // numbers in the flat graph
   int axis = -1;
   int component = -1, environment = -1;               // of a deployment
-  int mode = -1, other_mode = -1, other_output = -1;  // of a set of modes
+  int in_mode = -1, other_mode = -1, other_output = -1;  // of a set of modes
   std::string_view name{};                            // of a port
   const function_info* function = nullptr;            // of the item's component
   bool at_reader = false;                             // the end of a wire: its reader or its writer

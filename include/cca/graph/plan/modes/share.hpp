@@ -67,7 +67,7 @@ struct sharing {
     auto& node = to.nodes[shared];
     check<when::shared_path>(
         to,
-        {.item = from.nodes[n].item, .component = shared, .mode = first_of(node.modes), .other_mode = mode});
+        {.item = from.nodes[n].item, .component = shared, .in_mode = first_of(node.modes), .other_mode = mode});
     if (to.found.is_broken()) return;
     node.modes |= bit_of(mode);
     for (int c = 0; c < node.call_count; ++c) {
@@ -129,7 +129,7 @@ struct sharing {
       check<when::missing_node>(to, {.item = node.item,
                                      .scope = node.scope,
                                      .component = n,
-                                     .mode = first_of(node.modes),
+                                     .in_mode = first_of(node.modes),
                                      .other_mode = first_of(everywhere & ~node.modes)});
     }
     for (int c = 0; c < to.call_count; ++c)
@@ -164,7 +164,7 @@ struct sharing {
                                          .scope = to.nodes[node].scope,
                                          .output = one.shared_output(a.writer),
                                          .component = node,
-                                         .mode = mode,
+                                         .in_mode = mode,
                                          .other_mode = other_mode,
                                          .other_output = other.shared_output(b.writer),
                                          .name = port_of(one.g, a).name});
@@ -174,7 +174,7 @@ struct sharing {
   constexpr void run() {
     to.modes = &all;
     check<when::stated_modes>(to, {});
-    for (int m = 0; m < all.count; ++m) check<when::stated_mode>(to, {.mode = m});
+    for (int m = 0; m < all.count; ++m) check<when::stated_mode>(to, {.in_mode = m});
     for (int m = 0; m < all.count; ++m)  // the mode itself says what is wrong with it
       if (!all.modes[m].plan || all.modes[m].plan->found.is_broken()) return;
     if (to.found.is_broken()) return;
@@ -182,7 +182,7 @@ struct sharing {
     to.period = all.modes[0].plan->period;
     for (int m = 0; m < all.count && !to.found.is_broken(); ++m) {
       to.may_fault |= all.modes[m].plan->may_fault;
-      check<when::known_rate_of_mode>(to, {.mode = 0, .other_mode = m});
+      check<when::known_rate_of_mode>(to, {.in_mode = 0, .other_mode = m});
       add_mode(m);
     }
     if (to.found.is_broken()) return;

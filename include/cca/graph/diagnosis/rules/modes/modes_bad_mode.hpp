@@ -12,14 +12,14 @@ struct modes_bad_mode {
     return g.modes->count < 2 || g.modes->count > most_modes;
   }
   static constexpr bool is_broken(when::stated_mode, const flat_view& g, const finding& f) {
-    const auto& one = g.modes->modes[f.mode];
-    return !one.is_mode || one.is_deployment || !is_name(one.name) || g.modes->number_of(one.name) != f.mode;
+    const auto& one = g.modes->modes[f.in_mode];
+    return !one.is_mode || one.is_deployment || !is_name(one.name) || g.modes->number_of(one.name) != f.in_mode;
   }
 
   static constexpr void tell(auto& m) {
     const auto& all = *m.g.modes;
     m.where << all.name;
-    if (m.found().mode < 0) {
+    if (m.found().in_mode < 0) {
       m.say() << all.name << " has " << all.count << (all.count == 1 ? " mode" : " modes");
       if (all.count < 2)
         m.say()
@@ -28,7 +28,7 @@ struct modes_bad_mode {
       else m.say() << ", but it may have at most " << most_modes << ": make it smaller";
       return;
     }
-    const auto& one = all.modes[m.found().mode];
+    const auto& one = all.modes[m.found().in_mode];
     if (!one.is_mode) {
       m.say() << "`" << one.type << "` in " << all.name
               << " is no mode, so it would be ignored: write cca::mode<`name`, graph>";

@@ -20,7 +20,7 @@ struct modes_command_jumps {
       m.say() << "from ";
       m.port(m.g.outputs[f.output]);
       m.say() << " in ";
-      m.mode(f.mode);
+      m.mode(f.in_mode);
       m.say() << " and in ";
       m.mode(f.other_mode);
       m.say()
@@ -28,7 +28,7 @@ struct modes_command_jumps {
              "the same policy";
       return;
     }
-    from(m, f.output, f.mode);
+    from(m, f.output, f.in_mode);
     m.say() << " but ";
     from(m, f.other_output, f.other_mode);
     m.say()

@@ -18,7 +18,7 @@ struct modes_missing_robot {
     m.say() << "the resource node ";
     m.node();
     m.say() << " is in ";
-    m.mode(m.found().mode);
+    m.mode(m.found().in_mode);
     m.say() << " but not in ";
     m.mode(m.found().other_mode);
     m.say() << ", so after a switch nothing would command it or go on stopping it: put it into every mode, "

@@ -20,7 +20,7 @@ struct modes_two_types {
   static constexpr void tell(auto& m) {
     m.at_node();
     m.say() << "`" << m.where.view() << "` is " << m.item().component->name() << " in ";
-    m.mode(m.found().mode);
+    m.mode(m.found().in_mode);
     m.say() << " but " << m.found().name << " in ";
     m.mode(m.found().other_mode);
     m.say() << (m.item().component->resource()
