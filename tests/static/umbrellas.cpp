@@ -3,6 +3,7 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/deployment.hpp>
+#include <cca/modes.hpp>
 #include <cca/mapping.hpp>
 #include <cca/motor.hpp>
 #include <cca/robot.hpp>

@@ -91,9 +91,14 @@ private:
       constexpr bool is_period = c.fires.period == 1 || (strategy && strategy->first_dt_is_period);
       const bool is_first = b.k == c.fires.first;
       if constexpr (c.unsteady) {  // before the switch to this mode it fired at other beats, or not at all
-        const bool since_switch = !is_first && b.k - c.fires.period >= b.state.since;
-        const std::int64_t last = since_switch ? b.k - c.fires.period : b.state.firings[at.firing].last;
-        return {ticks<c.fires>(b.k), last >= 0 ? b.k - last : is_period ? c.fires.period : 1, last};
+        constexpr bool is_constant = c.fires.period == 1 && !c.other_clocks;
+        const bool is_known = !is_first && b.k - c.fires.period >= b.state.since;
+        const std::int64_t last = is_known ? b.k - c.fires.period : b.state.firings[at.firing].last;
+        return {ticks<c.fires>(b.k),
+                !is_constant && last >= 0 ? b.k - last
+                : is_period               ? c.fires.period
+                                          : 1,
+                last};
       }
       return {ticks<c.fires>(b.k), is_period || !is_first ? c.fires.period : 1,
               is_first ? -1 : b.k - c.fires.period};

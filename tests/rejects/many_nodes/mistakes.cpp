@@ -33,8 +33,15 @@
 // EXPECT deployment_unplaced: deployment\.unplaced: `n0` \(source\) runs in no environment of deployment_unplaced: add its path to the cca::nodes<\.\.\.> of this environment, or give one cca
 // EXPECT deployment_placed_twice: deployment\.placed_twice: `n49` \(sink\) runs in environment `one` and in environment `two`: a component runs in one environment; remove it from one
 // EXPECT deployment_undelayed: deployment\.undelayed: `n6\.y` is published in environment `two` and read in environment `one`, so it takes at least a beat to get there: write cca::wire<`n6\.y`, `n7\.x`
+// EXPECT modes_bad_mode: modes\.bad_mode: modes_bad_mode has 1 mode, so there is nothing to switch to: write two or more
+// EXPECT modes_two_rates: modes\.two_rates: mode `one` of modes_two_rates runs at 1000 Hz but mode `two` at 100 Hz: all modes share the beat
+// EXPECT modes_two_types: modes\.two_types: `extra` is sink in mode `one` but merge in mode `two`: modes share what is at a path
+// EXPECT modes_missing_robot: modes\.missing_robot: the resource node `leg` \(actuator<signal>\) is in mode `one` but not in mode `two`, so after a switch nothing would command it
+// EXPECT modes_unknown_mode: modes\.unknown_mode: `extra` \(asks_for_mode\) returns a cca::switch_to<`three`>, but modes_unknown_mode has no such mode
+// EXPECT modes_command_jumps: modes\.command_jumps: `leg\.command` gets its commands from `limits\.safe` in mode `one` but from `others\.safe` in mode `two`, so at a switch they could jump
 // Each rule of a graph, broken in one of fifty nodes.
 #include <cca/deployment.hpp>
+#include <cca/modes.hpp>
 
 #include "fifty_nodes.hpp"
 
@@ -175,13 +182,46 @@ struct deployment_placed_twice : cca::deployment<deployable,
                                                  cca::environment<"two", cca::nodes<"n49">>> {};
 struct deployment_undelayed : deployed_with<cca::environment<"one", cca::nodes<"n7">>> {};
 
+struct mode_none : fifty_nodes_and<at_1000_hz> {};
+struct mode_sink : fifty_nodes_and<at_1000_hz, cca::node<"extra", sink>, cca::wire<"n7.y", "extra.x">> {};
+struct mode_merge : fifty_nodes_and<at_1000_hz,
+                                    cca::node<"extra", merge>,
+                                    cca::wire<"n7.y", "extra.a">,
+                                    cca::wire<"n7.y", "extra.b">> {};
+struct mode_slow : fifty_nodes_and<cca::rate<100>> {};
+struct mode_moving
+    : fifty_nodes_and<at_1000_hz, cca::node<"leg", actuator<signal>>, cca::wire<"n7.y", "leg.command">> {};
+struct asks_for_mode {
+  auto process(cca::in<"x", signal>) -> cca::switch_to<"three"> { return true; }
+};
+struct mode_asking
+    : fifty_nodes_and<at_1000_hz, cca::node<"extra", asks_for_mode>, cca::wire<"n7.y", "extra.x">> {};
+template <cca::fixed_string Limits, cca::fixed_string Command, cca::fixed_string Safe>
+struct mode_limited : fifty_nodes_and<at_1000_hz,
+                                      cca::node<"wish", source_of<hip_angle>>,
+                                      cca::node<Limits, cca::limiter<hip_angle>>,
+                                      cca::node<"leg", actuator<hip_angle>>,
+                                      cca::wire<"wish.y", Command>,
+                                      cca::wire<Safe, "leg.command">> {};
+template <class One, class Two>
+using two_modes = cca::modes<cca::mode<"one", One>, cca::mode<"two", Two>>;
+struct modes_bad_mode : cca::modes<cca::mode<"one", mode_none>> {};
+struct modes_two_rates : two_modes<mode_none, mode_slow> {};
+struct modes_two_types : two_modes<mode_sink, mode_merge> {};
+struct modes_missing_robot : two_modes<mode_moving, mode_none> {};
+struct modes_unknown_mode : two_modes<mode_none, mode_asking> {};
+struct modes_command_jumps : two_modes<mode_limited<"limits", "limits.command", "limits.safe">,
+                                       mode_limited<"others", "others.command", "others.safe">> {};
+
 struct none : fifty_nodes_and<at_1000_hz> {};
+struct switched : two_modes<mode_none, mode_sink> {};
 struct placed : deployed_with<cca::environment<"one", cca::nodes<"extra">>> {};
 
 }  // namespace broken
 
 #ifndef CCA_REJECT
-static_assert(cca::well_formed<broken::none> && cca::well_formed<broken::placed>);
+static_assert(cca::well_formed<broken::none> && cca::well_formed<broken::placed> &&
+              cca::well_formed<broken::switched>);
 #else
 cca::controller<broken::CCA_REJECT> c;
 #endif

@@ -41,10 +41,12 @@ struct call {
   int first_input = 0, first_output = 0;
   int rank = 0;  // its number in the order of a beat
   clock fires{};
-  bool stored_seen = false;         // keeps the oldest origin that it saw when it last fired
-  bool elsewhere = false;           // runs in another environment
-  bool unsteady = false;            // its clock is known, but not the same in all modes
-  std::int64_t longest_period = 1;  // of a set of modes, where it is unsteady: in beats
+  bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
+  bool elsewhere = false;    // runs in another environment
+  // Of a set of modes (graph/plan/modes/share.hpp):
+  bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
+  bool other_clocks = false;        // another mode has another one
+  std::int64_t longest_period = 1;  // in beats, of all modes
 };
 
 struct input {

@@ -41,7 +41,9 @@ public:
   template <fixed_string Mode>
   void switch_to() {
     constexpr int next = all.number_of(Mode.view());
-    static_assert(next >= 0, "cca::controller::switch_to: the set has no mode of this name");
+    static_assert(next >= 0,
+                  "modes.unknown_mode: the set of modes has no mode of the name that switch_to names (the "
+                  "compiler says both): name one of its modes");
     change_to(next);
   }
   void switch_to(std::string_view mode) {

@@ -126,8 +126,11 @@ struct node_types<mode_part<M, I>, Node> : node_types<typename mode_part<M, I>::
 
 // Stores what another mode reads later, too.
 constexpr flat_view store_for_all(flat_view g, const mode_view& view) {
-  for (int c = 0; c < g.call_count; ++c)
-    g.calls[c].unsteady = g.calls[c].fires.known() && view.whole.calls[view.shared_call(c)].fires.dynamic();
+  for (int c = 0; c < g.call_count; ++c) {
+    const auto& shared = view.whole.calls[view.shared_call(c)];
+    g.calls[c].unsteady = g.calls[c].fires.known() && shared.fires.dynamic();
+    g.calls[c].other_clocks = shared.other_clocks;
+  }
   for (int o = 0; o < g.output_count; ++o) {
     auto& out = g.outputs[o];
     const auto& shared = view.whole.outputs[view.shared_output(o)];

@@ -65,15 +65,19 @@ struct sharing {
   constexpr void join_node(int mode, int n, int shared) {
     const auto& from = *all.modes[mode].plan;
     auto& node = to.nodes[shared];
-    check<when::shared_path>(
-        to,
-        {.item = from.nodes[n].item, .component = shared, .in_mode = first_of(node.modes), .other_mode = mode});
+    check<when::shared_path>(to, {.item = from.nodes[n].item,
+                                  .component = shared,
+                                  .in_mode = first_of(node.modes),
+                                  .other_mode = mode});
     if (to.found.is_broken()) return;
     node.modes |= bit_of(mode);
     for (int c = 0; c < node.call_count; ++c) {
       const auto fires = from.calls[from.nodes[n].first_call + c].fires;
       auto& own = to.calls[node.first_call + c];
-      if (!(own.fires == fires)) own.fires = dynamic_clock;
+      if (!(own.fires == fires)) {
+        own.fires = dynamic_clock;
+        own.other_clocks = true;
+      }
       if (fires.known() && fires.period > own.longest_period) own.longest_period = fires.period;
     }
   }

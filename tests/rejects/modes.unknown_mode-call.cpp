@@ -1,0 +1,18 @@
+// EXPECT: modes\.unknown_mode: the set of modes has no mode of the name that switch_to names
+// switch_to names a mode of the set.
+#include <cca/modes.hpp>
+
+#include "parts.hpp"
+
+struct walk : cca::graph<cca::rate<1000>, cca::node<"oscillator", oscillator>, cca::node<"log", logbook>> {};
+struct rest : cca::graph<cca::rate<1000>, cca::node<"stance", stance>, cca::node<"log", logbook>> {};
+
+struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"rest", rest>> {};
+
+void lie_down(cca::controller<legs>& c) {
+#if CCA_REJECT
+  c.switch_to<"rets">();
+#else
+  c.switch_to<"rest">();
+#endif
+}
