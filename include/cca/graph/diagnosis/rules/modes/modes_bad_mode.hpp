@@ -13,7 +13,8 @@ struct modes_bad_mode {
   }
   static constexpr bool is_broken(when::stated_mode, const flat_view& g, const finding& f) {
     const auto& one = g.modes->modes[f.in_mode];
-    return !one.is_mode || one.is_deployment || !is_name(one.name) || g.modes->number_of(one.name) != f.in_mode;
+    return !one.is_mode || one.is_deployment || !is_name(one.name) ||
+           g.modes->number_of(one.name) != f.in_mode;
   }
 
   static constexpr void tell(auto& m) {
