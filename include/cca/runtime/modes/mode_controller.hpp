@@ -100,7 +100,7 @@ private:
   }
 
   void advance() noexcept {
-    with_mode(active, [this]<int I>() { advance_in<I>(); });
+    with_mode(active, [this]<int I>() { this->template advance_in<I>(); });
   }
 
   template <int I>
