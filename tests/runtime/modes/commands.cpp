@@ -34,6 +34,43 @@ struct backward : cca::graph<cca::node<"backward", holds<-1>, cca::timed<1>>,
                              cca::wire<"limits.safe", "leg.command">> {};
 struct legs : cca::modes<cca::mode<"forward", forward>, cca::mode<"backward", backward>> {};
 
+// A limiter in front of a splitter: the whole way to each joint counts.
+template <class Axis>
+struct joint {
+  void act(cca::in<"command", cca::sub_space<leg_angles, Axis>>) {}
+};
+template <cca::fixed_string Limits, class Wire, class... More>
+using split_leg = cca::graph<cca::node<Limits, cca::limiter<leg_angles>>,
+                             cca::node<"split", cca::splitter<"angles", leg_angles>>,
+                             cca::node<"hip", joint<hip>>,
+                             cca::node<"knee", joint<knee>>,
+                             Wire,
+                             cca::wire<"split.hip", "hip.command">,
+                             cca::wire<"split.knee", "knee.command">,
+                             More...>;
+struct split_forward : split_leg<"limits",
+                                 cca::wire<"limits.safe", "split.angles">,
+                                 cca::node<"forward", holds<1>>,
+                                 cca::wire<"forward.angles", "limits.command">> {};
+struct split_backward : split_leg<"limits",
+                                  cca::wire<"limits.safe", "split.angles">,
+                                  cca::node<"backward", holds<-1>>,
+                                  cca::wire<"backward.angles", "limits.command">> {};
+struct split_otherwise : split_leg<"others",
+                                   cca::wire<"others.safe", "split.angles">,
+                                   cca::node<"backward", holds<-1>>,
+                                   cca::wire<"backward.angles", "others.command">> {};
+struct split_legs : cca::modes<cca::mode<"forward", split_forward>, cca::mode<"backward", split_backward>> {};
+struct parted_legs : cca::modes<cca::mode<"forward", split_forward>,
+                                cca::mode<"backward", split_backward>,
+                                cca::mode<"otherwise", split_otherwise>> {};
+static_assert(cca::well_formed<split_legs>);
+static_assert(cca::diagnosis<parted_legs>.rule == "modes.command_jumps");
+static_assert(cca::diagnosis<parted_legs>.where == "split.angles");
+static_assert(cca::diagnosis<parted_legs>.message.starts_with(
+    "modes.command_jumps: `split.angles` gets its commands from `limits.safe` in mode `forward` but from "
+    "`others.safe` in mode `otherwise`"));
+
 }  // namespace
 
 TEST_SUITE("commands") {

@@ -46,6 +46,10 @@ struct slow_to_begin {  // publishes from the third beat after it came
   }
   double beats = 0;
 };
+struct dt_log {
+  void process(cca::in<"x", reading>, cca::beat now) { all.push_back(now.dt()); }
+  std::vector<double> all;
+};
 struct tuned {
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0.0, 10.0>, gain));
@@ -80,6 +84,10 @@ struct second : cca::graph<cca::rate<1000>,
                            cca::node<"offset", tuned>,
                            cca::node<"seen_log", journal, cca::timed<1>>,
                            cca::node<"queued", journal>,
+                           cca::node<"late", journal, cca::timed<7>>,
+                           cca::node<"dt", dt_log>,
+                           cca::wire<"comes.y", "late.x", cca::queue<4, cca::drop_oldest>>,
+                           cca::wire<"comes.y", "dt.x">,
                            cca::wire<"robot.y", "offset.x">,
                            cca::wire<"comes.y", "seen_log.x", cca::latest, cca::initial<-1>>,
                            cca::wire<"comes.y", "queued.x", cca::queue<4, cca::drop_oldest>>,
@@ -96,16 +104,24 @@ struct asks {
   double beats = 0;
   bool wants = true;
 };
+struct trips {
+  auto process(cca::in<"x", reading>) -> cca::fault { return tripped ? cca::fault("tripped") : cca::fault(); }
+  bool tripped = false;
+};
 struct ping : cca::graph<cca::rate<1000>,
                          cca::node<"robot", robot>,
                          cca::node<"ping", asks<"pong">>,
                          cca::node<"sum", adder>,
-                         cca::wire<"ping.y", "sum.x">> {};
+                         cca::node<"trips", trips>,
+                         cca::wire<"ping.y", "sum.x">,
+                         cca::wire<"ping.y", "trips.x">> {};
 struct pong : cca::graph<cca::rate<1000>,
                          cca::node<"robot", robot>,
                          cca::node<"pong", asks<"ping">>,
                          cca::node<"sum", adder>,
-                         cca::wire<"pong.y", "sum.x">> {};
+                         cca::node<"trips", trips>,
+                         cca::wire<"pong.y", "sum.x">,
+                         cca::wire<"pong.y", "trips.x">> {};
 struct table : cca::modes<cca::mode<"ping", ping>, cca::mode<"pong", pong>> {};
 
 struct alone {
@@ -182,6 +198,8 @@ TEST_SUITE("switching") {
       c.get<"comes">().beats = 0;
       c.get<"seen_log">().all.clear();
       c.get<"queued">().all.clear();
+      c.get<"late">().all.clear();
+      c.get<"dt">().all.clear();
       c.switch_to<"second">();
       const auto begun = c.beat_index();
       c.run(cca::for_beats<4>{});
@@ -191,6 +209,10 @@ TEST_SUITE("switching") {
       CHECK(all[1] == seen{begun + 1, -1, cca::never, false});
       CHECK(all[2] == seen{begun + 2, 3, (begun + 2) * 1'000'000, true});
       CHECK(c.get<"queued">().all.size() == 2);
+      CHECK(c.get<"dt">().all == std::vector<double>{1e-3, 1e-3});
+      // One sample still waits in this queue when the mode ends; it is not there when it begins again.
+      REQUIRE_EQ(c.get<"late">().all.size(), 1);
+      CHECK(c.get<"late">().all[0] == seen{begun + 2, 3, (begun + 2) * 1'000'000, true});
       c.switch_to<"first">();
       c.run(cca::for_beats<3>{});
     }
@@ -249,10 +271,12 @@ TEST_SUITE("switching") {
     c.run(cca::for_beats<5>{});
     CHECK_EQ(c.mode(), "ping");
     CHECK_EQ(c.get<"ping">().beats, 10);
-    // In a beat with a fault nothing is switched.
-    c.get<"ping">().wants = c.get<"robot">().broken = true;
+    // In a beat with a fault nothing is switched, nor in the next.
+    c.get<"ping">().wants = c.get<"trips">().tripped = true;
     c.step();
-    c.get<"robot">().broken = c.get<"ping">().wants = false;
+    CHECK_EQ(c.state(), cca::state::faulted);
+    CHECK_EQ(c.fault_path(), "trips");
+    c.get<"trips">().tripped = c.get<"ping">().wants = false;
     c.resume();
     c.step();
     CHECK_EQ(c.mode(), "ping");
@@ -312,7 +336,7 @@ TEST_SUITE("switching") {
     std::vector<std::string> paths;
     c.for_each_component([&](std::string_view path, auto&) { paths.emplace_back(path); });
     CHECK(paths == std::vector<std::string>{"robot", "stays", "only_first", "gain", "log", "comes", "offset",
-                                            "seen_log", "queued"});
+                                            "seen_log", "queued", "late", "dt"});
   }
 
   TEST_CASE("a switch allocates nothing") {
