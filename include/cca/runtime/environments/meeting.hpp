@@ -36,21 +36,30 @@ public:
   // Waits for all environments, at most so long; `meanwhile()` is called every few milliseconds.
   template <class F>
   terms_of_run agree(const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, F meanwhile) {
-    for_each_here([&](auto& own) {
-      own.beat = wanted.beat;
-      own.length = beats;
-      own.is_exact = wanted.is_exact;
-      own.all_meet = wanted.all_meet;
-      own.arrived.store(run, std::memory_order_release);
-    });
-    wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
-      meanwhile();
-      if (waited < longest) return;
-      for_each_here([](auto& own) { own.arrived = 0; });
-      throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
-                    "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
-                    " s: start the process that runs it");
-    });
+    const auto withdraw = [&] { for_each_here([](auto& own) { own.arrived = 0; }); };
+    bool is_agreed = false;
+    while (!is_agreed) {
+      for_each_here([&](auto& own) {
+        own.beat = wanted.beat;
+        own.length = beats;
+        own.is_exact = wanted.is_exact;
+        own.all_meet = wanted.all_meet;
+        own.arrived.store(run, std::memory_order_release);
+      });
+      wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
+        meanwhile();
+        if (away) check(withdraw);
+        if (waited < longest) return;
+        withdraw();
+        throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
+                      "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
+                      " s: start the process that runs it");
+      });
+      const std::int64_t before = away ? away->newest_run_before() : 0;
+      is_agreed = before < run;
+      run = std::max(run, before + 1);
+    }
+    if (away) check(withdraw);
     terms_of_run agreed;
     agreed.is_exact = shared.environments[0].is_exact;
     for (const auto& e : shared.environments) {
@@ -89,6 +98,16 @@ private:
   void for_each_here(F f) {
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) f(shared.environments[e]);
+  }
+
+  template <class F>
+  void check(F withdraw) const {
+    try {
+      away->check();
+    } catch (...) {
+      withdraw();
+      throw;
+    }
   }
 
   // Until all are at this run, or their process is gone. `waiting(missing, ns)`: now and then.

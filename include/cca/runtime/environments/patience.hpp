@@ -32,11 +32,16 @@ private:
   std::int64_t times = 0;
 };
 
-// Of the environments that other processes run: whether the process has ended.
+// The processes that run the other environments, as the transport sees them.
 class peers {
 public:
   virtual ~peers() = default;
+  // Its process has ended, or is not part of this run.
   virtual bool is_gone(int environment) const = 0;
+  // The newest run that others began before they knew of this process: it takes part in later ones only.
+  virtual std::int64_t newest_run_before() const { return 0; }
+  // Throws `refused` where this process must not run what it runs.
+  virtual void check() const {}
 };
 
 }  // namespace cca::detail
