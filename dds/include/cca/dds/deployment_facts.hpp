@@ -62,6 +62,7 @@ public:
 
   // For the receiving thread. `at`: when the status came, by this machine's clock.
   virtual void write(std::size_t environment, const status& from, std::int64_t at) = 0;
+  virtual void forget(std::size_t environment) = 0;  // as if it had never begun
   virtual void put(std::size_t output, std::span<const std::uint64_t> message) = 0;
 
   virtual std::int64_t newest_beat() const = 0;

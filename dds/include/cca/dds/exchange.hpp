@@ -130,6 +130,8 @@ private:
     to.arrived.store(from[status::arrived], std::memory_order_release);
   }
 
+  void forget(std::size_t e) override { own.environments[e].position.store(-1, std::memory_order_release); }
+
   template <int Number>
   bool take_one(std::uint64_t& next, words& message) const {
     const auto& ring = static_cast<const cca::detail::leaving_samples<D, Number>&>(own).ring;

@@ -210,7 +210,10 @@ private:
     liar->is_refused = true;
     refused.add(liar->name, why);
     for (auto& other : environments)
-      if (other->holder == e.holder) peers[other->number].has_left.store(true, std::memory_order_release);
+      if (other->holder == e.holder) {
+        peers[other->number].has_left.store(true, std::memory_order_release);
+        numbers.forget(other->number);  // so its samples are late at wall-clock speed, too
+      }
   }
 
   static constexpr std::int64_t no_time = -1;
