@@ -58,7 +58,7 @@ public:
                  std::size_t size,
                  std::int32_t depth)
       : on(in, name, type, size),
-        own(dds_create_writer(in.writes(), on.get(), quality(depth).get(), nullptr),
+        own(dds_create_writer(in.writes(), on.get(), quality::of_writer(depth).get(), nullptr),
             "writer of `" + name + "`") {}
 
   // False: a reader holds it up, and it has to be tried again.
@@ -97,13 +97,9 @@ private:
 
 class channel_reader {
 public:
-  channel_reader(const participant& in,
-                 const std::string& name,
-                 const std::string& type,
-                 std::size_t size,
-                 std::int32_t depth)
+  channel_reader(const participant& in, const std::string& name, const std::string& type, std::size_t size)
       : on(in, name, type, size),
-        own(dds_create_reader(in.reads(), on.get(), quality(depth).get(), nullptr),
+        own(dds_create_reader(in.reads(), on.get(), quality::of_reader(most_untaken).get(), nullptr),
             "reader of `" + name + "`"),
         from(own.get()),
         message(size) {}
@@ -132,6 +128,8 @@ public:
   }
 
 private:
+  static constexpr std::int32_t most_untaken = 1024;
+
   topic on;
   entity own;
   sources from;

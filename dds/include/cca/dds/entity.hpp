@@ -39,26 +39,44 @@ private:
   dds_entity_t handle = 0;
 };
 
-// Reliable; the newest `depth` samples also for readers that come later. Nothing is kept beyond these, so a
-// reader that is slow, stopped or dead costs its writer neither time nor memory.
 class quality {
 public:
-  explicit quality(std::int32_t depth) : own(dds_create_qos(), &dds_delete_qos) {
-    dds_qset_reliability(own.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(20));
-    dds_qset_history(own.get(), DDS_HISTORY_KEEP_LAST, depth);
-    dds_qset_durability(own.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
-    dds_qset_durability_service(own.get(), 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED,
+  // Reliable. The newest `depth` samples wait for readers, also for those that come later. Nothing is kept
+  // beyond these, so a reader that is slow, stopped or dead costs its writer neither time nor memory.
+  static quality of_writer(std::int32_t depth) {
+    quality q = reliable();
+    dds_qset_history(q.own.get(), DDS_HISTORY_KEEP_LAST, depth);
+    dds_qset_durability_service(q.own.get(), 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED,
                                 DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
-    const dds_data_representation_id_t plain[] = {DDS_DATA_REPRESENTATION_XCDR1};
-    dds_qset_data_representation(own.get(), 1, plain);
+    return q;
   }
-  explicit quality(const std::string& partition) : own(dds_create_qos(), &dds_delete_qos) {
-    const char* names[] = {partition.c_str()};
-    dds_qset_partition(own.get(), 1, names);
+  // A reader keeps what it has not taken yet, but not more than this: if it kept the newest of all writers,
+  // a stranger could displace what the right one has sent.
+  static quality of_reader(std::int32_t most) {
+    quality q = reliable();
+    dds_qset_history(q.own.get(), DDS_HISTORY_KEEP_ALL, 0);
+    dds_qset_resource_limits(q.own.get(), most, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+    return q;
+  }
+  static quality of_partition(const std::string& name) {
+    quality q;
+    const char* names[] = {name.c_str()};
+    dds_qset_partition(q.own.get(), 1, names);
+    return q;
   }
   const dds_qos_t* get() const { return own.get(); }
 
 private:
+  quality() : own(dds_create_qos(), &dds_delete_qos) {}
+  static quality reliable() {
+    quality q;
+    dds_qset_reliability(q.own.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(20));
+    dds_qset_durability(q.own.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
+    const dds_data_representation_id_t plain[] = {DDS_DATA_REPRESENTATION_XCDR1};
+    dds_qset_data_representation(q.own.get(), 1, plain);
+    return q;
+  }
+
   std::unique_ptr<dds_qos_t, void (*)(dds_qos_t*)> own;
 };
 

@@ -30,8 +30,8 @@ struct bounds {
   int nodes = 0;
 
   std::int64_t last_beat() const { return (std::int64_t{1} << 62) / std::max(period, calls_and_one); }
-  // How far ahead of all that is known here a message may be: a process that has not been heard for a
-  // second is gone, and no loop runs a hundred times as fast as the clock.
+  // How far ahead of all that is known here a message may be: a process that has not been heard for two
+  // seconds is gone, and no loop runs a hundred times as fast as the clock.
   std::int64_t window() const { return 1024 + 100'000'000'000 / period; }
 };
 

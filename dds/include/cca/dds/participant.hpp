@@ -48,7 +48,7 @@ public:
     configure(domain);
     self = {dds_create_participant(domain, nullptr, nullptr),
             "no participant in domain " + std::to_string(domain) + " (CYCLONEDDS_URI configures it)"};
-    const quality here(partition);
+    const quality here = quality::of_partition(partition);
     publisher = {dds_create_publisher(self.get(), here.get(), nullptr), "no publisher"};
     subscriber = {dds_create_subscriber(self.get(), here.get(), nullptr), "no subscriber"};
     dds_guid_t guid{};

@@ -70,8 +70,10 @@ public:
         manifest(std::move(manifest_text)),
         topic(dds_create_topic(in.get(), &presence_descriptor, "cca/presence", nullptr, nullptr),
               "topic of presence"),
-        writer(dds_create_writer(in.writes(), topic.get(), quality(1).get(), nullptr), "writer of presence"),
-        reader(dds_create_reader(in.reads(), topic.get(), quality(8).get(), nullptr), "reader of presence"),
+        writer(dds_create_writer(in.writes(), topic.get(), quality::of_writer(1).get(), nullptr),
+               "writer of presence"),
+        reader(dds_create_reader(in.reads(), topic.get(), quality::of_reader(most).get(), nullptr),
+               "reader of presence"),
         from(reader.get()) {
     ::gethostname(host.data(), host.size() - 1);
     announce(false);

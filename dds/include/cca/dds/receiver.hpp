@@ -19,7 +19,7 @@
 namespace cca::dds::detail {
 
 // How long an environment may be silent before its process counts as gone.
-inline constexpr std::int64_t lease = 1'000'000'000;
+inline constexpr std::int64_t lease = 2'000'000'000;
 
 class receiver {
 public:
@@ -130,11 +130,11 @@ private:
     const std::size_t outputs = facts.outputs_of(e.number).size();
     for (const std::size_t o : facts.outputs_of(e.number)) {
       const leaving_output& out = facts.outputs[o];
-      e.outputs.push_back({o, {in, out.topic, out.type, sample_message::head + out.size, out.depth}});
+      e.outputs.push_back({o, {in, out.topic, out.type, sample_message::head + out.size}});
       attach(e.outputs.back().reader.get());
     }
     e.statuses.emplace(in, facts.status_topic(e.number), facts.status_type(),
-                       status::size(facts.environments.size(), outputs), 1);
+                       status::size(facts.environments.size(), outputs));
     attach(e.statuses->get());
     contact& c = peers[e.number];
     c.has_left = false;
