@@ -72,6 +72,7 @@ public:
 
 private:
   friend detail::component_host<controller, Graph>;
+  friend detail::stoppable_components<controller, Graph>;
 
   template <int Node>
   auto& component() {
@@ -84,6 +85,10 @@ private:
   template <class F, class Controller>
   static void visit(F f, Controller& self) {
     detail::visit_components<Graph>(f, self.state_of_all);
+  }
+  template <class F, class Controller>
+  static void visit_firings(int node, F f, Controller& self) {
+    detail::visit_firings<Graph>(self.state_of_all, node, f);
   }
   static constexpr bool is_here(int) { return true; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
