@@ -187,6 +187,35 @@ void waits_for_who_comes_late_or_again() {
   CHECK_EQ(second.said(), "went on");
 }
 
+// stop() in one process is stop() in the other, which waits in run.
+template <class Meeting>
+void stops_with_the_others() {
+  const std::string name = Meeting::other_name();
+  process mind([&] {
+    auto d = opened<Meeting>("mind", name);
+    d.load();
+    d.start();
+    int runs = 0;
+    while (d.state() == cca::state::started) {
+      d.run(cca::for_some_beats{50});
+      ++runs;
+    }
+    return std::to_string(runs) + std::string(cca::to_string(d.state()));
+  });
+  process robot([&] {
+    auto d = opened<Meeting>("robot", name);
+    d.load();
+    d.start();
+    d.run(cca::for_some_beats{50});
+    d.run(cca::for_some_beats{50});
+    d.stop();
+    std::this_thread::sleep_for(1s);
+    return std::string();
+  });
+  CHECK_EQ(mind.said(), "3loaded");
+  CHECK_EQ(robot.said(), "");
+}
+
 inline long resident_kilobytes() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)

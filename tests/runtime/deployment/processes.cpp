@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include <cca/runtime/environments/shared_memory.hpp>
+#include <cca/runtime/transports/shared_memory.hpp>
 
 #include "../../laws/transport_laws.hpp"
 
@@ -34,6 +34,9 @@ TEST_SUITE("deployed in processes") {
   }
   TEST_CASE("a process may come late, and come again") {
     transport_laws::waits_for_who_comes_late_or_again<over_shared_memory>();
+  }
+  TEST_CASE("stop in one process is stop in the other, which waits in run") {
+    transport_laws::stops_with_the_others<over_shared_memory>();
   }
   TEST_CASE("a reader that stops costs the writer nothing") {
     transport_laws::is_not_held_up_by_a_stopped_reader<over_shared_memory>();

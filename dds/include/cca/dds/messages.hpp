@@ -64,7 +64,7 @@ struct status {
     lost_periods,
     field_count
   };
-  static constexpr std::int64_t is_exact = 1, all_meet = 2, is_leaving = 4;
+  static constexpr std::int64_t is_exact = 1, all_meet = 2, is_stopped = 4, is_leaving = 8;
   using reason_words = std::array<std::uint64_t, cca::detail::fault_record::most_letters / 8>;
 
   std::array<std::int64_t, field_count> fields{};
@@ -106,7 +106,7 @@ struct status {
     const auto& s = *this;
     const std::int64_t last = newest < 0 ? of.last_beat() : std::min(of.last_beat(), newest + of.window());
     const std::int64_t end = last * of.calls_and_one, most_runs = std::int64_t{1} << 40;
-    if (!is_in(s[flags], 0, 7)) return "flags that do not exist";
+    if (!is_in(s[flags], 0, 15)) return "flags that do not exist";
     if (!is_in(s[position], -1, end) || !is_in(s[begun], -1, last) || !is_in(s[beat], 0, last))
       return "a beat that can't be";
     if (!is_in(s[begun_age], 0, no_position / 2) || !is_in(s[interval], 0, no_position / (of.window() + 1)))

@@ -22,7 +22,7 @@
 #include <cca/base/fixed_string.hpp>
 #include <cca/dds/channel.hpp>
 #include <cca/dds/refusals.hpp>
-#include <cca/runtime/environments/manifest.hpp>
+#include <cca/runtime/transports/manifest.hpp>
 
 namespace cca::dds::detail {
 

@@ -1,5 +1,5 @@
 // Waiting for another environment without a lock: first at once, then giving way, then asleep. Now and then
-// it asks whether the other one, in another process, is gone.
+// who waits asks whether the other one, in another process, is gone.
 #pragma once
 
 #include <cstdint>
@@ -30,18 +30,6 @@ private:
   }
 
   std::int64_t times = 0;
-};
-
-// The processes that run the other environments, as the transport sees them.
-class peers {
-public:
-  virtual ~peers() = default;
-  // Its process has ended, or is not part of this run.
-  virtual bool is_gone(int environment) const = 0;
-  // The newest run that others began before they knew of this process: it takes part in later ones only.
-  virtual std::int64_t newest_run_before() const { return 0; }
-  // Throws `refused` where this process must not run what it runs.
-  virtual void check() const {}
 };
 
 }  // namespace cca::detail
