@@ -113,9 +113,9 @@ outcome run_deployed(int chance) {
     o.copy_agrees = agree(recorded_with_restarts<cca::controller<Architecture>>(chance), 0,
                           recorded_with_restarts<cca::deployed<Deployment>>(chance));
   if constexpr (InProcesses) {
-    o.processes_agree =
-        digests(o.firings) == recorded_in_processes<Deployment>(
-                                  chance, [](const std::string& name) { return cca::shared_memory("/" + name); });
+    o.processes_agree = digests(o.firings) ==
+                        recorded_in_processes<Deployment>(
+                            chance, [](const std::string& name) { return cca::shared_memory("/" + name); });
   }
   return o;
 }
