@@ -106,11 +106,11 @@ public:
 
   dds_entity_t get() const { return own.get(); }
 
-  // take(message, identity of the sender) for each that has come; an empty message: it was no message of this
-  // length.
+  // take(message, identity of the sender) for each that has come, up to what the reader keeps: a flood ends
+  // here. An empty message: it was no message of this length.
   template <class F>
   void take_all(F take) {
-    for (;;) {
+    for (int batch = 0; batch < most_untaken / 16; ++batch) {
       ddsi_serdata* some[16];
       dds_sample_info_t about[16];
       const int count = dds_takecdr(own.get(), some, 16, about, DDS_ANY_STATE);

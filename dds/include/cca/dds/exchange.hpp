@@ -151,14 +151,17 @@ private:
     double operator[](int i) const { return std::bit_cast<double>(first[i]); }
   };
 
-  bool take(std::size_t output, std::uint64_t& next, words& message) const override {
-    std::size_t number = 0;
+  bool take([[maybe_unused]] std::size_t output,
+            [[maybe_unused]] std::uint64_t& next,
+            [[maybe_unused]] words& message) const override {
+    [[maybe_unused]] std::size_t number = 0;
     bool has = false;
     ((number++ == output ? void(has = take_one<Output>(next, message)) : void()), ...);
     return has;
   }
-  void put(std::size_t output, std::span<const std::uint64_t> message) override {
-    std::size_t number = 0;
+  void put([[maybe_unused]] std::size_t output,
+           [[maybe_unused]] std::span<const std::uint64_t> message) override {
+    [[maybe_unused]] std::size_t number = 0;
     ((number++ == output ? own.template ring<Output>().put(values{message.data() + sample_message::head},
                                                            static_cast<std::int64_t>(message[2]),
                                                            static_cast<std::int64_t>(message[1]))

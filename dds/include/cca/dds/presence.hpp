@@ -2,8 +2,8 @@
 // and DDS keeps it for those that come later.
 //
 // Who finds another deployment, or an environment that somebody else runs, gives way if the other one was
-// here first. `is_settled`: it has looked for others and found no reason to go. Of two that are equally far
-// the one with the lower token stays, so both come to the same decision.
+// here first. A process settles when it has looked for others and found no reason to go. The one that settled
+// first stays; before that the one with the lower token. So both come to the same decision.
 #pragma once
 
 #include <dds/dds.h>
@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -27,8 +29,8 @@
 namespace cca::dds::detail {
 
 struct presence_message {
-  std::uint64_t is_settled = 0;
-  std::uint64_t claims = 0;  // a bit for each environment that it runs
+  std::uint64_t settled_at = 0;  // system clock, ns; 0: it still looks for others
+  std::uint64_t claims = 0;      // a bit for each environment that it runs
   std::uint64_t process = 0;
   char* host = nullptr;
   char* manifest = nullptr;
@@ -57,10 +59,17 @@ inline constexpr dds_topic_descriptor_t presence_descriptor{.m_size = sizeof(pre
 struct peer {
   identity id;
   std::uint64_t claims = 0;
-  bool is_settled = false;
+  std::uint64_t settled_at = 0;
   bool is_refused = false;  // another deployment, or it has lied
   std::string name;
 };
+
+// Which of two processes has the better right.
+inline bool is_before(const peer& a, const peer& b) {
+  const bool a_waits = a.settled_at == 0, b_waits = b.settled_at == 0;
+  if (a_waits != b_waits) return b_waits;
+  return a.settled_at != b.settled_at ? a.settled_at < b.settled_at : a.id.token < b.id.token;
+}
 
 class presence {
 public:
@@ -76,7 +85,7 @@ public:
                "reader of presence"),
         from(reader.get()) {
     ::gethostname(host.data(), host.size() - 1);
-    announce(false);
+    announce(0);
   }
 
   dds_entity_t reads() const { return reader.get(); }
@@ -87,7 +96,10 @@ public:
   }
 
   // Nobody is here who has a better right.
-  void settle() { announce(true); }
+  void settle() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    announce(static_cast<std::uint64_t>(std::chrono::nanoseconds(now).count()));
+  }
 
   // Reads what others say. Empty, or why this process has to go.
   std::string look(refusals& refused, std::string_view (*name_of)(int)) {
@@ -121,9 +133,9 @@ public:
 private:
   static constexpr std::size_t most = 64, longest = 1 << 20;
 
-  void announce(bool settled) {
-    has_settled = settled;
-    presence_message message{settled, own_claims, static_cast<std::uint64_t>(::getpid()), host.data(),
+  void announce(std::uint64_t at) {
+    settled_at = at;
+    presence_message message{at, own_claims, static_cast<std::uint64_t>(::getpid()), host.data(),
                              manifest.data()};
     checked(dds_write(writer.get(), &message), "presence can't be told");
   }
@@ -145,7 +157,7 @@ private:
                               message.host ? ::strnlen(message.host, 64) : 0);
     known->id = id;
     known->claims = message.claims;
-    known->is_settled = message.is_settled != 0;
+    known->settled_at = message.settled_at;
     known->name = "process " + std::to_string(message.process) + " on " + printable(at) + " (participant " +
                   std::to_string(id.token) + ")";
 
@@ -156,7 +168,7 @@ private:
       why = "another process runs environment `" + std::string(name_of(std::countr_zero(both))) + "` already";
     known->is_refused = known->is_refused || theirs != manifest;
     if (why.empty()) return;
-    const bool gives_way = known->is_settled != has_settled ? known->is_settled : id.token < self.token;
+    const bool gives_way = is_before(*known, peer{self, 0, settled_at, false, {}});
     if (gives_way) complaint = why + ": " + known->name;
     else refused.add(known->name, why);
   }
@@ -169,7 +181,7 @@ private:
 
   identity self;
   std::uint64_t own_claims;
-  bool has_settled = false;
+  std::uint64_t settled_at = 0;
   std::string manifest;
   std::array<char, 65> host{};
   entity topic, writer, reader;

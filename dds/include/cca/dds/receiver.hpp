@@ -114,10 +114,6 @@ private:
         best = &p;
     if (best) accept(e, best->id, now);
   }
-  // As in presence.hpp.
-  static bool is_before(const peer& a, const peer& b) {
-    return a.is_settled != b.is_settled ? a.is_settled : a.id.token < b.id.token;
-  }
   // New readers: they get what the writers keep for those that come late.
   void accept(environment& e, const identity& who, std::int64_t now) {
     e.held.reset();

@@ -62,12 +62,14 @@ public:
 private:
   // Until all environments have a process, but not for long: others may come later.
   void look_for_others() {
-    const std::int64_t end = cca::detail::monotonic_clock::now() + longest_look;
+    const std::int64_t begin = cca::detail::monotonic_clock::now();
+    std::int64_t waited = 0;
     do {
       to_here.work();
       look();
       check();
-    } while (cca::detail::monotonic_clock::now() < end && !to_here.is_complete());
+      waited = cca::detail::monotonic_clock::now() - begin;
+    } while (waited < shortest_look || (waited < longest_look && !to_here.is_complete()));
   }
   void look() {
     const std::string found = known.look(refused, name);
@@ -86,7 +88,7 @@ private:
     }
   }
 
-  static constexpr std::int64_t longest_look = 300'000'000;
+  static constexpr std::int64_t shortest_look = 60'000'000, longest_look = 300'000'000;
 
   deployment_facts facts;
   own_exchange& numbers;
