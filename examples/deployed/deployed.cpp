@@ -55,8 +55,8 @@ options parse(const std::vector<std::string>& arguments) {
   read.text("--address", o.address);
   read.all(arguments);
   constexpr auto& names = deployed::transport_names;
-  const bool is_known = o.form.empty() || o.form == "threads" ||
-                        std::find(names.begin(), names.end(), o.form) != names.end();
+  const bool is_known =
+      o.form.empty() || o.form == "threads" || std::find(names.begin(), names.end(), o.form) != names.end();
   if (!is_known) throw trot::command_line_error("--form " + o.form + ": no such form; --help lists them");
   return o;
 }
@@ -84,8 +84,7 @@ int run_forms(options o) {
     both_paces(transport, [&](auto pace) {
       return deployed::run_processes(std::string(transport), o.run, pace, interrupted);
     });
-  if (o.summary)
-    trot::write(*o.summary, [&](std::ostream& file) { deployed::write_json(file, forms); });
+  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { deployed::write_json(file, forms); });
   if (interrupted) return interrupted.exit_code();
   const bool all_good =
       std::all_of(forms.begin(), forms.end(), [](const auto& one) { return one.is_good(); });

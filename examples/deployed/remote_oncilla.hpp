@@ -24,15 +24,15 @@ struct joint_node : cca::hardware::joint_node<Axis> {
   }
 };
 
-struct oncilla_on_stage : oncilla::robot<"simulator",
-                                         stage,
-                                         "simulator",
-                                         joint_node,
-                                         cca::hardware::trunk_node,
-                                         cca::robots::items<cca::expose<"simulator.ball", "ball">,
-                                                            cca::expose<"simulator.step", "step">,
-                                                            cca::expose<"simulator.timed_out", "timed_out">>> {
-};
+struct oncilla_on_stage
+    : oncilla::robot<"simulator",
+                     stage,
+                     "simulator",
+                     joint_node,
+                     cca::hardware::trunk_node,
+                     cca::robots::items<cca::expose<"simulator.ball", "ball">,
+                                        cca::expose<"simulator.step", "step">,
+                                        cca::expose<"simulator.timed_out", "timed_out">>> {};
 
 // Not a number: nothing has been measured yet.
 using nothing_measured = cca::initial<std::numeric_limits<double>::quiet_NaN()>;
@@ -43,16 +43,15 @@ struct remote_wires;
 template <class... Axes>
 struct remote_wires<cca::axes<Axes...>> {
   template <class Robot>
-  using of = with_items<
-      Robot,
-      cca::wire<cca::detail::joined_name<"simulator", Axes::label>,
-                cca::detail::joined_name<Axes::label, "measured">,
-                cca::delayed<1>,
-                nothing_measured>...,
-      cca::wire<"simulator.trunk", "trunk.measured", cca::delayed<1>, nothing_measured>,
-      cca::wire<cca::detail::joined_name<Axes::label, "target">,
-                cca::detail::joined_name<"simulator", Axes::label>,
-                cca::delayed<1>>...>;
+  using of = with_items<Robot,
+                        cca::wire<cca::detail::joined_name<"simulator", Axes::label>,
+                                  cca::detail::joined_name<Axes::label, "measured">,
+                                  cca::delayed<1>,
+                                  nothing_measured>...,
+                        cca::wire<"simulator.trunk", "trunk.measured", cca::delayed<1>, nothing_measured>,
+                        cca::wire<cca::detail::joined_name<Axes::label, "target">,
+                                  cca::detail::joined_name<"simulator", Axes::label>,
+                                  cca::delayed<1>>...>;
 };
 // [wires end]
 

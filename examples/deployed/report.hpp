@@ -34,7 +34,8 @@ inline void print(const compared_form& one) {
               static_cast<long long>(o.beats), static_cast<long long>(one.with_loop.compared),
               static_cast<long long>(one.with_loop.different), o.judged.reach_error * 1e3,
               static_cast<long long>(o.late));
-  if (o.pace == wall_clock) std::printf(" %9lld %10.0f us", static_cast<long long>(o.overruns), o.wake_p99_us);
+  if (o.pace == wall_clock)
+    std::printf(" %9lld %10.0f us", static_cast<long long>(o.overruns), o.wake_p99_us);
   std::printf("\n");
   if (const auto& first = one.with_loop.first)
     std::printf("  the first difference: %s in beat %lld\n", first->output.c_str(),

@@ -1,7 +1,8 @@
 #pragma once
 // An architecture like another one, but for some of its items.
 //
-//   struct distant : deployed::with_items<near, cca::wire<"robot.angles", "gait.angles", cca::delayed<1>>> {};
+//   struct distant : deployed::with_items<near, cca::wire<"robot.angles", "gait.angles", cca::delayed<1>>>
+//   {};
 //
 // A node takes the place of the node of its name, a wire that of the wire to its input. An item that replaces
 // nothing is added at the end. So only the differences are written down, and the rest stays the same type.
