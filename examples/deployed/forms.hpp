@@ -2,6 +2,7 @@
 // The forms of one run: as one loop, in threads, in processes. What each of them did can be compared.
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -148,7 +149,9 @@ inline int run_environment(const std::string& name,
   return with_transport(transport, address, [&](const auto& connection) {
     cca::deployed<split> d(cca::only(std::vector{name}), connection);
     set_up(d, s, {name});
-    while (d.beat_index() < s.most_beats && !d.fault()) d.run(cca::without_end{});
+    while (d.beat_index() < s.most_beats && !d.fault())
+      d.run(cca::for_some_beats{s.most_beats - d.beat_index()});
+    if (d.fault()) std::fprintf(stderr, "%s: %s\n", name.c_str(), d.fault().reason());
     return d.fault() ? 1 : 0;
   });
 }

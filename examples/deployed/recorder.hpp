@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include <cca/component/beat.hpp>
@@ -22,25 +22,27 @@ namespace deployed {
 class record {
 public:
   // For so many beats. What comes behind them is not kept.
-  void reserve(std::int64_t beats) { most = beats; }
+  void reserve(std::int64_t beats) {
+    names.reserve(most_outputs);
+    digests.reserve(static_cast<std::size_t>(beats) * most_outputs);
+  }
   void forget() {
     names.clear();
     digests.clear();
   }
 
   void note(const cca::observe<"*", cca::delayed<1>>& all) {
-    if (names.empty()) begin(all);
-    if (digests.size() + names.size() > digests.capacity()) return;
+    if (all.size() > most_outputs || digests.size() + all.size() > digests.capacity()) return;
+    if (names.empty())
+      for (const cca::observation& one : all) names.push_back(one.path);
     for (const cca::observation& one : all) digests.push_back(one.fresh ? digest(one) : 0);
   }
 
   std::int64_t beats() const {
     return names.empty() ? 0 : static_cast<std::int64_t>(digests.size() / names.size());
   }
-  const std::string& name(std::size_t output) const { return names[output]; }
-
   struct place {
-    std::string output;
+    std::string_view output;
     std::int64_t beat = 0;
   };
   struct comparison {
@@ -64,10 +66,7 @@ public:
   }
 
 private:
-  void begin(const cca::observe<"*", cca::delayed<1>>& all) {
-    for (const cca::observation& one : all) names.emplace_back(one.path);
-    digests.reserve(static_cast<std::size_t>(most) * names.size());
-  }
+  static constexpr std::size_t most_outputs = 160;
 
   // Never 0, which stands for no sample.
   static std::uint64_t digest(const cca::observation& one) {
@@ -79,9 +78,8 @@ private:
     return sum | 1;
   }
 
-  std::int64_t most = 0;
-  std::vector<std::string> names;
-  std::vector<std::uint64_t> digests;  // beat by beat, 0: nothing was published
+  std::vector<std::string_view> names;  // static text
+  std::vector<std::uint64_t> digests;   // beat by beat, 0: nothing was published
 };
 
 // The component. What it hears in a beat was published in the beat before.

@@ -38,7 +38,7 @@ inline void print(const compared_form& one) {
     std::printf(" %9lld %10.0f us", static_cast<long long>(o.overruns), o.wake_p99_us);
   std::printf("\n");
   if (const auto& first = one.with_loop.first)
-    std::printf("  the first difference: %s in beat %lld\n", first->output.c_str(),
+    std::printf("  the first difference: %s in beat %lld\n", std::string(first->output).c_str(),
                 static_cast<long long>(first->beat));
   if (!o.failure.empty()) std::printf("  failed:%s\n", o.failure.c_str());
   std::fflush(stdout);
