@@ -151,6 +151,9 @@ inline int run_environment(const std::string& name,
     set_up(d, s, {name});
     while (d.beat_index() < s.most_beats && !d.fault())
       d.run(cca::for_some_beats{s.most_beats - d.beat_index()});
+    if (name == "simulation")
+      std::printf("%lld beats; the paw was %.2f mm from the ball\n", static_cast<long long>(d.beat_index()),
+                  d.get<"robot.simulator">().judgement().reach_error * 1e3);
     if (d.fault()) std::fprintf(stderr, "%s: %s\n", name.c_str(), d.fault().reason());
     return d.fault() ? 1 : 0;
   });
