@@ -35,8 +35,7 @@ constexpr std::string_view usage =
     "  --shape FILE      the learned shape of the trot (trot.shape)\n"
     "  --form F          only `threads` or `shared_memory` (every form)\n"
     "  --summary FILE    the figures as JSON: a list of forms\n"
-    "  --only E          one environment in this process, connected by --form; another process has the "
-    "simulation\n"
+    "  --only E          one environment in this process, by --form (shared_memory); others run the rest\n"
     "  --address N       only processes with the same number find each other (0)\n"
     "  --version         the version of cca\n"
     "  --help            this text\n";
@@ -92,7 +91,8 @@ int run_forms(options o) {
 }
 
 int run(const options& o) {
-  if (o.only) return deployed::run_environment(*o.only, o.form, o.address, o.run);
+  if (o.only)
+    return deployed::run_environment(*o.only, o.form.empty() ? "shared_memory" : o.form, o.address, o.run);
   return run_forms(o);
 }
 

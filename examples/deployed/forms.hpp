@@ -141,6 +141,13 @@ outcome run_processes(const std::string& transport,
   });
 }
 
+// From paw to ball, for people.
+inline std::string distance_of(const skills::result& r) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f mm", r.reach_error * 1e3);
+  return r.touched() ? text : "-";
+}
+
 // What such another process does: the simulation decides when it begins, at which pace, and when it ends.
 inline int run_environment(const std::string& name,
                            const std::string& transport,
@@ -152,8 +159,8 @@ inline int run_environment(const std::string& name,
     while (d.beat_index() < s.most_beats && !d.fault())
       d.run(cca::for_some_beats{s.most_beats - d.beat_index()});
     if (name == "simulation")
-      std::printf("%lld beats; the paw was %.2f mm from the ball\n", static_cast<long long>(d.beat_index()),
-                  d.get<"robot.simulator">().judgement().reach_error * 1e3);
+      std::printf("%lld beats; from paw to ball: %s\n", static_cast<long long>(d.beat_index()),
+                  distance_of(d.get<"robot.simulator">().judgement()).c_str());
     if (d.fault()) std::fprintf(stderr, "%s: %s\n", name.c_str(), d.fault().reason());
     return d.fault() ? 1 : 0;
   });

@@ -30,9 +30,9 @@ inline void print_heading() {
 
 inline void print(const compared_form& one) {
   const outcome& o = one.what;
-  std::printf("%-14s %-20s %7lld %12lld %10lld %6.2f mm %6lld", o.form.c_str(), o.pace.c_str(),
+  std::printf("%-14s %-20s %7lld %12lld %10lld %9s %6lld", o.form.c_str(), o.pace.c_str(),
               static_cast<long long>(o.beats), static_cast<long long>(one.with_loop.compared),
-              static_cast<long long>(one.with_loop.different), o.judged.reach_error * 1e3,
+              static_cast<long long>(one.with_loop.different), distance_of(o.judged).c_str(),
               static_cast<long long>(o.late));
   if (o.pace == wall_clock)
     std::printf(" %9lld %10.0f us", static_cast<long long>(o.overruns), o.wake_p99_us);
