@@ -15,7 +15,7 @@ inline std::int64_t nanoseconds() {
   return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
 }
 
-// The thread that calls stays on this core; -1: it stays where it is. Costs a comparison where it is there.
+// The thread that calls stays on this core; -1: it stays where it is. Costs a comparison if it is there.
 inline void stay_on(int core) {
   thread_local int here = -1;
   if (core == here) return;
@@ -26,6 +26,9 @@ inline void stay_on(int core) {
   here = core;
 }
 
-inline int cores() { return static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN)); }
+// The driver is number 0, the reflectors follow. Each has a core of its own if there are enough: if not, the
+// system decides, and they take turns.
+inline bool have_cores(int fan_out) { return fan_out < ::sysconf(_SC_NPROCESSORS_ONLN); }
+inline int core_of(int number, int fan_out) { return have_cores(fan_out) ? number : -1; }
 
 }  // namespace bench

@@ -47,6 +47,7 @@ inline constexpr auto name_of = numbered("", Reflector, "");
 struct record {
   std::vector<double> times;  // us; as many as it has room for
   std::size_t count = 0;
+  std::int64_t first = 0;  // when the first came back, ns
   std::int64_t wrong = 0;  // messages that came back changed
 };
 
@@ -73,6 +74,7 @@ struct driver<Words, Timed, std::integer_sequence<int, Reflector...>> {
     }
     if (Timed && now.index() % 2 == 0) {
       const std::int64_t time = nanoseconds();
+      if (now.index() == 2) found->first = time;
       if (now.index() >= 2 && found->count < found->times.size())
         found->times[found->count++] = 1e-3 * static_cast<double>(time - begun);
       begun = time;
@@ -97,11 +99,13 @@ template <int Words, bool Timed, class Reflectors>
 struct round_trips;
 template <int Words, bool Timed, int... Reflector>
 struct round_trips<Words, Timed, std::integer_sequence<int, Reflector...>>
-    : cca::graph<cca::rate<1000>,
-                 cca::node<"driver", driver<Words, Timed, std::integer_sequence<int, Reflector...>>, cca::timed<1>>,
-                 cca::node<name_of<Reflector>, reflector<Words>, cca::timed<1>>...,
-                 cca::wire<"driver.y", numbered("", Reflector, ".x"), cca::delayed<1>>...,
-                 cca::wire<numbered("", Reflector, ".y"), numbered("driver.", Reflector, ""), cca::delayed<1>>...> {};
+    : cca::graph<
+          cca::rate<1000>,
+          cca::node<"driver", driver<Words, Timed, std::integer_sequence<int, Reflector...>>, cca::timed<1>>,
+          cca::node<name_of<Reflector>, reflector<Words>, cca::timed<1>>...,
+          cca::wire<"driver.y", numbered("", Reflector, ".x"), cca::delayed<1>>...,
+          cca::wire<numbered("", Reflector, ".y"), numbered("driver.", Reflector, ""), cca::delayed<1>>...> {
+};
 
 // Each in an environment of its own.
 template <int Words, class Reflectors>

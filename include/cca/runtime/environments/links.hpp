@@ -70,6 +70,14 @@ public:
     (look_for(Other, position, [&] { return is_far_enough<Other>(k); }), ...);
   }
 
+  // Whether all others are at a position, and whether those that are not will come.
+  bool all_have_come_to(std::int64_t position) noexcept {
+    return ((Other == E || has_come_to<Other>(position)) && ...);
+  }
+  void look_for_those_before(std::int64_t position) noexcept {
+    (look_for(Other, position - 1, [&] { return Other == E || has_come_to<Other>(position); }), ...);
+  }
+
   // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
   // that a sample is lost, or might still fault in the beat before.
   bool may_begin(std::int64_t k) noexcept { return (is_far_enough<Other>(k) && ...); }
@@ -197,7 +205,7 @@ private:
     const auto from = exchange<D>::position_of(k, needed<X>(rank));
     const auto here = exchange<D>::position_of(k, order.whole_rank[array_size(rank)]);
     if (needed<X>(rank) == 0) return;
-    for (patience patience(habit); !is_cut; patience.wait()) {
+    for (learned_patience patience(habit); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
       is_cut = shared->fault_position() <= here;
       if (is_there) return;

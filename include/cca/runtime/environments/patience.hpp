@@ -10,36 +10,8 @@
 
 namespace cca::detail {
 
-// How long an environment looks again at once before it gives way. On a core of its own it answers sooner
-// the longer it does; where the others need its core, it only keeps them from coming. So it learns from how
-// its waits end, and tries again now and then.
-class waiting_habit {
-public:
-  int spins() { return ++waits % 64 == 0 ? most : usual; }
-  // A wait has ended.
-  void learn(int spun, std::int64_t gave_way) {
-    if (gave_way == 0 && spun > least) usual = std::min(2 * usual, most);
-    if (gave_way > 0 && gave_way <= 4) usual = std::max(usual / 2, least);
-  }
-
-  static constexpr int least = 64;
-
-private:
-  static constexpr int most = 2048;  // some microseconds
-  int usual = most;
-  unsigned waits = 0;
-};
-
 class patience {
 public:
-  patience() = default;
-  explicit patience(waiting_habit& of) : habit(&of), spins(of.spins()) {}
-  ~patience() {
-    if (habit) habit->learn(spun, times);
-  }
-  patience(const patience&) = delete;
-  patience& operator=(const patience&) = delete;
-
   void wait() {
     if (++spun < spins) return;
     if (++times < longest_awake) return give_way();
@@ -48,7 +20,8 @@ public:
   // Every few milliseconds.
   bool is_time_to_ask() const { return times > longest_awake && times % 64 == 0; }
 
-private:
+protected:
+  static constexpr int least_spins = 64;
   static constexpr std::int64_t longest_awake = 448;
 
   // Who gives way on a busy machine comes back after milliseconds; who sleeps is woken at once.
@@ -58,9 +31,33 @@ private:
     if (monotonic_clock::now() - before > 100'000) times = longest_awake;
   }
 
-  waiting_habit* habit = nullptr;
-  int spins = waiting_habit::least, spun = 0;
+  int spins = least_spins, spun = 0;
   std::int64_t times = 0;
+};
+
+// How long an environment looks again at once before it gives way. On a core of its own it answers sooner
+// the longer it does; where the others need its core, it only keeps them from coming. So it learns from how
+// its waits end, and tries again now and then.
+struct waiting_habit {
+  static constexpr int most_spins = 2048;  // some microseconds
+  int spins = most_spins;
+  unsigned waits = 0;
+};
+
+class learned_patience : public patience {
+public:
+  explicit learned_patience(waiting_habit& of) : habit(of) {
+    spins = ++habit.waits % 64 == 0 ? waiting_habit::most_spins : habit.spins;
+  }
+  ~learned_patience() {
+    if (times == 0 && spun > least_spins) habit.spins = std::min(2 * habit.spins, waiting_habit::most_spins);
+    if (times > 0 && times <= 4) habit.spins = std::max(habit.spins / 2, least_spins);
+  }
+  learned_patience(const learned_patience&) = delete;
+  learned_patience& operator=(const learned_patience&) = delete;
+
+private:
+  waiting_habit& habit;
 };
 
 // Of the environments that other processes run: whether the process has ended.
