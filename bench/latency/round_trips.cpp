@@ -37,9 +37,9 @@ template <class Round>
 form(const char*, const char*, const amount&, Round) -> form<Round>;
 
 template <class... Form>
-bool measure(std::size_t bytes, int rounds, const Form&... forms) {
+bool measure(std::size_t bytes, int most, const Form&... forms) {
   std::vector<round_of_times> found[sizeof...(Form)];
-  for (int n = 0; n < rounds; ++n) {
+  for (int n = 0; n < most; ++n) {
     int f = 0;
     ((n < forms.of.rounds ? found[f].push_back(forms.make(forms.of)) : void(), ++f), ...);
   }

@@ -20,12 +20,13 @@ struct amount {
   }
 };
 
-// About 30 ms a round where each has a core, more where they take turns.
+// About 10 ms a round where each has a core, more where they take turns.
 inline amount amount_of(int fan_out, std::size_t bytes, bool is_quick) {
   if (is_quick) return {1, 20, 5};
   const double us = (fan_out == 1 ? 1.5 : 10.0 * fan_out) + 2e-3 * static_cast<double>(bytes) * fan_out;
-  const auto round_trips = static_cast<std::size_t>(std::clamp(30'000 / us, 50.0, 20'000.0));
-  return {7, round_trips, round_trips / 10 + 20};
+  const auto round_trips = static_cast<std::size_t>(std::clamp(10'000 / us, 40.0, 10'000.0));
+  const bool is_large = bytes * static_cast<std::size_t>(fan_out) > (1u << 22);  // set-up takes long
+  return {is_large ? 5 : 15, round_trips, round_trips / 10 + 20};
 }
 
 // One round, in us. `set_up`: from nothing to the first message that came back.

@@ -36,7 +36,7 @@ public:
   std::int64_t ahead = 0;         // by how many beats at most, then
   bool is_cut = false;            // a fault elsewhere comes before the next call of this beat
   waiting_habit habit;
-  int fault_rank = 0;             // of the call that faulted here, in the order of the whole
+  int fault_rank = 0;  // of the call that faulted here, in the order of the whole
 
   // A component publishes in beat k.
   template <int Output, class Vector>
