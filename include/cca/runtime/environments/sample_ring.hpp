@@ -31,7 +31,7 @@ public:
 
   // The writer's. `is_exact`: as fast as possible.
   template <class Vector>
-  void put(const Vector& v, std::int64_t origin, std::int64_t k, bool is_exact) noexcept {
+  void put(const Vector& v, std::int64_t origin, std::int64_t k, bool is_exact = false) noexcept {
     const std::uint64_t number = count.load(std::memory_order_relaxed);
     slot& s = slots[index(number)];
     s.state.store(2 * number + 1, std::memory_order_relaxed);
@@ -64,27 +64,41 @@ public:
     }
   }
 
-  // The same as fast as possible: f(coordinates, origin, beat) sees the sample where the writer left it.
-  template <class F>
-  bool take_exactly(std::uint64_t& next, std::int64_t k, F f) const noexcept {
-    const std::uint64_t newest = slots[index(next)].state.load(std::memory_order_acquire);
-    if (newest > 2 * next + 2) next = newest / 2 - Capacity + 2;  // lost in a run at wall-clock speed
-    const slot& s = slots[index(next)];
-    if (s.state.load(std::memory_order_acquire) != 2 * next + 2) return false;
-    const std::int64_t published_in = s.published_in.load(std::memory_order_relaxed);
-    if (published_in >= k) return false;
-    f(Eigen::Map<const vector_type>(s.coordinates.data()), s.origin.load(std::memory_order_relaxed),
-      published_in);
-    return ++next, true;
-  }
+  // ---- a reader's, as fast as possible ----
 
-  // A reader's, as fast as possible: whether sample number `next`, or one behind it, was published in beat
-  // `k` or later. All that it needs is in the ring then, and it fetches nothing else from the writer's core.
+  // The number behind the newest sample that was published before beat `k`, looked for from `next` on. The
+  // writer may be overwriting older ones meanwhile.
+  std::uint64_t end_before(std::uint64_t next, std::int64_t k) const noexcept {
+    for (;;) {
+      const slot& s = slots[index(next)];
+      const std::uint64_t state = s.state.load(std::memory_order_acquire);
+      if (state < 2 * next + 2) return next;
+      if (state > 2 * next + 2) {
+        next = state / 2 - Capacity + 2;
+        continue;
+      }
+      const std::int64_t published_in = s.published_in.load(std::memory_order_acquire);
+      if (s.state.load(std::memory_order_relaxed) != state) continue;
+      if (published_in >= k) return next;
+      ++next;
+      if (published_in == k - 1) return next;  // a component publishes at most once in a beat
+    }
+  }
+  // f(coordinates, origin, beat) sees sample number `n` where the writer left it. It must be one of the last
+  // before `end_before`, as many as the largest delay and one more: those the writer leaves alone.
+  template <class F>
+  void show(std::uint64_t n, F f) const noexcept {
+    const slot& s = slots[index(n)];
+    f(Eigen::Map<const vector_type>(s.coordinates.data()), s.origin.load(std::memory_order_relaxed),
+      s.published_in.load(std::memory_order_relaxed));
+  }
+  // Whether sample number `next`, or one behind it, was published in beat `k` or later. All that the reader
+  // needs is in the ring then, and it fetches nothing else from the writer's core.
   bool has(std::uint64_t next, std::int64_t k) const noexcept {
     for (;; ++next) {
       const slot& s = slots[index(next)];
       if (s.state.load(std::memory_order_acquire) != 2 * next + 2) return false;
-      if (s.published_in.load(std::memory_order_relaxed) >= k) return true;
+      if (s.published_in.load(std::memory_order_acquire) >= k) return true;
     }
   }
 
