@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/runtime/environments/shared_memory.hpp>
-
 #include "library.hpp"
 #include "mailboxes.hpp"
 #include "tcp.hpp"

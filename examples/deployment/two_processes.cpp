@@ -9,8 +9,6 @@
 #include <exception>
 #include <vector>
 
-#include <cca/runtime/environments/shared_memory.hpp>
-
 #include "thoughtful_leg.hpp"
 
 namespace {
