@@ -230,7 +230,7 @@ A driver publishes a message, each reflector publishes what it read, and the dri
 
 How to read the figures:
 
-- The architecture is the same for all transports; only the deployment differs.
+- Between environments the architecture is the same for all transports; only the deployment differs.
   All its wires are `delayed<1>`: what the driver publishes in beat k is reflected in beat k + 1 and read in beat k + 2.
   So a round trip is two beats, run as fast as possible: the environments wait for each other, and each way is one hand-over.
   Raw does the same number of hand-overs: one there, one back.
@@ -238,8 +238,8 @@ How to read the figures:
   With several reflectors it ends when the last one has answered.
 - In both forms a reader takes the whole message into memory of its own, and a writer puts it from there.
   The environments also hand over the time of origin and the beat, and look for faults in each other.
-- Within one loop a reading of the clock takes longer than a round trip: there 200 round trips are timed together, and p50 and p99 are those of such means.
-  Two messages are under way in two beats, by hand too.
+- Within one loop no wire needs a delay: the driver is a resource node, and a round trip is one beat, from its `sense` to its `act`.
+  A reading of the clock takes longer than that: 200 round trips are timed together, and p50 and p99 are those of such means.
 - All forms are measured in turn, up to 15 rounds each, all anew; a figure is the median of the rounds.
   Jitter is the mean difference between two round trips that follow each other; set-up goes from nothing to the first message that came back.
 - If there are fewer cores than driver and reflectors, they take turns on them: then the figures are those of the system's scheduler, and so are raw's, which gives way after 64 looks.

@@ -93,42 +93,39 @@ round_of_times loop_of(const amount& of, std::int64_t since, Run run) {
 template <int Words, int FanOut>
 round_of_times loop(const amount& of) {
   const std::int64_t since = nanoseconds();
-  const auto c =
-      std::make_unique<cca::controller<round_trips<Words, false, std::make_integer_sequence<int, FanOut>>>>();
-  record found;
-  c->template get<"driver">().found = &found;
+  const auto c = std::make_unique<
+      cca::controller<immediate_round_trips<Words, std::make_integer_sequence<int, FanOut>>>>();
   c->load();
   c->start();
-  auto round = loop_of(of, since, [&](std::int64_t times) { c->run(cca::for_some_beats{2 * times}); });
-  round.wrong = found.wrong;
+  auto round = loop_of(of, since, [&](std::int64_t times) { c->run(cca::for_some_beats{times}); });
+  round.wrong = c->template get<"driver">().wrong;
   return round;
 }
 
-// The same by hand: a message, and a copy of it by each reflector, in every beat.
+// The same by hand: a message, a copy of it by each reflector, and a look at each copy.
 template <int Words, int FanOut>
 class loop_by_hand {
 public:
-  [[gnu::noinline]] void beat(double number) {
-    const double* const sent = messages[k % 2];
-    if (k >= 2)
-      for (const auto& back : reflected[k % 2])
-        wrong += back[0] != number - 2 || back[Words - 1] != number - 2;
-    double* const next = messages[++k % 2];
-    next[0] = next[Words - 1] = number;
-    for (auto& back : reflected[k % 2]) std::memcpy(back, sent, sizeof back);
+  [[gnu::noinline]] void round_trip() {
+    const auto number = static_cast<double>(n++);
+    message[0] = number;
+    message[Words - 1] = number;
+    for (auto& back : reflected) std::memcpy(back, message, sizeof back);
+    for (const auto& back : reflected)
+      if (back[0] != number || back[Words - 1] != number) ++wrong;
   }
-  std::int64_t wrong = 0, k = 0;
+  std::int64_t wrong = 0, n = 0;
 
 private:
-  double messages[2][Words]{};
-  double reflected[2][FanOut][Words]{};
+  double message[Words]{};
+  double reflected[FanOut][Words]{};
 };
 template <int Words, int FanOut>
 round_of_times raw_loop(const amount& of) {
   const std::int64_t since = nanoseconds();
   const auto by_hand = std::make_unique<loop_by_hand<Words, FanOut>>();
   auto round = loop_of(of, since, [&](std::int64_t times) {
-    for (std::int64_t n = 0; n < 2 * times; ++n) by_hand->beat(static_cast<double>(by_hand->k));
+    for (std::int64_t n = 0; n < times; ++n) by_hand->round_trip();
   });
   round.wrong = by_hand->wrong;
   return round;

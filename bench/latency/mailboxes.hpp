@@ -50,7 +50,8 @@ struct ping_pong {
     const auto own = std::make_unique<double[]>(Words);
     bench::drive(round, of, since, [&](std::uint64_t n) {
       const auto number = static_cast<double>(n);
-      own[0] = own[Words - 1] = number;
+      own[0] = number;
+      own[Words - 1] = number;
       all[0].put(own.get(), n);
       bool is_right = true;
       for (int r = 1; r <= FanOut; ++r) {

@@ -1,7 +1,8 @@
-// The architecture of the round trips: a driver publishes a message, each reflector publishes what it read.
+// The architectures of the round trips: a driver publishes a message, each reflector publishes what it read.
 //
-// All wires are `delayed<1>`: what the driver publishes in beat k is reflected in beat k + 1 and read in
-// beat k + 2. So a round trip is two beats, in one loop as between environments.
+// Between environments all wires are `delayed<1>`: what the driver publishes in beat k is reflected in beat
+// k + 1 and read in beat k + 2, so a round trip is two beats. Within one loop no wire needs a delay: the
+// driver is a resource node, and a round trip is one beat.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +44,18 @@ consteval auto numbered(const char (&before)[Before], int number, const char (&b
 template <int Reflector>
 inline constexpr auto name_of = numbered("", Reflector, "");
 
+// The first and the last number of a message say which one it is.
+template <int Words>
+auto numbered_message(double number) {
+  cca::out<"y", message<Words>> y;
+  y.vector()[0] = number;
+  y.vector()[Words - 1] = number;
+  return y;
+}
+bool came_back(const auto& reflected, double number) {
+  return reflected.vector()[0] == number && reflected.vector()[reflected.vector().size() - 1] == number;
+}
+
 // What the driver found, for the program that runs it.
 struct record {
   std::vector<double> times;  // us; as many as it has room for
@@ -51,12 +64,11 @@ struct record {
   std::int64_t wrong = 0;  // messages that came back changed
 };
 
-// Begins a round trip in every even beat, with one reading of the clock: the end of the one before. `Timed`:
-// false if the whole run is timed from outside, because a reading takes longer than a round trip.
-template <int Words, bool Timed, class Reflectors>
+// Begins a round trip in every even beat, with one reading of the clock: the end of the one before.
+template <int Words, class Reflectors>
 struct driver;
-template <int Words, bool Timed, int... Reflector>
-struct driver<Words, Timed, std::integer_sequence<int, Reflector...>> {
+template <int Words, int... Reflector>
+struct driver<Words, std::integer_sequence<int, Reflector...>> {
   record* found = nullptr;
   std::int64_t begun = 0;
   int core = -1;
@@ -65,24 +77,31 @@ struct driver<Words, Timed, std::integer_sequence<int, Reflector...>> {
       -> cca::out<"y", message<Words>> {
     stay_on(core);
     const auto number = static_cast<double>(now.index());
-    if (now.index() >= 2) {
-      const double expected = number - 2;
-      const bool is_right =
-          ((reflected.vector()[0] == expected && reflected.vector()[Words - 1] == expected) && ...);
-      if (!is_right) [[unlikely]]
-        ++found->wrong;
-    }
-    if (Timed && now.index() % 2 == 0) {
+    if (now.index() >= 2 && !(came_back(reflected, number - 2) && ...)) [[unlikely]]
+      ++found->wrong;
+    if (now.index() % 2 == 0) {
       const std::int64_t time = nanoseconds();
       if (now.index() == 2) found->first = time;
       if (now.index() >= 2 && found->count < found->times.size())
         found->times[found->count++] = 1e-3 * static_cast<double>(time - begun);
       begun = time;
     }
-    cca::out<"y", message<Words>> y;
-    y.vector()[0] = number;
-    y.vector()[Words - 1] = number;
-    return y;
+    return numbered_message<Words>(number);
+  }
+};
+
+// Within one loop.
+template <int Words, class Reflectors>
+struct immediate_driver;
+template <int Words, int... Reflector>
+struct immediate_driver<Words, std::integer_sequence<int, Reflector...>> {
+  std::int64_t wrong = 0;
+  auto sense(cca::beat now) -> cca::out<"y", message<Words>> {
+    return numbered_message<Words>(static_cast<double>(now.index()));
+  }
+  void act(cca::in<name_of<Reflector>, message<Words>>... reflected, cca::beat now) {
+    if (!(came_back(reflected, static_cast<double>(now.index())) && ...)) [[unlikely]]
+      ++wrong;
   }
 };
 
@@ -95,24 +114,34 @@ struct reflector {
   }
 };
 
-template <int Words, bool Timed, class Reflectors>
+template <int Words, class Reflectors>
 struct round_trips;
-template <int Words, bool Timed, int... Reflector>
-struct round_trips<Words, Timed, std::integer_sequence<int, Reflector...>>
+template <int Words, int... Reflector>
+struct round_trips<Words, std::integer_sequence<int, Reflector...>>
     : cca::graph<
           cca::rate<1000>,
-          cca::node<"driver", driver<Words, Timed, std::integer_sequence<int, Reflector...>>, cca::timed<1>>,
+          cca::node<"driver", driver<Words, std::integer_sequence<int, Reflector...>>, cca::timed<1>>,
           cca::node<name_of<Reflector>, reflector<Words>, cca::timed<1>>...,
           cca::wire<"driver.y", numbered("", Reflector, ".x"), cca::delayed<1>>...,
           cca::wire<numbered("", Reflector, ".y"), numbered("driver.", Reflector, ""), cca::delayed<1>>...> {
 };
+
+template <int Words, class Reflectors>
+struct immediate_round_trips;
+template <int Words, int... Reflector>
+struct immediate_round_trips<Words, std::integer_sequence<int, Reflector...>>
+    : cca::graph<cca::rate<1000>,
+                 cca::node<"driver", immediate_driver<Words, std::integer_sequence<int, Reflector...>>>,
+                 cca::node<name_of<Reflector>, reflector<Words>>...,
+                 cca::wire<"driver.y", numbered("", Reflector, ".x")>...,
+                 cca::wire<numbered("", Reflector, ".y"), numbered("driver.", Reflector, "")>...> {};
 
 // Each in an environment of its own.
 template <int Words, class Reflectors>
 struct spread;
 template <int Words, int... Reflector>
 struct spread<Words, std::integer_sequence<int, Reflector...>>
-    : cca::deployment<round_trips<Words, true, std::integer_sequence<int, Reflector...>>,
+    : cca::deployment<round_trips<Words, std::integer_sequence<int, Reflector...>>,
                       cca::environment<"driver", cca::nodes<"driver">>,
                       cca::environment<name_of<Reflector>, cca::nodes<name_of<Reflector>>>...> {};
 
