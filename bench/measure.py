@@ -332,7 +332,7 @@ def realtime(work):
         busy = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(hogs)]
         try:
             for n in range(rounds):
-                beside = subprocess.Popen(["cyclictest", "-q", "-a", str(1 - n % 2), "-t", "1", "-p", "80", "-m", "-i", "1000", "-D", str(seconds), "-h", "50000"],
+                beside = subprocess.Popen(["cyclictest", "-q", "-a", str(1 - n % 2), "-t", "1", "-p", "80", "-m", "-i", "1000", "-D", str(seconds + 1), "-h", "50000"],
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
                 own = subprocess.run([str(PROGRAMS / "bench_realtime"), str(n % 2), str(seconds)], text=True, capture_output=True)
                 out, error = beside.communicate()
