@@ -2,7 +2,7 @@
 """Makes all figures of docs/performance.md in one run: builds the programs of this folder with both compilers, checks that
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
-    measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
+    measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
     measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
@@ -302,8 +302,8 @@ def latency(work):
     for r in rows:
         if r["form"] != "cca":
             continue
-        raw = beside[r["transport"], r["fan_out"], r["bytes"]]
-        summary.append({k: v for k, v in r.items() if k != "form"} | {f"raw_{k}": raw[k] for k in keys})
+        raw = beside.get((r["transport"], r["fan_out"], r["bytes"]), {})
+        summary.append({k: v for k, v in r.items() if k != "form"} | {f"raw_{k}": raw[k] for k in keys if raw})
     save("latency.json", summary)
     return rows
 

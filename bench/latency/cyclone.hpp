@@ -114,13 +114,15 @@ private:
 inline round_of_times raw_dds(int fan_out, std::size_t bytes, const amount& of) {
   static constexpr std::uint64_t end = ~std::uint64_t{0};
   const std::int64_t since = nanoseconds();
-  const auto pong = [](int reflector) { return "pong" + std::to_string(reflector); };
+  // Names of this round alone: a round before, or another benchmark, may still be there.
+  const std::string ping = "ping_" + std::to_string(::getpid()) + "_" + std::to_string(since);
+  const auto pong = [&](int reflector) { return "pong" + std::to_string(reflector) + ping; };
   return in_processes(
       fan_out, of.round_trips,
       [&](int reflector) {
         stay_on(core_of(reflector + 1, fan_out));
         cyclone dds(bytes);
-        const auto writer = dds.writer(pong(reflector)), reader = dds.reader("ping");
+        const auto writer = dds.writer(pong(reflector)), reader = dds.reader(ping);
         while (const auto* message = dds.take(reader, 0, 10'000)) {
           if (dds.number_in(message) == end) return;
           dds.write(writer, message);
@@ -129,7 +131,7 @@ inline round_of_times raw_dds(int fan_out, std::size_t bytes, const amount& of) 
       [&](round_of_times& round) {
         stay_on(core_of(0, fan_out));
         cyclone dds(bytes);
-        const auto writer = dds.writer("ping");
+        const auto writer = dds.writer(ping);
         std::vector<dds_entity_t> readers;
         for (int r = 0; r < fan_out; ++r) readers.push_back(dds.reader(pong(r)));
         const auto message = std::make_unique<unsigned char[]>(bytes);
