@@ -50,7 +50,7 @@ struct fault_record {
   void state(std::int64_t at, std::string_view why, int component) noexcept {
     if (position.load(std::memory_order_relaxed) != no_position) return;
     reason = {};
-    std::copy_n(why.data(), std::min(why.size(), most_letters - 1), reason.data());
+    std::ranges::copy(why.substr(0, most_letters - 1), reason.begin());
     node = component;
     position.store(at, std::memory_order_release);
   }
