@@ -3,75 +3,22 @@
 // one on virtual drives around it (examples/hardware_in_the_loop). `act` takes either as a stage: it has a
 // `controller`, loaded and not started, `step()`, `world()`, `put_down(world, disturbance)` and
 // `disturb(disturbance)`.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <optional>
 #include <utility>
 
 #include <cca/cca.hpp>
 #include <cca/sim/disturbance.hpp>
 #include <cca/sim/oncilla.hpp>
-#include <cca/sim/terrain.hpp>
 #include <cca/sim/world.hpp>
 
 #include "architecture.hpp"
 #include "../trot/report/goes_on.hpp"
-#include "scene.hpp"
+#include "referee.hpp"
 
 namespace skills {
 
 struct simulated : architecture<cca::sim::oncilla> {};
 using combined = cca::controller<simulated>;
-
-struct circumstances {
-  std::optional<std::uint64_t> seed = 0;  // none: no disturbance
-  paw_side paw = paw_side::left;
-  target where = target::ahead;
-  double push = 20;           // N on the trunk from the side, while the paw is at the ball
-  double trot_seconds = 6.2;  // s, from the start
-  double after_seconds = 6;   // s, of the trot at the end
-};
-
-// How a skill ended.
-enum class outcome : std::uint8_t { not_begun, going_on, done, timed_out };
-
-struct episode {
-  outcome how = outcome::not_begun;
-  double begin = 0, end = 0;    // s
-  double error = std::nan("");  // between joints and commands, when it ended, rad
-};
-
-struct result {
-  bool fell = false;
-  int last = 0;  // the last step of the plan
-  double seconds = 0;
-  double reach_error = std::nan("");       // m, mean while the paw is at the ball, before the push
-  double worst_error = std::nan("");       // m, largest in that time
-  double error_after_push = std::nan("");  // m, mean after the push
-  double worst_after_push = std::nan("");  // m, largest after the push
-  double reach_time = std::nan("");        // s
-  double speed_after = 0;                  // m/s
-  std::array<episode, plan::count> skills{};
-
-  template <cca::fixed_string Name>
-  const episode& of() const {
-    return skills[static_cast<std::size_t>(plan::at<Name>)];
-  }
-  bool touched() const { return of<"reach">().how == outcome::done; }
-};
-
-inline cca::sim::initial_posture put_down(const orders::parameters& p, const cca::sim::disturbance& d) {
-  cca::sim::initial_posture posture;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& foot = oncilla::is_front(i) ? p.trot.front : p.trot.hind;
-    const auto q = cca::sim::leg_angles_for(cca::sim::oncilla_defaults, {foot.ahead, -foot.below});
-    posture.legs[i] = {q.hip + d.hip_offset[i], q.knee + d.knee_offset[i], 0};
-  }
-  posture.trunk_velocity = d.trunk_velocity;
-  return posture;
-}
 
 // The distance between the joints and their commands.
 template <class Controller>
@@ -86,74 +33,25 @@ double tracking_error(const Controller& controller) {
 // Calls between(controller) after each beat, and ends if it returns false.
 template <class Stage, class Between>
 result act(Stage& stage, const circumstances& c, Between between) {
-  constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
-  auto disturbance = c.seed ? cca::sim::disturbance::from_seed(*c.seed, c.trot_seconds + 15 + c.after_seconds)
-                            : cca::sim::disturbance::none();
+  referee watching(c);
   auto& controller = stage.controller;
   auto& camera = controller.template get<"camera">();
   const auto& sequencer = controller.template get<"sequencer">().steps;
-  stage.put_down(cca::sim::world(cca::sim::oncilla_defaults,
-                                 cca::sim::terrain::flat().with_friction(disturbance.friction),
-                                 put_down(controller.template get<"orders">().p, disturbance)),
-                 disturbance);
-  scene around(c.where, c.paw, c.trot_seconds);
-  result r;
-  double sum = 0, late_sum = 0;
-  int count = 0, late_count = 0;
-  cca::sim::vector3 from{};
+  stage.put_down(watching.put_down(controller.template get<"orders">().p), watching.disturbance());
   controller.start();
-  for (;;) {
+  for (bool goes_on = true; goes_on && !watching.is_over();) {
     const auto& world = stage.world();
     const double time = world.time();
-    const int before = sequencer.step();
-    const bool stopped = before > plan::at<"stop">;
-    const auto ball = around.seen(world, stopped);
+    const auto ball = watching.ball(world);
     camera.sees = ball.has_value();
     if (ball) camera.ball = *ball;
     stage.step();
-    const bool goes_on = trot::goes_on(between, controller);
-
-    const int now_on = sequencer.step();
-    if (now_on != before) {
-      episode& ended = r.skills[static_cast<std::size_t>(before)];
-      ended.how = sequencer.timed_out() ? outcome::timed_out : outcome::done;
-      ended.end = time;
-      ended.error = tracking_error(controller);
-    }
-    if (now_on != before || r.skills[static_cast<std::size_t>(now_on)].how == outcome::not_begun)
-      r.skills[static_cast<std::size_t>(now_on)] = {outcome::going_on, time, time};
-    const double since = time - r.skills[static_cast<std::size_t>(now_on)].begin;
-    if (now_on == plan::at<"touch">) {
-      const double error = around.distance(world).value_or(std::nan(""));
-      if (since < measured) {
-        sum += error;
-        ++count;
-        r.worst_error = std::fmax(r.worst_error, error);
-        if (c.push > 0 && count == 1) {
-          const double side = c.seed.value_or(0) % 2 ? 1.0 : -1.0;
-          disturbance.another = {time + measured, push_seconds, {0, side * c.push, 0}};
-          stage.disturb(disturbance);
-        }
-      } else {
-        late_sum += error, ++late_count;
-        r.worst_after_push = std::fmax(r.worst_after_push, error);
-      }
-    }
-    if (now_on == plan::at<"trot on"> && before != now_on) from = world.trunk_position();
-    r.last = now_on;
-    r.seconds = world.time();
-    r.fell = world.fallen();
-    const bool over = now_on == plan::at<"trot on"> && since >= c.after_seconds;
-    if (over) {
-      const auto to = world.trunk_position();
-      r.speed_after = std::hypot(to[0] - from[0], to[1] - from[1]) / c.after_seconds;
-    }
-    if (over || r.fell || time > most_seconds || !goes_on) break;
+    goes_on = trot::goes_on(between, controller);
+    if (watching.note(time, world, sequencer.step(), sequencer.timed_out(),
+                      [&] { return tracking_error(controller); }))
+      stage.disturb(watching.disturbance());
   }
-  if (count > 0) r.reach_error = sum / count;
-  if (late_count > 0) r.error_after_push = late_sum / late_count;
-  if (r.touched()) r.reach_time = r.of<"reach">().end - r.of<"reach">().begin;
-  return r;
+  return watching.judgement();
 }
 
 struct simulated_stage {

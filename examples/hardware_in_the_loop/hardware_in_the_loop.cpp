@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,8 +27,8 @@
 #include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/program.hpp"
-#include "in_memory.hpp"
 #include "lock_step.hpp"
+#include "two_environments.hpp"
 
 namespace {
 
@@ -100,21 +101,19 @@ int report(Controller& c) {
 int in_one_process(std::int64_t beats) {
   std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
   const cca::interruption interrupted;  // ctrl-c: the controller stops the drives, then the program ends
-  in_memory<> run;
+  two_in_memory run;
   run.controller.load();
   run.controller.start();
-  for (std::int64_t k = 1; k <= beats && !interrupted; ++k) {
-    run.step();
-    if (k % 1000 == 0)
-      std::printf("%2lld s: %.2f m\n", static_cast<long long>(k / 1000), run.robot.world.trunk_position()[0]);
-  }
+  run.run(beats, [&](const auto& c) {
+    if (const long long k = c.beat_index(); k % 1000 == 0)
+      std::printf("%2lld s: %.2f m\n", k / 1000, run.robot.world.trunk_position()[0]);
+    return !interrupted;
+  });
   if (run.robot.world.fallen()) std::printf("the robot fell\n");
   const int result = report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
   std::printf("%s\n", run.shut_down().text().c_str());
   return interrupted ? interrupted.exit_code() : result;
 }
-
-struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
 
 using bus_array = std::array<paced_can, buses>;
 // Each end receives only the ids that the other end sends: the kernel filters all others.
@@ -131,45 +130,43 @@ bus_array open(const options& o, std::index_sequence<Bus...>) {
 }
 bus_array open(const options& o) { return open(o, std::make_index_sequence<buses>()); }
 
-struct robots_pace {
+// A beat begins when the frames of the sensor board have come.
+struct pace_of_frames {
   bus_array& bus;
-  bool lock_step;
-  cca::at_speed clock = cca::at_wall_clock();
-  void begin() { clock.begin(); }
-  void begin(std::int64_t period, std::int64_t last) { clock.begin(period, last); }
-  std::int64_t overruns() const { return clock.overruns(); }
-  std::int64_t lost_periods() const { return clock.lost_periods(); }
-  std::int64_t last_begun() const { return clock.last_begun(); }
-  cca::fault fault() const { return clock.fault(); }
-  void wait(std::int64_t now) {
-    if (lock_step) wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now);
-    else clock.wait(now);
-  }
+  void begin() const {}
+  void wait(std::int64_t now) const { wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now); }
 };
 
-int as_robot(const options& o) {
-  auto bus = open(o);
-  cca::controller<trot_over_socket_can> c;
+template <class Pace>
+int as_robot(const options& o, bus_array& bus, Pace pace) {
+  cca::deployed<two_environments<paced_can>> c;
   auto& drives = c.get<"robot.synchronizer">();
   drives.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   c.load();
   c.start();
   const cca::interruption interrupted;
   bool runs = false;
-  c.run(cca::for_some_beats{o.beats}, robots_pace{bus, o.lock_step}, [&](auto&) {
+  c.run(cca::for_some_beats{o.beats}, pace, [&](const auto&) {
     if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return !interrupted;
     std::puts("robot: all drives are enabled");
     std::fflush(stdout);
     return !interrupted;
   });
   const int result = report(c);
+  if (c.fault()) std::printf("robot: %s\n", c.fault().reason());
   if (c.overruns() > 0)
     std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
                 static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
+  if (!o.lock_step) std::cout << c.figures();
   // [shut down]
-  std::printf("robot: %s\n", hw::shut_down(c, robots_pace{bus, o.lock_step}).text().c_str());
+  std::printf("robot: %s\n", hw::shut_down(c, pace).text().c_str());
   // [shut down end]
   return interrupted ? interrupted.exit_code() : result;
+}
+
+int as_robot(const options& o) {
+  auto bus = open(o);
+  return o.lock_step ? as_robot(o, bus, pace_of_frames{bus}) : as_robot(o, bus, cca::at_wall_clock());
 }
 
 // Reports how the drives ended: still driven, switched off, or stopped by their watchdogs.

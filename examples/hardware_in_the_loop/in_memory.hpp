@@ -34,8 +34,10 @@ inline cca::sim::world put_down() {
   return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
 }
 
-// `Architecture` has the robot at "robot". Neither copied nor moved: its parts point to one another.
-template <class Architecture = trot_on_drives>
+// `Architecture` has the robot at "robot". Neither copied nor moved: its parts point to one another. Of a
+// deployment, `Controller` is cca::deployed<Architecture>: the buses are used by the thread that calls `step`
+// or `run`, so "robot" belongs into the first environment.
+template <class Architecture = trot_on_drives, class Controller = cca::controller<Architecture>>
 class in_memory {
 public:
   static constexpr std::int64_t beat = 1'000'000;
@@ -59,6 +61,13 @@ public:
     const bool stepped = controller_runs && controller.step();
     pass_millisecond();
     return stepped;
+  }
+
+  // As many of them; ends on a fault, and where `between` returns false.
+  template <class Between>
+  void run(std::int64_t beats, Between between) {
+    controller.run(cca::for_some_beats{beats}, time_of_drives{*this}, between);
+    pass_millisecond();
   }
 
   // The drives' reaction to what the controller has sent.
@@ -96,7 +105,7 @@ public:
 
   std::int64_t answers_at;
   std::array<wire, buses> wires;
-  cca::controller<Architecture> controller{};
+  Controller controller{};
   far_side<memory_end> far{};
   mechanics robot{hil::put_down()};
   std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
@@ -104,6 +113,15 @@ public:
   std::int64_t now = 0;
 
 private:
+  // A pace: between two beats of a run a millisecond passes.
+  struct time_of_drives {
+    in_memory& all;
+    void begin() const {}
+    void wait(std::int64_t since) const {
+      if (since > 0) all.pass_millisecond();
+    }
+  };
+
   // The pace of shut_down: what the drives do between two beats.
   struct drives_reaction {
     in_memory& run;

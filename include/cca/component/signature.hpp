@@ -10,6 +10,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/component/beat.hpp>
+#include <cca/component/done.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
 #include <cca/component/switch_to.hpp>
@@ -71,7 +72,7 @@ using bare_parameter =
                        std::remove_cvref_t<Type>>;
 
 // What a result of the function is.
-enum class result_kind : std::uint8_t { output, fault, mode_request, bad };
+enum class result_kind : std::uint8_t { output, fault, mode_request, done, bad };
 
 template <class Type>
 struct result_facts {
@@ -88,6 +89,11 @@ struct result_facts<switch_to<Mode>> {
   static constexpr auto kind = result_kind::mode_request;
   static constexpr port_info port{};
   static constexpr std::string_view mode = Mode.view();
+};
+template <>
+struct result_facts<done> {
+  static constexpr auto kind = result_kind::done;
+  static constexpr port_info port{};
 };
 template <fixed_string Name, class Space>
 struct result_facts<out<Name, Space>> {
@@ -148,7 +154,7 @@ struct function_info {
   const port_info* inputs = nullptr;
   const port_info* outputs = nullptr;
   int input_count = 0, output_count = 0;
-  bool may_fault = false;
+  bool may_fault = false, stops_itself = false;
   const std::string_view* requested_modes = nullptr;  // by cca::switch_to
   int requested_count = 0;
   std::string_view bad_parameter{}, bad_result{};  // names of types; empty if there is none
@@ -181,7 +187,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
   }();
 
   // For each parameter its position among the inputs, for each result its position among the outputs; -1 for
-  // a beat, a fault or a request.
+  // a beat, a fault, a request or `done`.
   static constexpr auto input_of_parameter = [] {
     std::array<int, sizeof...(Parameters) + 1> position{};
     int n = 0;
@@ -215,6 +221,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
     function.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
     function.requested_modes = requested_modes.data();
     function.requested_count = requested_count;
+    function.stops_itself = ((result_facts<Results>::kind == result_kind::done) || ...);
     ((parameter_facts<Parameters>::kind == parameter_kind::bad && function.bad_parameter.empty()
           ? void(function.bad_parameter = type_name<Parameters>())
           : void()),

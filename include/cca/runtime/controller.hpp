@@ -14,6 +14,9 @@
 #include <cca/runtime/refusal.hpp>
 
 namespace cca {
+namespace detail {
+struct live_components;
+}
 
 template <detail::WellFormed Graph>
 class controller<Graph> : public detail::loop_host<controller<Graph>, Graph> {
@@ -30,6 +33,8 @@ public:
 private:
   friend detail::component_host<controller, Graph>;
   friend host;
+  friend detail::live_components;
+  friend detail::stoppable_components<controller, Graph>;
 
   template <int Node>
   auto& component() {
@@ -42,6 +47,10 @@ private:
   template <class F, class Controller>
   static void visit(F f, Controller& self) {
     detail::visit_components<Graph>(f, self.state_of_all);
+  }
+  template <class F, class Controller>
+  static void visit_firings(int node, F f, Controller& self) {
+    detail::visit_firings<Graph>(self.state_of_all, node, f);
   }
   static constexpr bool is_here(int) { return true; }
 

@@ -40,6 +40,14 @@ void visit_components(F f, State& state) {
   }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
 }
 
+// f(what is kept of the last firing) for each call of a component whose clock is known only at run time.
+template <class Graph, class State, class F>
+void visit_firings([[maybe_unused]] State& state, [[maybe_unused]] int node, [[maybe_unused]] F f) {
+  if constexpr (layout_of<Graph>.firing_count > 0)
+    for (const call_place& one : layout_of<Graph>.calls)
+      if (one.node == node && one.firing >= 0) f(state.firings[one.firing]);
+}
+
 // Whether a component is so. A list and no fold: clang nests at most 256 operands.
 template <class Graph, class Question>
 inline constexpr bool any_component = []<int... First>(std::integer_sequence<int, First...>) {

@@ -39,7 +39,8 @@ public:
   CCA_INLINE std::int64_t origin() const { return time; }
   void forget() { time = never; }
 
-  CCA_INLINE void store(const vector_type& v, std::int64_t origin) {
+  template <class Vector>
+  CCA_INLINE void store(const Vector& v, std::int64_t origin) {
     vector() = v;
     time = origin;
   }
@@ -57,7 +58,7 @@ constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
 
 // ---- of_beat ----
 
-// How many outputs a result has; a fault and a request are none.
+// How many outputs a result has; a fault, a request and `done` are none.
 template <class Result>
 inline constexpr int outputs_in = 1;
 template <class... Outputs>

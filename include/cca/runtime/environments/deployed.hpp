@@ -55,6 +55,7 @@ class deployed<D> : public detail::component_host<deployed<D>, D>,
                     public detail::figures_of_runs<deployed<D>, D> {
   using host = detail::component_host<deployed<D>, D>;
   friend host;
+  friend detail::stoppable_components<deployed<D>, D>;
   friend detail::figures_of_runs<deployed<D>, D>;
 
 public:
@@ -66,8 +67,8 @@ public:
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
   template <class Transport>
-  deployed(const only& environments, const Transport& transport) {
-    choose(environments);
+  deployed(const only& environments, const Transport& transport)
+      : here(detail::chosen_environments<D>(environments)) {
     auto medium = transport.template open<D>(here);
     shared = {medium, medium->exchanged()};
     others = std::move(medium);
@@ -97,6 +98,8 @@ public:
     if (is_stopped_elsewhere) stop();
     return now;
   }
+
+  using host::start, host::stop;  // one component
 
   // As of a controller. Where other processes run environments, their run ends with stop() too.
   void start() {
@@ -158,6 +161,15 @@ private:
     }(std::make_integer_sequence<int, detail::counts_of<D>.node_count>{});
   }
 
+  template <class F, class Deployed>
+  static void visit_firings(int node, F f, Deployed& self) {
+    self.refuse_if_elsewhere(node);
+    self.loops.for_each([&]<int E>(auto& loop) {
+      if (detail::plan_of<D>.nodes[detail::array_size(node)].environment == E)
+        detail::visit_firings<detail::part<D, E>>(loop.state, node, f);
+    });
+  }
+
   template <int Output, class F>
   void observe(F& f) const {
     constexpr int e = environment_of<detail::call_of<D, detail::output_of<D, Output>.call>.node>;
@@ -168,15 +180,6 @@ private:
     runs.overruns = runs.lost_periods = 0;
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].forget_figures();
-  }
-  void choose(const only& environments) {
-    for (const std::string& name : environments.names) {
-      std::size_t e = 0;
-      while (e < here.size() && detail::name_of_environment<D>(e) != name) ++e;
-      if (e == here.size()) throw refused("cca::only: the deployment has no environment `" + name + "`");
-      here[e] = true;
-    }
-    if (environments.names.empty()) throw refused("cca::only: it names no environment");
   }
   int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
 

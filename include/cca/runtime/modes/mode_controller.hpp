@@ -7,8 +7,9 @@
 //
 // `load`, `save`, `get` and `set` work on the components of all modes, active or not. `start` and `stop` call
 // the hooks of the active mode. A switch between two beats stops what the next mode lacks and starts what the
-// last one lacked; in a controller that is not started no hook runs. Errors: modes.*; `cca::refused`: a name
-// of no mode, and a switch after a fault. Cost: docs/modes.md.
+// last one lacked; in a controller that is not started no hook runs. A component that is stopped on its own
+// stays so in the next mode, unless it comes. Errors: modes.*; `cca::refused`: a name of no mode, a switch
+// after a fault, and to stop or start one component that the active mode lacks. Cost: docs/modes.md.
 #pragma once
 
 #include <string>
@@ -29,6 +30,9 @@ class controller<M> : public detail::loop_host<controller<M>, M> {
   static constexpr const auto& all = detail::modes_of<M>::value;
 
 public:
+  using host::start;  // one component
+  using host::stop;
+
   void start() {
     const hooks_of_active_mode now_on(*this);
     host::start();
@@ -63,6 +67,7 @@ public:
 
 private:
   friend detail::component_host<controller, M>;
+  friend detail::stoppable_components<controller, M>;
   friend host;
   template <int I>
   using part = detail::mode_part<M, I>;
@@ -79,11 +84,21 @@ private:
   static void visit(F f, Controller& self) {
     detail::visit_components<M>(f, self.state_of_all);
   }
+  template <class F, class Controller>
+  static void visit_firings(int node, F f, Controller& self) {
+    detail::visit_firings<M>(self.state_of_all, node, f);
+  }
 
   // Parameters are those of all modes, on_start and on_stop the active one's.
-  bool is_here(int node) const {
-    return !is_for_active_mode ||
-           detail::has_mode(detail::plan_of<M>.nodes[detail::array_size(node)].modes, active);
+  bool is_here(int node) const { return !is_for_active_mode || is_active(node); }
+  bool is_active(int node) const {
+    return detail::has_mode(detail::plan_of<M>.nodes[detail::array_size(node)].modes, active);
+  }
+  void check_runs(const char* call, int node) const {
+    if (!is_active(node))
+      throw refused(std::string("cca::controller: ") + call + "(`" + detail::path_of_node<M>(node) +
+                    "`) is refused in the mode `" + std::string(mode()) +
+                    "`, which has no such component: it is started when a mode begins that has it");
   }
   struct hooks_of_active_mode {
     controller& c;

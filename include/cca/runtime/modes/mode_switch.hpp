@@ -8,6 +8,7 @@
 
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/modes/shared_state.hpp>
+#include <cca/runtime/stoppable_components.hpp>
 
 namespace cca::detail {
 
@@ -81,22 +82,22 @@ struct mode_switch {
   void leave(int next, std::int64_t k, bool is_started) {
     if (is_started)
       for_each<counts.node_count, hook<false>>([&]<int Node>() {
-        if (!has_mode(modes_with<M, I>(Node), next)) component<Node>().on_stop();
+        if (!has_mode(modes_with<M, I>(Node), next) && !is_stopped<Node>()) component<Node>().on_stop();
       });
     // From here on the clock of this mode does not tell when they fired last.
     for_each<counts.call_count, unsteady_call<M, I>>([&]<int Call>() {
       if (const auto last = newest_tick(call_of<part, Call>.fires, k - 1); last >= 0 && last >= state.since)
         state.firings[layout_of<part>.calls[Call].firing].last = last;
     });
+    for_each<counts.call_count, kept_firing<M, I>>([&]<int Call>() {
+      if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), next))
+        state.firings[layout_of<part>.calls[Call].firing] = {};
+    });
   }
 
   // ---- from the last mode to I ----
 
   void enter(int last, bool is_started) {
-    for_each<counts.call_count, kept_firing<M, I>>([&]<int Call>() {
-      if (!has_mode(modes_with<M, I>(call_of<part, Call>.node), last))
-        state.firings[layout_of<part>.calls[Call].firing] = {};
-    });
     for_each<counts.output_count, passing_output<M, I>>([&]<int Output>() {
       if (!has_mode(modes_with<M, I>(call_of<part, output_of<part, Output>.call>.node), last))
         begin_anew<Output>();
@@ -140,6 +141,15 @@ private:
   template <int Node>
   auto& component() {
     return component_at<M, shared_nodes<M, I>[array_size(Node)]>(state);
+  }
+
+  // On its own: then its hook has run, or it has stopped itself.
+  template <int Node>
+  bool is_stopped() const {
+    bool is_so = false;
+    if constexpr (is_stoppable_node<part>(Node))
+      visit_firings<part>(state, Node, [&](const last_firing& one) { is_so = one.is_stopped; });
+    return is_so;
   }
 
   // It has not been published yet: it shows the initial value.
