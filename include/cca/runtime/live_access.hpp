@@ -23,6 +23,7 @@
 #include <string>
 #include <string_view>
 
+#include <cca/graph/modes.hpp>
 #include <cca/runtime/controller.hpp>
 #include <cca/runtime/live/known_parameters.hpp>
 #include <cca/runtime/live/live_output.hpp>
@@ -37,7 +38,19 @@ class live_access {
       "figures(), late() and overruns(), and parameters are set between two runs");
 };
 
+template <Modes M>
+class live_access<controller<M>> {
+  static_assert(sizeof(M) == 0,
+                "cca::live_access: it is made from the controller of one graph; of a set of modes, copy what "
+                "other threads read (observed(), mode()) and apply what they ask for (set(), switch_to()) "
+                "between two beats, in the call that run() takes");
+
+public:
+  explicit live_access(const controller<M>&) {}
+};
+
 template <class Graph>
+  requires(!Modes<Graph>)
 class live_access<controller<Graph>> {
   using shadows = detail::known_parameters<Graph>;
 
