@@ -1,5 +1,5 @@
-// A user's program with all components: reads a parameter from a file, steps a world of the simulator, sends
-// a set-point to a drive over a bus in memory.
+// A user's program with all components: has the main function for robots, reads a parameter from a file,
+// steps a world of the simulator, sends a set-point to a drive over a bus in memory.
 #include <array>
 #include <fstream>
 
@@ -7,6 +7,7 @@
 #include <cca/config.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
+#include <cca/main.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 #include <cca/sim/world.hpp>
 
@@ -34,7 +35,8 @@ struct moving : cca::graph<cca::node<"goal", goal>,
 
 static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
-int main() {
+int main(int count, char** words) {
+  if (count > 1) return cca::robot_main<moving>(count, words);
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";
   cca::controller<moving> c;
   c.load("moving.toml");
