@@ -1,6 +1,6 @@
 #pragma once
 // One run of the Combination of Skills in a simulated world, and its result. The robot is the simulator's, or
-// one on virtual drives around it (examples/hardware_in_the_loop). `act` takes either as a stage: it has a
+// one on virtual drives around it (examples/hardware_in_the_loop). A run takes either as a stage: it has a
 // `controller`, loaded and not started, `step()`, `world()`, `put_down(world, disturbance)` and
 // `disturb(disturbance)`.
 #include <algorithm>
@@ -83,62 +83,80 @@ double tracking_error(const Controller& controller) {
   return error;
 }
 
-// Calls between(controller) after each beat, and ends if it returns false.
-template <class Stage, class Between>
-result act(Stage& stage, const circumstances& c, Between between) {
-  constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
-  auto disturbance = c.seed ? cca::sim::disturbance::from_seed(*c.seed, c.trot_seconds + 15 + c.after_seconds)
-                            : cca::sim::disturbance::none();
-  auto& controller = stage.controller;
-  auto& camera = controller.template get<"camera">();
-  const auto& sequencer = controller.template get<"sequencer">().steps;
-  stage.put_down(cca::sim::world(cca::sim::oncilla_defaults,
-                                 cca::sim::terrain::flat().with_friction(disturbance.friction),
-                                 put_down(controller.template get<"orders">().p, disturbance)),
-                 disturbance);
-  scene around(c.where, c.paw, c.trot_seconds);
-  result r;
-  double sum = 0, late_sum = 0;
-  int count = 0, late_count = 0;
-  cca::sim::vector3 from{};
-  controller.start();
-  for (;;) {
-    const auto& world = stage.world();
-    const double time = world.time();
-    const int before = sequencer.step();
-    const bool stopped = before > plan::at<"stop">;
-    const auto ball = around.seen(world, stopped);
+// A run of a controller that is loaded: `begin` puts the robot down before start(), `note` looks at each beat
+// and says whether the run goes on, `end` gives the figures.
+class noted_run {
+public:
+  explicit noted_run(const circumstances& what) : c(what), around(c.where, c.paw, c.trot_seconds) {}
+
+  template <class Stage>
+  void begin(Stage& stage) {
+    disturbance = c.seed ? cca::sim::disturbance::from_seed(*c.seed, c.trot_seconds + 15 + c.after_seconds)
+                         : cca::sim::disturbance::none();
+    stage.put_down(cca::sim::world(cca::sim::oncilla_defaults,
+                                   cca::sim::terrain::flat().with_friction(disturbance.friction),
+                                   put_down(stage.controller.template get<"orders">().p, disturbance)),
+                   disturbance);
+    look(stage);
+  }
+
+  // After a beat.
+  template <class Stage>
+  bool note(Stage& stage) {
+    const int before = step_before;
+    note_skills(stage, before);
+    const bool over = note_world(stage, before);
+    if (over || r.fell || time > most_seconds) return false;
+    look(stage);
+    return true;
+  }
+
+  result end() {
+    if (count > 0) r.reach_error = sum / count;
+    if (late_count > 0) r.error_after_push = late_sum / late_count;
+    if (r.touched()) r.reach_time = r.of<"reach">().end - r.of<"reach">().begin;
+    return r;
+  }
+
+private:
+  static constexpr double most_seconds = 60, measured = 0.4, push_seconds = 0.06;
+
+  template <class Stage>
+  static const auto& sequencer(Stage& stage) {
+    return stage.controller.template get<"sequencer">().steps;
+  }
+
+  // What the camera sees in the next beat.
+  template <class Stage>
+  void look(Stage& stage) {
+    auto& camera = stage.controller.template get<"camera">();
+    time = stage.world().time();
+    step_before = sequencer(stage).step();
+    const auto ball = around.seen(stage.world(), step_before > plan::at<"stop">);
     camera.sees = ball.has_value();
     if (ball) camera.ball = *ball;
-    stage.step();
-    const bool goes_on = trot::goes_on(between, controller);
+  }
 
-    const int now_on = sequencer.step();
+  template <class Stage>
+  void note_skills(Stage& stage, int before) {
+    const int now_on = sequencer(stage).step();
     if (now_on != before) {
       episode& ended = r.skills[static_cast<std::size_t>(before)];
-      ended.how = sequencer.timed_out() ? outcome::timed_out : outcome::done;
+      ended.how = sequencer(stage).timed_out() ? outcome::timed_out : outcome::done;
       ended.end = time;
-      ended.error = tracking_error(controller);
+      ended.error = tracking_error(stage.controller);
     }
     if (now_on != before || r.skills[static_cast<std::size_t>(now_on)].how == outcome::not_begun)
       r.skills[static_cast<std::size_t>(now_on)] = {outcome::going_on, time, time};
+  }
+
+  // True: it is over.
+  template <class Stage>
+  bool note_world(Stage& stage, int before) {
+    const auto& world = stage.world();
+    const int now_on = sequencer(stage).step();
     const double since = time - r.skills[static_cast<std::size_t>(now_on)].begin;
-    if (now_on == plan::at<"touch">) {
-      const double error = around.distance(world).value_or(std::nan(""));
-      if (since < measured) {
-        sum += error;
-        ++count;
-        r.worst_error = std::fmax(r.worst_error, error);
-        if (c.push > 0 && count == 1) {
-          const double side = c.seed.value_or(0) % 2 ? 1.0 : -1.0;
-          disturbance.another = {time + measured, push_seconds, {0, side * c.push, 0}};
-          stage.disturb(disturbance);
-        }
-      } else {
-        late_sum += error, ++late_count;
-        r.worst_after_push = std::fmax(r.worst_after_push, error);
-      }
-    }
+    if (now_on == plan::at<"touch">) note_touch(stage, since);
     if (now_on == plan::at<"trot on"> && before != now_on) from = world.trunk_position();
     r.last = now_on;
     r.seconds = world.time();
@@ -148,13 +166,37 @@ result act(Stage& stage, const circumstances& c, Between between) {
       const auto to = world.trunk_position();
       r.speed_after = std::hypot(to[0] - from[0], to[1] - from[1]) / c.after_seconds;
     }
-    if (over || r.fell || time > most_seconds || !goes_on) break;
+    return over;
   }
-  if (count > 0) r.reach_error = sum / count;
-  if (late_count > 0) r.error_after_push = late_sum / late_count;
-  if (r.touched()) r.reach_time = r.of<"reach">().end - r.of<"reach">().begin;
-  return r;
-}
+
+  template <class Stage>
+  void note_touch(Stage& stage, double since) {
+    const double error = around.distance(stage.world()).value_or(std::nan(""));
+    if (since >= measured) {
+      late_sum += error, ++late_count;
+      r.worst_after_push = std::fmax(r.worst_after_push, error);
+      return;
+    }
+    sum += error;
+    ++count;
+    r.worst_error = std::fmax(r.worst_error, error);
+    if (c.push > 0 && count == 1) {
+      const double side = c.seed.value_or(0) % 2 ? 1.0 : -1.0;
+      disturbance.another = {time + measured, push_seconds, {0, side * c.push, 0}};
+      stage.disturb(disturbance);
+    }
+  }
+
+  circumstances c;
+  scene around;
+  cca::sim::disturbance disturbance{};
+  result r{};
+  double time = 0;  // s, when the beat began
+  int step_before = 0;
+  double sum = 0, late_sum = 0;
+  int count = 0, late_count = 0;
+  cca::sim::vector3 from{};
+};
 
 struct simulated_stage {
   combined& controller;
@@ -165,6 +207,21 @@ struct simulated_stage {
   void disturb(const cca::sim::disturbance& d) { controller.get<"robot.simulator">().disturb(d); }
   void step() { controller.step(); }
 };
+
+// A whole run, as fast as possible. Calls between(controller) after each beat, and ends if it returns false.
+template <class Stage, class Between>
+result act(Stage& stage, const circumstances& c, Between between) {
+  noted_run run(c);
+  run.begin(stage);
+  stage.controller.start();
+  bool goes_on = true;
+  while (goes_on) {
+    stage.step();
+    const bool wanted = trot::goes_on(between, stage.controller);
+    goes_on = run.note(stage) && wanted;
+  }
+  return run.end();
+}
 
 template <class Between>
 result roll_out(combined& controller, const circumstances& c, Between between) {

@@ -33,9 +33,8 @@ struct command_line_error : std::runtime_error {
   using runtime_error::runtime_error;
 };
 
-namespace detail {
-
-inline double number_of(const std::string& option, const std::string& text, double low, double high) {
+// The number that a text is, or a refusal: `--speed x: expected a number from 0 to 1`.
+inline double number_in(const std::string& option, const std::string& text, double low, double high) {
   std::size_t read = 0;
   double value = 0;
   try {
@@ -49,9 +48,9 @@ inline double number_of(const std::string& option, const std::string& text, doub
   return value;
 }
 
-inline std::uint64_t whole_number_of(const std::string& option,
+inline std::uint64_t whole_number_in(const std::string& option,
                                      const std::string& text,
-                                     std::uint64_t least) {
+                                     std::uint64_t least = 0) {
   const bool is_number =
       !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos;
   if (!is_number || std::stoull(text) < least)
@@ -59,6 +58,8 @@ inline std::uint64_t whole_number_of(const std::string& option,
                              " or more");
   return std::stoull(text);
 }
+
+namespace detail {
 
 // A function that puts a value into a variable; or the function that was given.
 template <class Value, class Into>
@@ -106,7 +107,7 @@ public:
     value(
         option,
         [put = detail::setter<double>(into), name = name_in(option), low, high](const std::string& given) {
-          put(detail::number_of(name, given, low, high));
+          put(number_in(name, given, low, high));
         },
         help);
   }
@@ -115,7 +116,7 @@ public:
     value(
         option,
         [put = detail::setter<std::uint64_t>(into), name = name_in(option), least](const std::string& given) {
-          put(detail::whole_number_of(name, given, least));
+          put(whole_number_in(name, given, least));
         },
         help);
   }

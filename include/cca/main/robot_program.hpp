@@ -92,7 +92,7 @@ public:
             open = [by](const only& here) { return std::make_unique<controller_type>(here, by); };
           };
           if constexpr (std::constructible_from<Transport, std::string>) opens(Transport(text));
-          else opens(Transport(static_cast<int>(detail::whole_number_of(name, text, 0))));
+          else opens(Transport(static_cast<int>(whole_number_in(name, text, 0))));
         },
         help);
   }
