@@ -14,13 +14,13 @@
 
 namespace cca::detail {
 
-inline std::string in_a_row(const std::vector<std::string>& all, std::string_view between) {
+inline std::string joined_words(const std::vector<std::string>& all, std::string_view between) {
   std::string text;
   for (const auto& each : all) text.append(text.empty() ? "" : between).append(each);
   return text;
 }
 
-inline std::string number_text(double number) {
+inline std::string as_typed(double number) {
   std::ostringstream text;
   text << number;
   return text.str();
@@ -35,7 +35,7 @@ std::vector<std::string> names_of_environments() {
 }
 
 inline void offer_pace(command_line& line, run_settings& s) {
-  const std::string present = !s.speed ? "fast" : *s.speed == 1 ? "wall-clock" : number_text(*s.speed);
+  const std::string present = !s.speed ? "fast" : *s.speed == 1 ? "wall-clock" : as_typed(*s.speed);
   line.value(
       "--pace P",
       [&s](const std::string& text) {
@@ -60,7 +60,7 @@ inline void take_names(const std::string& text,
     const std::string name = text.substr(from, to - from);
     if (std::ranges::find(existing, name) == existing.end())
       throw command_line_error("--only " + text + ": there is no environment `" + name + "`, only " +
-                               in_a_row(existing, ", "));
+                               joined_words(existing, ", "));
     into.push_back(name);
     from = to + 1;
   }
@@ -73,15 +73,15 @@ void offer_standard_options(command_line& line, Program& p) {
   if (!line.has("--config"))
     line.texts("--config FILE", s.configs, "parameters; more than one file is read in this order");
   if (!line.has("--seconds"))
-    line.number(
-        "--seconds S", s.seconds, 0.001, 1e9,
-        "how long, in virtual time (" + (s.seconds ? number_text(*s.seconds) : "until a signal") + ")");
+    line.number("--seconds S", s.seconds, 0.001, 1e9,
+                "how long, in virtual time (" + (s.seconds ? as_typed(*s.seconds) : "until a signal") + ")");
   if (!line.has("--pace")) offer_pace(line, s);
   if constexpr (Deployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();
     line.value(
         "--only E,F", [&s, environments](const std::string& text) { take_names(text, environments, s.only); },
-        "runs these environments; other processes run the rest (all: " + in_a_row(environments, ", ") + ")");
+        "runs these environments; other processes run the rest (all: " + joined_words(environments, ", ") +
+            ")");
     p.template transport<shared_memory>(line, "--shared-memory NAME",
                                         "reaches the others on this machine, by a name as /trot");
   }
@@ -95,11 +95,11 @@ void refuse_contradictions(const command_line& line, const Program& p) {
     const auto& only = p.settings.only;
     if (p.open && only.empty())
       throw command_line_error(p.chosen_transport + ": say by --only which environments this process runs: " +
-                               in_a_row(environments, ", "));
+                               joined_words(environments, ", "));
     if (!only.empty() && !p.open)
       throw command_line_error(
-          "--only " + in_a_row(only, ",") +
-          ": say how it reaches the other environments: " + in_a_row(p.transports, " or "));
+          "--only " + joined_words(only, ",") +
+          ": say how it reaches the other environments: " + joined_words(p.transports, " or "));
     if (line.is_given("--pace") && !p.runs(environments.front()))
       throw command_line_error("--pace: `" + environments.front() +
                                "` gives the beat: say it to the process that runs it");
