@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include <cca/cca.hpp>
 #include <cca/hardware/memory_bus.hpp>
@@ -34,34 +35,31 @@ inline cca::sim::world put_down() {
   return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
 }
 
-// `Architecture` has the robot at "robot". Neither copied nor moved: its parts point to one another.
-template <class Architecture = trot_on_drives>
-class in_memory {
+// The buses and what is behind them. Neither copied nor moved: its parts point to one another.
+class memory_buses {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
   // `one_shot`: a frame is sent once, without retries, as docs/hardware.md asks for. `answering`: the time in
   // a beat at which the far end answers, ns.
-  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
-                     bool one_shot = true,
-                     std::int64_t answering = beat / 2)
+  explicit memory_buses(std::span<const cca::hardware::bus_fault> script = {},
+                        bool one_shot = true,
+                        std::int64_t answering = beat / 2)
       : answers_at(answering),
         wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3),
               made(script, one_shot, 4), made(script, one_shot, 5)} {
-    connect();
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
   }
-  in_memory(const in_memory&) = delete;
-  in_memory& operator=(const in_memory&) = delete;
+  memory_buses(const memory_buses&) = delete;
+  memory_buses& operator=(const memory_buses&) = delete;
 
-  // One millisecond: the controller's beat, unless it stands still, then the drives' reaction.
-  bool step(bool controller_runs = true) {
-    const bool stepped = controller_runs && controller.step();
-    pass_millisecond();
-    return stepped;
+  // A controller that has the robot at "robot".
+  template <class Controller>
+  void connect(Controller& controller) {
+    controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
   }
 
-  // The drives' reaction to what the controller has sent.
+  // The drives' reaction to what the controller has sent, in one millisecond.
   void pass_millisecond() {
     const std::int64_t heard = now + answers_at;
     go_to(heard);
@@ -76,7 +74,8 @@ public:
   }
 
   // Stops the robot in order. The drives go on answering meanwhile.
-  cca::hardware::shut_down_report shut_down() {
+  template <class Controller>
+  cca::hardware::shut_down_report shut_down(Controller& controller) {
     return cca::hardware::shut_down(controller, drives_reaction{*this});
   }
 
@@ -88,15 +87,8 @@ public:
   }
   void disturb(const cca::sim::disturbance& d) { robot.disturbance = d; }
 
-  // A new controller, as if the program were started again.
-  void restart_program() {
-    controller = {};
-    connect();
-  }
-
   std::int64_t answers_at;
   std::array<wire, buses> wires;
-  cca::controller<Architecture> controller{};
   far_side<memory_end> far{};
   mechanics robot{hil::put_down()};
   std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
@@ -106,14 +98,11 @@ public:
 private:
   // The pace of shut_down: what the drives do between two beats.
   struct drives_reaction {
-    in_memory& run;
+    memory_buses& run;
     void begin() const {}
-    void wait(std::int64_t) const { run.step(false); }
+    void wait(std::int64_t) const { run.pass_millisecond(); }
   };
 
-  void connect() {
-    controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
-  }
   static wire made(std::span<const cca::hardware::bus_fault> script, bool one_shot, std::uint64_t seed) {
     return wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = seed, .script = script});
   }
@@ -124,6 +113,35 @@ private:
                                      wires[4].end(0)};
   std::array<memory_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
                                      wires[4].end(1)};
+};
+
+// The same with a controller, for programs that step it themselves. `Architecture` has the robot at "robot".
+template <class Architecture = trot_on_drives>
+class in_memory : public memory_buses {
+public:
+  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
+                     bool one_shot = true,
+                     std::int64_t answering = beat / 2)
+      : memory_buses(script, one_shot, answering) {
+    connect(controller);
+  }
+
+  // One millisecond: the controller's beat, unless it stands still, then the drives' reaction.
+  bool step(bool controller_runs = true) {
+    const bool stepped = controller_runs && controller.step();
+    pass_millisecond();
+    return stepped;
+  }
+
+  cca::hardware::shut_down_report shut_down() { return memory_buses::shut_down(controller); }
+
+  // A new controller, as if the program were started again.
+  void restart_program() {
+    controller = {};
+    connect(controller);
+  }
+
+  cca::controller<Architecture> controller{};
 };
 
 }  // namespace hil

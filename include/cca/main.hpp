@@ -11,7 +11,7 @@
 // Test: tests/runtime/programs/robot_main.cpp; docs/programs.md.
 #pragma once
 
-#include <type_traits>
+#include <string>
 
 #include <cca/main/command_line.hpp>
 #include <cca/main/robot_program.hpp>
@@ -20,6 +20,13 @@
 #include <cca/main/standard_options.hpp>
 
 namespace cca {
+
+// Runs the robot of a program by its settings, for a main function that has read the command line itself and
+// chooses among programs. Returns the exit code; what is refused is thrown.
+template <class Program>
+int run_robot(Program& program, const std::string& name) {
+  return detail::robot_run<Program>(program, name).go();
+}
 
 template <class Program>
 int robot_main(int count, char** words) {
@@ -32,7 +39,7 @@ int robot_main(int count, char** words) {
     detail::offer_standard_options(line, program);
     return run_program(count, words, line, [&] {
       detail::refuse_contradictions(line, program);
-      return detail::robot_run<Program>(program, program_name(count, words)).go();
+      return run_robot(program, program_name(count, words));
     });
   }
 }

@@ -62,6 +62,8 @@ public:
   virtual void prepare(controller_type&) {}
   // The parameters are loaded: change them, put a robot down.
   virtual void loaded(controller_type&) {}
+  // It is started: the first beat comes next.
+  virtual void started(controller_type&) {}
   // After each beat; false ends the run. What it may touch: docs/environments.md.
   virtual bool between(controller_type&) { return true; }
   // However the run has ended, a fault and an exception too. A robot on drives: cca::hardware::shut_down.
@@ -82,14 +84,14 @@ public:
     requires Deployment<Architecture>
   void transport(command_line& line, std::string_view option, std::string_view help) {
     const std::string name(option.substr(0, option.find(' ')));
-    transports.emplace_back(option);
+    others.offered.emplace_back(option);
     line.value(
         option,
         [this, name](const std::string& text) {
-          if (open) throw command_line_error(name + " and " + chosen_transport + ": take one of them");
-          chosen_transport = name;
+          if (others.open) throw command_line_error(name + " and " + others.chosen + ": take one of them");
+          others.chosen = name;
           const auto opens = [this](const Transport& by) {
-            open = [by](const only& here) { return std::make_unique<controller_type>(here, by); };
+            others.open = [by](const only& here) { return std::make_unique<controller_type>(here, by); };
           };
           if constexpr (std::constructible_from<Transport, std::string>) opens(Transport(text));
           else opens(Transport(static_cast<int>(whole_number_in(name, text, 0))));
@@ -97,10 +99,12 @@ public:
         help);
   }
 
-  // For robot_main: the transports on offer, and the one that was chosen.
-  std::vector<std::string> transports{};
-  std::string chosen_transport{};
-  std::function<std::unique_ptr<controller_type>(const only&)> open{};
+  // For robot_main: how this process reaches the others.
+  struct {
+    std::vector<std::string> offered{};
+    std::string chosen{};
+    std::function<std::unique_ptr<controller_type>(const only&)> open{};
+  } others;
 };
 
 namespace detail {

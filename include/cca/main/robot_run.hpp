@@ -29,8 +29,8 @@ public:
   robot_run(Program& of, std::string name) : program(of), called(std::move(name)) {}
 
   int go() {
-    const auto made =
-        program.open ? program.open(only(program.settings.only)) : std::make_unique<controller_type>();
+    const auto made = program.others.open ? program.others.open(only(program.settings.only))
+                                          : std::make_unique<controller_type>();
     controller_type& c = *made;
     const interruption interrupted(second_signal::ends_the_program);
     program.prepare(c);
@@ -39,6 +39,7 @@ public:
     program.loaded(c);
     try {
       c.start();
+      program.started(c);
       run(c, interrupted);
     } catch (const refused&) {
       stop(c);

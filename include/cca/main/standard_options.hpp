@@ -93,13 +93,13 @@ void refuse_contradictions(const command_line& line, const Program& p) {
   if constexpr (Deployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();
     const auto& only = p.settings.only;
-    if (p.open && only.empty())
-      throw command_line_error(p.chosen_transport + ": say by --only which environments this process runs: " +
+    if (p.others.open && only.empty())
+      throw command_line_error(p.others.chosen + ": say by --only which environments this process runs: " +
                                joined_words(environments, ", "));
-    if (!only.empty() && !p.open)
+    if (!only.empty() && !p.others.open)
       throw command_line_error(
           "--only " + joined_words(only, ",") +
-          ": say how it reaches the other environments: " + joined_words(p.transports, " or "));
+          ": say how it reaches the other environments: " + joined_words(p.others.offered, " or "));
     if (line.is_given("--pace") && !p.runs(environments.front()))
       throw command_line_error("--pace: `" + environments.front() +
                                "` gives the beat: say it to the process that runs it");
