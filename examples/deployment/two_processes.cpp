@@ -27,19 +27,23 @@ struct program : cca::robot_program<split> {
     return true;
   }
 
-  int finish(controller_type&) override { return runs("robot") ? compare() : 0; }
+  int finish(controller_type& c) override { return runs("robot") ? compare(c) : 0; }
 
   // [program end]
-  int compare() const {
+  // At wall-clock speed samples may be late; then the leg is another one.
+  int compare(const controller_type& c) const {
     std::vector<double> expected;
     cca::controller<thoughtful_leg> one_loop;
     one_loop.load();
     one_loop.start();
     one_loop.run(cca::for_some_beats{static_cast<std::int64_t>(angles.size())}, {},
                  [&](auto& running) { expected.push_back(running.template get<"leg">().angle); });
+    const bool was_late = c.late() > 0 || c.lost_periods() > 0;
     std::printf("%zu beats, %s\n", angles.size(),
-                angles == expected ? "bit for bit as in one loop" : "NOT as in one loop");
-    return angles == expected ? 0 : 1;
+                angles == expected ? "bit for bit as in one loop"
+                : was_late         ? "and some samples were late"
+                                   : "NOT as in one loop");
+    return angles == expected || was_late ? 0 : 1;
   }
 
   // [main]

@@ -1,6 +1,7 @@
 // One run of a robot's program: load, start, run, stop, figures, in this order whatever happens in it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cca/base/refused.hpp>
@@ -49,8 +51,10 @@ public:
       throw;
     }
     const bool has_faulted = c.state() == state::faulted;
-    if (has_faulted) tell_fault(c);
-    stop(c);
+    const std::string fault = has_faulted ? fault_of(c) : "";
+    stop(c);  // before anything is written: a robot does not wait for a terminal
+    if (has_faulted) tell(fault);
+    if (!ended_by_others.empty()) tell(ended_by_others);
     if (interrupted) tell("interrupted " + at(c));
     if (!program.settings.quiet) print_figures(figures_of(c));
     const int own = program.finish(c);
@@ -75,7 +79,7 @@ private:
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);
     const bool is_over = !goes_on || c.state() == state::faulted || c.beat_index() - first >= length.count;
-    if (!is_over) tell("another process has ended the run " + at(c));
+    if (!is_over) ended_by_others = "another process has ended the run " + at(c);
   }
 
   void stop(controller_type& c) {
@@ -83,9 +87,9 @@ private:
   }
 
   void tell(const std::string& what) const { std::cerr << called << ": " << what << std::endl; }
-  void tell_fault(const controller_type& c) const {
+  static std::string fault_of(const controller_type& c) {
     const std::string path = c.fault_path();
-    tell("fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason());
+    return "fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason();
   }
   static std::string at(const controller_type& c) {
     char text[64];
@@ -123,7 +127,7 @@ private:
   }
 
   Program& program;
-  std::string called;
+  std::string called, ended_by_others{};
   counted_beats beats{};
 };
 

@@ -23,14 +23,16 @@ struct on_cores : cca::deployment<architecture,
                                                    cca::realtime_if_allowed<80, cca::on_core<0>>>,
                                   cca::environment<"mind", cca::other_nodes>> {};
 // [realtime end]
+static_assert(cca::well_formed<on_cores>);
+static_assert(cca::detail::wish_of_environment<on_cores, 0>.priority == 80);
 
 }  // namespace
 
 TEST_SUITE("deployment pages") {
-  TEST_CASE("real time: the figures are read while it runs") {
+  TEST_CASE("figures, read at any time") {
     std::ostringstream out;
     // [figures]
-    cca::deployed<on_cores> d;
+    cca::deployed<two> d;
     d.load();
     d.start();
     d.run(cca::for_<0.1>{}, cca::at_wall_clock());
