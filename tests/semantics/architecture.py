@@ -41,6 +41,7 @@ class Leaf:
         self.skeleton = None  # of the library's: its kind, and what its function depends on
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
         self.environment = 0
+        self.rests = None   # the beats before which somebody stops it and starts it again
 
     def inputs(self):
         return [(half, port) for half in self.halves for port in self.ports[half][0]]
@@ -268,6 +269,17 @@ class Architecture:
                     plain = [("inactive",)]
                 leaf.strategy = self.rng.choice(plain)
         self.wake()
+        self.let_rest()
+
+    def let_rest(self):
+        """Some can be stopped. In one loop somebody stops them for a while, in environments nobody does."""
+        for leaf in self.nodes:
+            if leaf.resource or leaf.root or leaf.strategy[0] in ("default", "inactive") or not self.chance(9):
+                continue
+            leaf.strategy = ("stoppable", leaf.strategy)
+            if self.environments == 1 and self.chance(80):
+                first = self.rng.randrange(1, 60)
+                leaf.rests = first, first + self.rng.randrange(1, 40)
 
     def with_inputs(self, leaf, names):
         rng = self.rng

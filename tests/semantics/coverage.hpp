@@ -26,6 +26,8 @@ public:
     for (const turn& t : i.g.turns) {
       const node& n = i.g.nodes[t.node];
       if (t.firings > 0) add(n.when, t.which == half::process ? "" : " (resource node)");
+      counts["components that were stopped and fired again"] +=
+          n.start_in != never && n.start_in < i.k && !t.is_new;
       if (!n.skeleton.empty() && t.firings > 1) ++counts["skeleton: " + n.skeleton];
       if (n.when.is == strategy::inactive && t.firings == 0) ++counts["inactive, never fired"];
       counts["halves of resource nodes that fired"] += t.which != half::process && t.firings > 0;
@@ -81,6 +83,8 @@ public:
                                            "inactive, never fired",
                                            "any_of",
                                            "all_of",
+                                           "stoppable",
+                                           "components that were stopped and fired again",
                                            "user: on_beats",
                                            "user: patient",
                                            "user: above",

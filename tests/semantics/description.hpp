@@ -5,6 +5,7 @@
 //   period 1000000
 //   feature 2 exposes                                   what the code has but the flat graph does not show
 //   component arm.mix any_of 2 moderate timeout 15      path, strategy; `resource` for a resource node
+//   rests 20 35                                         stopped before beat 20, started before beat 35
 //   habit 3 100 0 -1                                    id, publishes, origin, fault_at
 //   skeleton switch 2 3000000                           instead of a habit: what skeletons.hpp knows
 //   process                                             or sense, act: whose ports follow
@@ -44,6 +45,7 @@ inline strategy read_strategy(std::istream& from) {
   if (s.is == strategy::timeout) from >> s.n;
   if (s.is == strategy::port_triggered) names();
   if (s.is == strategy::any_of || s.is == strategy::all_of) parts();
+  if (s.is == strategy::stoppable) s.parts.push_back(read_strategy(from));
   if (s.is == strategy::user) s.names.resize(2), from >> s.names[0] >> s.names[1] >> s.n >> s.phase;
   return s;
 }
@@ -60,6 +62,7 @@ public:
     else if (word == "period") from >> g.period;
     else if (word == "component" || word == "resource") add_node(from, word == "resource");
     else if (word == "habit") set_habit(from);
+    else if (word == "rests") from >> g.nodes.back().stop_in >> g.nodes.back().start_in;
     else if (word == "skeleton") set_skeleton(from);
     else if (word == "sense") add_turn(half::sense);
     else if (word == "process") add_turn(half::process);

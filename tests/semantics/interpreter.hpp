@@ -31,6 +31,10 @@ public:
 
   void beat() {
     if (faulted) return;
+    for (std::size_t n = 0; n < g.nodes.size(); ++n) {
+      if (g.nodes[n].stop_in == k) g.nodes[n].is_stopped = true;
+      if (g.nodes[n].start_in == k) start(static_cast<int>(n));
+    }
     for (const half which : {half::sense, half::process, half::act}) {
       std::vector<bool> had_turn(g.turns.size(), false);
       for (int next = next_turn(which, had_turn); next >= 0; next = next_turn(which, had_turn)) {
@@ -41,6 +45,16 @@ public:
       }
     }
     ++k;
+  }
+
+  // Nothing that has arrived is fresh.
+  virtual void start(int started) {
+    g.nodes[started].is_stopped = false;
+    for (turn& t : g.turns)
+      if (t.node == started) {
+        t.last_fired = k - 1;
+        t.is_new = true;
+      }
   }
 
   // The first declared whose predecessors, over wires without delay, have all had their turn.
@@ -81,6 +95,7 @@ public:
 
     const std::int64_t from = origin(t, sights);
     t.last_fired = k;
+    t.is_new = false;
     t.oldest_seen = oldest(t, sights);
     ++t.firings;
     if (f.fault) faulted = true;
@@ -92,8 +107,9 @@ public:
 
   // Seconds since it last fired; the first time N beats for timed<N>, else one.
   virtual double dt(const turn& t) const {
-    const strategy s = when(t);
-    const std::int64_t beats = t.last_fired != never ? k - t.last_fired : s.is == strategy::timed ? s.n : 1;
+    const strategy own = when(t);
+    const strategy s = own.is == strategy::stoppable ? own.parts[0] : own;
+    const std::int64_t beats = !t.is_new ? k - t.last_fired : s.is == strategy::timed ? s.n : 1;
     return static_cast<double>(beats * g.period) / 1e9;
   }
 
@@ -210,6 +226,8 @@ public:
         for (const strategy& part : s.parts)
           if (!fires(part, t)) return false;
         return true;
+      case strategy::stoppable:
+        return !g.nodes[t.node].is_stopped && fires(s.parts[0], t);
       case strategy::user:
         return user_fires(s, t);
     }

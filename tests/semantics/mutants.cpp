@@ -55,6 +55,35 @@ struct dt_is_always_one_beat : base {
   double dt(const turn&) const override { return static_cast<double>(g.period) / 1e9; }
 };
 
+// ---- stopped and started ----
+
+struct fires_although_stopped : base {
+  using base::base;
+  bool fires(const strategy& s, const turn& t) const override {
+    return base::fires(s.is == strategy::stoppable ? s.parts[0] : s, t);
+  }
+};
+
+struct fresh_after_the_start : base {
+  using base::base;
+  void start(int node) override {
+    std::vector<std::int64_t> fired;
+    for (const turn& t : g.turns) fired.push_back(t.last_fired);
+    base::start(node);
+    for (std::size_t i = 0; i < fired.size(); ++i) g.turns[i].last_fired = fired[i];
+  }
+};
+
+struct dt_counts_the_rest : base {
+  using base::base;
+  void start(int node) override {
+    std::vector<bool> is_new;
+    for (const turn& t : g.turns) is_new.push_back(t.is_new);
+    base::start(node);
+    for (std::size_t i = 0; i < is_new.size(); ++i) g.turns[i].is_new = is_new[i];
+  }
+};
+
 // ---- what an input sees ----
 
 struct delayed_one_too_long : base {
@@ -406,6 +435,9 @@ const std::vector<mutant> all_mutants{
     {"turns in the order of declaration", mutants::made<mutants::declared_order>},
     {"the first dt is one beat", mutants::made<mutants::first_dt_is_one_beat>},
     {"dt is always one beat", mutants::made<mutants::dt_is_always_one_beat>},
+    {"a component fires although it is stopped", mutants::made<mutants::fires_although_stopped>},
+    {"what came while it was stopped is fresh", mutants::made<mutants::fresh_after_the_start>},
+    {"the first dt after a start counts the time before", mutants::made<mutants::dt_counts_the_rest>},
     {"delayed<N> arrives one beat late", mutants::made<mutants::delayed_one_too_long>},
     {"delayed<N> arrives one beat early", mutants::made<mutants::delayed_one_too_short>},
     {"latest is that of the beat before", mutants::made<mutants::latest_is_of_the_beat_before>},

@@ -15,7 +15,7 @@ struct outcome {
   bool copy_agrees = true;  // a copy made on the way went on bit for bit like the original; a deployment that
                             // is stopped, started and resumed did what the controller does
   bool processes_agree = true;  // a deployment whose environments are processes did the same
-  bool is_merged = false;   // the firings of several threads: their order in a beat is not known
+  bool is_merged = false;       // the firings of several threads: their order in a beat is not known
 };
 
 struct registered {

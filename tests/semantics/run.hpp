@@ -11,12 +11,15 @@
 
 namespace semantics {
 
-struct in_the_loop {  // nothing to wait for
+// Around each beat: what somebody else does, and what is to be waited for.
+struct in_the_loop {
+  template <class Controller>
+  static void before(Controller&, int) {}
   template <class Controller>
   static void settle(Controller&) {}
 };
 
-template <class Graph, class Crews = in_the_loop>
+template <class Graph, class Around = in_the_loop>
 outcome run(int copy_at) {
   outcome o;
   log of_copy;
@@ -24,9 +27,10 @@ outcome run(int copy_at) {
   recording = &o.firings;
   auto c = std::make_unique<cca::controller<Graph>>();
   std::unique_ptr<cca::controller<Graph>> copy;
-  const auto step = [](cca::controller<Graph>& which) {
+  const auto step = [](cca::controller<Graph>& which, int k) {
+    Around::before(which, k);
     which.step();
-    if (which.state() != cca::state::faulted) Crews::settle(which);
+    if (which.state() != cca::state::faulted) Around::settle(which);
   };
   c->load();
   c->start();
@@ -35,10 +39,10 @@ outcome run(int copy_at) {
       copy = std::make_unique<cca::controller<Graph>>(*c);
       before_copy = o.firings.size();
     }
-    step(*c);
+    step(*c, k);
   }
   recording = &of_copy;
-  for (int k = copy_at; k < beats && copy->state() != cca::state::faulted; ++k) step(*copy);
+  for (int k = copy_at; k < beats && copy->state() != cca::state::faulted; ++k) step(*copy, k);
   recording = nullptr;
   o.faulted = c->state() == cca::state::faulted;
   o.copy_agrees = agree(o.firings, before_copy, of_copy) && copy->state() == c->state();

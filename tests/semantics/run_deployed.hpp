@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <cca/deployment.hpp>
-#include <cca/runtime/environments/shared_memory.hpp>
 
 #include "run.hpp"
 
@@ -72,8 +71,8 @@ std::vector<std::uint64_t> recorded_in_processes(int chance) {
       const auto d = std::make_unique<cca::deployed<Deployment>>(here, cca::shared_memory(name));
       d->load();
       d->start();
-      const log own = recorded(
-          *d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
+      const log own =
+          recorded(*d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
       for (const firing& f : own) {
         const std::uint64_t one = digest(f);
         if (::write(ends[1], &one, sizeof one) != sizeof one) ::_exit(1);

@@ -27,18 +27,19 @@ struct strategy {
     inactive,
     any_of,
     all_of,
+    stoppable,
     user
   };
   kind is = by_default;
   std::int64_t n = 1, phase = 0;
   std::vector<std::string> names;  // port_triggered; user: its name and its port
-  std::vector<strategy> parts;     // any_of, all_of
+  std::vector<strategy> parts;     // any_of, all_of, stoppable
 };
 
 // In the order of the enumerators; the words of a description, too.
-inline constexpr const char* strategy_names[] = {"default",  "timed",          "restless",    "moderate",
-                                                 "timeout",  "port_triggered", "coordinated", "full_speed",
-                                                 "inactive", "any_of",         "all_of",      "user"};
+inline constexpr const char* strategy_names[] = {
+    "default",  "timed",  "restless", "moderate",  "timeout", "port_triggered", "coordinated", "full_speed",
+    "inactive", "any_of", "all_of",   "stoppable", "user"};
 static_assert(std::size(strategy_names) == strategy::user + 1, "each strategy has a name");
 
 struct publication {
@@ -84,6 +85,7 @@ struct turn {
 
   std::int64_t last_fired = never;
   std::int64_t oldest_seen = never;  // when it last fired
+  bool is_new = true;                // it has not fired since it was started
   int firings = 0;
 };
 
@@ -92,6 +94,8 @@ struct node {
   bool resource = false;
   strategy when;
   int id = 0;
+  std::int64_t stop_in = never, start_in = never;  // before which beat somebody stops and starts it
+  bool is_stopped = false;
   std::string skeleton{};  // its kind: a component of the library's, which writes nothing down
   std::function<void(firing&)> does;
 };

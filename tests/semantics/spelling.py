@@ -52,6 +52,8 @@ def words(strategy):
         return f"{kind} {len(rest[0])} " + " ".join(words(part) for part in rest[0])
     if kind == "port_triggered":
         return f"{kind} {len(rest[0])} " + " ".join(rest[0])
+    if kind == "stoppable":
+        return f"{kind} {words(rest[0])}"
     return " ".join([kind, *map(str, rest)])
 
 
@@ -63,6 +65,7 @@ def text(made):
         lines += [f"feature {n} {name}" for name, n in crossings(made).items() if n]
     for path, leaf, heard in leaves:
         lines.append(f"{'resource' if leaf.resource else 'component'} {path} {words(leaf.strategy)}")
+        lines += [f"rests {leaf.rests[0]} {leaf.rests[1]}"] if leaf.rests else []
         lines.append("skeleton " + " ".join(map(str, leaf.skeleton)) if leaf.skeleton else
                      f"habit {leaf.number} {leaf.publishes} {leaf.origin} {leaf.fault_at}")
         for half in leaf.halves:
@@ -94,6 +97,8 @@ def strategy_cpp(strategy):
     kind, rest = strategy[0], strategy[1:]
     if kind in ("any_of", "all_of"):
         return f"cca::{kind}<{', '.join(strategy_cpp(part) for part in rest[0])}>"
+    if kind == "stoppable":
+        return f"cca::stoppable<{strategy_cpp(rest[0])}>"
     if kind == "port_triggered":
         return "cca::port_triggered<" + ", ".join(f'"{name}"' for name in rest[0]) + ">"
     if kind == "timed":
@@ -202,11 +207,18 @@ def code(made):
         as_long.append(f"template <>\nconstexpr int cca::detail::calls_in_part<{top}> = {1 + made.seed % 4};")
     if as_long:
         lines += [f"\n{closed}", *as_long, f"namespace architecture_{made.seed} {{"]
-    crews = [path for path, leaf, _ in flat(made)[0] if leaf.skeleton and leaf.skeleton[0] == "on_threads"]
-    if crews:
+    leaves = flat(made)[0]
+    crews = [path for path, leaf, _ in leaves if leaf.skeleton and leaf.skeleton[0] == "on_threads"]
+    resting = [(path, leaf.rests) for path, leaf, _ in leaves if leaf.rests]
+    around = crews or resting
+    if around:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)
-        lines.append(f"struct crews {{\n  template <class Controller>\n  static void settle(Controller& c) {{ {waits} }}\n}};")
+        stops = " ".join(f'if (k == {rests[0]}) c.template stop<"{path}">(); if (k == {rests[1]}) c.start("{path}");' for path, rests in resting)
+        lines.append("struct around : in_the_loop {\n  template <class Controller>\n"
+                     f"  static void before([[maybe_unused]] Controller& c, [[maybe_unused]] int k) {{ {stops} }}\n"
+                     "  template <class Controller>\n"
+                     f"  static void settle([[maybe_unused]] Controller& c) {{ {waits} }}\n}};")
     forms = ", top" if made.seed % 4 == 0 else ", void, true" if made.seed % 4 == 1 else ""
-    run = f"run_deployed<spread{forms}>" if made.environments > 1 else f"run<top{', crews' if crews else ''}>"
+    run = f"run_deployed<spread{forms}>" if made.environments > 1 else f"run<top{', around' if around else ''}>"
     lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n{closed}")
     return "\n".join(lines)

@@ -10,6 +10,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/component/beat.hpp>
+#include <cca/component/done.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
 #include <cca/base/ref.hpp>
@@ -70,7 +71,7 @@ using bare_parameter =
                        std::remove_cvref_t<Type>>;
 
 // What a result of the function is.
-enum class result_kind : std::uint8_t { output, fault, bad };
+enum class result_kind : std::uint8_t { output, fault, done, bad };
 
 template <class Type>
 struct result_facts {
@@ -80,6 +81,11 @@ struct result_facts {
 template <>
 struct result_facts<fault> {
   static constexpr auto kind = result_kind::fault;
+  static constexpr port_info port{};
+};
+template <>
+struct result_facts<done> {
+  static constexpr auto kind = result_kind::done;
   static constexpr port_info port{};
 };
 template <fixed_string Name, class Space>
@@ -141,7 +147,7 @@ struct function_info {
   const port_info* inputs = nullptr;
   const port_info* outputs = nullptr;
   int input_count = 0, output_count = 0;
-  bool may_fault = false;
+  bool may_fault = false, stops_itself = false;
   std::string_view bad_parameter{}, bad_result{};  // names of types; empty if there is none
 };
 
@@ -172,7 +178,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
   }();
 
   // For each parameter its position among the inputs, for each result its position among the outputs; -1 for
-  // a beat or a fault.
+  // a beat, a fault or `done`.
   static constexpr auto input_of_parameter = [] {
     std::array<int, sizeof...(Parameters) + 1> position{};
     int n = 0;
@@ -191,6 +197,7 @@ struct function_ports<list<Parameters...>, list<Results...>> {
   static constexpr function_info value = [] {
     function_info function{inputs.data(), outputs.data(), input_count, output_count};
     function.may_fault = ((result_facts<Results>::kind == result_kind::fault) || ...);
+    function.stops_itself = ((result_facts<Results>::kind == result_kind::done) || ...);
     ((parameter_facts<Parameters>::kind == parameter_kind::bad && function.bad_parameter.empty()
           ? void(function.bad_parameter = type_name<Parameters>())
           : void()),

@@ -10,6 +10,7 @@
 #include <cca/component/strategies/moderate.hpp>
 #include <cca/component/strategies/port_triggered.hpp>
 #include <cca/component/strategies/restless.hpp>
+#include <cca/component/strategies/stoppable.hpp>
 #include <cca/component/strategies/timed.hpp>
 #include <cca/component/strategies/timeout.hpp>
 
@@ -25,6 +26,7 @@ using library_strategies = list<timed<1>,
                                 full_speed,
                                 inactive,
                                 any_of<>,
-                                all_of<>>;
+                                all_of<>,
+                                stoppable<restless>>;
 
 }  // namespace cca::detail

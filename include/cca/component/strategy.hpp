@@ -5,8 +5,8 @@
 //   static bool fires(cca::beat now, const Inputs& in);
 //
 // `in` has, of each input, what the component would read: `in.template get<"x">()` with its value, `origin()`
-// and `fresh()`; and of all inputs `any_fresh()`, `all_fresh()`, `share_new_origin()`, `fresh<"x">()` and
-// `beats_since_fired()`.
+// and `fresh()`; and of all inputs `any_fresh()`, `all_fresh()`, `share_new_origin()`, `fresh<"x">()`,
+// `beats_since_fired()` and `is_stopped()`.
 //
 // `fires` is all that a strategy needs: the loop asks it in each beat. What else it states (all optional)
 // lets the compiler work out clocks, refuse mistakes and draw the strategy:
@@ -23,6 +23,7 @@
 //   first_dt_is_period      true if `dt()` is a whole period in the first firing too; else it is one beat
 //   fires_on_arrival        true if it fires only in beats in which a sample arrives
 //   needs_one_origin        true if its inputs must share an origin (strategy.coordination)
+//   is_stoppable            true if it asks `is_stopped()`: its component can be stopped on its own
 //   parts                   detail::list of the strategies that it combines
 //
 // Cost: a strategy whose clock is known costs a test of the beat's index, or nothing. Example of one's own:
@@ -92,7 +93,7 @@ struct strategy_info {
   input_names named_inputs{};
   std::string_view mistake{};
   bool excludes_itself = false, for_resource_nodes = false, first_dt_is_period = false,
-       fires_on_arrival = false, needs_one_origin = false;
+       fires_on_arrival = false, needs_one_origin = false, is_stoppable = false;
   const strategy_info* const* parts = nullptr;
   int part_count = 0;
 };
@@ -140,6 +141,7 @@ constexpr strategy_info make_strategy_info() {
     s.first_dt_is_period = Strategy::first_dt_is_period;
   if constexpr (requires { Strategy::fires_on_arrival; }) s.fires_on_arrival = Strategy::fires_on_arrival;
   if constexpr (requires { Strategy::needs_one_origin; }) s.needs_one_origin = Strategy::needs_one_origin;
+  if constexpr (requires { Strategy::is_stoppable; }) s.is_stoppable = Strategy::is_stoppable;
   if constexpr (requires { typename Strategy::parts; }) {
     s.parts = infos_of<typename Strategy::parts>::all.data();
     s.part_count = static_cast<int>(infos_of<typename Strategy::parts>::all.size()) - 1;
@@ -174,6 +176,7 @@ struct any_inputs {
   bool all_fresh() const;
   bool share_new_origin() const;
   std::int64_t beats_since_fired() const;
+  bool is_stopped() const;
 };
 
 }  // namespace cca::detail

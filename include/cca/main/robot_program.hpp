@@ -26,6 +26,7 @@
 #include <vector>
 
 #include <cca/base/type_name.hpp>
+#include <cca/component/lifecycle.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/runtime/environments/deployed.hpp>
 #include <cca/runtime/environments/only.hpp>
@@ -67,7 +68,10 @@ public:
   // After each beat; false ends the run. What it may touch: docs/environments.md.
   virtual bool between(controller_type&) { return true; }
   // However the run has ended, a fault and an exception too. A robot on drives: cca::hardware::shut_down.
-  virtual void stop(controller_type& c) { c.stop(); }
+  // Another process may have stopped a deployment already.
+  virtual void stop(controller_type& c) {
+    if (c.state() == state::started || c.state() == state::faulted) c.stop();
+  }
   // Prints and writes what it has. Its exit code counts if neither a fault nor a signal has ended the run.
   virtual int finish(controller_type&) { return 0; }
 

@@ -39,6 +39,7 @@ public:
     if (program.settings.configs.empty()) c.load();
     for (const std::string& file : program.settings.configs) c.load(file);
     program.loaded(c);
+    is_to_stop = true;
     try {
       c.start();
       program.started(c);
@@ -83,7 +84,7 @@ private:
   }
 
   void stop(controller_type& c) {
-    if (c.state() == state::started || c.state() == state::faulted) program.stop(c);
+    if (std::exchange(is_to_stop, false)) program.stop(c);
   }
 
   void tell(const std::string& what) const { std::cerr << called << ": " << what << std::endl; }
@@ -128,6 +129,7 @@ private:
 
   Program& program;
   std::string called, ended_by_others{};
+  bool is_to_stop = false;
   counted_beats beats{};
 };
 

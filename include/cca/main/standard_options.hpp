@@ -10,7 +10,7 @@
 
 #include <cca/main/command_line.hpp>
 #include <cca/main/robot_program.hpp>
-#include <cca/runtime/environments/shared_memory.hpp>
+#include <cca/runtime/transports/shared_memory.hpp>
 
 namespace cca::detail {
 

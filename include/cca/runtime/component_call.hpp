@@ -84,8 +84,10 @@ private:
       if (!strategy_fires<strategy>(question<Graph, Call>{b, at, own})) return {};
       if constexpr (c.stored_seen) own.oldest = oldest_seen();
       const std::int64_t last = own.last;
+      const std::int64_t beats = beats_since<Graph, Call>(b.k, own);
       own.last = b.k;
-      return {true, last < 0 ? 1 : b.k - last, last};
+      if constexpr (is_stoppable<Graph, Call>) own.is_first = false;
+      return {true, beats, last};
     } else {
       constexpr auto strategy = plan_of<Graph>.nodes[c.node].item->strategy;
       constexpr bool is_period = c.fires.period == 1 || (strategy && strategy->first_dt_is_period);
@@ -146,6 +148,9 @@ private:
   CCA_INLINE void publish_one(One& one, [[maybe_unused]] std::int64_t oldest) const {
     if constexpr (std::is_same_v<One, fault>) {
       if (one) b.outcome = {one.reason(), at.node};
+    } else if constexpr (std::is_same_v<One, done>) {
+      if constexpr (is_stoppable<Graph, Call>)
+        if (one) b.state.firings[at.firing].is_stopped = true;
     } else {
       publish<Graph, layout_of<Graph>.output_twin[c.first_output + P]>(
           b, one, layout_of<Graph>.outputs[at.first_output + P].index, oldest);

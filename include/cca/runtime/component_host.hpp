@@ -1,10 +1,11 @@
 // What `controller` and `deployed` do with their components outside of the loop: the life-cycle, parameters,
 // components by path. `Self` is one of the two; it knows where the components are:
 //
-//   component<Node>()     the component with this number
-//   is_here(node)         whether this process runs it
-//   visit(f, self)        f(number, component) for each, in declaration order
-//   forget_runs()         the counts of the runs begin anew
+//   component<Node>()              the component with this number
+//   is_here(node)                  whether this process runs it
+//   visit(f, self)                 f(number, component) for each, in declaration order
+//   visit_firings(node, f, self)   f(last_firing) for each call of it whose clock is known only at run time
+//   forget_runs()                  the counts of the runs begin anew
 #pragma once
 
 #include <string>
@@ -16,11 +17,14 @@
 #include <cca/graph/diagnosis/unknown_path.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/parameters_by_path.hpp>
+#include <cca/runtime/stoppable_components.hpp>
 
 namespace cca::detail {
 
 template <class Self, class Graph>
-class component_host : public parameters_by_path<Self> {
+class component_host : public parameters_by_path<Self>, public stoppable_components<Self, Graph> {
+  friend stoppable_components<Self, Graph>;
+
 public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
@@ -36,12 +40,12 @@ public:
     move(transition::load, "load()");
   }
 
-  // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
+  // Reads parameters from a file; all or nothing. While it is started, between two beats, it does no more
+  // than that, and the state stays. Needs <cca/config.hpp>.
   void load(std::string_view file) {
     static_assert(HasConfig<Self>, "cca::controller: load(file) needs #include <cca/config.hpp>");
-    check(transition::load, "load(file)");
     config_backend<Self>::load(self(), file);
-    load();
+    if (is_legal(transition::load, now)) load();
   }
 
   void save() {
@@ -61,9 +65,16 @@ public:
     if (now == cca::state::loaded) save();
   }
 
+  using stoppable_components<Self, Graph>::start;  // one component
+  using stoppable_components<Self, Graph>::stop;
+
+  // All components, also those that were stopped on their own.
   void start() {
     move(transition::start, "start()");
     self().forget_runs();
+    visit([&](int node, auto&) {
+      if (this->is_stopped_node(node)) this->begin_anew(node);
+    });
     visit([]<class C>(int, C& component) {
       if constexpr (OnStart<C>) component.on_start();
     });
@@ -72,8 +83,9 @@ public:
   void stop() {
     move(transition::stop, "stop()");
     reason = {};
-    visit([]<class C>(int, C& component) {
-      if constexpr (OnStop<C>) component.on_stop();
+    visit([&]<class C>([[maybe_unused]] int node, C& component) {
+      if constexpr (OnStop<C>)
+        if (!this->is_stopped_node(node)) component.on_stop();
     });
   }
 
@@ -121,8 +133,8 @@ public:
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
   void for_each_component(F f) {
-    Self::visit(
-        [&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); }, self());
+    Self::visit([&](int node, auto& component) { f(std::string_view(path_of_node<Graph>(node)), component); },
+                self());
   }
   template <class F>
   void for_each_component(F f) const {
@@ -132,6 +144,9 @@ public:
   }
 
 protected:
+  // In a beat that the life-cycle does not allow.
+  [[gnu::noinline]] void idle() { visit(call_on_idle{}); }
+
   void check(transition what, const char* call) const {
     if (!is_legal(what, now))
       throw refused(std::string("cca::controller: ") + call + " is refused in the state `" +

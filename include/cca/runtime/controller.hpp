@@ -16,6 +16,9 @@
 #include <cca/runtime/run_record.hpp>
 
 namespace cca {
+namespace detail {
+struct live_components;
+}
 
 template <class Graph>
   requires well_formed<Graph>
@@ -30,7 +33,7 @@ public:
   bool step() noexcept {
     const bool may_run = detail::is_legal(detail::transition::run, now);
     if (may_run) advance();
-    else if constexpr (detail::any_component<Graph, detail::acts_when_idle>) idle();
+    else if constexpr (detail::any_component<Graph, detail::call_on_idle>) idle();
     return may_run;
   }
 
@@ -72,6 +75,8 @@ public:
 
 private:
   friend detail::component_host<controller, Graph>;
+  friend detail::live_components;
+  friend detail::stoppable_components<controller, Graph>;
 
   template <int Node>
   auto& component() {
@@ -84,6 +89,10 @@ private:
   template <class F, class Controller>
   static void visit(F f, Controller& self) {
     detail::visit_components<Graph>(f, self.state_of_all);
+  }
+  template <class F, class Controller>
+  static void visit_firings(int node, F f, Controller& self) {
+    detail::visit_firings<Graph>(self.state_of_all, node, f);
   }
   static constexpr bool is_here(int) { return true; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
@@ -102,23 +111,11 @@ private:
   // In the beat of the fault, instead of what would still have come.
   [[gnu::noinline]] void fail(const detail::beat_outcome& beat_outcome) noexcept {
     reason = beat_outcome;
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnFault<C>) component.on_fault();
-        },
-        *this);
+    visit(detail::call_on_fault{}, *this);
     now = detail::after(detail::transition::fail, now);
   }
 
-  [[gnu::noinline]] void idle() noexcept {
-    visit(
-        []<class C>(int, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnIdle<C>) component.on_idle();
-        },
-        *this);
-  }
-
-  using host::move, host::now, host::reason;
+  using host::idle, host::move, host::now, host::reason;
 
   detail::controller_state<Graph> state_of_all;
   std::int64_t k = 0;

@@ -40,6 +40,14 @@ void visit_components(F f, State& state) {
   }(std::make_integer_sequence<int, counts_of<Graph>.node_count>{});
 }
 
+// f(what is kept of the last firing) for each call of a component whose clock is known only at run time.
+template <class Graph, class State, class F>
+void visit_firings([[maybe_unused]] State& state, [[maybe_unused]] int node, [[maybe_unused]] F f) {
+  if constexpr (layout_of<Graph>.firing_count > 0)
+    for (const call_place& one : layout_of<Graph>.calls)
+      if (one.node == node && one.firing >= 0) f(state.firings[one.firing]);
+}
+
 // Whether a component is so. A list and no fold: clang nests at most 256 operands.
 template <class Graph, class Question>
 inline constexpr bool any_component = []<int... First>(std::integer_sequence<int, First...>) {
@@ -47,13 +55,22 @@ inline constexpr bool any_component = []<int... First>(std::integer_sequence<int
   return std::ranges::find(each, true) != std::end(each);
 }(chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>{});
 
-struct acts_when_idle {
+// Hooks of resource nodes, as visitors.
+struct call_on_idle {
   template <class C>
   static constexpr bool holds = IsResource<C> && OnIdle<C>;
+  template <class C>
+  void operator()(int, C& component) const {
+    if constexpr (holds<C>) component.on_idle();
+  }
 };
-struct acts_on_fault {
+struct call_on_fault {
   template <class C>
   static constexpr bool holds = IsResource<C> && OnFault<C>;
+  template <class C>
+  void operator()(int, C& component) const {
+    if constexpr (holds<C>) component.on_fault();
+  }
 };
 
 }  // namespace cca::detail

@@ -43,6 +43,17 @@ public:
   void save(std::string_view = {}) {}
   void start() {}
   void stop() {}
+  template <fixed_string>
+  void start() {}
+  template <fixed_string>
+  void stop() {}
+  template <fixed_string>
+  bool is_stopped() const {
+    return false;
+  }
+  void start(std::string_view) {}
+  void stop(std::string_view) {}
+  bool is_stopped(std::string_view) const { return false; }
   void resume() {}
   bool step() noexcept { return false; }
   template <class Duration, class Pace = int, class Between = int>

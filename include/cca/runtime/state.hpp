@@ -106,6 +106,8 @@ struct stored_array<Graph, Array, storage_kind::newest> {
 struct last_firing {
   std::int64_t last = -1;       // beat; -1: it has not fired yet
   std::int64_t oldest = never;  // origin that it saw then
+  bool is_stopped = false;
+  bool is_first = true;  // of a stoppable component: it has not fired since it was started
 };
 template <int Count>
 struct last_firings {

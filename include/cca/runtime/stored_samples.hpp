@@ -56,11 +56,12 @@ constexpr std::int64_t newest_tick(clock c, std::int64_t k) {
 
 // ---- of_beat ----
 
-// How many outputs a result has; a fault is none.
+// How many outputs a result has; a fault and `done` are none.
 template <class Result>
 inline constexpr int outputs_in = 1;
 template <class... Outputs>
-inline constexpr int outputs_in<std::tuple<Outputs...>> = (0 + ... + !std::is_same_v<Outputs, fault>);
+inline constexpr int outputs_in<std::tuple<Outputs...>> =
+    (0 + ... + (result_facts<Outputs>::kind == result_kind::output));
 
 // Which outputs were published in this beat. A result of each beat needs no marks.
 template <int Count>
@@ -84,7 +85,7 @@ public:
     if constexpr (!InEachBeat) this->is_published[Position] = true;
   }
 
-  // The output number `Position` among the results; a fault is none.
+  // The output number `Position` among the results.
   template <int Position>
   CCA_INLINE const auto& output() const {
     if constexpr (index_of<Position>(static_cast<Result*>(nullptr)) < 0) return result;
@@ -105,7 +106,7 @@ private:
   }
   template <int Position, class... Outputs>
   static constexpr int index_of(const std::tuple<Outputs...>*) {
-    constexpr bool is_output[] = {!std::is_same_v<Outputs, fault>...};
+    constexpr bool is_output[] = {result_facts<Outputs>::kind == result_kind::output...};
     int found = 0;
     for (int seen = -1; (seen += is_output[found]) < Position;) ++found;
     return found;

@@ -60,9 +60,27 @@ struct question {
   }
 };
 
+// The strategy of a call's component, if its node states one that lets the component be stopped.
+template <class Graph, int Call>
+inline constexpr bool is_stoppable = [] {
+  const auto strategy = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->strategy;
+  return strategy && strategy->is_stoppable;
+}();
+
+// Since it last fired. The first time it is one beat, or what the strategy that can be stopped says.
+template <class Graph, int Call>
+CCA_INLINE std::int64_t beats_since(std::int64_t k, const last_firing& self) {
+  if constexpr (is_stoppable<Graph, Call>) {
+    constexpr const strategy_info& while_started =
+        *plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->strategy->parts[0];
+    constexpr bool is_period = while_started.first_dt_is_period && while_started.alone.known();
+    if (self.is_first) return is_period ? while_started.alone.period : 1;
+  }
+  return self.last < 0 ? 1 : k - self.last;
+}
 template <class Graph, int Call>
 CCA_INLINE beat beat_of(std::int64_t k, const last_firing& self) {
-  return {k, counts_of<Graph>.period, self.last < 0 ? 1 : k - self.last};
+  return {k, counts_of<Graph>.period, beats_since<Graph, Call>(k, self)};
 }
 
 // The path of a component, as a template argument that the compilers print.
@@ -97,6 +115,8 @@ struct inputs_view {
   CCA_INLINE std::int64_t beats_since_fired() const {
     return asked.b.k - (asked.self.last < 0 ? 0 : asked.self.last);
   }
+
+  CCA_INLINE bool is_stopped() const { return asked.self.is_stopped; }
 
   template <fixed_string Name>
   CCA_INLINE bool fresh() const {

@@ -12,6 +12,7 @@
 // EXPECT space_duplicate_axis: space\.duplicate_axis: the space angle_twice of `extra\.y` has the axis `hip` twice, so reading along it has two meanings: name each axis once in
 // EXPECT strategy_unknown_port: strategy\.unknown_port: `extra` \(merge\) is cca::port_triggered by `c`, but it has no such input; did you mean `a`\?
 // EXPECT strategy_misplaced: strategy\.misplaced: `extra` \(actuator<signal>\) is a resource node, which runs at fixed beats: it may be cca::timed, cca::full_speed or cca::inactive
+// EXPECT strategy_not_stoppable: strategy\.not_stoppable: `extra` \(finishing\) returns cca::done, by which it stops itself, but its strategy does not let it be stopped: write cca::stoppable<\.\.\.>
 // EXPECT wire_unknown_port: wire\.unknown_port: the wire `n8\.out` -> `extra\.b` in wire_unknown_port names `n8\.out`, but `n8` \(step\) has no such output; did you mean `n8\.y`\?
 // EXPECT wire_direction: wire\.direction: a wire leads from an output to an input, but in `extra\.x` -> `n7\.y` in wire_direction `extra\.x` is an input and `n7\.y` an output:
 // EXPECT wire_two_writers: wire\.two_writers: `n23\.x` is written by `n22\.y` and by `n7\.y`, but an input has one writer: put an arbiter in front, cca::arbiter<`x`, signal,
@@ -72,6 +73,9 @@ struct source_of {
 struct merge {
   void process(cca::in<"a", signal>, cca::in<"b", signal>) {}
 };
+struct finishing {
+  auto process(cca::in<"x", signal>) -> cca::done { return true; }
+};
 struct listener {
   void process(cca::optional_in<"x", signal>) {}
 };
@@ -107,6 +111,8 @@ struct strategy_unknown_port : fifty_nodes_and<at_1000_hz,
 struct strategy_misplaced : fifty_nodes_and<at_1000_hz,
                                             cca::node<"extra", actuator<signal>, cca::moderate>,
                                             cca::wire<"n7.y", "extra.command">> {};
+struct strategy_not_stoppable
+    : fifty_nodes_and<at_1000_hz, cca::node<"extra", finishing>, cca::wire<"n7.y", "extra.x">> {};
 struct wire_unknown_port : fifty_nodes_and<at_1000_hz,
                                            cca::node<"extra", merge>,
                                            cca::wire<"n7.y", "extra.a">,

@@ -8,7 +8,6 @@
 #include <string>
 
 #include <cca/config.hpp>
-#include <cca/runtime/environments/shared_memory.hpp>
 
 #include "robot_and_mind.hpp"
 

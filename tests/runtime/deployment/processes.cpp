@@ -12,8 +12,6 @@
 #include <string>
 #include <thread>
 
-#include <cca/runtime/environments/shared_memory.hpp>
-
 #include "robot_and_mind.hpp"
 
 using namespace deployment_test;
@@ -88,12 +86,11 @@ std::string mind_of(const Played& c) {
   return text.str();
 }
 
-// Runs of several lengths, and a fault at the end.
+// Runs of several lengths.
 template <class Played, class F>
 std::string story(Played& c, F tell) {
   std::string all;
   c.load();
-  if constexpr (requires { c.template set<"guard">({1.0}); }) {}
   c.start();
   for (const int beats : {1, 7, 100, 33}) {
     c.run(cca::for_some_beats{beats});
@@ -152,6 +149,88 @@ TEST_SUITE("deployed in processes") {
       CHECK(said.find("faulted lost contact with `mind`") != std::string::npos);
       CHECK(said.ends_with(" 1\n"));  // on_fault
     }
+  }
+
+  TEST_CASE("a fault in one process is that of all, in the same beat") {
+    const std::string name = fresh_name();
+    const auto faults = [&](const char* environment, bool has_guard, auto tell) {
+      cca::deployed<two> d(cca::only{environment}, cca::shared_memory(name));
+      d.load();
+      if (has_guard) d.set<"guard">({2.0});
+      d.start();
+      d.run(cca::for_<10>{});
+      return tell(d);
+    };
+    process mind([&] { return faults("mind", false, [](const auto& d) { return mind_of(d); }); });
+    process robot([&] { return faults("robot", true, [](const auto& d) { return robot_of(d); }); });
+    cca::controller<architecture> c;
+    c.load();
+    c.set<"guard">({2.0});
+    c.start();
+    c.run(cca::for_<10>{});
+    REQUIRE(c.fault());
+    CHECK_EQ(robot.said(), robot_of(c));
+    CHECK_EQ(mind.said(), mind_of(c));
+  }
+
+  TEST_CASE("stop in one process is stop in the other, which waits in run") {
+    const std::string name = fresh_name();
+    process mind([&] {
+      cca::deployed<two> d(cca::only{"mind"}, cca::shared_memory(name));
+      d.load();
+      d.start();
+      int runs = 0;
+      while (d.state() == cca::state::started) {
+        d.run(cca::for_some_beats{50});
+        ++runs;
+      }
+      return std::to_string(runs) + std::string(cca::to_string(d.state()));
+    });
+    process robot([&] {
+      cca::deployed<two> d(cca::only{"robot"}, cca::shared_memory(name));
+      d.load();
+      d.start();
+      d.run(cca::for_some_beats{50});
+      d.run(cca::for_some_beats{50});
+      d.stop();
+      std::this_thread::sleep_for(1s);
+      return std::string();
+    });
+    CHECK_EQ(mind.said(), "3loaded");
+    CHECK_EQ(robot.said(), "");
+  }
+
+  TEST_CASE("a process that comes again goes on in the beat of the others") {
+    const std::string name = fresh_name();
+    const auto run_mind = [&] {
+      cca::deployed<two> d(cca::only{"mind"}, cca::shared_memory(name));
+      d.load();
+      d.start();
+      d.run(cca::without_end{});
+      return std::to_string(d.beat_index());
+    };
+    process first(run_mind);
+    process robot([&] {
+      cca::deployed<two> d(cca::only{"robot"}, cca::shared_memory(name));
+      d.load();
+      d.start();
+      d.run(cca::without_end{});
+      std::string all = std::string(cca::to_string(d.state()));
+      d.resume();
+      const auto beat = d.beat_index();
+      d.run(cca::for_some_beats{100});  // waits until it has come
+      return all + " " + std::string(cca::to_string(d.state())) + " " +
+             std::to_string(d.beat_index() - beat) + " " + std::to_string(d.beat_index());
+    });
+    std::this_thread::sleep_for(200ms);
+    first.kill();
+    first.said();  // it has ended
+    process second(run_mind);
+    const std::string of_robot = robot.said(), of_mind = second.said();
+    CAPTURE(of_robot);
+    CAPTURE(of_mind);
+    CHECK(of_robot.starts_with("faulted started 100 "));
+    CHECK(of_robot.ends_with(" " + of_mind));
   }
 
   TEST_CASE(

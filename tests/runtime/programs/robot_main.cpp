@@ -66,7 +66,7 @@ struct telling : cca::robot_program<Architecture> {
   }
   void stop(controller_type& c) override {
     tell("stop");
-    c.stop();
+    cca::robot_program<Architecture>::stop(c);
   }
   int finish(controller_type& c) override {
     tell("finish");

@@ -23,6 +23,7 @@
 #include <cca/graph/diagnosis/rules/strategies/strategy_misplaced.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_never_fires.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_no_fires.hpp>
+#include <cca/graph/diagnosis/rules/strategies/strategy_not_stoppable.hpp>
 #include <cca/graph/diagnosis/rules/strategies/strategy_unknown_port.hpp>
 #include <cca/graph/diagnosis/rules/time/graph_algebraic_loop.hpp>
 #include <cca/graph/diagnosis/rules/time/latency_exceeded.hpp>
@@ -55,6 +56,7 @@ using rules = list<
     strategy_no_fires,
     strategy_unknown_port,
     strategy_misplaced,
+    strategy_not_stoppable,
     wire_unknown_port,
     wire_direction,
     wire_two_writers,

@@ -55,6 +55,7 @@ class deployed<D> : public detail::component_host<deployed<D>, D>,
                     public detail::figures_of_runs<deployed<D>, D> {
   using host = detail::component_host<deployed<D>, D>;
   friend host;
+  friend detail::stoppable_components<deployed<D>, D>;
   friend detail::figures_of_runs<deployed<D>, D>;
 
 public:
@@ -66,8 +67,8 @@ public:
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
   template <class Transport>
-  deployed(const only& environments, const Transport& transport) {
-    choose(environments);
+  deployed(const only& environments, const Transport& transport)
+      : here(detail::chosen_environments<D>(environments)) {
     auto medium = transport.template open<D>(here);
     shared = {medium, medium->exchanged()};
     others = std::move(medium);
@@ -89,11 +90,25 @@ public:
   template <class Duration, class Pace = as_fast_as_possible, class Between = detail::nothing_between>
   cca::state run(Duration duration, Pace pace = {}, Between&& between = {}) {
     move(detail::transition::run, "run()");
+    bool is_stopped_elsewhere = false;
     {
       const detail::end_of_run at_the_end{now};
-      run_all(duration.beats(period()), pace, between);
+      is_stopped_elsewhere = !run_all(duration.beats(period()), pace, between);
     }
+    if (is_stopped_elsewhere) stop();
     return now;
+  }
+
+  using host::start, host::stop;  // one component
+
+  // As of a controller. Where other processes run environments, their run ends with stop() too.
+  void start() {
+    host::start();
+    tell_stopped(false);
+  }
+  void stop() {
+    host::stop();
+    tell_stopped(true);
   }
 
   // The next beat.
@@ -146,6 +161,15 @@ private:
     }(std::make_integer_sequence<int, detail::counts_of<D>.node_count>{});
   }
 
+  template <class F, class Deployed>
+  static void visit_firings(int node, F f, Deployed& self) {
+    self.refuse_if_elsewhere(node);
+    self.loops.for_each([&]<int E>(auto& loop) {
+      if (detail::plan_of<D>.nodes[detail::array_size(node)].environment == E)
+        detail::visit_firings<detail::part<D, E>>(loop.state, node, f);
+    });
+  }
+
   template <int Output, class F>
   void observe(F& f) const {
     constexpr int e = environment_of<detail::call_of<D, detail::output_of<D, Output>.call>.node>;
@@ -156,15 +180,6 @@ private:
     runs.overruns = runs.lost_periods = 0;
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].forget_figures();
-  }
-  void choose(const only& environments) {
-    for (const std::string& name : environments.names) {
-      std::size_t e = 0;
-      while (e < here.size() && detail::name_of_environment<D>(e) != name) ++e;
-      if (e == here.size()) throw refused("cca::only: the deployment has no environment `" + name + "`");
-      here[e] = true;
-    }
-    if (environments.names.empty()) throw refused("cca::only: it names no environment");
   }
   int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
 
@@ -179,14 +194,21 @@ private:
     is_told[E] = true;
   }
 
+  void tell_stopped(bool is_stopped) {
+    for (std::size_t e = 0; e < here.size(); ++e)
+      if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
+  }
+
+  // False: another process has stopped, and there is no run.
   template <class Pace, class Between>
-  void run_all(std::int64_t beats, Pace& pace, Between& between) {
+  bool run_all(std::int64_t beats, Pace& pace, Between& between) {
     constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
     const bool wants_exact = !detail::OnClock<Pace>;
     const bool wants_to_meet = is_watched || !std::is_same_v<Pace, as_fast_as_possible>;
     detail::meeting<D> together(*shared, here, others.get());
     const auto terms =
         together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, [this] { idle(); });
+    if (terms.is_stopped) return false;
     std::int64_t last_seen = terms.beat;
     {
       const finished_run all_at_one_beat{*this, together, terms};
@@ -206,6 +228,7 @@ private:
       });
     }
     if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
+    return true;
   }
 
   // `first` in this thread, the others in threads of their own.
@@ -256,16 +279,7 @@ private:
     now = detail::after(detail::transition::fail, now);
   }
 
-  [[gnu::noinline]] void idle() {
-    visit(
-        [this]<class C>(int node, C& component) {
-          if constexpr (detail::IsResource<C> && detail::OnIdle<C>)
-            if (is_here(node)) component.on_idle();
-        },
-        *this);
-  }
-
-  using host::move, host::now, host::reason;
+  using host::idle, host::move, host::now, host::reason;
 
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
 

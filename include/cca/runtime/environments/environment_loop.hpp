@@ -136,11 +136,7 @@ public:
   void handle_fault() noexcept {
     if (shared().fault_position() == no_position || has_handled_fault) return;
     has_handled_fault = true;
-    visit_components<graph>(
-        []<class C>(int, C& component) {
-          if constexpr (IsResource<C> && OnFault<C>) component.on_fault();
-        },
-        state);
+    visit_components<graph>(call_on_fault{}, state);
   }
 
 private:
@@ -235,7 +231,7 @@ private:
   static constexpr std::int64_t shortest_sleep = 20'000;
   // A fault elsewhere wakes nobody: who must act on it looks in each beat.
   static constexpr std::int64_t longest_sleep(std::int64_t interval) {
-    constexpr std::int64_t shortest = any_component<graph, acts_on_fault> ? shortest_sleep : 20'000'000;
+    constexpr std::int64_t shortest = any_component<graph, call_on_fault> ? shortest_sleep : 20'000'000;
     return std::max(interval, shortest);
   }
 

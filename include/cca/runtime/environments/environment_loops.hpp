@@ -24,6 +24,10 @@ struct environment_loops<D, std::integer_sequence<int, E...>> : environment_loop
   void for_each(F f) {
     (f.template operator()<E>(at<E>()), ...);
   }
+  template <class F>
+  void for_each(F f) const {
+    (f.template operator()<E>(at<E>()), ...);
+  }
 };
 
 }  // namespace cca::detail

@@ -25,6 +25,10 @@ inline constexpr std::int64_t no_position = std::numeric_limits<std::int64_t>::m
 // possible.
 inline constexpr std::int64_t most_ahead = 16;
 
+// Which environments this process runs.
+template <class D>
+using environments_here = std::array<bool, array_size(environment_count<D>)>;
+
 // Enough for the samples of the beats in which the writer is ahead, and for those that are not due.
 constexpr int ring_capacity(int delay) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(most_ahead + delay + 2)));
@@ -66,7 +70,7 @@ struct alignas(64) environment_record {
   // How a run begins and ends together (meeting.hpp): numbers of runs, and what it wants of the run.
   std::atomic<std::int64_t> arrived{0}, ready{0}, finished{0};
   std::atomic<std::int64_t> beat{0}, length{0};
-  std::atomic<bool> is_exact{true}, all_meet{false};
+  std::atomic<bool> is_exact{true}, all_meet{false}, is_stopped{false};
 
   // At wall-clock speed, since start().
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};

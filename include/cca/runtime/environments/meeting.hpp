@@ -3,25 +3,22 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/patience.hpp>
+#include <cca/runtime/transports/peers.hpp>
 
 namespace cca::detail {
-
-// Which environments this process runs.
-template <class D>
-using environments_here = std::array<bool, array_size(environment_count<D>)>;
 
 // What all agree on.
 struct terms_of_run {
   std::int64_t beat = 0, end = no_position;
-  bool is_exact = true;   // the first environment's
-  bool all_meet = false;  // after each beat, because somebody wants to
+  bool is_exact = true;     // the first environment's
+  bool all_meet = false;    // after each beat, because somebody wants to
+  bool is_stopped = false;  // there is no run: another process has called stop()
 };
 
 template <class D>
@@ -43,15 +40,19 @@ public:
       own.all_meet = wanted.all_meet;
       own.arrived.store(run, std::memory_order_release);
     });
+    terms_of_run agreed;
     wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
+      if (agreed.is_stopped) return false;
       meanwhile();
-      if (waited < longest) return;
+      agreed.is_stopped = shared.environments[missing].is_stopped.load(std::memory_order_acquire);
+      if (!agreed.is_stopped && waited < longest) return true;
       for_each_here([](auto& own) { own.arrived = 0; });
+      if (agreed.is_stopped) return false;
       throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
                     "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
                     " s: start the process that runs it");
     });
-    terms_of_run agreed;
+    if (agreed.is_stopped) return agreed;
     agreed.is_exact = shared.environments[0].is_exact;
     for (const auto& e : shared.environments) {
       agreed.beat = std::max<std::int64_t>(agreed.beat, e.beat);
@@ -66,7 +67,7 @@ public:
   // Everybody is prepared: from here on they look at each other's positions.
   void begin() {
     for_each_here([&](auto& own) { own.ready.store(run, std::memory_order_release); });
-    wait(&record::ready, [](std::size_t, std::int64_t) {});
+    wait(&record::ready, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
   }
 
   // Nobody looks any more. The beat with which they go on.
@@ -75,7 +76,7 @@ public:
       own.beat = beat;
       own.finished.store(run, std::memory_order_release);
     });
-    wait(&record::finished, [](std::size_t, std::int64_t) {});
+    wait(&record::finished, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
     std::int64_t next = beat;
     for (const auto& e : shared.environments)
       if (e.finished.load(std::memory_order_acquire) >= run) next = std::max<std::int64_t>(next, e.beat);
@@ -91,18 +92,20 @@ private:
       if (here[e]) f(shared.environments[e]);
   }
 
-  // Until all are at this run, or their process is gone. `waiting(missing, ns)`: now and then.
+  // It has not withdrawn, and its process is there.
+  bool is_with_us(std::size_t e) const {
+    return shared.environments[e].arrived.load(std::memory_order_acquire) >= run &&
+           !(away && away->is_gone(static_cast<int>(e)));
+  }
+
+  // Until each is at this run, or waits(missing, ns), which is asked now and then, says no.
   template <class F>
-  void wait(std::atomic<std::int64_t> record::* at, F waiting) {
+  void wait(std::atomic<std::int64_t> record::* at, F waits) {
     const std::int64_t since = monotonic_clock::now();
     for (std::size_t e = 0; e < here.size(); ++e)
       for (patience patience; (shared.environments[e].*at).load(std::memory_order_acquire) < run;
            patience.wait()) {
-        if (!patience.is_time_to_ask()) continue;
-        waiting(e, monotonic_clock::now() - since);
-        if (at == &record::arrived) continue;
-        const bool has_withdrawn = shared.environments[e].arrived.load(std::memory_order_acquire) < run;
-        if (has_withdrawn || (away && away->is_gone(static_cast<int>(e)))) break;
+        if (patience.is_time_to_ask() && !waits(e, monotonic_clock::now() - since)) break;
       }
   }
 

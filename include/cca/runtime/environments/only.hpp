@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/base/refused.hpp>
+#include <cca/runtime/environments/exchange.hpp>
+
 namespace cca {
 
 struct only {
@@ -17,4 +20,20 @@ struct only {
   std::vector<std::string> names;
 };
 
+namespace detail {
+
+template <class D>
+environments_here<D> chosen_environments(const only& environments) {
+  environments_here<D> here{};
+  for (const std::string& name : environments.names) {
+    std::size_t e = 0;
+    while (e < here.size() && name_of_environment<D>(e) != name) ++e;
+    if (e == here.size()) throw refused("cca::only: the deployment has no environment `" + name + "`");
+    here[e] = true;
+  }
+  if (environments.names.empty()) throw refused("cca::only: it names no environment");
+  return here;
+}
+
+}  // namespace detail
 }  // namespace cca

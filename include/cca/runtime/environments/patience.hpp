@@ -1,5 +1,5 @@
 // Waiting for another environment without a lock: first at once, then giving way, then asleep. Now and then
-// it asks whether the other one, in another process, is gone.
+// who waits asks whether the other one, in another process, is gone.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,6 @@ private:
   }
 
   std::int64_t times = 0;
-};
-
-// Of the environments that other processes run: whether the process has ended.
-class peers {
-public:
-  virtual ~peers() = default;
-  virtual bool is_gone(int environment) const = 0;
 };
 
 }  // namespace cca::detail
