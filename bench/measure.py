@@ -2,11 +2,13 @@
 """Makes all figures of docs/performance.md in one run: builds the programs of this folder with both compilers, checks that
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
-    measure.py                 everything (half an hour on two cores at rest); `cmake --workflow --preset bench` does this
+    measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
     measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
+    measure.py --programs DIR  where CMake has built latency_<reflectors> and bench_realtime (default: build/bench/bench)
+    measure.py --out DIR       where latency.json and realtime.json go (default: build/bench/out)
 
 Counts (instructions, calls, allocations, bytes, instantiations) do not depend on how busy the machine is; times do.
 """
@@ -17,6 +19,7 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -35,6 +38,7 @@ COPIES_FLAGS = ["-O3", "-march=x86-64-v3"]
 SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
 SYNTHETIC_BEATS = (200, 600)  # whole periods of the slowest clock, few enough for 300 virtual components under callgrind
+FAN_OUTS = (1, 2, 4, 8, 16)
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
 INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I", str(ROOT / "robots/include"), "-I", str(ROOT / "sim/include"), "-I", str(ROOT / "hardware/include"), "-I", str(HERE)]
 
@@ -285,6 +289,79 @@ def listing(work):
     return result
 
 
+def latency(work):
+    """Round trips between one driver and its reflectors, over each transport, beside the bare means of the transport."""
+    rows = []
+    for fan_out in FAN_OUTS:
+        out = run([str(PROGRAMS / f"latency_{fan_out}"), *(["--quick"] if QUICK else [])]).stdout
+        rows += [json.loads(line) for line in out.splitlines()]
+        print("latency", fan_out, [f"{r['transport']} {r['form']} {r['bytes']} B: {r['mean_us']} us" for r in rows if r["fan_out"] == fan_out], flush=True)
+    keys = ("mean_us", "p50_us", "p99_us", "variance_us2", "jitter_us", "set_up_us")
+    beside = {(r["transport"], r["fan_out"], r["bytes"]): r for r in rows if r["form"] == "raw"}
+    summary = []
+    for r in rows:
+        if r["form"] != "cca":
+            continue
+        raw = beside.get((r["transport"], r["fan_out"], r["bytes"]), {})
+        summary.append({k: v for k, v in r.items() if k != "form"} | {f"raw_{k}": raw[k] for k in keys if raw})
+    save("latency.json", summary)
+    return rows
+
+
+def quantiles(counts):
+    """Of how often which number of microseconds."""
+    total, found = sum(counts.values()), {}
+    for name, part in (("p50", 0.5), ("p99", 0.99), ("p999", 0.999)):
+        seen = 0
+        for us in sorted(counts):
+            seen += counts[us]
+            if seen >= part * total:
+                found[name] = us
+                break
+    return {**found, "max": max(counts), "count": total}
+
+
+def realtime(work):
+    """Wake-ups at 1 kHz of an environment in real time, and of cyclictest on the other core; they change places in each round."""
+    if os.cpu_count() < 2 or not shutil.which("cyclictest"):
+        sys.exit("realtime: needs two cores and cyclictest (Debian's rt-tests; ./bootstrap installs it)")
+    rounds, seconds = (2, 1) if QUICK else (6, 10)
+    result = {}
+    for state, hogs in (("idle", 0), ("load", os.cpu_count())):
+        counts = {"cca": {}, "cyclictest": {}}
+        busy = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(hogs)]
+        try:
+            for n in range(rounds):
+                beside = subprocess.Popen(["cyclictest", "-q", "-a", str(1 - n % 2), "-t", "1", "-p", "80", "-m", "-i", "1000", "-D", str(seconds + 1), "-h", "50000"],
+                                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                own = subprocess.run([str(PROGRAMS / "bench_realtime"), str(n % 2), str(seconds)], text=True, capture_output=True)
+                out, error = beside.communicate()
+                if own.returncode != 0 or beside.returncode != 0:
+                    print(f"realtime: NOT MEASURED: {own.stderr}{error}", file=sys.stderr)
+                    return {"refused": (own.stderr + error).strip()}
+                for us, count in json.loads(own.stdout)["us"].items():
+                    counts["cca"][int(us)] = counts["cca"].get(int(us), 0) + count
+                for us, count in re.findall(r"^(\d{6}) (\d{6,})$", out, re.M):
+                    if int(count):
+                        counts["cyclictest"][int(us)] = counts["cyclictest"].get(int(us), 0) + int(count)
+                worst = int(re.search(r"Max Latencies: (\d+)", out)[1])
+                counts["cyclictest"].setdefault(worst, 1)  # beyond its histogram
+        finally:
+            for one in busy:
+                one.kill()
+                one.wait()
+        result[state] = {name: quantiles(c) for name, c in counts.items()}
+        result[state]["p99_ratio"] = result[state]["cca"]["p99"] / max(result[state]["cyclictest"]["p99"], 1)
+        print("realtime", state, result[state], flush=True)
+    save("realtime.json", result)
+    return result
+
+
+def save(name, data):
+    OUT.mkdir(parents=True, exist_ok=True)
+    (OUT / name).write_text(json.dumps(data, indent=1) + "\n")
+
+
 def machine():
     cpu = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     versions = [run([c, "--version"]).stdout.splitlines()[0] for c in (*COMPILERS, "valgrind")]
@@ -295,11 +372,15 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")
+    parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/bench/bench")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "build/bench/out")
     a = parser.parse_args()
+    global PROGRAMS, OUT, QUICK
+    PROGRAMS, OUT, QUICK = a.programs, a.out, a.quick
     if a.quick:
         global TROT_FLAGS, SIZES, COMPILE_SIZES
         TROT_FLAGS, SIZES, COMPILE_SIZES = TROT_FLAGS[:2], SIZES[:3], COMPILE_SIZES[:3]

@@ -182,6 +182,101 @@ The instructions of these buses and drives are subtracted.
 {measured(part)}"""
 
 
+TRANSPORTS = {
+    "loop": ("Within one loop", "by hand: the same copies in a function"),
+    "threads": ("Between threads", "a bare atomic ping-pong: a number and the message on the same cache line"),
+    "shared_memory": ("Between processes over shared memory", "the same ping-pong in shared memory"),
+    "dds": ("Between processes over Cyclone DDS", "Cyclone DDS by its C functions, reliable, with a waitset"),
+    "tcp": ("Over TCP", "a connection for each reflector, without delay"),
+}
+BOUNDS = {"threads": 1.5, "shared_memory": 1.2, "dds": 1.05}
+
+
+def time(x):
+    return f"{x:,.0f}" if x >= 100 else f"{x:.3g}"
+
+
+def size(n):
+    return f"{n} B" if n < 1024 else f"{n // 1024} KiB" if n < 1 << 20 else f"{n >> 20} MiB"
+
+
+def latency(part):
+    rows, blocks = part["data"], []
+    keys = ("p50_us", "p99_us", "variance_us2", "jitter_us", "set_up_us")
+    for transport, (title, raw_is) in TRANSPORTS.items():
+        mine = {(r["fan_out"], r["bytes"], r["form"]): r for r in rows if r["transport"] == transport}
+        if not mine:
+            continue
+        lines = []
+        for fan_out, n in dict.fromkeys((f, b) for f, b, _ in mine):
+            both = [mine[fan_out, n, form] for form in ("cca", "raw") if (fan_out, n, form) in mine]
+            ratio_of = f"{both[0]['mean_us'] / both[1]['mean_us']:.2f}" if len(both) == 2 else ""
+            lines.append([fan_out, size(n), " / ".join(time(r["mean_us"]) for r in both), ratio_of,
+                          *(" / ".join(time(r[key]) for r in both) for key in keys)])
+        small = [(b, r) for (f, b, form), r in mine.items() if form == "cca" and b <= 1024 and f == 1]
+        note = ""
+        if small and transport == "loop":
+            note = f"The goal for one reflector and up to 1 KiB is 0.05 us; the longest is {time(max(r['mean_us'] for _, r in small))} us.\n"
+        elif small and transport in BOUNDS:
+            worst = max(r["mean_us"] / mine[1, b, "raw"]["mean_us"] for b, r in small)
+            note = f"The goal for one reflector and up to 1 KiB is {BOUNDS[transport]} times raw; the largest ratio is {worst:.2f}.\n"
+        head = ["reflectors", "message", "mean [us]", "ratio", "p50 [us]", "p99 [us]", "variance [us^2]", "jitter [us]", "set-up [us]"]
+        forms = "Each cell reads cca / raw.\n" if any(form == "cca" for _, _, form in mine) else "Raw only: for comparison.\n"
+        blocks.append(f"### {title}\n\nRaw is {raw_is}.\n{forms}{note}\n{table(head, lines)}")
+    return f"""## Round trips
+
+A driver publishes a message, each reflector publishes what it read, and the driver reads what comes back (`bench/latency`; section 5.1.3 of AMARSi deliverable D7.3).
+`cmake --build --preset bench --target latency` measures this part and writes `build/bench/out/latency.json`.
+
+How to read the figures:
+
+- Between environments the architecture is the same for all transports; only the deployment differs.
+  All its wires are `delayed<1>`: what the driver publishes in beat k is reflected in beat k + 1 and read in beat k + 2.
+  So a round trip is two beats, run as fast as possible: the environments wait for each other, and each way is one hand-over.
+  Raw does the same number of hand-overs: one there, one back.
+- The time goes from one reading of the clock by the driver to the next, two beats later: it publishes, two messages cross, it checks the first and the last number of each.
+  With several reflectors it ends when the last one has answered.
+- In both forms a reader takes the whole message into memory of its own, and a writer puts it from there.
+  The environments also hand over the time of origin and the beat, and look for faults in each other.
+- Within one loop no wire needs a delay: the driver is a resource node, and a round trip is one beat, from its `sense` to its `act`.
+  A reading of the clock takes longer than that: 200 round trips are timed together, and p50 and p99 are those of such means.
+- All forms are measured in turn, up to 15 rounds each, all anew; a figure is the median of the rounds.
+  Jitter is the mean difference between two round trips that follow each other; set-up goes from nothing to the first message that came back.
+- If there are fewer cores than driver and reflectors, they take turns on them: then the figures are those of the system's scheduler, and so are raw's, which gives way after 64 looks.
+  With a core each, driver and reflectors are pinned.
+
+{"".join(block + chr(10) for block in blocks)}{measured(part)}"""
+
+
+def realtime(part):
+    data = part["data"]
+    if "refused" in data:
+        return f"""## Wake-ups in real time
+
+**Not measured: the system refused.**
+
+```text
+{data["refused"]}
+```
+
+{measured(part)}"""
+    rows = [[state, *(f"{data[state]['cca'][q]} / {data[state]['cyclictest'][q]}" for q in ("p50", "p99", "p999", "max")),
+             f"**{data[state]['p99_ratio']:.2f}**", f"{data[state]['cca']['count']:,}"] for state in data]
+    return f"""## Wake-ups in real time
+
+An environment with `cca::realtime<80, cca::on_core<N>>` runs at 1 kHz at wall-clock speed (`bench/realtime.cpp`), and cyclictest of the same priority and period on the other core, in one run.
+They change places in each round.
+Under load, each core also has a process that computes without end.
+`cmake --build --preset bench --target realtime` measures this part as root, or with the rights that [real time](environments.md#placement) needs, and writes `build/bench/out/realtime.json`.
+
+A wake-up is the time from when a beat should begin until its thread is awake, in whole microseconds; each cell reads cca / cyclictest.
+The maxima are those of the machine, virtual or not: compare them only with each other.
+The goal is a p99 of at most 1.2 times that of cyclictest.
+
+{table(["machine", "p50 [us]", "p99 [us]", "p99.9 [us]", "max [us]", "p99 : cyclictest", "beats"], rows)}
+{measured(part)}"""
+
+
 def compiling(part, exponent):
     data = part["data"]
     bases = table(["file that only includes", "compiler", "s", "MB"],
@@ -232,8 +327,9 @@ def text(figures, exponent):
 <!-- Generated by bench/measure.py from bench/figures.json: edit those, not this page. -->
 
 One command measures everything: `cmake --workflow --preset bench`.
-It builds the benchmarks and runs `bench/measure.py`, which takes half an hour on a machine that does nothing else.
-It needs g++, clang++-19, valgrind, objdump and Google Benchmark; `./bootstrap` installs them.
+It builds the benchmarks and runs `bench/measure.py`, which takes an hour on a machine that does nothing else.
+It needs g++, clang++-19, valgrind, objdump, Google Benchmark and cyclictest; `./bootstrap` installs them.
+Round trips are also compared with Cyclone DDS, if it is installed.
 Counts do not depend on how busy the machine is; times do, and each time is the median of five.
 `tests/runtime/no_allocation` and the test `performance: calls` check that a beat allocates nothing and calls nothing but libm.
 """]
@@ -249,6 +345,10 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(skills(figures["skills"]))
     if "drives" in figures:
         parts.append(drives(figures["drives"]))
+    if "latency" in figures:
+        parts.append(latency(figures["latency"]))
+    if "realtime" in figures:
+        parts.append(realtime(figures["realtime"]))
     if "compile" in figures:
         parts.append(compiling(figures["compile"], exponent))
     if "listing" in figures:

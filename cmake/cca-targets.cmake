@@ -1,4 +1,4 @@
-# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim and cca::hardware. All of them are headers only.
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware and cca::dds. All of them are headers only.
 
 include(GNUInstallDirs)
 
@@ -21,8 +21,8 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|main|sim|hardware)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim and hardware")
+  if(NOT component MATCHES "^(config|main|sim|hardware|dds)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware and dds")
   endif()
 endforeach()
 if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
@@ -86,4 +86,13 @@ if("hardware" IN_LIST CCA_COMPONENTS)
   # known; docs/decisions/0014-modref.md has the reduced case and says which versions were looked at.
   set(needs_option $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,12>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
   target_compile_options(cca_hardware INTERFACE $<${needs_option}:-fno-ipa-modref>)
+endif()
+
+if("dds" IN_LIST CCA_COMPONENTS)
+  find_package(CycloneDDS 0.10 REQUIRED CONFIG)
+  find_package(Threads REQUIRED)
+  set(include ${PROJECT_SOURCE_DIR}/dds/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(dds ${include} ${headers})
+  target_link_libraries(cca_dds INTERFACE cca CycloneDDS::ddsc Threads::Threads)
 endif()

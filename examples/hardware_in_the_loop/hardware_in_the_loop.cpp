@@ -26,8 +26,8 @@
 #include <cca/main.hpp>
 #include <cca/runtime/interruption.hpp>
 
-#include "in_memory.hpp"
 #include "lock_step.hpp"
+#include "two_environments.hpp"
 
 namespace {
 
@@ -85,7 +85,7 @@ int report(Controller& c) {
 }
 
 // Both ends in this process.
-struct in_one_process : cca::robot_program<trot_on_drives> {
+struct in_one_process : cca::robot_program<two_environments<memory_end>> {
   explicit in_one_process(const wishes& o) {
     settings.seconds = o.seconds;
     settings.speed.reset();  // the buses have virtual time
@@ -112,8 +112,6 @@ private:
   int result = 0;
 };
 
-struct trot_over_socket_can : trot::architecture<oncilla<paced_can>> {};
-
 using bus_array = std::array<paced_can, buses>;
 // Each end receives only the ids that the other end sends: the kernel filters all others.
 template <std::size_t... Bus>
@@ -130,7 +128,7 @@ bus_array open_buses(const wishes& o, std::index_sequence<Bus...>) {
 bus_array open_buses(const wishes& o) { return open_buses(o, std::make_index_sequence<buses>()); }
 
 // The controller on CAN interfaces: the program for a real robot.
-struct on_buses : cca::robot_program<trot_over_socket_can> {
+struct on_buses : cca::robot_program<two_environments<paced_can>> {
   explicit on_buses(const wishes& o) : bus(open_buses(o)), lock_step(o.lock_step) {
     settings.seconds = o.seconds;
     settings.quiet = o.quiet;

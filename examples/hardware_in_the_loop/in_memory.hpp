@@ -115,8 +115,10 @@ private:
                                      wires[4].end(1)};
 };
 
-// The same with a controller, for programs that step it themselves. `Architecture` has the robot at "robot".
-template <class Architecture = trot_on_drives>
+// The same with a controller, for programs that run it themselves. `Architecture` has the robot at "robot".
+// Of a deployment, `Controller` is cca::deployed<Architecture>: the buses are used by the thread that calls
+// `step` or `run`, so "robot" belongs into the first environment.
+template <class Architecture = trot_on_drives, class Controller = cca::controller<Architecture>>
 class in_memory : public memory_buses {
 public:
   explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
@@ -133,6 +135,13 @@ public:
     return stepped;
   }
 
+  // As many of them; ends on a fault, and where `between` returns false.
+  template <class Between>
+  void run(std::int64_t beats, Between between) {
+    controller.run(cca::for_some_beats{beats}, time_of_drives{*this}, between);
+    pass_millisecond();
+  }
+
   cca::hardware::shut_down_report shut_down() { return memory_buses::shut_down(controller); }
 
   // A new controller, as if the program were started again.
@@ -141,7 +150,17 @@ public:
     connect(controller);
   }
 
-  cca::controller<Architecture> controller{};
+  Controller controller{};
+
+private:
+  // A pace: between two beats of a run a millisecond passes.
+  struct time_of_drives {
+    in_memory& all;
+    void begin() const {}
+    void wait(std::int64_t since) const {
+      if (since > 0) all.pass_millisecond();
+    }
+  };
 };
 
 }  // namespace hil

@@ -1,10 +1,13 @@
-// A user's program with all components: has the main function for robots, reads a parameter from a file,
-// steps a world of the simulator, sends a set-point to a drive over a bus in memory.
+// A user's program with all components: has the main function for robots, reads a parameter from a file, joins
+// a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory.
+#include <unistd.h>
+
 #include <array>
 #include <fstream>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/dds.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/main.hpp>
@@ -33,6 +36,8 @@ struct moving : cca::graph<cca::node<"goal", goal>,
                            cca::wire<"goal.angle", "limits.command">,
                            cca::wire<"limits.safe", "joint.command">> {};
 
+struct alone : cca::deployment<moving, cca::environment<"all", cca::other_nodes>> {};
+
 static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
 int main(int count, char** words) {
@@ -43,6 +48,11 @@ int main(int count, char** words) {
   c.start();
   c.run(cca::for_beats<10>{});
 
+  cca::deployed<alone> d(cca::only{"all"}, cca::dds::domain(static_cast<unsigned>(::getpid()) % 200));
+  d.load();
+  d.start();
+  d.run(cca::for_beats<10>{});
+
   cca::sim::world world;
   world.advance({});
 
@@ -51,5 +61,8 @@ int main(int count, char** words) {
   wire.end(0).send(drive::set_point({.position = 0.25, .stiffness = 20}).frames);
   wire.advance(1'000'000);
   std::array<cca::hardware::received_frame, 4> heard;
-  return c.get<"joint">().at == 0.25 && world.mass() > 5 && wire.end(1).receive(heard) == 1 ? 0 : 1;
+  return c.get<"joint">().at == 0.25 && d.beat_index() == 10 && world.mass() > 5 &&
+                 wire.end(1).receive(heard) == 1
+             ? 0
+             : 1;
 }

@@ -4,7 +4,7 @@
 usage: includes.py [ROOT of the repository]
 
 A folder of the core includes only from the folders to its left in FOLDERS. `runtime` and `config` stand apart, and nothing
-in the core includes them. Outside of the core, robots, sim and hardware include only from the parts in OUTSIDE. Other
+in the core includes them. Outside of the core, robots, sim, hardware and dds include only from the parts in OUTSIDE. Other
 libraries are included from one place each. The tests, examples and pages that a header's comments name exist.
 """
 import collections
@@ -20,8 +20,8 @@ APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", 
 # Headers directly in cca/, and the folders that each may include from.
 TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
-OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"]}  # and from the core
-ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware"}
+OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"]}  # and from the core
+ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds"}
 ONE_NAME = ["graph", "runtime"]  # no two headers in these folders have the same file name
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
@@ -63,6 +63,8 @@ def other_include(where, target, part):
         return "CLI11 belongs in main/"
     if target.startswith("ode/") and part != "sim":
         return "the physics engine belongs in sim/"
+    if target.startswith("dds/") and part != "dds":
+        return "Cyclone DDS belongs in dds/"
     if target == "boost/hana.hpp":
         return "include Hana's granular headers"
     if target.startswith("boost/") and not target.startswith("boost/hana/"):

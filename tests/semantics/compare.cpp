@@ -48,7 +48,7 @@ void comparison::tell(const std::string& text, const outcome& o, const interpret
   if (!o.copy_agrees)
     std::cout << (o.is_merged ? "stopped, started and resumed it did not do what the controller does\n"
                               : "a copy of the controller did not go on like the original\n");
-  if (!o.processes_agree) std::cout << "in processes over shared memory it did something else\n";
+  if (!o.processes_agree) std::cout << "in processes it did something else\n";
   if (o.faulted != i.faulted)
     std::cout << "the library " << (o.faulted ? "faulted" : "did not fault") << ", the interpreter did"
               << (i.faulted ? "" : " not") << '\n';

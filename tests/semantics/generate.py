@@ -4,6 +4,7 @@
     generate.py OUT --seeds 1 320 --per-file 10     writes OUT/architectures_0.cpp, ...
     generate.py OUT --threads ...                   the same, each with a farm on threads
     generate.py OUT --spread ...                    the same, each spread over two to four environments
+    generate.py OUT --spread --dds ...              the same, run by processes over DDS
     generate.py --text 17                           prints what the interpreter gets
     generate.py --code 17                           prints what the compiler gets
     generate.py --list OUT ...                      prints the names of the files it would write
@@ -28,6 +29,7 @@ def main():
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--threads", action="store_true")
     parser.add_argument("--spread", action="store_true")
+    parser.add_argument("--dds", action="store_true")
     options = parser.parse_args()
 
     def made(seed):
@@ -45,8 +47,9 @@ def main():
                 print(path)
                 continue
             options.out.mkdir(parents=True, exist_ok=True)
-            parts = [code(made(seed)) for seed in seeds[first:first + options.per_file]]
-            header = "run_threads.hpp" if options.threads else "run_deployed.hpp" if options.spread else "run.hpp"
+            parts = [code(made(seed), options.dds) for seed in seeds[first:first + options.per_file]]
+            header = ("run_threads.hpp" if options.threads else "run_over_dds.hpp" if options.dds else "run_deployed.hpp" if options.spread
+                      else "run.hpp")
             path.write_text(f"// Made by tests/semantics/generate.py.\n#include \"{header}\"\n\n" + "\n".join(parts))
 
 

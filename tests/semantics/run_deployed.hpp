@@ -55,11 +55,11 @@ log recorded_with_restarts(int chance) {
   });
 }
 
-// The digests of what each environment recorded in a process of its own, over shared memory.
-template <class Deployment>
-std::vector<std::uint64_t> recorded_in_processes(int chance) {
+// The digests of what each environment recorded in a process of its own. `over(name)`: the transport.
+template <class Deployment, class F>
+std::vector<std::uint64_t> recorded_in_processes(int chance, F over) {
   static int number = 0;
-  const std::string name = "/cca_semantics_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
+  const std::string name = "cca_semantics_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
   constexpr int count = cca::detail::environment_count<Deployment>;
   std::vector<std::uint64_t> all;
   int from[count];
@@ -68,7 +68,7 @@ std::vector<std::uint64_t> recorded_in_processes(int chance) {
     if (::pipe(ends) != 0) return {};
     if (::fork() == 0) {
       const cca::only here{cca::detail::environments_of<Deployment>::all[static_cast<std::size_t>(e)].name};
-      const auto d = std::make_unique<cca::deployed<Deployment>>(here, cca::shared_memory(name));
+      const auto d = std::make_unique<cca::deployed<Deployment>>(here, over(name));
       d->load();
       d->start();
       const log own =
@@ -91,6 +91,13 @@ std::vector<std::uint64_t> recorded_in_processes(int chance) {
   return all;
 }
 
+inline std::vector<std::uint64_t> digests(const log& firings) {
+  std::vector<std::uint64_t> all;
+  for (const firing& f : firings) all.push_back(digest(f));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 // With `Architecture`: restarted it is compared with the controller too. With `InProcesses`: also run by
 // processes.
 template <class Deployment, class Architecture = void, bool InProcesses = false>
@@ -106,10 +113,9 @@ outcome run_deployed(int chance) {
     o.copy_agrees = agree(recorded_with_restarts<cca::controller<Architecture>>(chance), 0,
                           recorded_with_restarts<cca::deployed<Deployment>>(chance));
   if constexpr (InProcesses) {
-    std::vector<std::uint64_t> by_threads;
-    for (const firing& f : o.firings) by_threads.push_back(digest(f));
-    std::sort(by_threads.begin(), by_threads.end());
-    o.processes_agree = by_threads == recorded_in_processes<Deployment>(chance);
+    o.processes_agree = digests(o.firings) ==
+                        recorded_in_processes<Deployment>(
+                            chance, [](const std::string& name) { return cca::shared_memory("/" + name); });
   }
   return o;
 }

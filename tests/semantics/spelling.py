@@ -193,7 +193,7 @@ def deployment_cpp(made, rng):
     return "struct spread : cca::deployment<top,\n    " + ",\n    ".join(items) + "> {};\n"
 
 
-def code(made):
+def code(made, over_dds=False):
     rng = random.Random(made.seed)
     lines = [f"namespace architecture_{made.seed} {{", "using namespace semantics;\n"]
     lines += [graph_cpp(graph, rng) for graph in reversed(made.types)]  # inner ones first
@@ -219,6 +219,6 @@ def code(made):
                      "  template <class Controller>\n"
                      f"  static void settle([[maybe_unused]] Controller& c) {{ {waits} }}\n}};")
     forms = ", top" if made.seed % 4 == 0 else ", void, true" if made.seed % 4 == 1 else ""
-    run = f"run_deployed<spread{forms}>" if made.environments > 1 else f"run<top{', around' if around else ''}>"
+    run = "run_over_dds<spread>" if over_dds else f"run_deployed<spread{forms}>" if made.environments > 1 else f"run<top{', around' if around else ''}>"
     lines.append(f"const registered here{{{made.seed}, text, &{run}}};\n\n{closed}")
     return "\n".join(lines)

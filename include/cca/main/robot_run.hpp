@@ -34,7 +34,7 @@ public:
     const auto made = program.others.open ? program.others.open(only(program.settings.only))
                                           : std::make_unique<controller_type>();
     controller_type& c = *made;
-    const interruption interrupted(second_signal::ends_the_program);
+    const interruption interrupted;
     program.prepare(c);
     if (program.settings.configs.empty()) c.load();
     for (const std::string& file : program.settings.configs) c.load(file);

@@ -8,8 +8,7 @@
 //
 // In a function of your own between two beats: `return !interrupted;`. In a loop: `while (!interrupted)`.
 // A further signal is noted as well and kills nothing, so that a robot always stops in order; SIGQUIT
-// (ctrl-\) still ends the program at once. With `second_signal::ends_the_program` the second one does: what
-// stops in order may hang. The destructor gives the signals back to whoever had them. Cost:
+// (ctrl-\) still ends the program at once. The destructor gives the signals back to whoever had them. Cost:
 // one load of an atomic number. Not in <cca/cca.hpp>, because <csignal> declares `signal`, a name that a
 // program may want for a space. Example: tests/runtime/core/ending.cpp; docs/controller.md.
 #pragma once
@@ -35,23 +34,14 @@ extern "C" inline void cca_note_signal(int number) {
   noted.last.store(number, std::memory_order_relaxed);
   noted.count.fetch_add(1, std::memory_order_release);
 }
-extern "C" inline void cca_note_first_signal(int number) {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  cca_note_signal(number);
-}
 
 }  // namespace detail
 
-enum class second_signal : bool { is_noted, ends_the_program };
-
 class interruption {
 public:
-  explicit interruption(second_signal second = second_signal::is_noted)
-      : before(detail::noted.count.load(std::memory_order_acquire)) {
+  interruption() : before(detail::noted.count.load(std::memory_order_acquire)) {
     struct sigaction note{};
-    note.sa_handler =
-        second == second_signal::is_noted ? detail::cca_note_signal : detail::cca_note_first_signal;
+    note.sa_handler = detail::cca_note_signal;
     ::sigemptyset(&note.sa_mask);
     for (std::size_t i = 0; i < ends.size(); ++i) ::sigaction(ends[i], &note, &old[i]);
   }

@@ -38,7 +38,8 @@ public:
   }
   CCA_INLINE std::int64_t origin() const { return time; }
 
-  CCA_INLINE void store(const vector_type& v, std::int64_t origin) {
+  template <class Vector>
+  CCA_INLINE void store(const Vector& v, std::int64_t origin) {
     vector() = v;
     time = origin;
   }

@@ -6,6 +6,7 @@
 //   width(axes)          how many numbers a sample over this many axes has
 //   zero(i, axes)        number i of the zero; an input holds the zero until its first sample arrives
 //   methods<Self>        what samples inherit from it; Self is the sample
+//   coordinates          only if they aren't the axes: the names of the numbers, and coordinate_units
 //   frames               only if it has frames: two samples can be combined only if these are equal
 #pragma once
 

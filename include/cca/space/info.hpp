@@ -27,7 +27,38 @@ struct space_info {
   std::string_view quantity;
   const double *lower,
       *upper;  // limits of that quantity, one per axis; infinite if an axis states none
+
+  // For messages to other programs (space_schema.hpp).
+  const std::string_view* labels;  // the axes' own names
+  std::string_view unit;           // of the quantity; empty if it has none
+  const std::string_view *coordinates,
+      *coordinate_units;  // null, or as the domain type names its numbers
 };
+
+// The axis `hip` of element 2 of an array is a type `element<hip, 2>`, and its own name is "hip2".
+template <class Axis>
+constexpr std::string_view label_of() {
+  if constexpr (Dimension<Axis>) return Axis::name;
+  else return type_name<Axis>();
+}
+
+template <class Quantity>
+constexpr std::string_view unit_of() {
+  if constexpr (requires { std::string_view(Quantity::unit); }) return Quantity::unit;
+  else return {};
+}
+
+template <class Domain>
+constexpr const std::string_view* coordinates_of() {
+  if constexpr (requires { Domain::coordinates.data(); }) return Domain::coordinates.data();
+  else return nullptr;
+}
+
+template <class Domain>
+constexpr const std::string_view* coordinate_units_of() {
+  if constexpr (requires { Domain::coordinate_units.data(); }) return Domain::coordinate_units.data();
+  else return nullptr;
+}
 
 template <class Axes>
 struct axes_facts;
@@ -35,6 +66,7 @@ struct axes_facts;
 template <class... Axes>
 struct axes_facts<axes<Axes...>> {
   static constexpr std::array<std::string_view, sizeof...(Axes) + 1> names{type_name<Axes>()..., {}};
+  static constexpr std::array<std::string_view, sizeof...(Axes) + 1> labels{label_of<Axes>()..., {}};
 
   static constexpr std::uint64_t key(std::uint64_t seed) {
     ((seed = hash("|", hash(spelled<Axes>(), seed))), ...);
@@ -58,6 +90,10 @@ inline constexpr space_info space_of = {
     type_name<typename Space::domain::quantity>(),
     lower_limits<Space, typename Space::domain::quantity>.data(),
     upper_limits<Space, typename Space::domain::quantity>.data(),
+    axes_facts<typename Space::axes>::labels.data(),
+    unit_of<typename Space::domain::quantity>(),
+    coordinates_of<typename Space::domain>(),
+    coordinate_units_of<typename Space::domain>(),
 };
 
 // The rates must agree only if both spaces state one.

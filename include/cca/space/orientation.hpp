@@ -14,6 +14,9 @@
 // Sources: rotation.hpp.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include <cca/space/cartesian.hpp>
 #include <cca/space/methods/rotation.hpp>
 #include <cca/space/sample.hpp>
@@ -82,6 +85,8 @@ struct orientation {
   using frame = Frame;
   using frames = detail::frame_list<Frame>;
   static constexpr bool actuated = false;
+  static constexpr std::array<std::string_view, 4> coordinates{"qx", "qy", "qz", "qw"};
+  static constexpr std::array<std::string_view, 4> coordinate_units{};  // a quaternion has no unit
   static constexpr int width(int axes) {
     return axes == 3 ? 4 : throw "cca::orientation: its axes are axes<x, y, z>";
   }

@@ -9,6 +9,9 @@
 // `frame.mismatch`.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include <cca/space/orientation.hpp>
 
 namespace cca {
@@ -33,6 +36,8 @@ struct pose {
   using frame = Frame;
   using frames = detail::frame_list<Frame>;
   static constexpr bool actuated = false;
+  static constexpr std::array<std::string_view, 7> coordinates{"x", "y", "z", "qx", "qy", "qz", "qw"};
+  static constexpr std::array<std::string_view, 7> coordinate_units{"m", "m", "m"};
   static constexpr int width(int axes) {
     return axes == 3 ? 7 : throw "cca::pose: its axes are axes<x, y, z>";
   }

@@ -10,6 +10,9 @@
 // Errors: `frame.mismatch`, where two differ in At or In.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include <cca/space/orientation.hpp>
 
 namespace cca {
@@ -19,6 +22,8 @@ namespace detail {
 template <class At, class In>
 struct spatial_domain {
   using quantity = void;  // the angular and the linear numbers have different ones
+  static constexpr std::array<std::string_view, 6> coordinates{"angular_x", "angular_y", "angular_z",
+                                                               "linear_x",  "linear_y",  "linear_z"};
   using at = At;
   using in = In;
   using frames = frame_list<At, In>;
@@ -53,6 +58,8 @@ template <class Type> concept TwistSample = Sample<Type> && is_twist<typename Ty
 
 template <class At, class In>
 struct twist : detail::spatial_domain<At, In> {
+  static constexpr std::array<std::string_view, 6> coordinate_units{"rad/s", "rad/s", "rad/s",
+                                                                    "m/s",   "m/s",   "m/s"};
   template <class Self>
   struct methods : detail::additive<Self> {
     using vector_3 = typename detail::spatial_types<Self>::vector;
@@ -73,6 +80,7 @@ struct twist : detail::spatial_domain<At, In> {
 
 template <class At, class In>
 struct wrench : detail::spatial_domain<At, In> {
+  static constexpr std::array<std::string_view, 6> coordinate_units{"N m", "N m", "N m", "N", "N", "N"};
   template <class Self>
   struct methods : detail::additive<Self> {
     using vector_3 = typename detail::spatial_types<Self>::vector;

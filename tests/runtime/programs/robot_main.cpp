@@ -165,7 +165,27 @@ TEST_SUITE("robot_main") {
       }
   }
 
-  TEST_CASE("a second signal ends it at once") {
+  TEST_CASE("a second signal kills nothing: the robot stops in order") {
+    struct stops_slowly : one_loop {
+      void stop(controller_type& c) override {
+        const cca::interruption second;
+        tell("stop");
+        while (!second) ::usleep(1000);
+        one_loop::stop(c);
+      }
+    };
+    for (const int number : {SIGINT, SIGTERM}) {
+      child one = run<stops_slowly>({});
+      one.wait_for("between;");
+      one.send(SIGINT);
+      one.wait_for("stop;");
+      one.send(number);
+      CHECK_EQ(one.code(), 128 + number);
+      CHECK(one.out.starts_with("prepare;loaded;between;stop;stop;finish;"));
+    }
+  }
+
+  TEST_CASE("SIGQUIT ends it at once, even if stopping hangs") {
     struct hangs : one_loop {
       void stop(controller_type&) override {
         tell("stop");
@@ -176,8 +196,8 @@ TEST_SUITE("robot_main") {
     one.wait_for("between;");
     one.send(SIGINT);
     one.wait_for("stop;");
-    one.send(SIGTERM);
-    CHECK_EQ(one.code(), 128 + SIGTERM);
+    one.send(SIGQUIT);
+    CHECK_EQ(one.code(), 128 + SIGQUIT);
     CHECK_EQ(one.out, "prepare;loaded;between;stop;");
   }
 

@@ -27,7 +27,7 @@ struct controller_state<part<D, E>>
       environment_links<D, E> {};
 
 template <class D, int E>
-class environment_loop {
+class alignas(64) environment_loop {
   using graph = part<D, E>;
   static constexpr std::int64_t period = counts_of<D>.period;
 
@@ -43,7 +43,7 @@ public:
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
-    state.forget_late();
+    state.forget_others();
     has_handled_fault = false;
     skip_to(beat);
     own().begun = beat - 1;
@@ -179,7 +179,7 @@ private:
 
   // False: a fault or the end has come before it.
   bool wait_until_it_may_begin() noexcept {
-    for (patience patience;; patience.wait()) {
+    for (learned_patience patience(state.habit);; patience.wait()) {
       const bool may_begin = state.may_begin(k);
       if (shared().fault_position() < position() || shared().stop_at() <= k) return false;
       if (may_begin) return true;
@@ -189,12 +189,9 @@ private:
 
   // Waits until all others have done the beats in front of k. False: somebody faulted or stopped.
   bool all_have_come() noexcept {
-    for (patience patience; goes_on(); patience.wait()) {
-      const auto has_come = [&](int x) { return x == E || shared().position(x) >= position(); };
-      int x = 0;
-      while (x < environment_count<D> && has_come(x)) ++x;
-      if (x == environment_count<D>) return true;
-      if (patience.is_time_to_ask()) state.look_for(x, position() - 1, [&] { return has_come(x); });
+    for (learned_patience patience(state.habit); goes_on(); patience.wait()) {
+      if (state.all_have_come_to(position())) return true;
+      if (patience.is_time_to_ask()) state.look_for_those_before(position());
     }
     return false;
   }

@@ -50,7 +50,7 @@ struct fault_record {
   void state(std::int64_t at, std::string_view why, int component) noexcept {
     if (position.load(std::memory_order_relaxed) != no_position) return;
     reason = {};
-    std::copy_n(why.data(), std::min(why.size(), most_letters - 1), reason.data());
+    std::ranges::copy(why.substr(0, most_letters - 1), reason.begin());
     node = component;
     position.store(at, std::memory_order_release);
   }
@@ -64,7 +64,8 @@ struct alignas(64) environment_record {
   // Of the first environment at wall-clock speed: the newest beat begun, when, and the time to the next (ns).
   std::atomic<std::int64_t> begun{-1}, begun_at{0}, interval{0};
 
-  fault_record fault{};
+  // On a line of its own: all look at it while they wait, and nobody writes it.
+  alignas(64) fault_record fault{};
   std::atomic<std::int64_t> stop_at{no_position};  // no environment begins this beat, or a later one
 
   // How a run begins and ends together (meeting.hpp): numbers of runs, and what it wants of the run.

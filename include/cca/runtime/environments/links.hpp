@@ -18,6 +18,7 @@ namespace cca::detail {
 template <class D, int Output>
 struct next_arrival {
   std::uint64_t number = 0;
+  std::int64_t newest = -1;  // the beat in which the one before was published
 };
 
 template <class D,
@@ -35,12 +36,13 @@ public:
   bool is_exact = false;          // as fast as possible: waits for whatever a result depends on
   std::int64_t ahead = 0;         // by how many beats at most, then
   bool is_cut = false;            // a fault elsewhere comes before the next call of this beat
-  int fault_rank = 0;             // of the call that faulted here, in the order of the whole
+  waiting_habit habit;
+  int fault_rank = 0;  // of the call that faulted here, in the order of the whole
 
   // A component publishes in beat k.
   template <int Output, class Vector>
   CCA_INLINE void send(const Vector& v, std::int64_t origin, std::int64_t k) {
-    shared->template ring<Output>().put(v, origin, k);
+    shared->template ring<Output>().put(v, origin, k, is_exact);
   }
 
   // When beat k begins: takes what was published before it, into the samples that the components read.
@@ -69,9 +71,17 @@ public:
     (look_for(Other, position, [&] { return is_far_enough<Other>(k); }), ...);
   }
 
+  // Whether all others are at a position, and whether those that are not will come.
+  bool all_have_come_to(std::int64_t position) noexcept {
+    return ((Other == E || has_come_to<Other>(position)) && ...);
+  }
+  void look_for_those_before(std::int64_t position) noexcept {
+    (look_for(Other, position - 1, [&] { return Other == E || has_come_to<Other>(position); }), ...);
+  }
+
   // As fast as possible: whether beat k may begin. All samples for it are here, and nobody is so far behind
   // that a sample is lost, or might still fault in the beat before.
-  bool may_begin(std::int64_t k) const noexcept { return (is_far_enough<Other>(k) && ...); }
+  bool may_begin(std::int64_t k) noexcept { return (is_far_enough<Other>(k) && ...); }
 
   // When beat k begins at wall-clock speed: counts the environments whose samples should be here and are not.
   // The one that has been late for more beats in a row than is tolerated; -1: none.
@@ -80,7 +90,11 @@ public:
     (count_late_from<Other>(k, lost), ...);
     return lost;
   }
-  void forget_late() noexcept { late_in_a_row = {}; }
+  // Of a run before.
+  void forget_others() noexcept {
+    seen.fill(-1);
+    late_in_a_row = {};
+  }
 
   // Nothing has gone wrong elsewhere before this call. False: the beat ends here.
   template <int Rank>
@@ -114,6 +128,11 @@ private:
   static constexpr int needed(int rank) {
     return order.needed[X][array_size(rank)];
   }
+  template <int Output>
+  static constexpr int environment_of_output = [] {
+    auto plan = plan_of<D>;
+    return environment_of(plan.view(), plan.outputs[Output].call);
+  }();
   static constexpr int least_delay(int from, int to) {
     return crossings_of<D>.least_delay[array_size(from)][array_size(to)];
   }
@@ -122,10 +141,22 @@ private:
   void receive_one(State& state, std::int64_t k) noexcept {
     constexpr place at = layout_of<part<D, E>>.outputs[Output];
     const auto& ring = shared->template ring<Output>();
-    auto& next = static_cast<next_arrival<D, Output>&>(*this).number;
+    auto& next = static_cast<next_arrival<D, Output>&>(*this);
+    const auto arrive = [&](const auto& vector, std::int64_t origin, std::int64_t published_in) {
+      sample_in<part<D, E>, at.array>(state, at.index).put(vector, origin, published_in, k);
+      next.newest = published_in;
+    };
+    if (is_exact) {
+      if (next.newest == k - 1) return;
+      const std::uint64_t end = ring.end_before(next.number, k);
+      constexpr std::uint64_t shown = crossings_of<D>.largest_delay[Output] + 1;  // older ones nobody reads
+      for (std::uint64_t n = std::max(next.number, end - std::min(end, shown)); n < end; ++n)
+        ring.show(n, arrive);
+      next.number = end;
+      return;
+    }
     typename std::remove_cvref_t<decltype(ring)>::sample came;
-    while (ring.take(next, k, came))
-      sample_in<part<D, E>, at.array>(state, at.index).put(came.vector, came.origin, came.published_in, k);
+    while (ring.take(next.number, k, came)) arrive(came.vector, came.origin, came.published_in);
   }
 
   template <int Output>
@@ -133,24 +164,53 @@ private:
     if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
   }
 
-  bool has_done(int environment, std::int64_t beats) const noexcept {
-    return shared->position(environment) >= exchange<D>::position_of(beats);
+  // Looks again only where the last look does not tell: each look fetches the number from another core.
+  template <int X>
+  bool has_come_to(std::int64_t position) noexcept {
+    if (seen[X] < position) seen[X] = shared->position(X);
+    return seen[X] >= position;
   }
   template <int X>
-  bool is_far_enough(std::int64_t k) const noexcept {
+  bool has_done(std::int64_t beats) noexcept {
+    return has_come_to<X>(exchange<D>::position_of(beats));
+  }
+
+  // The samples of X alone show that all of them are here: they are published by known clocks, and X can't
+  // fault behind them.
+  template <int X>
+  static constexpr bool samples_tell =
+      !counts_of<part<D, X>>.may_fault &&
+      ((environment_of_output<Arriving> != X || published_of<D, Arriving>.known()) && ...);
+  template <int X, int Output>
+  bool is_here(std::int64_t k) const noexcept {
+    if constexpr (environment_of_output<Output> != X) return true;
+    const std::int64_t beat = newest_tick(published_of<D, Output>, k);
+    const auto& next = static_cast<const next_arrival<D, Output>&>(*this);
+    return next.newest >= beat || shared->template ring<Output>().has(next.number, beat);
+  }
+  // All samples of X up to beat k.
+  template <int X>
+  bool are_here(std::int64_t k) noexcept {
+    if constexpr (samples_tell<X>)
+      if ((is_here<X, Arriving>(k) && ...)) return true;
+    return has_done<X>(k + 1);
+  }
+
+  template <int X>
+  bool is_far_enough(std::int64_t k) noexcept {
     if constexpr (X == E) return true;
     if constexpr (least_delay(X, E) > 0)
-      if (!has_done(X, k - least_delay(X, E) + 1)) return false;
+      if (!are_here<X>(k - least_delay(X, E))) return false;
     if constexpr (least_delay(E, X) > 0 || X == 0)
-      if (!has_done(X, k - ahead)) return false;
-    return order.last[X] == 0 || shared->position(X) >= exchange<D>::position_of(k - 1, order.last[X]);
+      if (!has_done<X>(k - ahead)) return false;
+    return order.last[X] == 0 || has_come_to<X>(exchange<D>::position_of(k - 1, order.last[X]));
   }
   template <int X>
   void wait_for(std::int64_t k, int rank) noexcept {
     const auto from = exchange<D>::position_of(k, needed<X>(rank));
     const auto here = exchange<D>::position_of(k, order.whole_rank[array_size(rank)]);
     if (needed<X>(rank) == 0) return;
-    for (patience patience; !is_cut; patience.wait()) {
+    for (learned_patience patience(habit); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
       is_cut = shared->fault_position() <= here;
       if (is_there) return;
@@ -161,13 +221,14 @@ private:
   void count_late_from(std::int64_t k, int& lost) noexcept {
     if constexpr (least_delay(X, E) > 0) {
       std::int64_t& in_a_row = late_in_a_row[X];
-      const bool is_late = !has_done(X, k - least_delay(X, E) + 1);
+      const bool is_late = !has_done<X>(k - least_delay(X, E) + 1);
       if (is_late) add(shared->environments[E].late[X], 1);
       in_a_row = is_late ? in_a_row + 1 : 0;
       if (in_a_row > environments_of<D>::tolerated) lost = X;
     }
   }
 
+  std::array<std::int64_t, array_size(environment_count<D>)> seen{};  // how far the others were
   std::array<std::int64_t, array_size(environment_count<D>)> late_in_a_row{};
 };
 

@@ -33,26 +33,33 @@ public:
   // Waits for all environments, at most so long; `meanwhile()` is called every few milliseconds.
   template <class F>
   terms_of_run agree(const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, F meanwhile) {
-    for_each_here([&](auto& own) {
-      own.beat = wanted.beat;
-      own.length = beats;
-      own.is_exact = wanted.is_exact;
-      own.all_meet = wanted.all_meet;
-      own.arrived.store(run, std::memory_order_release);
-    });
     terms_of_run agreed;
-    wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
-      if (agreed.is_stopped) return false;
-      meanwhile();
-      agreed.is_stopped = shared.environments[missing].is_stopped.load(std::memory_order_acquire);
-      if (!agreed.is_stopped && waited < longest) return true;
-      for_each_here([](auto& own) { own.arrived = 0; });
-      if (agreed.is_stopped) return false;
-      throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
-                    "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
-                    " s: start the process that runs it");
-    });
-    if (agreed.is_stopped) return agreed;
+    for (bool is_newest = false; !is_newest;) {
+      for_each_here([&](auto& own) {
+        own.beat = wanted.beat;
+        own.length = beats;
+        own.is_exact = wanted.is_exact;
+        own.all_meet = wanted.all_meet;
+        own.arrived.store(run, std::memory_order_release);
+      });
+      check();
+      wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
+        if (agreed.is_stopped) return false;
+        meanwhile();
+        check();
+        agreed.is_stopped = shared.environments[missing].is_stopped.load(std::memory_order_acquire);
+        if (!agreed.is_stopped && waited < longest) return true;
+        withdraw();
+        if (agreed.is_stopped) return false;
+        throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
+                      "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
+                      " s: start the process that runs it");
+      });
+      if (agreed.is_stopped) return agreed;
+      const std::int64_t before = away ? away->newest_run_before() : 0;
+      is_newest = before < run;
+      run = std::max(run, before + 1);
+    }
     agreed.is_exact = shared.environments[0].is_exact;
     for (const auto& e : shared.environments) {
       agreed.beat = std::max<std::int64_t>(agreed.beat, e.beat);
@@ -90,6 +97,19 @@ private:
   void for_each_here(F f) {
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) f(shared.environments[e]);
+  }
+
+  void withdraw() {
+    for_each_here([](auto& own) { own.arrived = 0; });
+  }
+  void check() {
+    if (!away) return;
+    try {
+      away->check();
+    } catch (...) {
+      withdraw();
+      throw;
+    }
   }
 
   // It has not withdrawn, and its process is there.

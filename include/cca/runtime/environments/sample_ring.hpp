@@ -12,29 +12,34 @@
 
 namespace cca::detail {
 
-// Each word is atomic, and the number of a slot says which sample it has: one that is being overwritten is
-// seen as such. So a process that dies while it writes leaves no broken sample, and no lock.
+// At wall-clock speed each word is atomic, and the number of a slot says which sample it has: one that is
+// being overwritten is seen as such. As fast as possible the writer waits for its readers, so nobody
+// overwrites what somebody reads, and coordinates are copied as a block. A process that dies while it writes
+// leaves no broken sample, and no lock.
 template <int Size, int Capacity>
-class sample_ring {
+class alignas(64) sample_ring {
   static_assert(std::has_single_bit(static_cast<unsigned>(Capacity)));
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+  static_assert(std::atomic_ref<double>::is_always_lock_free);
+  using vector_type = Eigen::Matrix<double, Size, 1>;
 
 public:
   struct sample {
     std::int64_t published_in = -1, origin = 0;  // beat, ns
-    Eigen::Matrix<double, Size, 1> vector;
+    vector_type vector;
   };
 
-  // The writer's.
+  // The writer's. `is_exact`: as fast as possible.
   template <class Vector>
-  void put(const Vector& v, std::int64_t origin, std::int64_t k) noexcept {
+  void put(const Vector& v, std::int64_t origin, std::int64_t k, bool is_exact = false) noexcept {
     const std::uint64_t number = count.load(std::memory_order_relaxed);
     slot& s = slots[index(number)];
     s.state.store(2 * number + 1, std::memory_order_relaxed);
-    s.words[0].store(static_cast<std::uint64_t>(k), std::memory_order_release);
-    s.words[1].store(static_cast<std::uint64_t>(origin), std::memory_order_release);
-    for (int c = 0; c < Size; ++c)
-      s.words[array_size(2 + c)].store(std::bit_cast<std::uint64_t>(double(v[c])), std::memory_order_release);
+    s.published_in.store(k, std::memory_order_release);
+    s.origin.store(origin, std::memory_order_release);
+    if (is_exact) Eigen::Map<vector_type>(s.coordinates.data()) = v;
+    else
+      for (int c = 0; c < Size; ++c) s.coordinate(c).store(double(v[c]), std::memory_order_release);
     s.state.store(2 * number + 2, std::memory_order_release);
     count.store(number + 1, std::memory_order_relaxed);
   }
@@ -43,14 +48,13 @@ public:
   // before beat `k`. False: there is none.
   bool take(std::uint64_t& next, std::int64_t k, sample& to) const noexcept {
     for (;;) {
-      const slot& s = slots[index(next)];
+      slot& s = slots[index(next)];
       const std::uint64_t before = s.state.load(std::memory_order_acquire);
       if (before < 2 * next + 2) return false;
       if (before == 2 * next + 2) {
-        to.published_in = static_cast<std::int64_t>(s.words[0].load(std::memory_order_acquire));
-        to.origin = static_cast<std::int64_t>(s.words[1].load(std::memory_order_acquire));
-        for (int c = 0; c < Size; ++c)
-          to.vector[c] = std::bit_cast<double>(s.words[array_size(2 + c)].load(std::memory_order_acquire));
+        to.published_in = s.published_in.load(std::memory_order_acquire);
+        to.origin = s.origin.load(std::memory_order_acquire);
+        for (int c = 0; c < Size; ++c) to.vector[c] = s.coordinate(c).load(std::memory_order_acquire);
         if (s.state.load(std::memory_order_relaxed) == before) {
           if (to.published_in >= k) return false;
           return ++next, true;
@@ -60,25 +64,67 @@ public:
     }
   }
 
+  // ---- a reader's, as fast as possible ----
+
+  // The number behind the newest sample that was published before beat `k`, looked for from `next` on. The
+  // writer may be overwriting older ones meanwhile.
+  std::uint64_t end_before(std::uint64_t next, std::int64_t k) const noexcept {
+    for (;;) {
+      const slot& s = slots[index(next)];
+      const std::uint64_t state = s.state.load(std::memory_order_acquire);
+      if (state < 2 * next + 2) return next;
+      if (state > 2 * next + 2) {
+        next = state / 2 - Capacity + 2;
+        continue;
+      }
+      const std::int64_t published_in = s.published_in.load(std::memory_order_acquire);
+      if (s.state.load(std::memory_order_relaxed) != state) continue;
+      if (published_in >= k) return next;
+      ++next;
+      if (published_in == k - 1) return next;  // a component publishes at most once in a beat
+    }
+  }
+  // f(coordinates, origin, beat) sees sample number `n` where the writer left it. It must be one of the last
+  // before `end_before`, as many as the largest delay and one more: those the writer leaves alone.
+  template <class F>
+  void show(std::uint64_t n, F f) const noexcept {
+    const slot& s = slots[index(n)];
+    f(Eigen::Map<const vector_type>(s.coordinates.data()), s.origin.load(std::memory_order_relaxed),
+      s.published_in.load(std::memory_order_relaxed));
+  }
+  // Whether sample number `next`, or one behind it, was published in beat `k` or later. All that the reader
+  // needs is in the ring then, and it fetches nothing else from the writer's core.
+  bool has(std::uint64_t next, std::int64_t k) const noexcept {
+    for (;; ++next) {
+      const slot& s = slots[index(next)];
+      if (s.state.load(std::memory_order_acquire) != 2 * next + 2) return false;
+      if (s.published_in.load(std::memory_order_acquire) >= k) return true;
+    }
+  }
+
   // The writer's: its last sample once more, as of beat k, unless it is of that beat.
   void repeat(std::int64_t k) noexcept {
     const std::uint64_t number = count.load(std::memory_order_relaxed);
     if (number == 0) return;
     sample last;
     std::uint64_t newest = number - 1;
-    if (take(newest, k, last)) put(last.vector, last.origin, k);
+    if (take(newest, k, last)) put(last.vector, last.origin, k, false);
   }
 
 private:
   static std::size_t index(std::uint64_t number) {
     return static_cast<std::size_t>(number) & (array_size(Capacity) - 1);
   }
-  struct slot {
+  // On a line of its own: small samples need one transfer between two cores.
+  struct alignas(64) slot {
     std::atomic<std::uint64_t> state{0};  // 2 n + 2: it has sample n; 2 n + 1: that is being written
-    std::array<std::atomic<std::uint64_t>, array_size(Size + 2)> words{};
+    std::atomic<std::int64_t> published_in{0}, origin{0};
+    std::array<double, array_size(Size)> coordinates{};
+
+    std::atomic_ref<double> coordinate(int c) { return std::atomic_ref<double>(coordinates[array_size(c)]); }
   };
 
-  std::array<slot, array_size(Capacity)> slots{};
+  mutable std::array<slot, array_size(Capacity)> slots{};  // an atomic_ref needs a number that may change
   std::atomic<std::uint64_t> count{0};
 };
 

@@ -1,6 +1,8 @@
 // What a transport tells of the environments that other processes run.
 #pragma once
 
+#include <cstdint>
+
 namespace cca::detail {
 
 class peers {
@@ -8,6 +10,10 @@ public:
   virtual ~peers() = default;
   // Its process has ended, or is not part of this run.
   virtual bool is_gone(int environment) const = 0;
+  // The newest run that others began before they knew of this process: it takes part in later ones only.
+  virtual std::int64_t newest_run_before() const { return 0; }
+  // Throws `refused` where this process must not run what it runs.
+  virtual void check() const {}
 };
 
 }  // namespace cca::detail

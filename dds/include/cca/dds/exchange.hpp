@@ -1,0 +1,186 @@
+// The exchange of one process of a deployment over DDS: its own records and rings, and those of the others as
+// they come in.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <cca/dds/replica.hpp>
+#include <cca/runtime/transports/manifest.hpp>
+#include <cca/runtime/transports/peers.hpp>
+#include <cca/space/space_schema.hpp>
+
+namespace cca::dds::detail {
+
+template <class D,
+          class Outputs =
+              cca::detail::chosen<cca::detail::counts_of<D>.output_count, cca::detail::leaves_environment<D>>>
+class replicated_exchange;
+
+template <class D, int... Output>
+class replicated_exchange<D, std::integer_sequence<int, Output...>> : public cca::detail::peers,
+                                                                      private own_exchange {
+public:
+  replicated_exchange(std::uint32_t domain,
+                      const std::string& partition,
+                      const cca::detail::environments_here<D>& here,
+                      std::shared_ptr<refusals> counted)
+      : refused(std::move(counted)) {
+    transport.emplace(domain, partition, facts_of(here), static_cast<own_exchange&>(*this), *refused,
+                      [](int e) { return cca::detail::name_of_environment<D>(cca::detail::array_size(e)); });
+  }
+
+  cca::detail::exchange<D>* exchanged() { return &own; }
+
+  bool is_gone(int environment) const override {
+    return transport->is_gone(static_cast<std::size_t>(environment));
+  }
+  std::int64_t newest_run_before() const override { return transport->newest_run_before(); }
+  void check() const override { transport->check(); }
+
+private:
+  static constexpr std::size_t environment_count = cca::detail::environment_count<D>;
+  static_assert(environment_count <= 64, "cca::dds: a deployment has at most 64 environments");
+
+  static deployment_facts facts_of(const cca::detail::environments_here<D>& here) {
+    deployment_facts all;
+    for (std::size_t e = 0; e < environment_count; ++e) {
+      all.environments.push_back(cca::detail::name_of_environment<D>(e));
+      if (here[e]) all.here |= std::uint64_t{1} << e;
+    }
+    (all.outputs.push_back(facts_of_output<Output>()), ...);
+    all.manifest = cca::detail::manifest_of<D>();
+    all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
+                  cca::detail::counts_of<D>.node_count};
+    return all;
+  }
+  template <int Number>
+  static leaving_output facts_of_output() {
+    constexpr const auto& port = cca::detail::output_port_of<D, Number>;
+    constexpr int node = cca::detail::call_of<D, cca::detail::output_of<D, Number>.call>.node;
+    constexpr space_schema schema(*port.space);
+    std::string name = "cca/" + cca::detail::path_of_node<D>(node) + "." + std::string(port.name);
+    std::ranges::replace(name, '.', '/');
+    return {cca::detail::plan_of<D>.nodes[node].environment, name,
+            "cca::sample_" + deployment_facts::as_text(schema.hash()),
+            static_cast<std::size_t>(schema.field_count()),
+            cca::detail::ring_capacity(cca::detail::crossings_of<D>.largest_delay[Number])};
+  }
+
+  // In an order in which all that a number promises has been written when it is read: first the numbers of
+  // runs and the position, then what they promise.
+  void read(std::size_t e, status& to) const override {
+    const auto& from = own.environments[e];
+    to[status::arrived] = from.arrived.load(std::memory_order_acquire);
+    to[status::ready] = from.ready.load(std::memory_order_acquire);
+    to[status::finished] = from.finished.load(std::memory_order_acquire);
+    to[status::position] = from.position.load(std::memory_order_acquire);
+    to[status::begun] = from.begun.load(std::memory_order_acquire);
+    const std::int64_t begun_at = from.begun_at;
+    to[status::begun_age] =
+        std::max<std::int64_t>(begun_at ? cca::detail::monotonic_clock::now() - begun_at : 0, 0);
+    to[status::interval] = from.interval;
+    to[status::stop_at] = from.stop_at.load(std::memory_order_acquire);
+    to[status::fault_position] = from.fault.position.load(std::memory_order_acquire);
+    to.reason = {};
+    to[status::fault_node] = -1;
+    if (to[status::fault_position] != no_position) {
+      std::memcpy(to.reason.data(), from.fault.reason.data(), sizeof to.reason);
+      to[status::fault_node] = from.fault.node;
+    }
+    to[status::beat] = from.beat;
+    to[status::length] = from.length;
+    to[status::flags] = (from.is_exact ? status::is_exact : 0) | (from.all_meet ? status::all_meet : 0) |
+                        (from.is_stopped ? status::is_stopped : 0);
+    to[status::overruns] = from.overruns;
+    to[status::lost_periods] = from.lost_periods;
+    for (std::size_t x = 0; x < environment_count; ++x) to.late[x] = from.late[x];
+  }
+  // The other way round. The time at which a beat began is told as an age, because clocks differ between
+  // machines.
+  void write(std::size_t e, const status& from, std::int64_t at) override {
+    auto& to = own.environments[e];
+    to.overruns = from[status::overruns];
+    to.lost_periods = from[status::lost_periods];
+    for (std::size_t x = 0; x < environment_count; ++x) to.late[x] = from.late[x];
+    to.beat = from[status::beat];
+    to.length = from[status::length];
+    to.is_exact = (from[status::flags] & status::is_exact) != 0;
+    to.all_meet = (from[status::flags] & status::all_meet) != 0;
+    if (to.fault.position != from[status::fault_position]) {
+      if (from[status::fault_position] != no_position) {
+        std::memcpy(to.fault.reason.data(), from.reason.data(), sizeof from.reason);
+        to.fault.node = static_cast<std::int32_t>(from[status::fault_node]);
+      }
+      to.fault.position.store(from[status::fault_position], std::memory_order_release);
+    }
+    to.is_stopped.store((from[status::flags] & status::is_stopped) != 0, std::memory_order_release);
+    to.stop_at.store(from[status::stop_at], std::memory_order_release);
+    to.interval = from[status::interval];
+    if (to.begun != from[status::begun]) to.begun_at = at - from[status::begun_age];
+    to.begun.store(from[status::begun], std::memory_order_release);
+    to.position.store(from[status::position], std::memory_order_release);
+    to.finished.store(from[status::finished], std::memory_order_release);
+    to.ready.store(from[status::ready], std::memory_order_release);
+    to.arrived.store(from[status::arrived], std::memory_order_release);
+  }
+
+  void forget(std::size_t e) override { own.environments[e].position.store(-1, std::memory_order_release); }
+
+  template <int Number>
+  bool take_one(std::uint64_t& next, words& message) const {
+    const auto& ring = static_cast<const cca::detail::leaving_samples<D, Number>&>(own).ring;
+    typename std::remove_cvref_t<decltype(ring)>::sample one;
+    if (!ring.take(next, no_position, one)) return false;
+    message.clear();
+    message.push_back(next - 1);
+    message.push_back(static_cast<std::uint64_t>(one.published_in));
+    message.push_back(static_cast<std::uint64_t>(one.origin));
+    for (const double value : one.vector) message.push_back(std::bit_cast<std::uint64_t>(value));
+    return true;
+  }
+  struct values {
+    const std::uint64_t* first;
+    double operator[](int i) const { return std::bit_cast<double>(first[i]); }
+  };
+
+  bool take([[maybe_unused]] std::size_t output,
+            [[maybe_unused]] std::uint64_t& next,
+            [[maybe_unused]] words& message) const override {
+    [[maybe_unused]] std::size_t number = 0;
+    bool has = false;
+    ((number++ == output ? void(has = take_one<Output>(next, message)) : void()), ...);
+    return has;
+  }
+  void put([[maybe_unused]] std::size_t output,
+           [[maybe_unused]] std::span<const std::uint64_t> message) override {
+    [[maybe_unused]] std::size_t number = 0;
+    ((number++ == output ? own.template ring<Output>().put(values{message.data() + sample_message::head},
+                                                           static_cast<std::int64_t>(message[2]),
+                                                           static_cast<std::int64_t>(message[1]))
+                         : void()),
+     ...);
+  }
+
+  std::int64_t newest_beat() const override {
+    std::int64_t newest = 0;
+    for (int e = 0; e < static_cast<int>(environment_count); ++e) newest = std::max(newest, own.position(e));
+    return newest / cca::detail::exchange<D>::calls_and_one;
+  }
+  std::int64_t run_ready(std::size_t e) const override { return own.environments[e].ready; }
+  std::int64_t run_arrived(std::size_t e) const override { return own.environments[e].arrived; }
+  std::int64_t run_finished(std::size_t e) const override { return own.environments[e].finished; }
+
+  std::shared_ptr<refusals> refused;
+  cca::detail::exchange<D> own{};
+  std::optional<replica> transport;  // last: its threads use the exchange
+};
+
+}  // namespace cca::dds::detail

@@ -1,0 +1,112 @@
+// The transport of one process: it looks for the other processes, then a thread sends and a thread receives.
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include <cca/dds/receiver.hpp>
+#include <cca/dds/sender.hpp>
+
+namespace cca::dds::detail {
+
+class replica {
+public:
+  replica(std::uint32_t domain,
+          const std::string& partition,
+          deployment_facts of,
+          own_exchange& exchanged,
+          refusals& counted,
+          std::string_view (*name_of)(int))
+      : facts(std::move(of)),
+        numbers(exchanged),
+        refused(counted),
+        name(name_of),
+        in(domain, partition),
+        peers(std::make_unique<contact[]>(facts.environments.size())),
+        known(in, facts.here, facts.manifest),
+        to_here(in, facts, numbers, peers, known, refused) {
+    look_for_others();
+    known.settle();
+    from_here.emplace(in, facts, numbers, peers);
+    receiving = std::thread([this] { receive(); });
+    sending = std::thread([this] { from_here->run([this] { return is_over.load(); }); });
+  }
+  ~replica() {
+    is_over = true;
+    sending.join();  // it says that it leaves, while others still hear
+    receiving.join();
+  }
+  replica(const replica&) = delete;
+  replica& operator=(const replica&) = delete;
+
+  // Its process has ended or is silent, it was refused, or it came again and is not part of this run.
+  bool is_gone(std::size_t environment) const {
+    if (facts.is_here(environment)) return false;
+    const contact& other = peers[environment];
+    const std::size_t own = facts.first_here();
+    return other.has_left.load(std::memory_order_acquire) ||
+           cca::detail::monotonic_clock::now() - other.heard.load(std::memory_order_acquire) > lease ||
+           other.accepted_in.load(std::memory_order_relaxed) >= numbers.run_ready(own) ||
+           numbers.run_finished(environment) >= numbers.run_arrived(own);
+  }
+  std::int64_t newest_run_before() const { return to_here.newest_run_before(); }
+
+  void check() const {
+    const std::lock_guard lock(one_at_a_time);
+    if (!complaint.empty()) throw cca::refused("cca::dds: " + complaint);
+  }
+
+private:
+  // Until all environments have a process, but not for long: others may come later.
+  void look_for_others() {
+    const std::int64_t begin = cca::detail::monotonic_clock::now();
+    std::int64_t waited = 0;
+    do {
+      to_here.work();
+      look();
+      check();
+      waited = cca::detail::monotonic_clock::now() - begin;
+    } while (waited < shortest_look || (waited < longest_look && !to_here.is_complete()));
+  }
+  void look() {
+    const std::string found = known.look(refused, name);
+    const std::lock_guard lock(one_at_a_time);
+    if (complaint.empty()) complaint = found;
+  }
+  void receive() {
+    while (!is_over) {
+      try {
+        to_here.work();
+        look();
+      } catch (const std::exception& e) {
+        const std::lock_guard lock(one_at_a_time);
+        complaint = e.what();
+      }
+    }
+  }
+
+  static constexpr std::int64_t shortest_look = 60'000'000, longest_look = 300'000'000;
+
+  deployment_facts facts;
+  own_exchange& numbers;
+  refusals& refused;
+  std::string_view (*name)(int);
+  participant in;
+  contacts peers;
+  presence known;
+  receiver to_here;
+  std::optional<sender> from_here;
+  mutable std::mutex one_at_a_time;
+  std::string complaint;  // why this process has to go
+  std::atomic<bool> is_over{false};
+  std::thread sending, receiving;
+};
+
+}  // namespace cca::dds::detail

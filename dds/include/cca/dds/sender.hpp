@@ -1,0 +1,116 @@
+// Sends what the environments of this process publish, in a thread of its own: a beat only writes its
+// numbers.
+//
+// It looks at them every 50 us while something changes, and every millisecond when nothing does; waiting
+// takes 2 % of a core (docs/transports.md). A status goes out after the samples that it counts, and at least
+// every 100 ms.
+#pragma once
+
+#include <sys/prctl.h>
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <cca/dds/deployment_facts.hpp>
+#include <cca/runtime/pace.hpp>
+
+namespace cca::dds::detail {
+
+class sender {
+public:
+  sender(const participant& in, const deployment_facts& of, const own_exchange& from, const contacts& others)
+      : facts(of), numbers(from), peers(others) {
+    for (std::size_t e = 0; e < facts.environments.size(); ++e)
+      if (facts.is_here(e)) all.push_back(std::make_unique<environment>(in, facts, e));
+  }
+
+  // Until `is_over()`. Then it says that it leaves.
+  template <class F>
+  void run(F is_over) {
+    ::prctl(PR_SET_TIMERSLACK, 1UL);
+    std::int64_t changed_at = 0;
+    while (!is_over()) {
+      const std::int64_t now = cca::detail::monotonic_clock::now();
+      for (auto& one : all)
+        if (send(*one, now, 0)) changed_at = now;
+      const bool is_active = now - changed_at < active_for;
+      cca::detail::monotonic_clock::sleep_until(now + (is_active ? active_sleep : idle_sleep));
+    }
+    for (auto& one : all) send(*one, cca::detail::monotonic_clock::now(), status::is_leaving);
+    for (auto& one : all) one->writer.wait_for_readers();
+  }
+
+private:
+  static constexpr std::int64_t active_sleep = 50'000, idle_sleep = 1'000'000, active_for = 20'000'000;
+  static constexpr std::int64_t longest_silence = 100'000'000;
+
+  struct output {
+    std::size_t number;
+    channel_writer writer;
+    std::uint64_t next = 0;
+    words message{};
+    bool is_waiting = false;  // the message has been taken and not been sent
+  };
+  struct environment {
+    environment(const participant& in, const deployment_facts& facts, std::size_t e)
+        : number(e),
+          now(facts.environments.size(), facts.outputs_of(e).size()),
+          writer(in,
+                 facts.status_topic(e),
+                 facts.status_type(),
+                 status::size(now.late.size(), now.published.size()),
+                 1) {
+      for (const std::size_t o : facts.outputs_of(e)) {
+        const leaving_output& out = facts.outputs[o];
+        outputs.push_back({o, {in, out.topic, out.type, sample_message::head + out.size, out.depth}});
+      }
+    }
+    std::size_t number;
+    status now;
+    channel_writer writer;
+    std::vector<output> outputs{};
+    words message{}, sent{};
+    std::int64_t sent_at = 0;
+  };
+
+  // Whether something new went out.
+  bool send(environment& e, std::int64_t now, std::int64_t flags) {
+    numbers.read(e.number, e.now);  // before the samples: they are at least those that its position promises
+    for (std::size_t o = 0; o < e.outputs.size(); ++o) {
+      if (!send_samples(e.outputs[o])) return true;
+      e.now.published[o] = static_cast<std::int64_t>(e.outputs[o].next);
+    }
+    e.now[status::flags] |= flags;
+    for (std::size_t x = 0; x < e.now.accepted.size(); ++x) {
+      e.now.accepted[x] = peers[x].accepted.load(std::memory_order_acquire);
+      e.now.accepted_in[x] = peers[x].accepted_in.load(std::memory_order_relaxed);
+    }
+    const std::int64_t age = std::exchange(e.now[status::begun_age], 0);
+    e.now.write_to(e.message);
+    const bool is_new = e.message != e.sent;
+    if (!is_new && now - e.sent_at < longest_silence) return false;
+    std::swap(e.message, e.sent);
+    e.message = e.sent;
+    e.message[status::begun_age] = static_cast<std::uint64_t>(age);
+    if (!e.writer.write(e.message)) e.sent.clear();  // once more
+    e.sent_at = now;
+    return is_new;
+  }
+  // All there are. False: a reader holds them up.
+  bool send_samples(output& o) {
+    while (o.is_waiting || numbers.take(o.number, o.next, o.message)) {
+      o.is_waiting = !o.writer.write(o.message);
+      if (o.is_waiting) return false;
+    }
+    return true;
+  }
+
+  const deployment_facts& facts;
+  const own_exchange& numbers;
+  const contacts& peers;
+  std::vector<std::unique_ptr<environment>> all;
+};
+
+}  // namespace cca::dds::detail

@@ -1,0 +1,170 @@
+#pragma once
+// The forms of one run: as one loop, in threads, in processes. What each of them did can be compared.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/main/command_line.hpp>
+#include <cca/runtime/interruption.hpp>
+
+#include "architecture.hpp"
+#include "process.hpp"
+#include "transports.hpp"
+
+namespace deployed {
+
+struct settings {
+  skills::circumstances run{.where = skills::target::inside};
+  std::string shape = "trot.shape";
+  std::int64_t most_beats = 60'000;
+};
+
+struct outcome {
+  std::string form, pace;
+  std::int64_t beats = 0;        // done
+  std::int64_t exact_beats = 0;  // up to here nothing was late
+  record seen{};
+  skills::result judged{};
+  std::int64_t late = 0, overruns = 0, lost_periods = 0;
+  double wake_p99_us = 0;  // of the environment that wakes worst
+  std::string failure{};
+};
+
+inline constexpr std::string_view fast = "as_fast_as_possible", wall_clock = "wall_clock";
+
+inline bool is_named(const std::vector<std::string>& names, std::string_view one) {
+  return std::find(names.begin(), names.end(), one) != names.end();
+}
+
+// Loads and starts what runs in this process: a controller has all environments.
+template <class Played>
+void set_up(Played& played, const settings& s, const std::vector<std::string>& here) {
+  if (is_named(here, "reflexes") && !played.template get<"dmp.module">().p.files.load.assign(s.shape))
+    throw cca::command_line_error(s.shape + ": this name is too long");
+  if (is_named(here, "simulation")) {
+    played.template get<"robot.simulator">().set_scene(s.run);
+    played.template get<"recorder">().seen.reserve(s.most_beats);
+  }
+  played.load();
+  played.start();
+}
+
+// What the process with the simulation knows when the run is over.
+template <class Played>
+outcome result_of(std::string_view form, std::string_view pace, Played& played) {
+  outcome one{std::string(form), std::string(pace), played.beat_index(), played.beat_index()};
+  one.seen = std::move(played.template get<"recorder">().seen);
+  one.judged = played.template get<"robot.simulator">().judgement();
+  if (played.fault()) one.failure = std::string(played.fault_path()) + " " + played.fault().reason();
+  return one;
+}
+
+inline const std::vector<std::string> all_environments{"simulation", "robot", "reflexes", "mind"};
+
+inline outcome run_loop(const settings& s, const cca::interruption& interrupted) {
+  cca::controller<split> loop;
+  set_up(loop, s, all_environments);
+  loop.run(cca::for_some_beats{s.most_beats}, {},
+           [&](const auto& c) { return !interrupted && !c.template get<"robot.simulator">().is_over(); });
+  return result_of("loop", fast, loop);
+}
+
+// Nothing was late so far, so all results are those of the loop.
+inline bool is_exact(const cca::deployed<split>& d) { return d.late() == 0 && d.lost_periods() == 0; }
+
+// All beats of the loop, in whichever processes the environments are. As fast as possible it looks at the
+// signals from time to time, at wall-clock speed after each beat.
+template <class Pace>
+outcome run_deployed(std::string_view form,
+                     cca::deployed<split>& d,
+                     std::int64_t beats,
+                     Pace pace,
+                     const cca::interruption& interrupted) {
+  constexpr bool is_timed = !std::is_same_v<Pace, cca::as_fast_as_possible>;
+  constexpr std::int64_t at_once = 1000, warm_up = 100;
+  std::int64_t exact = 0;
+  // Touches all memory, so that the first beats by the clock are as short as the others. The robot stands.
+  if (is_timed) d.run(cca::for_some_beats{std::min(beats, warm_up)}), exact = d.beat_index();
+  while (d.beat_index() < beats && !d.fault() && !interrupted) {
+    const std::int64_t left = beats - d.beat_index();
+    if constexpr (is_timed)
+      d.run(cca::for_some_beats{left}, pace, [&](const auto& running) {
+        if (is_exact(running)) exact = running.beat_index();
+        return !interrupted;
+      });
+    else d.run(cca::for_some_beats{std::min(left, at_once)});
+  }
+  outcome one = result_of(form, is_timed ? wall_clock : fast, d);
+  if (is_timed) one.exact_beats = exact;
+  one.late = d.late();
+  one.overruns = d.overruns();
+  one.lost_periods = d.lost_periods();
+  for (const auto& e : d.figures())
+    one.wake_p99_us = std::max(one.wake_p99_us, 1e-3 * static_cast<double>(e.wake_up.quantile(0.99)));
+  return one;
+}
+
+template <class Pace>
+outcome run_threads(const settings& s, Pace pace, const cca::interruption& interrupted) {
+  cca::deployed<split> d;
+  set_up(d, s, all_environments);
+  return run_deployed("threads", d, s.most_beats, pace, interrupted);
+}
+
+// The simulation in this process, each other environment in one of its own.
+template <class Pace>
+outcome run_processes(const std::string& transport,
+                      const settings& s,
+                      Pace pace,
+                      const cca::interruption& interrupted) {
+  static int number = 0;
+  const std::string address = std::to_string(::getpid()) + std::to_string(number++);
+  return with_transport(transport, address, [&](const auto& connection) {
+    cca::deployed<split> d(cca::only{"simulation"}, connection);
+    std::vector<process> others;
+    for (const std::string& one : all_environments)
+      if (one != "simulation")
+        others.push_back(process({"--only", one, "--form", transport, "--address", address, "--shape",
+                                  s.shape, "--beats", std::to_string(s.most_beats)}));
+    set_up(d, s, {"simulation"});
+    outcome one = run_deployed(transport, d, s.most_beats, pace, interrupted);
+    if (!interrupted)
+      for (process& other : others)
+        if (other.wait() != 0) one.failure += " a process failed";
+    return one;
+  });
+}
+
+// From paw to ball, for people.
+inline std::string distance_of(const skills::result& r) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f mm", r.reach_error * 1e3);
+  return r.touched() ? text : "-";
+}
+
+// What such another process does: the simulation decides when it begins, at which pace, and when it ends.
+inline int run_environment(const std::string& name,
+                           const std::string& transport,
+                           const std::string& address,
+                           const settings& s) {
+  return with_transport(transport, address, [&](const auto& connection) {
+    cca::deployed<split> d(cca::only(std::vector{name}), connection);
+    set_up(d, s, {name});
+    while (d.beat_index() < s.most_beats && !d.fault())
+      d.run(cca::for_some_beats{s.most_beats - d.beat_index()});
+    if (name == "simulation")
+      std::printf("%lld beats; from paw to ball: %s\n", static_cast<long long>(d.beat_index()),
+                  distance_of(d.get<"robot.simulator">().judgement()).c_str());
+    if (d.fault()) std::fprintf(stderr, "%s: %s\n", name.c_str(), d.fault().reason());
+    return d.fault() ? 1 : 0;
+  });
+}
+
+}  // namespace deployed

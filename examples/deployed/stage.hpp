@@ -1,0 +1,65 @@
+#pragma once
+// The simulator and what is around the robot: the ball, the pushes, the referee. It plays a whole run by
+// itself, so it can run in a program of its own, on another machine than the robot's controller.
+//
+//   sense   out one port for each joint, "trunk"   as of cca::sim::simulator
+//           out "ball", maybe                      point_in_trunk: what a camera on the trunk sees
+//   act     in  one port for each joint, "abduction", "stiffness"   as of cca::sim::simulator
+//           in  "step", "timed_out"                of the sequencer, for the referee
+//
+// The world stands still until the first targets have come: the robot may start later than its world.
+#include <cmath>
+#include <tuple>
+
+#include <cca/adaptive/sequencer.hpp>
+#include <cca/sim/simulator.hpp>
+
+#include "../combination_of_skills/referee.hpp"
+
+namespace deployed {
+
+namespace oncilla = cca::robots::oncilla;
+
+template <class Axes>
+class stage_of;
+
+template <class... Axes>
+class stage_of<cca::axes<Axes...>> : public cca::sim::simulator {
+public:
+  // Before start().
+  void set_scene(const skills::circumstances& run) {
+    referee = skills::referee(run);
+    put_down(referee.put_down(skills::orders().p), referee.disturbance());
+  }
+
+  auto sense() {
+    cca::maybe<"ball", skills::point_in_trunk> ball;
+    if (const auto seen = referee.ball(world())) ball = *seen;
+    return std::tuple_cat(simulator::sense(), std::tuple(ball));
+  }
+
+  void act(cca::in<Axes::label, oncilla::joint_angle<Axes>>... targets,
+           cca::optional_in<"abduction", oncilla::abduction_angles> abduction,
+           cca::optional_in<"stiffness", oncilla::hip_stiffnesses> stiffness,
+           cca::in<"step", cca::step_port> step,
+           cca::in<"timed_out", cca::step_flag> timed_out) {
+    const bool has_robot = ((targets.origin() != cca::never) && ...) && abduction.origin() != cca::never &&
+                           stiffness.origin() != cca::never;
+    if (!has_robot) return;
+    const double begins = world().time();
+    simulator::act(targets..., abduction, stiffness);
+    if (referee.note(begins, world(), static_cast<int>(step[cca::step_axis{}]),
+                     timed_out[cca::timed_out_axis{}] != 0, [] { return std::nan(""); }))
+      disturb(referee.disturbance());
+  }
+
+  bool is_over() const { return referee.is_over(); }
+  skills::result judgement() const { return referee.judgement(); }
+
+private:
+  skills::referee referee;
+};
+
+struct stage : stage_of<oncilla::leg_axes> {};
+
+}  // namespace deployed

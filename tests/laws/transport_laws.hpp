@@ -1,0 +1,283 @@
+// What each transport between processes must do. `Meeting` has `static auto transport(const std::string&)`,
+// which opens the one of this name, and `static std::string other_name()`, a name that no other test has.
+//
+// Each part of a law runs in a process of its own, so this process never opens the transport.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "../runtime/deployment/robot_and_mind.hpp"
+#include "process.hpp"
+
+namespace transport_laws {
+
+using namespace deployment_test;
+using namespace std::chrono_literals;
+
+// The same, but its readers wait longer than any test lasts.
+struct patient : cca::deployment<architecture,
+                                 cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                 cca::environment<"mind", cca::other_nodes>,
+                                 cca::tolerate<1000000>> {};
+
+template <class Played>
+std::string state_of(const Played& c) {
+  std::ostringstream text;
+  text << c.beat_index() << ' ' << cca::to_string(c.state()) << ' ' << c.fault().reason() << ' '
+       << std::hexfloat;
+  return text.str();
+}
+template <class Played>
+std::string robot_of(const Played& c) {
+  std::ostringstream text;
+  text << state_of(c) << std::hexfloat << c.template get<"filter">().kept << ' '
+       << c.template get<"device">().command << ' ' << c.template get<"device">().faults << '\n';
+  return text.str();
+}
+template <class Played>
+std::string mind_of(const Played& c) {
+  std::ostringstream text;
+  text << state_of(c) << std::hexfloat << c.template get<"thinker">().sum << '\n';
+  return text.str();
+}
+
+// Runs of several lengths, and one that ends with a fault, which comes after about 280 beats.
+template <class Played, class F>
+std::string story(Played& c, F tell, double most = 8) {
+  std::string all;
+  c.load();
+  try {
+    c.template set<"guard">({most});
+  } catch (const cca::refused&) {}  // another process has it
+  c.start();
+  for (const int beats : {1, 7, 100, 33, 1000}) {
+    c.run(cca::for_some_beats{beats});
+    all += tell(c);
+  }
+  return all;
+}
+
+constexpr auto tell_robot = [](const auto& c) { return robot_of(c); };
+constexpr auto tell_mind = [](const auto& c) { return mind_of(c); };
+
+template <class Meeting, class D = two>
+cca::deployed<D> opened(const char* environment, const std::string& name) {
+  return cca::deployed<D>(cca::only{environment}, Meeting::transport(name));
+}
+
+// Where a component runs does not change what it computes.
+template <class Meeting>
+void has_the_bits_of_one_loop() {
+  const std::string name = Meeting::other_name();
+  process mind([&] {
+    auto d = opened<Meeting>("mind", name);
+    return story(d, tell_mind);
+  });
+  process robot([&] {
+    auto d = opened<Meeting>("robot", name);
+    return story(d, tell_robot);
+  });
+  cca::controller<architecture> one, other;
+  const std::string of_robot = story(one, tell_robot);
+  CHECK(of_robot.find("faulted too much") != std::string::npos);
+  CHECK_EQ(robot.said(), of_robot);
+  CHECK_EQ(mind.said(), story(other, tell_mind));
+}
+
+// Also at wall-clock speed, as long as nothing is late. On a busy machine it tries again, and slower.
+template <class Meeting>
+void has_the_same_bits_at_wall_clock_speed() {
+  cca::controller<architecture> c;
+  c.load();
+  c.start();
+  c.run(cca::for_beats<80>{});
+  for (const double speed : {0.1, 0.05, 0.02}) {
+    const std::string name = Meeting::other_name();
+    const auto run = [&](const char* environment, auto tell) {
+      auto d = opened<Meeting, patient>(environment, name);
+      d.load();
+      d.start();
+      d.run(cca::for_beats<80>{}, cca::at_speed(speed));
+      return d.late() > 0 || d.figures()[1].lost_periods > 0 ? std::string("late") : tell(d);
+    };
+    process mind([&] { return run("mind", tell_mind); });
+    process robot([&] { return run("robot", tell_robot); });
+    const std::string of_robot = robot.said(), of_mind = mind.said();
+    if (of_robot == "late" || of_mind == "late") continue;
+    CHECK_EQ(of_robot, robot_of(c));
+    CHECK_EQ(of_mind, mind_of(c));
+    return;
+  }
+  MESSAGE("something was late each time: nothing to compare");
+}
+
+template <class D>
+void run_without_end(D& d, bool is_exact) {
+  if (is_exact) d.run(cca::without_end{});
+  else d.run(cca::without_end{}, cca::at_speed(0.1));  // so that a busy machine makes nothing late
+}
+
+// SIGKILL of one is lost contact for the other, at any pace, whichever it is.
+template <class Meeting>
+void loses_contact_with_the_killed() {
+  for (const bool is_exact : {true, false})
+    for (const bool kills_mind : {true, false}) {
+      const std::string name = Meeting::other_name();
+      const auto run = [&](const char* environment, auto tell) {
+        auto d = opened<Meeting>(environment, name);
+        d.load();
+        d.start();
+        run_without_end(d, is_exact);
+        return tell(d);
+      };
+      process mind([&] { return run("mind", tell_mind); });
+      process robot([&] { return run("robot", tell_robot); });
+      std::this_thread::sleep_for(400ms);
+      (kills_mind ? mind : robot).kill();
+      const std::string said = (kills_mind ? robot : mind).said();
+      CAPTURE(said);
+      CHECK(said.find(kills_mind ? "faulted lost contact with `mind`"
+                                 : "faulted lost contact with `robot`") != std::string::npos);
+      if (kills_mind) CHECK(said.ends_with(" 1\n"));  // on_fault
+    }
+}
+
+// Who comes late is waited for. Who comes again goes on with the beat of the others.
+template <class Meeting>
+void waits_for_who_comes_late_or_again() {
+  const std::string name = Meeting::other_name();
+  process robot([&] {
+    auto d = opened<Meeting>("robot", name);
+    d.load();
+    d.start();
+    d.run(cca::for_beats<50>{});
+    std::string all = state_of(d);
+    d.run(cca::without_end{});
+    all += cca::to_string(d.state());
+    const auto beat = d.beat_index();
+    d.resume();
+    d.run(cca::for_beats<20>{});
+    return all + (d.beat_index() == beat + 20 ? ", went on " : ", lost its beat ") +
+           std::string(cca::to_string(d.state()));
+  });
+  std::this_thread::sleep_for(400ms);
+  process first([&] {
+    auto d = opened<Meeting>("mind", name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{});
+    d.run(cca::without_end{});
+    return std::string();
+  });
+  std::this_thread::sleep_for(900ms);
+  first.kill();
+  process second([&] {
+    auto d = opened<Meeting>("mind", name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{});
+    return d.beat_index() > 70 ? std::string("went on") : "began anew at " + std::to_string(d.beat_index());
+  });
+  CHECK_EQ(robot.said(), "50 started  faulted, went on started");
+  CHECK_EQ(second.said(), "went on");
+}
+
+// stop() in one process is stop() in the other, which waits in run.
+template <class Meeting>
+void stops_with_the_others() {
+  const std::string name = Meeting::other_name();
+  process mind([&] {
+    auto d = opened<Meeting>("mind", name);
+    d.load();
+    d.start();
+    int runs = 0;
+    while (d.state() == cca::state::started) {
+      d.run(cca::for_some_beats{50});
+      ++runs;
+    }
+    return std::to_string(runs) + std::string(cca::to_string(d.state()));
+  });
+  process robot([&] {
+    auto d = opened<Meeting>("robot", name);
+    d.load();
+    d.start();
+    d.run(cca::for_some_beats{50});
+    d.run(cca::for_some_beats{50});
+    d.stop();
+    std::this_thread::sleep_for(1s);
+    return std::string();
+  });
+  CHECK_EQ(mind.said(), "3loaded");
+  CHECK_EQ(robot.said(), "");
+}
+
+inline long resident_kilobytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmRSS:")) return std::stol(line.substr(6));
+  return 0;
+}
+
+// A reader that stops costs the writer neither beats nor memory.
+template <class Meeting>
+void is_not_held_up_by_a_stopped_reader() {
+  const std::string name = Meeting::other_name();
+  process mind([&] {
+    auto d = opened<Meeting, patient>("mind", name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{}, cca::at_wall_clock());
+    return std::string(cca::to_string(d.state()));
+  });
+  process robot([&] {
+    auto d = opened<Meeting, patient>("robot", name);
+    d.load();
+    d.start();
+    long before = 0, after = 0;
+    d.run(cca::for_<1.5>{}, cca::at_wall_clock(), [&](auto& running) {
+      if (running.beat_index() == 500) before = resident_kilobytes();
+      if (running.beat_index() == 1000) after = resident_kilobytes();
+    });
+    std::ostringstream text;
+    text << cca::to_string(d.state()) << ' ' << (d.late() > 200 ? "alone" : "never alone") << ' '
+         << (after - before < 512 ? "small" : "grew by " + std::to_string(after - before) + " kB");
+    return text.str();
+  });
+  std::this_thread::sleep_for(600ms);
+  mind.stop();
+  std::this_thread::sleep_for(700ms);
+  mind.go_on();
+  CHECK_EQ(robot.said(), "started alone small");
+  CHECK_EQ(mind.said(), "started");
+}
+
+// A second process, a process of another deployment.
+template <class Meeting>
+void refuses_whom_it_must() {
+  const std::string name = Meeting::other_name();
+  process all([&] {
+    auto d = opened<Meeting>("robot", name);
+    const auto refusal = [](auto f) {
+      try {
+        f();
+      } catch (const cca::refused& e) { return std::string(e.what()) + '\n'; }
+      return std::string("nothing\n");
+    };
+    return refusal([&] { opened<Meeting>("robot", name); }) +
+           refusal([&] { opened<Meeting, patient>("mind", name); });
+  });
+  const std::string said = all.said();
+  CAPTURE(said);
+  CHECK(said.find("another process runs environment `robot` already") != std::string::npos);
+  CHECK(said.find("runs another deployment; here `deployment") != std::string::npos);
+  CHECK(said.find("1000000 late beats tolerated") != std::string::npos);
+  CHECK(said.find("nothing") == std::string::npos);
+}
+
+}  // namespace transport_laws

@@ -1,0 +1,27 @@
+// The environments of a deployment in processes of their own, over Cyclone DDS.
+#include <doctest/doctest.h>
+
+#include "../../laws/transport_laws.hpp"
+#include "over_dds.hpp"
+
+TEST_SUITE("deployed over dds") {
+  TEST_CASE("each process has the bits of the one loop") {
+    transport_laws::has_the_bits_of_one_loop<over_dds>();
+    transport_laws::has_the_same_bits_at_wall_clock_speed<over_dds>();
+  }
+  TEST_CASE("a killed process is lost contact for the others, at any pace") {
+    transport_laws::loses_contact_with_the_killed<over_dds>();
+  }
+  TEST_CASE("a process may come late, and come again") {
+    transport_laws::waits_for_who_comes_late_or_again<over_dds>();
+  }
+  TEST_CASE("stop in one process is stop in the other, which waits in run") {
+    transport_laws::stops_with_the_others<over_dds>();
+  }
+  TEST_CASE("a reader that stops costs the writer nothing") {
+    transport_laws::is_not_held_up_by_a_stopped_reader<over_dds>();
+  }
+  TEST_CASE("a second process and one of another deployment are refused") {
+    transport_laws::refuses_whom_it_must<over_dds>();
+  }
+}

@@ -1,0 +1,26 @@
+// Runs an architecture that is spread over environments: as threads, and as processes over Cyclone DDS.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <cca/dds.hpp>
+
+#include "run_deployed.hpp"
+
+namespace semantics {
+
+template <class Deployment>
+outcome run_over_dds(int chance) {
+  static const auto domain = static_cast<std::uint32_t>(::getpid()) % 200;
+  outcome o = run_deployed<Deployment>(chance);
+  o.processes_agree = digests(o.firings) ==
+                      recorded_in_processes<Deployment>(
+                          chance, [](const std::string& name) { return cca::dds::domain(domain, name); });
+  return o;
+}
+
+}  // namespace semantics
