@@ -1,5 +1,5 @@
-// A user's program with all components: has the main function for robots, reads a parameter from a file, joins
-// a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory.
+// A user's program with all components: has the main function for robots, reads a parameter from a file,
+// joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory.
 #include <unistd.h>
 
 #include <array>
