@@ -113,6 +113,9 @@ void load_parameters_from_text(Controller& controller, std::string_view text, st
         for (auto& each : wrong)
           found.add(where ? &where->source() : nullptr, each.path, std::move(each.what));
       }
+      if constexpr (MayRefuse<Component>)
+        if (const std::string_view why = component.refusal_of(copy); found.count() == 0 && !why.empty())
+          found.add(nullptr, {}, std::string(path) + "." + std::string(why));
     } else {
       read_component(root, path, no_parameters, nullptr, found);
     }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <exception>
+#include <iostream>
 #include <string>
 
 class process {
@@ -17,6 +18,7 @@ public:
   explicit process(F f) {
     int ends[2];
     REQUIRE_EQ(::pipe(ends), 0);
+    std::cout.flush();  // else the other process writes it too
     child = ::fork();
     if (child == 0) {
       std::string text;

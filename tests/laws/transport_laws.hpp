@@ -90,30 +90,31 @@ void has_the_bits_of_one_loop() {
   CHECK_EQ(mind.said(), story(other, tell_mind));
 }
 
-// Also at wall-clock speed, as long as nothing is late.
+// Also at wall-clock speed, as long as nothing is late. On a busy machine it tries again, and slower.
 template <class Meeting>
 void has_the_same_bits_at_wall_clock_speed() {
-  const std::string name = Meeting::other_name();
-  const auto run = [&](const char* environment, auto tell) {
-    auto d = opened<Meeting, patient>(environment, name);
-    d.load();
-    d.start();
-    d.run(cca::for_beats<150>{}, cca::at_speed(0.1));
-    return d.late() + d.lost_periods() > 0 ? std::string("late") : tell(d);
-  };
-  process mind([&] { return run("mind", tell_mind); });
-  process robot([&] { return run("robot", tell_robot); });
   cca::controller<architecture> c;
   c.load();
   c.start();
-  c.run(cca::for_beats<150>{});
-  const std::string of_robot = robot.said(), of_mind = mind.said();
-  if (of_robot == "late" || of_mind == "late") {
-    MESSAGE("something was late: nothing to compare");
+  c.run(cca::for_beats<80>{});
+  for (const double speed : {0.1, 0.05, 0.02}) {
+    const std::string name = Meeting::other_name();
+    const auto run = [&](const char* environment, auto tell) {
+      auto d = opened<Meeting, patient>(environment, name);
+      d.load();
+      d.start();
+      d.run(cca::for_beats<80>{}, cca::at_speed(speed));
+      return d.late() > 0 || d.figures()[1].lost_periods > 0 ? std::string("late") : tell(d);
+    };
+    process mind([&] { return run("mind", tell_mind); });
+    process robot([&] { return run("robot", tell_robot); });
+    const std::string of_robot = robot.said(), of_mind = mind.said();
+    if (of_robot == "late" || of_mind == "late") continue;
+    CHECK_EQ(of_robot, robot_of(c));
+    CHECK_EQ(of_mind, mind_of(c));
     return;
   }
-  CHECK_EQ(of_robot, robot_of(c));
-  CHECK_EQ(of_mind, mind_of(c));
+  MESSAGE("something was late each time: nothing to compare");
 }
 
 template <class D>

@@ -53,6 +53,7 @@ class Includes(Tree):
         self.found("include/cca/motor.hpp", "cca/motor/a.hpp", "cca/space/a.hpp")
         self.found("robots/include/cca/robots/a.hpp", "cca/robot/a.hpp", "cca/robots/b.hpp")
         self.found("hardware/include/cca/hardware/bus/a.hpp", "cca/robots/a.hpp", "cca/hardware/drives/b.hpp")
+        self.found("dds/include/cca/dds/a.hpp", "dds/dds.h", "cca/dds/b.hpp", "cca/runtime/b.hpp")
         self.assertEqual(self.found("sim/include/cca/sim/a.hpp", "cca/robots/a.hpp", "cca/robot/a.hpp", "cca/cca.hpp", "ode/ode.h", "cca/sim/b.hpp"), [])
 
     def test_wrong(self):
@@ -64,7 +65,8 @@ class Includes(Tree):
                              ("include/cca/odd/a.hpp", "cca/space/a.hpp"), ("include/cca/odd.hpp", "cca/space/a.hpp"),
                              ("sim/include/cca/sim/a.hpp", "cca/hardware/a.hpp"), ("hardware/include/cca/hardware/a.hpp", "cca/sim/a.hpp"),
                              ("robots/include/cca/robots/a.hpp", "cca/sim/a.hpp"), ("robots/include/cca/robots/a.hpp", "ode/ode.h"),
-                             ("include/cca/robot/a.hpp", "cca/robots/a.hpp")):
+                             ("include/cca/robot/a.hpp", "cca/robots/a.hpp"), ("include/cca/graph/a.hpp", "dds/dds.h"),
+                             ("dds/include/cca/dds/a.hpp", "cca/robots/a.hpp"), ("include/cca/runtime/a.hpp", "cca/dds/a.hpp")):
             with self.subTest(name=name, target=target):
                 self.setUp()
                 self.assertEqual(len(self.found(name, target)), 1)

@@ -40,12 +40,12 @@ public:
     move(transition::load, "load()");
   }
 
-  // Reads parameters from a file; all or nothing. Needs <cca/config.hpp>.
+  // Reads parameters from a file; all or nothing. While it is started, between two beats, it does no more
+  // than that, and the state stays. Needs <cca/config.hpp>.
   void load(std::string_view file) {
     static_assert(HasConfig<Self>, "cca::controller: load(file) needs #include <cca/config.hpp>");
-    check(transition::load, "load(file)");
     config_backend<Self>::load(self(), file);
-    load();
+    if (is_legal(transition::load, now)) load();
   }
 
   void save() {

@@ -16,6 +16,9 @@
 #include <cca/runtime/run_record.hpp>
 
 namespace cca {
+namespace detail {
+struct live_components;
+}
 
 template <class Graph>
   requires well_formed<Graph>
@@ -72,6 +75,7 @@ public:
 
 private:
   friend detail::component_host<controller, Graph>;
+  friend detail::live_components;
   friend detail::stoppable_components<controller, Graph>;
 
   template <int Node>

@@ -30,6 +30,24 @@ constexpr bool is_stoppable_node(int node) {
   return strategy && strategy->is_stoppable;
 }
 
+// Refused: there is none.
+template <class Graph>
+int stoppable_node_named(std::string_view path) {
+  const int node = node_at<Graph>(path);
+  if (node >= 0 && is_stoppable_node<Graph>(node)) return node;
+  const std::string text = "cca::controller: `" + std::string(path) + "` ";
+  if (node >= 0)
+    throw refused(text +
+                  "can't be stopped on its own: write cca::stoppable<...> around the strategy of its node");
+  std::vector<std::string> paths;
+  for (int n = 0; n < counts_of<Graph>.node_count; ++n)
+    if (is_stoppable_node<Graph>(n)) paths.push_back(path_of_node<Graph>(n));
+  const std::vector<std::string_view> names(paths.begin(), paths.end());
+  const auto near = nearest_name(path, names);
+  throw refused(text + "is no component" +
+                (near.empty() ? "" : "; did you mean `" + std::string(near) + "`?"));
+}
+
 template <class Self, class Graph>
 class stoppable_components {
 public:
@@ -46,9 +64,9 @@ public:
     return is_stopped_node(node_of<Path>());
   }
 
-  void stop(std::string_view path) { stop_node(node_named(path)); }
-  void start(std::string_view path) { start_node(node_named(path)); }
-  bool is_stopped(std::string_view path) const { return is_stopped_node(node_named(path)); }
+  void stop(std::string_view path) { stop_node(stoppable_node_named<Graph>(path)); }
+  void start(std::string_view path) { start_node(stoppable_node_named<Graph>(path)); }
+  bool is_stopped(std::string_view path) const { return is_stopped_node(stoppable_node_named<Graph>(path)); }
 
 protected:
   bool is_stopped_node(int node) const {
@@ -82,22 +100,6 @@ private:
                   "around the strategy of its node");
     return node;
   }
-  static int node_named(std::string_view path) {
-    const int node = node_at<Graph>(path);
-    if (node >= 0 && is_stoppable_node<Graph>(node)) return node;
-    const std::string text = "cca::controller: `" + std::string(path) + "` ";
-    if (node >= 0)
-      throw refused(text +
-                    "can't be stopped on its own: write cca::stoppable<...> around the strategy of its node");
-    std::vector<std::string> paths;
-    for (int n = 0; n < counts_of<Graph>.node_count; ++n)
-      if (is_stoppable_node<Graph>(n)) paths.push_back(path_of_node<Graph>(n));
-    const std::vector<std::string_view> names(paths.begin(), paths.end());
-    const auto near = nearest_name(path, names);
-    throw refused(text + "is no component" +
-                  (near.empty() ? "" : "; did you mean `" + std::string(near) + "`?"));
-  }
-
   void check_state(const char* call, int node) const {
     const state now = self().state();
     if (now == state::created || now == state::loaded)

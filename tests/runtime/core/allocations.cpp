@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include <cca/runtime/live_access.hpp>
+
 #include "counting.hpp"
 
 namespace laws {
@@ -53,7 +55,7 @@ struct inner : cca::graph<cca::node<"sum", adder>,
 struct all : cca::graph<cca::rate<1000>,
                         cca::node<"source", now_and_then>,
                         cca::node<"inner", inner>,
-                        cca::node<"queued", last, cca::timed<2>>,
+                        cca::node<"queued", last, cca::stoppable<cca::timed<2>>>,
                         cca::node<"patient", last, cca::any_of<cca::coordinated, cca::timeout<7>>>,
                         cca::node<"listener", listener>,
                         cca::node<"swing", swing>,
@@ -96,5 +98,16 @@ TEST_SUITE("allocations") {
     CHECK_EQ(copy.get<"joint">().angle, 0);
     CHECK_GT(c.get<"listener">().sum, 0);
     CHECK_EQ(c.state(), cca::state::started);
+  }
+
+  TEST_CASE("a beat that other threads look at does not allocate, nor does it when it takes a request") {
+    auto c = started<all>();
+    cca::live_access live(c);
+    CHECK(live.stop("queued"));
+    const auto before = laws::allocations();
+    c.run(cca::for_beats<100>{}, cca::as_fast_as_possible{}, live);
+    CHECK_EQ(laws::allocations(), before);
+    CHECK(c.is_stopped<"queued">());
+    CHECK(live.newest("inner.late.y"));
   }
 }

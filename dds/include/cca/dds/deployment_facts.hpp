@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/base/fixed_string.hpp>
 #include <cca/dds/messages.hpp>
 
 namespace cca::dds::detail {

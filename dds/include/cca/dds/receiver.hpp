@@ -3,11 +3,14 @@
 // before the samples that belong to it.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -87,7 +90,7 @@ private:
     std::int64_t accepted_at = 0;
     status scratch;
     bool has_status = false;
-    std::optional<channel_reader> statuses{};
+    std::unique_ptr<channel_reader> statuses{};
     std::vector<output> outputs{};
     std::optional<dated_status> held{}, newest{};  // what waits for samples, and the newest behind that
   };
@@ -129,8 +132,8 @@ private:
       e.outputs.push_back({o, {in, out.topic, out.type, sample_message::head + out.size}});
       attach(e.outputs.back().reader.get());
     }
-    e.statuses.emplace(in, facts.status_topic(e.number), facts.status_type(),
-                       status::size(facts.environments.size(), outputs));
+    e.statuses = std::make_unique<channel_reader>(in, facts.status_topic(e.number), facts.status_type(),
+                                                  status::size(facts.environments.size(), outputs));
     attach(e.statuses->get());
     contact& c = peers[e.number];
     c.has_left = false;

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include <cca/dds/receiver.hpp>
 #include <cca/dds/sender.hpp>

@@ -1,14 +1,16 @@
 // Sends what the environments of this process publish, in a thread of its own: a beat only writes its
 // numbers.
 //
-// It looks at them every 50 us while something changes, and every millisecond when nothing does; that takes
-// about a twentieth of a core. A status goes out after the samples that it counts, and at least every 100 ms.
+// It looks at them every 50 us while something changes, and every millisecond when nothing does; waiting
+// takes 2 % of a core (docs/transports.md). A status goes out after the samples that it counts, and at least
+// every 100 ms.
 #pragma once
 
 #include <sys/prctl.h>
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <cca/dds/deployment_facts.hpp>

@@ -1,0 +1,105 @@
+// The parameters of all components, outside of their controller: other threads change them there, and the
+// loop takes them over.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <cca/component/parameters.hpp>
+#include <cca/graph/layout/nodes_by_path.hpp>
+#include <cca/runtime/each_component.hpp>
+
+namespace cca::detail {
+
+struct live_components {
+  template <int Node, class Controller>
+  static auto& at(Controller& c) {
+    return c.template component<Node>();
+  }
+};
+
+// A component's parameters, without the component.
+template <class Component>
+struct only_parameters {
+  explicit only_parameters(const Component&) {}
+};
+template <HasParameters Component>
+struct only_parameters<Component> {
+  using parameters = typename Component::parameters;
+  explicit only_parameters(const Component& component) : p(component.p) {}
+  parameters p;
+};
+
+template <class Graph, int Node>
+struct parameters_of_node : only_parameters<typename node_types<Graph, Node>::component> {
+  using only_parameters<typename node_types<Graph, Node>::component>::only_parameters;
+};
+
+template <class Graph, class Nodes = std::make_integer_sequence<int, counts_of<Graph>.node_count>>
+class known_parameters;
+template <class Graph, int... Node>
+class known_parameters<Graph, std::integer_sequence<int, Node...>> : parameters_of_node<Graph, Node>... {
+public:
+  template <class Controller>
+  explicit known_parameters(const Controller& c)
+      : parameters_of_node<Graph, Node>(component_of<Node>(c))..., paths{path_of_node<Graph>(Node)...} {}
+
+  // As of a controller: f(path, something with the member `p`).
+  template <class F>
+  void for_each_component(F f) {
+    const int all[] = {0, (f(std::string_view(paths[Node]), of<Node>()), 0)...};
+    (void)all;
+  }
+  template <class F>
+  void for_each_component(F f) const {
+    const int all[] = {0, (f(std::string_view(paths[Node]), of<Node>()), 0)...};
+    (void)all;
+  }
+  static double step_of(std::string_view path) { return detail::step_of<Graph>(node_at<Graph>(path)); }
+
+  // Gives them to the components, unless one of them refuses for now: to all or none. Its number, or -1.
+  template <class Controller>
+  int give_to(Controller& c) noexcept {
+    int refusing = -1;
+    const int asked[] = {0, (takes<Node>(c) ? 0 : refusing = Node)...};
+    const int given[] = {0, (exchange<Node>(c, refusing < 0), 0)...};
+    (void)asked;
+    (void)given;
+    return refusing;
+  }
+  const std::string& path(int node) const { return paths[array_size(node)]; }
+  template <int One>
+  auto& of() {
+    return static_cast<parameters_of_node<Graph, One>&>(*this);
+  }
+
+private:
+  template <int One>
+  const auto& of() const {
+    return static_cast<const parameters_of_node<Graph, One>&>(*this);
+  }
+  template <int One, class Controller>
+  static auto& component_of(Controller& c) {
+    return live_components::at<One>(c);
+  }
+  template <int One, class Controller>
+  bool takes(const Controller& c) const noexcept {
+    if constexpr (MayRefuse<typename node_types<Graph, One>::component>)
+      return component_of<One>(c).refusal_of(of<One>().p).empty();
+    else return true;
+  }
+  // Where somebody refuses, what is known here is set right.
+  template <int One, class Controller>
+  void exchange(Controller& c, bool is_given) noexcept {
+    if constexpr (HasParameters<typename node_types<Graph, One>::component>) {
+      if (is_given) component_of<One>(c).p = of<One>().p;
+      else of<One>().p = component_of<One>(c).p;
+    }
+  }
+
+  std::array<std::string, sizeof...(Node) + 1> paths;
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,202 @@
+// Other threads look at a controller that runs, and ask it for changes.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include <cca/config.hpp>
+#include <cca/runtime/live_access.hpp>
+
+#include "counting.hpp"
+
+using namespace core_test;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct pair : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
+
+// Both coordinates are equal, whoever looks.
+struct source {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 100>, slope), (bool, locked));
+  };
+  parameters p{1, false};
+  auto process(cca::beat) -> cca::out<"y", pair> {
+    value += p.slope;
+    return Eigen::Vector2d(value, value);
+  }
+  std::string_view refusal_of(const parameters& to) const {
+    return p.locked && to.locked ? "slope: it is locked" : "";
+  }
+  double value = 0;
+};
+
+struct watched_graph : cca::graph<cca::rate<1000>,
+                                  cca::node<"source", source, cca::stoppable<cca::timed<1>>>,
+                                  cca::node<"other", source>,
+                                  cca::observe<"source.y">> {};
+using played = cca::controller<watched_graph>;
+
+played started_one() {
+  played c;
+  c.load();
+  c.start();
+  return c;
+}
+
+std::string refusal(auto f) {
+  try {
+    f();
+  } catch (const cca::refused& e) { return e.what(); }
+  return "nothing";
+}
+
+// The loop in this thread, `other` in another one; it ends the run.
+template <class F>
+void beside(played& c, cca::live_access<played>& live, F other) {
+  std::thread window([&] {
+    other();
+    live.end_run();
+  });
+  c.run(cca::for_<20>{}, cca::at_speed(5), live);
+  window.join();
+}
+void wait_until(auto holds) {
+  bool has_come = holds();
+  for (int i = 0; i < 5000 && !has_come; ++i) {
+    std::this_thread::sleep_for(1ms);
+    has_come = holds();
+  }
+  CHECK(has_come);
+}
+
+}  // namespace
+
+TEST_SUITE("live access") {
+  TEST_CASE("another thread sees whole samples, and the newest") {
+    auto c = started_one();
+    cca::live_access live(c);
+    CHECK_FALSE(live.newest("source.y"));
+    beside(c, live, [&] {
+      wait_until([&] { return live.newest("source.y").has_value(); });
+      std::int64_t last = -1;
+      for (int i = 0; i < 2000; ++i) {
+        const auto seen = live.newest("source.y");
+        if (!seen) continue;
+        CHECK_EQ(seen->values.size(), 2);
+        CHECK_EQ(seen->values[0], seen->values[1]);
+        CHECK_GE(seen->origin, last);
+        last = seen->origin;
+      }
+      wait_until([&] { return live.beat_index() > 10; });
+      CHECK_EQ(live.state(), cca::state::running);
+    });
+    CHECK_EQ(live.newest("source.y")->values[0], c.get<"source">().value);
+    CHECK_EQ(refusal([&] { (void)live.newest("other.y"); }),
+             "cca::live_access: nobody observes `other.y`: add cca::observe<\"other.y\"> to the items of the "
+             "graph");
+  }
+
+  TEST_CASE("requests of another thread are taken between two beats") {
+    auto c = started_one();
+    cca::live_access live(c);
+    beside(c, live, [&] {
+      wait_until([&] { return live.set("source.slope", 2.0); });
+      wait_until([&] { return live.is_taken(); });
+      wait_until([&] { return live.set<"other">({3.0, false}); });
+      wait_until([&] { return live.stop("source"); });
+      wait_until([&] { return live.is_taken(); });
+      const auto first = live.newest("source.y")->values[0];
+      const auto beat = live.beat_index();
+      wait_until([&] { return live.beat_index() > beat + 10; });
+      CHECK_EQ(live.newest("source.y")->values[0], first);
+      wait_until([&] { return live.start("source"); });
+      wait_until([&] { return live.newest("source.y")->values[0] > first; });
+      CHECK_EQ(live.parameter("source.slope").value_or("busy"), "2.0");
+    });
+    CHECK_EQ(c.get<"source">().p.slope, 2.0);
+    CHECK_EQ(c.get<"other">().p.slope, 3.0);
+  }
+
+  TEST_CASE("a window in another thread") {
+    const auto show = [](double) {};
+    // [live]
+    cca::controller<watched_graph> c;
+    c.load();
+    c.start();
+    cca::live_access live(c);
+    std::thread window([&] {
+      while (!live.set("source.slope", 2.0)) {}  // taken between two beats
+      if (const auto seen = live.newest("source.y")) show(seen->values[0]);
+      live.end_run();
+    });
+    c.run(cca::for_<10>{}, cca::at_wall_clock(), live);
+    window.join();
+    // [live end]
+    CHECK(c.beat_index() < 10'000);
+  }
+
+  TEST_CASE("what is wrong is refused in the thread that asks, and nothing changes") {
+    auto c = started_one();
+    cca::live_access live(c);
+    CHECK_EQ(refusal([&] { live.set("source.slope", 200.0); }),
+             "cca::controller: set: source.slope: 200 is out of range, expected 0 to 100");
+    CHECK_EQ(refusal([&] { live.set<"source">({-1.0, false}); }),
+             "source.slope: -1 is out of range, expected 0 to 100");
+    CHECK_EQ(refusal([&] { live.stop("other"); }),
+             "cca::controller: `other` can't be stopped on its own: write cca::stoppable<...> around the "
+             "strategy of its node");
+    CHECK(live.is_taken());
+    CHECK(live.set("source.slope", 5.0));
+    CHECK_FALSE(live.set("source.slope", 6.0));  // the first has not been taken
+    CHECK_FALSE(live.parameter("source.slope"));
+    c.run(cca::for_beats<1>{}, cca::as_fast_as_possible{}, live);
+    CHECK_EQ(c.get<"source">().p.slope, 5.0);
+  }
+
+  TEST_CASE("a component may refuse when the request is taken") {
+    auto c = started_one();
+    cca::live_access live(c);
+    CHECK(live.set<"source">({7.0, true}));
+    c.run(cca::for_beats<1>{}, cca::as_fast_as_possible{}, live);
+    CHECK_EQ(live.refused_by(), "");
+    CHECK(live.set("source.slope", 8.0));
+    c.run(cca::for_beats<1>{}, cca::as_fast_as_possible{}, live);
+    CHECK_EQ(live.refused_by(), "source");
+    CHECK_EQ(c.get<"source">().p.slope, 7.0);
+    CHECK_EQ(live.parameter("source.slope").value_or("busy"), "7.0");
+  }
+
+  TEST_CASE("a file is loaded while the controller runs, from its own thread and from another one") {
+    const std::string file = "live_access.toml";
+    std::ofstream(file) << "[source]\nslope = 4\n[other]\nslope = 9\n";
+    auto c = started_one();
+    c.load(file);
+    CHECK_EQ(c.state(), cca::state::started);
+    CHECK_EQ(c.get<"other">().p.slope, 9.0);
+    std::ofstream(file) << "[source]\nslope = 400\n[other]\nslope = 1\n";
+    CHECK_EQ(refusal([&] { c.load(file); }),
+             file + ":2: source.slope: 400 is out of range, expected 0 to 100");
+    CHECK_EQ(c.get<"other">().p.slope, 9.0);
+
+    c.set<"source">({4.0, true});
+    std::ofstream(file) << "[source]\nslope = 5\n[other]\nslope = 1\n";
+    CHECK_EQ(refusal([&] { c.load(file); }), file + ": source.slope: it is locked");
+    CHECK_EQ(c.get<"other">().p.slope, 9.0);
+
+    c.set<"source">({4.0, false});
+    cca::live_access live(c);
+    beside(c, live, [&] {
+      wait_until([&] { return live.load(file); });
+      wait_until([&] { return live.is_taken(); });
+    });
+    CHECK_EQ(c.get<"source">().p.slope, 5.0);
+    CHECK_EQ(c.get<"other">().p.slope, 1.0);
+    std::remove(file.c_str());
+  }
+}
