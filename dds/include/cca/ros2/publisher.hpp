@@ -24,6 +24,7 @@
 
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
+#include <cca/ros2/messages/ports.hpp>
 #include <cca/ros2/outgoing.hpp>
 
 namespace cca::ros2 {

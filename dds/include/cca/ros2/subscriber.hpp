@@ -25,6 +25,7 @@
 
 #include <cca/component/port.hpp>
 #include <cca/ros2/incoming.hpp>
+#include <cca/ros2/messages/ports.hpp>
 
 namespace cca::ros2 {
 
