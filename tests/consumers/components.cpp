@@ -47,6 +47,7 @@ int main() {
   c.run(cca::for_beats<10>{});
 
   cca::deployed<alone> d(cca::only{"all"}, cca::dds::domain(static_cast<unsigned>(::getpid()) % 200));
+  d.load();
   d.start();
   d.run(cca::for_beats<10>{});
 
