@@ -146,10 +146,14 @@ private:
     for (const double value : one.vector) message.push_back(std::bit_cast<std::uint64_t>(value));
     return true;
   }
-  struct values {
-    const std::uint64_t* first;
-    double operator[](int i) const { return std::bit_cast<double>(first[i]); }
-  };
+  template <int Number>
+  void put_one(std::span<const std::uint64_t> message) {
+    Eigen::Matrix<double, cca::detail::size_of_output<D, Number>, 1> values;
+    for (int i = 0; i < values.size(); ++i)
+      values[i] = std::bit_cast<double>(message[sample_message::head + cca::detail::array_size(i)]);
+    own.template ring<Number>().put(values, static_cast<std::int64_t>(message[2]),
+                                    static_cast<std::int64_t>(message[1]));
+  }
 
   bool take([[maybe_unused]] std::size_t output,
             [[maybe_unused]] std::uint64_t& next,
@@ -162,11 +166,7 @@ private:
   void put([[maybe_unused]] std::size_t output,
            [[maybe_unused]] std::span<const std::uint64_t> message) override {
     [[maybe_unused]] std::size_t number = 0;
-    ((number++ == output ? own.template ring<Output>().put(values{message.data() + sample_message::head},
-                                                           static_cast<std::int64_t>(message[2]),
-                                                           static_cast<std::int64_t>(message[1]))
-                         : void()),
-     ...);
+    ((number++ == output ? put_one<Output>(message) : void()), ...);
   }
 
   std::int64_t newest_beat() const override {
