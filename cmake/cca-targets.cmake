@@ -1,4 +1,4 @@
-# The targets: cca::cca (the core), cca::config, cca::robots, cca::sim, cca::hardware and cca::dds. All of them are headers only.
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware and cca::dds. All of them are headers only.
 
 include(GNUInstallDirs)
 
@@ -21,10 +21,13 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|sim|hardware|dds)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, sim, hardware and dds")
+  if(NOT component MATCHES "^(config|main|sim|hardware|dds)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware and dds")
   endif()
 endforeach()
+if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
+  message(FATAL_ERROR "CCA_COMPONENTS: the component 'main' needs 'config'")
+endif()
 
 # What is built and installed: the core, the components, and the robots if a component needs them.
 set(CCA_TARGETS cca ${CCA_COMPONENTS})
@@ -35,8 +38,10 @@ endif()
 set(include ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
 set(config_headers ${headers})
-list(FILTER headers EXCLUDE REGEX "/cca/config(/|\\.hpp$)")
+set(main_headers ${headers})
+list(FILTER headers EXCLUDE REGEX "/cca/(config|main)(/|\\.hpp$)")
 list(FILTER config_headers INCLUDE REGEX "/cca/config(/|\\.hpp$)")
+list(FILTER main_headers INCLUDE REGEX "/cca/main(/|\\.hpp$)")
 
 find_package(Eigen3 3.4 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED CONFIG)
@@ -47,6 +52,13 @@ if("config" IN_LIST CCA_COMPONENTS)
   find_package(tomlplusplus REQUIRED CONFIG)
   cca_add_headers(config ${include} ${config_headers})
   target_link_libraries(cca_config INTERFACE cca tomlplusplus::tomlplusplus)
+endif()
+
+if("main" IN_LIST CCA_COMPONENTS)
+  find_package(CLI11 REQUIRED CONFIG)
+  find_package(Threads REQUIRED)
+  cca_add_headers(main ${include} ${main_headers})
+  target_link_libraries(cca_main INTERFACE cca cca_config CLI11::CLI11 Threads::Threads)
 endif()
 
 if("robots" IN_LIST CCA_TARGETS)

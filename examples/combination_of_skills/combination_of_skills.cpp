@@ -2,66 +2,93 @@
 // a picture; --help lists the options.
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include <cca/cca.hpp>
-#include <cca/config.hpp>
-#include <cca/runtime/interruption.hpp>
+#include <cca/main.hpp>
 
 #include "../trot/report/csv.hpp"
+#include "../trot/report/file.hpp"
 #include "../trot/report/progress.hpp"
 #include "../trot/report/recording.hpp"
 #include "../trot/report/svg.hpp"
-#include "program.hpp"
+#include "command_line.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"
 
 namespace {
 
-int run(const skills::options& o) {
-  skills::combined controller;
-  skills::load(controller, o.shape, o.config);
+struct program : cca::robot_program<skills::simulated> {
+  program() {
+    purpose = "a simulated Oncilla trots, stops, reaches for a ball and trots on";
+    settings.speed.reset();  // as fast as possible
+  }
 
-  const cca::interruption interrupted;  // ctrl-c: ends the run, and what it has is written
-  trot::progress_bar bar("skills", !o.quiet);
-  trot::recording recorded;
-  const bool records = o.csv || o.svg;
-  const auto result = skills::roll_out(controller, o.run, [&](const skills::combined& c) {
-    const auto& world = c.get<"robot.simulator">().world();
-    if (records) {
-      if (c.beat_index() == 1) recorded.begin(world, 30'000);
-      recorded.note(world);
+  void options(cca::command_line& line) override {
+    o.offer(line, settings);
+    line.text("--csv FILE", csv, "every fifth beat");
+    line.text("--svg FILE", svg, "footfalls, path and joint angles");
+  }
+
+  void prepare(controller_type& c) override { skills::name_shape(c, o.shape); }
+
+  void loaded(controller_type& c) override {
+    run.emplace(o.run);
+    skills::simulated_stage stage{c};
+    run->begin(stage);
+    bar = trot::progress_bar("skills", !settings.quiet);
+  }
+
+  bool between(controller_type& c) override {
+    skills::simulated_stage stage{c};
+    if (csv || svg) record(stage.world(), c.beat_index());
+    if (c.beat_index() % 20 == 0) {
+      const auto& steps = c.get<"sequencer">().steps;
+      char note[64];
+      std::snprintf(note, sizeof note, "%5.1f s  %s", stage.world().time(),
+                    std::string(steps.name()).c_str());
+      bar.show(static_cast<double>(steps.step()) / skills::plan::count, note);
     }
-    if (c.beat_index() % 20 != 0) return !interrupted;
-    const auto& steps = c.get<"sequencer">().steps;
-    char note[64];
-    std::snprintf(note, sizeof note, "%5.1f s  %s", world.time(), std::string(steps.name()).c_str());
-    bar.show(static_cast<double>(steps.step()) / skills::plan::count, note);
-    return !interrupted;
-  });
-  controller.stop();
-  bar.show(1);
-  bar.done();
+    return run->note(stage);
+  }
 
-  if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary)
-    trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
-  if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
-  if (o.svg)
-    trot::write(*o.svg, [&](std::ostream& file) {
-      char title[128];
-      std::snprintf(title, sizeof title,
-                    "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s",
-                    result.reach_error * 1e3, result.reach_time);
-      trot::write_svg(file, recorded, title);
-    });
-  if (interrupted) std::cerr << "combination_of_skills: interrupted; the figures are of what it has run\n";
-  return interrupted ? interrupted.exit_code() : skills::succeeded(result) ? 0 : 1;
-}
+  void stop(controller_type& c) override {
+    c.stop();
+    bar.show(1);
+    bar.done();
+  }
+
+  int finish(controller_type&) override {
+    const auto result = run->end();
+    if (!settings.quiet) skills::write_table(std::cout, o.run, result);
+    if (o.summary)
+      trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+    if (csv) trot::write(*csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
+    if (svg)
+      trot::write(*svg, [&](std::ostream& file) {
+        char title[128];
+        std::snprintf(title, sizeof title,
+                      "Oncilla, combination of skills: ball %.1f mm off, reached in %.1f s",
+                      result.reach_error * 1e3, result.reach_time);
+        trot::write_svg(file, recorded, title);
+      });
+    return skills::succeeded(result) ? 0 : 1;
+  }
+
+private:
+  void record(const cca::sim::world& world, std::int64_t beat) {
+    if (beat == 1) recorded.begin(world, 30'000);
+    recorded.note(world);
+  }
+
+  skills::options o;
+  std::optional<std::string> csv, svg;
+  std::optional<skills::noted_run> run;
+  trot::progress_bar bar{"skills"};
+  trot::recording recorded;
+};
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return skills::program("combination_of_skills", count, arguments, run);
-}
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }

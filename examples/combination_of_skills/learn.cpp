@@ -10,12 +10,11 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
-#include "../trot/report/program.hpp"
 #include "../trot/rollout.hpp"
 #include "architecture.hpp"
 
@@ -116,23 +115,10 @@ struct options {
   bool quiet = false;
 };
 
-constexpr std::string_view usage =
-    "combination_of_skills_learn: learns the shape of a trot from a recording in the simulator\n"
-    "\n"
-    "  --out FILE        the learned shape (trot.shape)\n"
-    "  --seconds S       of trot that are recorded (8)\n"
-    "  --quiet           prints nothing\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.text("--out", o.out);
-  read.number("--seconds", o.seconds, 1, 19);
-  read.flag("--quiet", o.quiet);
-  read.all(arguments);
-  return o;
+void offer(cca::command_line& line, options& o) {
+  line.text("--out FILE", o.out, "the learned shape (trot.shape)");
+  line.number("--seconds S", o.seconds, 1, 19, "of trot that are recorded (8)");
+  line.flag("--quiet", o.quiet, "prints nothing");
 }
 
 // The largest distance between the module's command and the recording, rad, after the start.
@@ -155,7 +141,7 @@ int run(const options& o) {
   const cca::interruption interrupted;  // ctrl-c: nothing is written, since a part of a stride is no shape
   cca::controller<teaching> c;
   auto& dmp = c.get<"dmp">();
-  if (!dmp.p.files.save.assign(o.out)) throw trot::command_line_error(o.out + ": this name is too long");
+  if (!dmp.p.files.save.assign(o.out)) throw cca::command_line_error(o.out + ": this name is too long");
   c.get<"recording">().played = recorded(o.seconds, interrupted);
   if (interrupted) {
     std::cerr << "combination_of_skills_learn: interrupted; nothing is written\n";
@@ -180,7 +166,9 @@ int run(const options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_learn", usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return run(parse(given)); });
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("learns the shape of a trot from a recording in the simulator");
+  offer(line, o);
+  return cca::run_program(count, words, line, [&] { return run(o); });
 }

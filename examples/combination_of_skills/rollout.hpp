@@ -1,6 +1,6 @@
 #pragma once
 // One run of the Combination of Skills in a simulated world, and its result. The robot is the simulator's, or
-// one on virtual drives around it (examples/hardware_in_the_loop). `act` takes either as a stage: it has a
+// one on virtual drives around it (examples/hardware_in_the_loop). A run takes either as a stage: it has a
 // `controller`, loaded and not started, `step()`, `world()`, `put_down(world, disturbance)` and
 // `disturb(disturbance)`.
 #include <cmath>
@@ -30,29 +30,46 @@ double tracking_error(const Controller& controller) {
   return error;
 }
 
-// Calls between(controller) after each beat, and ends if it returns false.
-template <class Stage, class Between>
-result act(Stage& stage, const circumstances& c, Between between) {
-  referee watching(c);
-  auto& controller = stage.controller;
-  auto& camera = controller.template get<"camera">();
-  const auto& sequencer = controller.template get<"sequencer">().steps;
-  stage.put_down(watching.put_down(controller.template get<"orders">().p), watching.disturbance());
-  controller.start();
-  for (bool goes_on = true; goes_on && !watching.is_over();) {
-    const auto& world = stage.world();
-    const double time = world.time();
-    const auto ball = watching.ball(world);
+// A run of a controller whose loop belongs to somebody else: `begin` puts the robot down before start(),
+// `note` shows each beat to the referee and says whether the run goes on, `end` gives the figures.
+class noted_run {
+public:
+  explicit noted_run(const circumstances& c) : watching(c) {}
+
+  template <class Stage>
+  void begin(Stage& stage) {
+    stage.put_down(watching.put_down(stage.controller.template get<"orders">().p), watching.disturbance());
+    look(stage);
+  }
+
+  // After a beat.
+  template <class Stage>
+  bool note(Stage& stage) {
+    const auto& sequencer = stage.controller.template get<"sequencer">().steps;
+    if (watching.note(began, stage.world(), sequencer.step(), sequencer.timed_out(),
+                      [&] { return tracking_error(stage.controller); }))
+      stage.disturb(watching.disturbance());
+    if (watching.is_over()) return false;
+    look(stage);
+    return true;
+  }
+
+  result end() const { return watching.judgement(); }
+
+private:
+  // What the camera sees in the next beat.
+  template <class Stage>
+  void look(Stage& stage) {
+    auto& camera = stage.controller.template get<"camera">();
+    began = stage.world().time();
+    const auto ball = watching.ball(stage.world());
     camera.sees = ball.has_value();
     if (ball) camera.ball = *ball;
-    stage.step();
-    goes_on = trot::goes_on(between, controller);
-    if (watching.note(time, world, sequencer.step(), sequencer.timed_out(),
-                      [&] { return tracking_error(controller); }))
-      stage.disturb(watching.disturbance());
   }
-  return watching.judgement();
-}
+
+  referee watching;
+  double began = 0;  // s, when the beat began
+};
 
 struct simulated_stage {
   combined& controller;
@@ -63,6 +80,21 @@ struct simulated_stage {
   void disturb(const cca::sim::disturbance& d) { controller.get<"robot.simulator">().disturb(d); }
   void step() { controller.step(); }
 };
+
+// A whole run, as fast as possible. Calls between(controller) after each beat, and ends if it returns false.
+template <class Stage, class Between>
+result act(Stage& stage, const circumstances& c, Between between) {
+  noted_run run(c);
+  run.begin(stage);
+  stage.controller.start();
+  bool goes_on = true;
+  while (goes_on) {
+    stage.step();
+    const bool wanted = trot::goes_on(between, stage.controller);
+    goes_on = run.note(stage) && wanted;
+  }
+  return run.end();
+}
 
 template <class Between>
 result roll_out(combined& controller, const circumstances& c, Between between) {

@@ -15,10 +15,11 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
+#include "../trot/report/file.hpp"
 #include "../trot/report/parallel.hpp"
-#include "../trot/report/program.hpp"
 #include "../trot/report/progress.hpp"
 #include "command_line.hpp"
 #include "rollout.hpp"
@@ -33,33 +34,14 @@ struct options {
   skills::circumstances run;
 };
 
-constexpr std::string_view usage =
-    "combination_of_skills_runs: the Combination of Skills with many seeds, both paws and every target\n"
-    "\n"
-    "  --shape FILE      the learned shape of the trot (trot.shape); combination_of_skills_learn writes it\n"
-    "  --config FILE     parameters (the defaults in the code)\n"
-    "  --first N         the first seed (0)\n"
-    "  --count N         how many (10)\n"
-    "  --push F          newtons from the side while the paw is at the ball (20)\n"
-    "  --seconds S       of trot, before and after (6)\n"
-    "  --summary FILE    the figures as JSON: a list of runs\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.text("--shape", o.shape);
-  read.text("--config", o.config);
-  read.text("--summary", o.summary);
-  read.whole_number("--first", o.first);
-  read.whole_number("--count", o.count, 1);
-  read.number("--push", o.run.push, 0, 100);
-  read.value("--seconds", [&o](const std::string& text) {
-    skills::set_seconds(o.run, trot::detail::number("--seconds", text, 1, 20));
-  });
-  read.all(arguments);
-  return o;
+void offer(cca::command_line& line, options& o) {
+  skills::offer_shape(line, o.shape);
+  line.text("--config FILE", o.config, "parameters (the defaults in the code)");
+  line.whole_number("--first N", o.first, 0, "the first seed (0)");
+  line.whole_number("--count N", o.count, 1, "how many (10)");
+  skills::offer_push(line, o.run);
+  skills::offer_seconds(line, o.run, "of trot, before and after (6)");
+  line.text("--summary FILE", o.summary, "the figures as JSON: a list of runs");
 }
 
 std::string quoted(std::string_view name) { return std::string("`").append(name).append("`"); }
@@ -174,7 +156,9 @@ int run(const options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("combination_of_skills_runs", usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return run(parse(given)); });
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("the Combination of Skills with many seeds, both paws and every target");
+  offer(line, o);
+  return cca::run_program(count, words, line, [&] { return run(o); });
 }

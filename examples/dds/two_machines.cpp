@@ -7,12 +7,12 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include <cca/dds.hpp>
+#include <cca/main/command_line.hpp>
+#include <cca/main/run_program.hpp>
 
 #include "../deployment/thoughtful_leg.hpp"
 
@@ -63,17 +63,17 @@ int run_both() {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  try {
-    std::vector<double> angles;
-    if (count == 1) return run_both();
+int main(int count, char** words) {
+  cca::command_line line("two environments on two machines, over Cyclone DDS");
+  std::vector<std::string> given;
+  line.words("[ENVIRONMENT]", given, 1,
+             "robot or mind: runs it here (both, and compares them with one loop)");
+  return cca::run_program(count, words, line, [&] {
+    if (given.empty()) return run_both();
     const cca::dds::domain net(domain_number);
-    if (count == 2 && std::strcmp(arguments[1], "robot") == 0) return run_robot(net, angles);
-    if (count == 2 && std::strcmp(arguments[1], "mind") == 0) return run_mind(net);
-    std::fprintf(stderr, "usage: dds_two_machines [robot | mind]\n");
-    return 2;
-  } catch (const std::exception& refusal) {
-    std::fprintf(stderr, "%s\n", refusal.what());
-    return 1;
-  }
+    std::vector<double> angles;
+    if (given[0] == "robot") return run_robot(net, angles);
+    if (given[0] == "mind") return run_mind(net);
+    throw cca::command_line_error(given[0] + ": expected robot or mind");
+  });
 }

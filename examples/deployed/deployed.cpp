@@ -3,6 +3,8 @@
 //
 // Read architecture.hpp first, then forms.hpp.
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -12,53 +14,44 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/command_line.hpp>
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../combination_of_skills/command_line.hpp"
-#include "../trot/report/program.hpp"
+#include "../trot/report/file.hpp"
 #include "forms.hpp"
 #include "report.hpp"
 
 namespace {
 
+constexpr auto form_names = [] {
+  std::array<std::string_view, 1 + deployed::transport_names.size()> all{"threads"};
+  std::ranges::copy(deployed::transport_names, all.begin() + 1);
+  return all;
+}();
+
 struct options {
   deployed::settings run;
   std::string form, address = "0";
   std::optional<std::string> only, summary;
+
+  void offer(cca::command_line& line) {
+    line.number(
+        "--seconds S", [this](double seconds) { skills::set_seconds(run.run, seconds); }, 1, 20,
+        "of trot, before and after (6)");
+    line.whole_number("--beats N", run.most_beats, 1, "ends earlier (60000)");
+    line.text("--shape FILE", run.shape, "the learned shape of the trot (trot.shape)");
+    line.one_of(
+        "--form F", [this](std::size_t i) { form = form_names[i]; }, form_names,
+        "only threads, shared_memory or dds, beside the loop (every form)");
+    line.text("--summary FILE", summary, "the figures as JSON: a list of forms");
+    line.text("--only E", only,
+              "one environment in this process; others run the rest. It reaches them by\n"
+              "--form: shared_memory or dds (shared_memory)");
+    line.text("--address N", address, "only processes with the same number find each other (0)");
+  }
 };
-
-constexpr std::string_view usage =
-    "deployed: the Combination of Skills in four environments, each form compared with the single loop\n"
-    "\n"
-    "  --seconds S       of trot, before and after (6)\n"
-    "  --beats N         ends earlier (60000)\n"
-    "  --shape FILE      the learned shape of the trot (trot.shape)\n"
-    "  --form F          only `threads` or `shared_memory` (every form)\n"
-    "  --summary FILE    the figures as JSON: a list of forms\n"
-    "  --only E          one environment in this process, by --form (shared_memory); others run the rest\n"
-    "  --address N       only processes with the same number find each other (0)\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.value("--seconds", [&o](const std::string& text) {
-    skills::set_seconds(o.run.run, trot::detail::number("--seconds", text, 1, 20));
-  });
-  read.whole_number("--beats", o.run.most_beats, 1);
-  read.text("--shape", o.run.shape);
-  read.text("--form", o.form);
-  read.text("--summary", o.summary);
-  read.text("--only", o.only);
-  read.text("--address", o.address);
-  read.all(arguments);
-  constexpr auto& names = deployed::transport_names;
-  const bool is_known =
-      o.form.empty() || o.form == "threads" || std::find(names.begin(), names.end(), o.form) != names.end();
-  if (!is_known) throw trot::command_line_error("--form " + o.form + ": no such form; --help lists them");
-  return o;
-}
 
 int run_forms(options o) {
   const cca::interruption interrupted;  // ctrl-c: the summary is of the forms that are over
@@ -98,7 +91,10 @@ int run(const options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("deployed", usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return run(parse(given)); });
+int main(int count, char** words) {
+  options o;
+  cca::command_line line(
+      "the Combination of Skills in four environments, each form compared with the single loop");
+  o.offer(line);
+  return cca::run_program(count, words, line, [&] { return run(o); });
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/main/command_line.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "architecture.hpp"
@@ -46,7 +47,7 @@ inline bool is_named(const std::vector<std::string>& names, std::string_view one
 template <class Played>
 void set_up(Played& played, const settings& s, const std::vector<std::string>& here) {
   if (is_named(here, "reflexes") && !played.template get<"dmp.module">().p.files.load.assign(s.shape))
-    throw trot::command_line_error(s.shape + ": this name is too long");
+    throw cca::command_line_error(s.shape + ": this name is too long");
   if (is_named(here, "simulation")) {
     played.template get<"robot.simulator">().set_scene(s.run);
     played.template get<"recorder">().seen.reserve(s.most_beats);

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/json.hpp"
-#include "../trot/report/program.hpp"
 #include "campaign_run.hpp"
 
 namespace {
@@ -250,26 +250,13 @@ std::string renewed(const std::string& path, const std::string& table) {
   return text.replace(from, to + 1 - from, table);
 }
 
-constexpr std::string_view usage =
-    "hardware_in_the_loop_faults: the trot on virtual drives, and everything that can go wrong\n"
-    "\n"
-    "  hardware_in_the_loop_faults [FILE [PAGE]]\n"
-    "  FILE              writes the table as JSON\n"
-    "  PAGE              replaces the table in this page, docs/hardware.md\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-int run_campaign(const std::vector<std::string>& arguments) {
-  for (const std::string& word : arguments)
-    if (word.starts_with("-")) throw trot::command_line_error(word + ": no such option; --help lists them");
-  if (arguments.size() > 2)
-    throw trot::command_line_error(arguments[2] + ": expected at most two files; see --help");
+int run_campaign(const std::vector<std::string>& files) {
   const cca::interruption interrupted;
   const auto all = campaign(interrupted);
   const std::string table = table_of(all);
   std::cout << table;
-  if (arguments.size() > 0) write(arguments[0], json_of(all));
-  if (arguments.size() > 1 && !interrupted) write(arguments[1], renewed(arguments[1], table));
+  if (files.size() > 0) write(files[0], json_of(all));
+  if (files.size() > 1 && !interrupted) write(files[1], renewed(files[1], table));
   int bad = 0;
   for (const result& r : all)
     if (!r.good()) {
@@ -290,6 +277,10 @@ int run_campaign(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("hardware_in_the_loop_faults", usage, count, arguments, run_campaign);
+int main(int count, char** words) {
+  std::vector<std::string> files;
+  cca::command_line line("the trot on virtual drives, and everything that can go wrong");
+  line.words("[FILE [PAGE]]", files, 2,
+             "writes the table as JSON, and replaces that of the page, docs/hardware.md");
+  return cca::run_program(count, words, line, [&] { return run_campaign(files); });
 }

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,9 +23,9 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/main.hpp>
 #include <cca/runtime/interruption.hpp>
 
-#include "../trot/report/program.hpp"
 #include "lock_step.hpp"
 #include "two_environments.hpp"
 
@@ -34,54 +33,41 @@ namespace {
 
 using namespace hil;
 
-struct options {
-  std::int64_t beats = 5000;
+struct wishes {
+  double seconds = 5;
   std::string role;
-  bool lock_step = false;
+  bool lock_step = false, quiet = false;
   std::vector<std::string> names;
-};
 
-constexpr std::string_view usage =
-    "hardware_in_the_loop: the trot moves virtual drives around the simulated Oncilla, over CAN buses\n"
-    "\n"
-    "  --seconds S       how long (5)\n"
-    "  --role R          robot or drives: one of two processes, on the buses of --buses; without it both\n"
-    "                    are in this process, on buses in memory\n"
-    "  --buses A,B,C,D,E the five CAN interfaces\n"
-    "  --pace P          wall-clock or lock-step (wall-clock)\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
+  void offer(cca::command_line& line) {
+    line.number("--seconds S", seconds, 0.001, 36000, "how long (5)");
+    line.one_of(
+        "--role R", [this](std::size_t i) { role = i == 0 ? "robot" : "drives"; },
+        std::array{"robot", "drives"},
+        "robot or drives: one of two processes, on the buses of --buses; without it both\n"
+        "are in this process, on buses in memory");
+    line.value(
+        "--buses A,B,C,D,E", [this](const std::string& text) { split(text); }, "the five CAN interfaces");
+    line.one_of("--pace P", lock_step, std::array{"wall-clock", "lock-step"},
+                "wall-clock or lock-step (wall-clock)");
+    line.flag("--quiet", quiet, "prints no figures");
+  }
+  void refuse_contradictions() const {
+    if (role.empty() != names.empty())
+      throw cca::command_line_error("--role and --buses come together: the role, and five CAN interfaces");
+  }
 
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.value("--seconds", [&o](const std::string& text) {
-    o.beats = std::llround(1000 * trot::detail::number("--seconds", text, 0.001, 36000));
-  });
-  read.value("--role", [&o](const std::string& text) {
-    if (text != "robot" && text != "drives")
-      throw trot::command_line_error("--role " + text + ": expected robot or drives");
-    o.role = text;
-  });
-  read.value("--pace", [&o](const std::string& text) {
-    if (text != "wall-clock" && text != "lock-step")
-      throw trot::command_line_error("--pace " + text + ": expected wall-clock or lock-step");
-    o.lock_step = text == "lock-step";
-  });
-  read.value("--buses", [&o](const std::string& text) {
+private:
+  void split(const std::string& text) {
     for (std::size_t from = 0; from <= text.size();) {
       const std::size_t to = std::min(text.find(',', from), text.size());
-      o.names.push_back(text.substr(from, to - from));
+      names.push_back(text.substr(from, to - from));
       from = to + 1;
     }
-    if (o.names.size() != buses)
-      throw trot::command_line_error("--buses " + text + ": expected the names of five CAN interfaces");
-  });
-  read.all(arguments);
-  if (o.role.empty() != o.names.empty())
-    throw trot::command_line_error("--role and --buses come together: the role, and five CAN interfaces");
-  return o;
-}
+    if (names.size() != buses)
+      throw cca::command_line_error("--buses " + text + ": expected the names of five CAN interfaces");
+  }
+};
 
 template <class Controller>
 int report(Controller& c) {
@@ -98,27 +84,38 @@ int report(Controller& c) {
   return runs ? 0 : 1;
 }
 
-int in_one_process(std::int64_t beats) {
-  std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
-  const cca::interruption interrupted;  // ctrl-c: the controller stops the drives, then the program ends
-  two_in_memory run;
-  run.controller.load();
-  run.controller.start();
-  run.run(beats, [&](const auto& c) {
-    if (const long long k = c.beat_index(); k % 1000 == 0)
-      std::printf("%2lld s: %.2f m\n", k / 1000, run.robot.world.trunk_position()[0]);
-    return !interrupted;
-  });
-  if (run.robot.world.fallen()) std::printf("the robot fell\n");
-  const int result = report(run.controller) + (run.robot.world.fallen() ? 1 : 0);
-  std::printf("%s\n", run.shut_down().text().c_str());
-  return interrupted ? interrupted.exit_code() : result;
-}
+// Both ends in this process.
+struct in_one_process : cca::robot_program<two_environments<memory_end>> {
+  explicit in_one_process(const wishes& o) {
+    settings.seconds = o.seconds;
+    settings.speed.reset();  // the buses have virtual time
+    std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
+  }
+
+  void prepare(controller_type& c) override { far.connect(c); }
+  bool between(controller_type& c) override {
+    far.pass_millisecond();
+    if (c.beat_index() % 1000 == 0)
+      std::printf("%2lld s: %.2f m\n", static_cast<long long>(c.beat_index() / 1000),
+                  far.world().trunk_position()[0]);
+    return true;
+  }
+  void stop(controller_type& c) override {
+    if (far.world().fallen()) std::printf("the robot fell\n");
+    result = report(c) + (far.world().fallen() ? 1 : 0);
+    std::printf("%s\n", far.shut_down(c).text().c_str());
+  }
+  int finish(controller_type&) override { return result; }
+
+private:
+  memory_buses far;
+  int result = 0;
+};
 
 using bus_array = std::array<paced_can, buses>;
 // Each end receives only the ids that the other end sends: the kernel filters all others.
 template <std::size_t... Bus>
-bus_array open(const options& o, std::index_sequence<Bus...>) {
+bus_array open_buses(const wishes& o, std::index_sequence<Bus...>) {
   using plan = hw::robot_buses<cca::rate<1000>, board, joints>;
   const auto bus = [&o](std::size_t i, std::span<const hw::can_filter> requests,
                         std::span<const hw::can_filter> replies) {
@@ -128,61 +125,80 @@ bus_array open(const options& o, std::index_sequence<Bus...>) {
   };
   return {bus(Bus, plan::requests<Bus>, plan::replies<Bus>)...};
 }
-bus_array open(const options& o) { return open(o, std::make_index_sequence<buses>()); }
+bus_array open_buses(const wishes& o) { return open_buses(o, std::make_index_sequence<buses>()); }
 
-// A beat begins when the frames of the sensor board have come.
-struct pace_of_frames {
-  bus_array& bus;
-  void begin() const {}
-  void wait(std::int64_t now) const { wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now); }
+// The controller on CAN interfaces: the program for a real robot.
+struct on_buses : cca::robot_program<two_environments<paced_can>> {
+  explicit on_buses(const wishes& o) : bus(open_buses(o)), lock_step(o.lock_step) {
+    settings.seconds = o.seconds;
+    settings.quiet = o.quiet;
+    if (lock_step) settings.speed.reset();  // it waits for frames, not for the clock
+  }
+
+  void prepare(controller_type& c) override {
+    c.get<"robot.synchronizer">().connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
+  }
+  void started(controller_type& c) override { wait_for_frames(c); }
+  bool between(controller_type& c) override {
+    const bool ran = runs_now;
+    runs_now = c.get<"robot.synchronizer">().phase() == hw::motion_phase::running;
+    if (runs_now && !ran) {
+      std::puts("robot: all drives are enabled");
+      std::fflush(stdout);
+    }
+    wait_for_frames(c);
+    return true;
+  }
+  void stop(controller_type& c) override {
+    result = report(c);
+    if (c.overruns() > 0)
+      std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
+                  static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
+    // [shut down]
+    std::printf("robot: %s\n", hw::shut_down(c, robots_pace{bus, lock_step}).text().c_str());
+    // [shut down end]
+  }
+  int finish(controller_type&) override { return result; }
+
+private:
+  static void wait_for_board(bus_array& bus, std::int64_t now) {
+    wait_for(std::span(bus), {0, 0, 0, 0, board::replies.size()}, now);
+  }
+  void wait_for_frames(const controller_type& c) {
+    if (lock_step) wait_for_board(bus, c.beat_index() * controller_type::period());
+  }
+  struct robots_pace {
+    bus_array& bus;
+    bool lock_step;
+    cca::at_speed clock = cca::at_wall_clock();
+    void begin() { clock.begin(); }
+    void wait(std::int64_t now) {
+      if (lock_step) wait_for_board(bus, now);
+      else clock.wait(now);
+    }
+  };
+
+  bus_array bus;
+  bool lock_step;
+  bool runs_now = false;
+  int result = 0;
 };
 
-template <class Pace>
-int as_robot(const options& o, bus_array& bus, Pace pace) {
-  cca::deployed<two_environments<paced_can>> c;
-  auto& drives = c.get<"robot.synchronizer">();
-  drives.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
-  c.load();
-  c.start();
-  const cca::interruption interrupted;
-  bool runs = false;
-  c.run(cca::for_some_beats{o.beats}, pace, [&](const auto&) {
-    if (std::exchange(runs, drives.phase() == hw::motion_phase::running) || !runs) return !interrupted;
-    std::puts("robot: all drives are enabled");
-    std::fflush(stdout);
-    return !interrupted;
-  });
-  const int result = report(c);
-  if (c.fault()) std::printf("robot: %s\n", c.fault().reason());
-  if (c.overruns() > 0)
-    std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
-                static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
-  if (!o.lock_step) std::cout << c.figures();
-  // [shut down]
-  std::printf("robot: %s\n", hw::shut_down(c, pace).text().c_str());
-  // [shut down end]
-  return interrupted ? interrupted.exit_code() : result;
-}
-
-int as_robot(const options& o) {
-  auto bus = open(o);
-  return o.lock_step ? as_robot(o, bus, pace_of_frames{bus}) : as_robot(o, bus, cca::at_wall_clock());
-}
-
 // Reports how the drives ended: still driven, switched off, or stopped by their watchdogs.
-int as_drives(const options& o) {
-  auto bus = open(o);
+int as_drives(const wishes& o) {
+  auto bus = open_buses(o);
   far_side<paced_can> far;
   far.connect(bus[0], bus[1], bus[2], bus[3], bus[4]);
   mechanics robot(put_down());
+  const std::int64_t beats = std::llround(1000 * o.seconds);
   cca::at_speed clock = cca::at_wall_clock();
   clock.begin();
   const cca::interruption interrupted;
   bool driven = false, free = false, unfed = false;  // unfed: since the beat in which they became free
   double distance = 0;                               // the farthest: it slides back when it sinks
   int off = 0;  // beats: it still answers, so that the controller sees that they are off
-  for (std::int64_t k = 1; k <= o.beats && off < 10 && !interrupted; ++k) {
-    const std::int64_t now = k * in_memory<>::beat;
+  for (std::int64_t k = 1; k <= beats && off < 10 && !interrupted; ++k) {
+    const std::int64_t now = k * memory_buses::beat;
     if (o.lock_step) wait_for(std::span(bus), {2, 2, 2, 2, 0}, now);
     else clock.wait(now);
     far.listen(now);
@@ -214,10 +230,13 @@ int as_drives(const options& o) {
 }  // namespace
 
 int main(int count, char** words) {
-  return trot::program("hardware_in_the_loop", usage, count, words,
-                       [](const std::vector<std::string>& arguments) {
-                         const options o = parse(arguments);
-                         if (o.role.empty()) return in_one_process(o.beats);
-                         return o.role == "robot" ? as_robot(o) : as_drives(o);
-                       });
+  wishes o;
+  cca::command_line line("the trot moves virtual drives around the simulated Oncilla, over CAN buses");
+  o.offer(line);
+  return cca::run_program(count, words, line, [&] {
+    o.refuse_contradictions();
+    if (o.role == "drives") return as_drives(o);
+    const auto run = [&](auto&& robot) { return cca::run_robot(robot, cca::program_name(count, words)); };
+    return o.role == "robot" ? run(on_buses(o)) : run(in_one_process(o));
+  });
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include <cca/cca.hpp>
 #include <cca/hardware/memory_bus.hpp>
@@ -34,27 +35,98 @@ inline cca::sim::world put_down() {
   return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
 }
 
-// `Architecture` has the robot at "robot". Neither copied nor moved: its parts point to one another. Of a
-// deployment, `Controller` is cca::deployed<Architecture>: the buses are used by the thread that calls `step`
-// or `run`, so "robot" belongs into the first environment.
-template <class Architecture = trot_on_drives, class Controller = cca::controller<Architecture>>
-class in_memory {
+// The buses and what is behind them. Neither copied nor moved: its parts point to one another.
+class memory_buses {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
   // `one_shot`: a frame is sent once, without retries, as docs/hardware.md asks for. `answering`: the time in
   // a beat at which the far end answers, ns.
-  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
-                     bool one_shot = true,
-                     std::int64_t answering = beat / 2)
+  explicit memory_buses(std::span<const cca::hardware::bus_fault> script = {},
+                        bool one_shot = true,
+                        std::int64_t answering = beat / 2)
       : answers_at(answering),
         wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3),
               made(script, one_shot, 4), made(script, one_shot, 5)} {
-    connect();
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
   }
-  in_memory(const in_memory&) = delete;
-  in_memory& operator=(const in_memory&) = delete;
+  memory_buses(const memory_buses&) = delete;
+  memory_buses& operator=(const memory_buses&) = delete;
+
+  // A controller that has the robot at "robot".
+  template <class Controller>
+  void connect(Controller& controller) {
+    controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
+  }
+
+  // The drives' reaction to what the controller has sent, in one millisecond.
+  void pass_millisecond() {
+    const std::int64_t heard = now + answers_at;
+    go_to(heard);
+    far.listen(heard);
+    laws = far.laws(heard);
+    robot.advance(laws, far.abduction);
+    auto motions = robot.joints();
+    for (std::size_t i = 0; i < motions.size(); ++i) motions[i].velocity *= speed_scale[i];
+    far.tell(motions, robot.board());
+    now += beat;
+    go_to(now - 1);
+  }
+
+  // Stops the robot in order. The drives go on answering meanwhile.
+  template <class Controller>
+  cca::hardware::shut_down_report shut_down(Controller& controller) {
+    return cca::hardware::shut_down(controller, drives_reaction{*this});
+  }
+
+  // For programs that put the robot down and push it.
+  const cca::sim::world& world() const { return robot.world; }
+  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
+    robot.world = std::move(w);
+    robot.disturbance = d;
+  }
+  void disturb(const cca::sim::disturbance& d) { robot.disturbance = d; }
+
+  std::int64_t answers_at;
+  std::array<wire, buses> wires;
+  far_side<memory_end> far{};
+  mechanics robot{hil::put_down()};
+  std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
+  std::array<double, 8> speed_scale{1, 1, 1, 1, 1, 1, 1, 1};  // of the velocities that the drives report
+  std::int64_t now = 0;
+
+private:
+  // The pace of shut_down: what the drives do between two beats.
+  struct drives_reaction {
+    memory_buses& run;
+    void begin() const {}
+    void wait(std::int64_t) const { run.pass_millisecond(); }
+  };
+
+  static wire made(std::span<const cca::hardware::bus_fault> script, bool one_shot, std::uint64_t seed) {
+    return wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = seed, .script = script});
+  }
+  void go_to(std::int64_t time) {
+    for (auto& w : wires) w.advance(time);
+  }
+  std::array<memory_end, buses> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0),
+                                     wires[4].end(0)};
+  std::array<memory_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
+                                     wires[4].end(1)};
+};
+
+// The same with a controller, for programs that run it themselves. `Architecture` has the robot at "robot".
+// Of a deployment, `Controller` is cca::deployed<Architecture>: the buses are used by the thread that calls
+// `step` or `run`, so "robot" belongs into the first environment.
+template <class Architecture = trot_on_drives, class Controller = cca::controller<Architecture>>
+class in_memory : public memory_buses {
+public:
+  explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
+                     bool one_shot = true,
+                     std::int64_t answering = beat / 2)
+      : memory_buses(script, one_shot, answering) {
+    connect(controller);
+  }
 
   // One millisecond: the controller's beat, unless it stands still, then the drives' reaction.
   bool step(bool controller_runs = true) {
@@ -70,47 +142,15 @@ public:
     pass_millisecond();
   }
 
-  // The drives' reaction to what the controller has sent.
-  void pass_millisecond() {
-    const std::int64_t heard = now + answers_at;
-    go_to(heard);
-    far.listen(heard);
-    laws = far.laws(heard);
-    robot.advance(laws, far.abduction);
-    auto motions = robot.joints();
-    for (std::size_t i = 0; i < motions.size(); ++i) motions[i].velocity *= speed_scale[i];
-    far.tell(motions, robot.board());
-    now += beat;
-    go_to(now - 1);
-  }
-
-  // Stops the robot in order. The drives go on answering meanwhile.
-  cca::hardware::shut_down_report shut_down() {
-    return cca::hardware::shut_down(controller, drives_reaction{*this});
-  }
-
-  // For programs that put the robot down and push it.
-  const cca::sim::world& world() const { return robot.world; }
-  void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
-    robot.world = std::move(w);
-    robot.disturbance = d;
-  }
-  void disturb(const cca::sim::disturbance& d) { robot.disturbance = d; }
+  cca::hardware::shut_down_report shut_down() { return memory_buses::shut_down(controller); }
 
   // A new controller, as if the program were started again.
   void restart_program() {
     controller = {};
-    connect();
+    connect(controller);
   }
 
-  std::int64_t answers_at;
-  std::array<wire, buses> wires;
   Controller controller{};
-  far_side<memory_end> far{};
-  mechanics robot{hil::put_down()};
-  std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
-  std::array<double, 8> speed_scale{1, 1, 1, 1, 1, 1, 1, 1};  // of the velocities that the drives report
-  std::int64_t now = 0;
 
 private:
   // A pace: between two beats of a run a millisecond passes.
@@ -121,27 +161,6 @@ private:
       if (since > 0) all.pass_millisecond();
     }
   };
-
-  // The pace of shut_down: what the drives do between two beats.
-  struct drives_reaction {
-    in_memory& run;
-    void begin() const {}
-    void wait(std::int64_t) const { run.step(false); }
-  };
-
-  void connect() {
-    controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
-  }
-  static wire made(std::span<const cca::hardware::bus_fault> script, bool one_shot, std::uint64_t seed) {
-    return wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = seed, .script = script});
-  }
-  void go_to(std::int64_t time) {
-    for (auto& w : wires) w.advance(time);
-  }
-  std::array<memory_end, buses> near{wires[0].end(0), wires[1].end(0), wires[2].end(0), wires[3].end(0),
-                                     wires[4].end(0)};
-  std::array<memory_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
-                                     wires[4].end(1)};
 };
 
 }  // namespace hil

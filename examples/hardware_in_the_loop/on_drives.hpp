@@ -15,16 +15,22 @@ struct skills_on_drives : skills::architecture<oncilla<memory_end>> {};
 
 // The far end answers early in the beat. A frame of the sensor board that is still waiting when the next beat
 // begins would lose arbitration against the abduction targets, and be dropped.
+inline constexpr std::int64_t early_in_beat = 300'000;
 struct skills_in_memory : in_memory<skills_on_drives> {
-  skills_in_memory() : in_memory({}, true, 300'000) {}
+  skills_in_memory() : in_memory({}, true, early_in_beat) {}
 };
 
-// Switches the balance reflex off, unless a file sets it: it turns the trunk's rate of turn into a knee
-// angle, and the delay of the buses is enough to make the standing robot tremble.
-inline void load(skills_in_memory& run, const std::string& shape, const std::optional<std::string>& config) {
-  auto reflex = run.controller.get<"balance">().p;
+// Before the parameters are loaded: names the shape of the trot, and switches the balance reflex off, unless
+// a file sets it. It turns the trunk's rate of turn into a knee angle, and the delay of the buses is enough
+// to make the standing robot tremble.
+inline void prepare(cca::controller<skills_on_drives>& controller, const std::string& shape) {
+  auto reflex = controller.get<"balance">().p;
   reflex.time = 0;
-  run.controller.set<"balance">(reflex);
+  controller.set<"balance">(reflex);
+  skills::name_shape(controller, shape);
+}
+inline void load(skills_in_memory& run, const std::string& shape, const std::optional<std::string>& config) {
+  prepare(run.controller, shape);
   skills::load(run.controller, shape, config);
 }
 

@@ -2,38 +2,75 @@
 // buses in memory. The options are those of combination_of_skills without recordings; --help lists them.
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include <cca/cca.hpp>
-#include <cca/config.hpp>
-#include <cca/runtime/interruption.hpp>
+#include <cca/main.hpp>
 
-#include "../combination_of_skills/program.hpp"
+#include "../combination_of_skills/command_line.hpp"
 #include "../combination_of_skills/summary.hpp"
+#include "../trot/report/file.hpp"
 #include "on_drives.hpp"
 
 namespace {
 
-int run(const skills::options& o) {
-  if (o.csv || o.svg) throw skills::command_line_error("--csv and --svg: only combination_of_skills records");
-  hil::skills_in_memory robot;
-  hil::load(robot, o.shape, o.config);
-  const cca::interruption interrupted;  // ctrl-c: the drives are stopped, and what it has is written
-  const auto result = skills::act(robot, o.run, [&](const auto&) { return !interrupted; });
-  if (!o.quiet) skills::write_table(std::cout, o.run, result);
-  if (o.summary)
-    trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
-  const auto& stop = robot.controller.get<"robot.emergency_stop">();
-  if (stop.mode() != cca::hardware::motion_mode::run)
-    std::printf("stopped; first cause: %s\n",
-                std::string(cca::hardware::name_of(stop.first_cause().rule)).c_str());
-  const auto stopped = robot.shut_down();
-  if (!o.quiet || !stopped.complete()) std::printf("%s\n", stopped.text().c_str());
-  return interrupted ? interrupted.exit_code() : skills::succeeded(result) ? 0 : 1;
-}
+struct program : cca::robot_program<hil::skills_on_drives> {
+  program() {
+    purpose = "a simulated Oncilla on virtual drives trots, stops, reaches for a ball and trots on";
+    settings.speed.reset();  // as fast as possible
+  }
+
+  void options(cca::command_line& line) override { o.offer(line, settings); }
+
+  void prepare(controller_type& c) override {
+    buses.connect(c);
+    hil::prepare(c, o.shape);
+  }
+  void loaded(controller_type& c) override {
+    run.emplace(o.run);
+    stage on{c, buses};
+    run->begin(on);
+  }
+
+  bool between(controller_type& c) override {
+    buses.pass_millisecond();
+    stage on{c, buses};
+    return run->note(on);
+  }
+
+  void stop(controller_type& c) override {
+    const auto& button = c.get<"robot.emergency_stop">();
+    if (button.mode() != cca::hardware::motion_mode::run)
+      std::printf("stopped; first cause: %s\n",
+                  std::string(cca::hardware::name_of(button.first_cause().rule)).c_str());
+    stopped = buses.shut_down(c);
+  }
+
+  int finish(controller_type&) override {
+    const auto result = run->end();
+    if (!settings.quiet) skills::write_table(std::cout, o.run, result);
+    if (o.summary)
+      trot::write(*o.summary, [&](std::ostream& file) { skills::write_json(file, {{o.run, result}}); });
+    if (!settings.quiet || !stopped.complete()) std::printf("%s\n", stopped.text().c_str());
+    return skills::succeeded(result) ? 0 : 1;
+  }
+
+private:
+  struct stage {
+    controller_type& controller;
+    hil::memory_buses& buses;
+    const cca::sim::world& world() const { return buses.world(); }
+    void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) { buses.put_down(std::move(w), d); }
+    void disturb(const cca::sim::disturbance& d) { buses.disturb(d); }
+  };
+
+  skills::options o;
+  hil::memory_buses buses{{}, true, hil::early_in_beat};
+  std::optional<skills::noted_run> run;
+  cca::hardware::shut_down_report stopped;
+};
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return skills::program("hardware_in_the_loop_skills", count, arguments, run);
-}
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }

@@ -30,8 +30,30 @@ inline cca::sim::initial_posture put_down(const gait::parameters& p, const cca::
   return posture;
 }
 
-// Calls between(world, part of the run) after each beat, and ends if it returns false. The controller must be
-// loaded and not started.
+inline std::size_t beats_in(double seconds) {
+  return static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
+}
+
+// Puts the robot down for a run of this time, and begins to record it. The controller must be loaded and not
+// started.
+inline recording begin(trotting& controller,
+                       const cca::sim::terrain& ground,
+                       const cca::sim::disturbance& disturbance,
+                       double seconds,
+                       const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
+  // The robot's posture, the ground and the disturbance: [put down]
+  auto& simulator = controller.get<"robot.simulator">();
+  simulator.put_down(cca::sim::world(model, ground.with_friction(disturbance.friction),
+                                     put_down(controller.get<"gait">().p, disturbance)),
+                     disturbance);
+  // [put down end]
+  recording run;
+  run.begin(simulator.world(), beats_in(seconds));
+  return run;
+}
+
+// A whole run, as fast as possible. Calls between(world, part of the run) after each beat, and ends if it
+// returns false.
 template <class Between>
 recording roll_out(trotting& controller,
                    const cca::sim::terrain& ground,
@@ -39,20 +61,13 @@ recording roll_out(trotting& controller,
                    double seconds,
                    Between between,
                    const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
-  // The robot's posture, the ground and the disturbance: [put down]
-  auto& simulator = controller.get<"robot.simulator">();
-  simulator.put_down(cca::sim::world(model, ground.with_friction(disturbance.friction),
-                                     put_down(controller.get<"gait">().p, disturbance)),
-                     disturbance);
-  // [put down end]
-  const auto beats =
-      static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
-  recording run;
-  run.begin(simulator.world(), beats);
+  recording run = begin(controller, ground, disturbance, seconds, model);
+  const cca::sim::world& world = controller.get<"robot.simulator">().world();
+  const std::size_t beats = beats_in(seconds);
   controller.start();
   for (std::size_t k = 1; k <= beats && !run.fell && controller.step(); ++k) {
-    run.note(simulator.world());
-    if (!goes_on(between, simulator.world(), static_cast<double>(k) / static_cast<double>(beats))) break;
+    run.note(world);
+    if (!goes_on(between, world, static_cast<double>(k) / static_cast<double>(beats))) break;
   }
   return run;
 }

@@ -7,22 +7,20 @@
 //   architecture.hpp         how they are wired
 //   rollout.hpp              a run in the simulator
 //   trot.toml                the parameters
-// report/ has what every program needs around its controller: command line, progress bar, figures, CSV and
+// report/ has what this program adds to the main function for robots: options, progress bar, figures, CSV and
 // SVG files. The search for gait parameters is in tools/gait_search.
 #include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <string>
-#include <vector>
 
 #include <cca/cca.hpp>
-#include <cca/config.hpp>
-#include <cca/runtime/interruption.hpp>
+#include <cca/main.hpp>
 
 #include "report/command_line.hpp"
 #include "report/csv.hpp"
 #include "idle_robot.hpp"
-#include "report/program.hpp"
+#include "report/file.hpp"
 #include "report/progress.hpp"
 #include "rollout.hpp"
 #include "report/statistics.hpp"
@@ -50,62 +48,81 @@ double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
-int run(const trot::options& o) {
-  trot::trotting controller;
-  if (o.config) controller.load(*o.config);
-  else controller.load();
-  if (o.speed) {
-    auto wanted = controller.get<"throttle">().p;
-    wanted.speed = *o.speed;
-    controller.set<"throttle">(wanted);
+struct program : cca::robot_program<trot::simulated_trot> {
+  program() : bar("trot") {
+    purpose = "a simulated Oncilla trots";
+    settings.seconds = 20;
+    settings.speed.reset();  // as fast as possible
   }
 
-  const auto disturbance =
-      o.seed ? cca::sim::disturbance::from_seed(*o.seed, o.seconds) : cca::sim::disturbance::none();
-  trot::progress_bar bar("trot", !o.quiet);
-  const cca::interruption interrupted;  // ctrl-c: ends the run, and what it has is written
-  double in_between = 0;
-  const auto start = clock_type::now();
-  const trot::recording recorded = trot::roll_out(
-      controller, o.ground, disturbance, o.seconds, [&](const cca::sim::world& world, double part) {
-        if (controller.beat_index() % 20 != 0) return !interrupted;
-        const auto drawing = clock_type::now();
-        char note[64];
-        std::snprintf(note, sizeof note, "%5.1f s %6.2f m", world.time(), world.trunk_position()[0]);
-        bar.show(part, note);
-        in_between += seconds_since(drawing);
-        return !interrupted;
+  void options(cca::command_line& line) override { o.offer(line, settings); }
+
+  void loaded(controller_type& c) override {
+    if (o.speed) {
+      auto wanted = c.get<"throttle">().p;
+      wanted.speed = *o.speed;
+      c.set<"throttle">(wanted);
+    }
+    const double seconds = *settings.seconds;
+    recorded = trot::begin(
+        c, o.ground,
+        o.seed ? cca::sim::disturbance::from_seed(*o.seed, seconds) : cca::sim::disturbance::none(), seconds);
+    bar = trot::progress_bar("trot", !settings.quiet);
+    start = clock_type::now();
+  }
+
+  bool between(controller_type& c) override {
+    const cca::sim::world& world = c.get<"robot.simulator">().world();
+    recorded.note(world);
+    if (c.beat_index() % 20 == 0) {
+      const auto drawing = clock_type::now();
+      char note[64];
+      std::snprintf(note, sizeof note, "%5.1f s %6.2f m", world.time(), world.trunk_position()[0]);
+      bar.show(world.time() / *settings.seconds, note);
+      drawn += seconds_since(drawing);
+    }
+    return !recorded.fell;
+  }
+
+  void stop(controller_type& c) override {
+    c.stop();
+    taken = seconds_since(start) - drawn;
+    bar.done();
+  }
+
+  int finish(controller_type&) override {
+    const trot::statistics figures = trot::evaluate(recorded);
+    trot::costs costs;
+    costs.real_time_factor = figures.seconds / taken;
+    costs.controller_ns_per_beat = controller_nanoseconds();
+    costs.physics_ns_per_beat =
+        taken * 1e9 / static_cast<double>(recorded.moments.size()) - costs.controller_ns_per_beat;
+    if (!settings.quiet) trot::write_table(std::cout, figures, costs);
+    if (o.summary)
+      trot::write(*o.summary, [&](std::ostream& file) {
+        trot::write_json(file, figures, costs, {o.seed, o.ground.name()});
       });
-  controller.stop();
-  const double taken = seconds_since(start) - in_between;
-  bar.done();
-  if (interrupted) std::cerr << "trot: interrupted; the figures are of what it has run\n";
-
-  const trot::statistics figures = trot::evaluate(recorded);
-  trot::costs costs;
-  costs.real_time_factor = figures.seconds / taken;
-  costs.controller_ns_per_beat = controller_nanoseconds();
-  costs.physics_ns_per_beat =
-      taken * 1e9 / static_cast<double>(recorded.moments.size()) - costs.controller_ns_per_beat;
-
-  const std::string seed = o.seed ? std::to_string(*o.seed) : "null";
-  if (!o.quiet) trot::write_table(std::cout, figures, costs);
-  if (o.summary)
-    trot::write(*o.summary,
-                [&](std::ostream& file) { trot::write_json(file, figures, costs, {seed, o.ground.name()}); });
-  if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
-  if (o.svg) {
-    char title[128];
-    std::snprintf(title, sizeof title, "Oncilla, trot on %s ground: %.2f m in %.1f s, %.2f m/s",
-                  o.ground.name().c_str(), figures.distance, figures.seconds, figures.speed);
-    trot::write(*o.svg, [&](std::ostream& file) { trot::write_svg(file, recorded, title); });
+    if (o.csv) trot::write(*o.csv, [&](std::ostream& file) { trot::write_csv(file, recorded); });
+    if (o.svg)
+      trot::write(*o.svg, [&](std::ostream& file) { trot::write_svg(file, recorded, title(figures)); });
+    return figures.fell ? 1 : 0;
   }
-  return interrupted ? interrupted.exit_code() : figures.fell ? 1 : 0;
-}
+
+private:
+  std::string title(const trot::statistics& figures) const {
+    char text[128];
+    std::snprintf(text, sizeof text, "Oncilla, trot on %s ground: %.2f m in %.1f s, %.2f m/s",
+                  o.ground.name().c_str(), figures.distance, figures.seconds, figures.speed);
+    return text;
+  }
+
+  trot::options o;
+  trot::progress_bar bar;
+  trot::recording recorded;
+  clock_type::time_point start{};
+  double drawn = 0, taken = 0;  // s
+};
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("trot", trot::usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return run(trot::parse(given)); });
-}
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }

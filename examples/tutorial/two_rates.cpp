@@ -1,28 +1,28 @@
-// Tutorial, step 4: runs a graph with two rates. docs/tutorial/4_two_rates.md
+// Tutorial, step 4: runs a graph with two rates, by the main function for robots.
+// docs/tutorial/4_two_rates.md
 //
-//   tutorial_two_rates [FILE]    with the parameters in FILE
+//   tutorial_two_rates --config FILE    with the parameters in FILE; --help lists the options
 #include <cstdio>
 
-#include <cca/config.hpp>
+#include <cca/main.hpp>
 
 #include "swinging_leg.hpp"
 
 // [program]
-int main(int count, char** arguments) {
-  cca::controller<swinging_leg> c;
-  try {
-    if (count > 1) c.load(arguments[1]);
-    else c.load();
-  } catch (const cca::refused& refusal) {
-    std::printf("%s\n", refusal.what());
-    return 1;
+struct program : cca::robot_program<swinging_leg> {
+  program() {
+    settings.seconds = 2;
+    settings.speed.reset();  // as fast as possible
   }
-  c.start();
-  for (int i = 1; i <= 4; ++i) {
-    c.run(cca::for_<0.5>{});
+
+  bool between(controller_type& c) override {
+    if (c.beat_index() % 500 != 0) return true;
     const simple_leg& leg = c.get<"leg">();
-    std::printf("%.1f s  hip %6.3f rad, knee %6.3f rad\n", 0.5 * i, leg.angles[0], leg.angles[1]);
+    std::printf("%.1f s  hip %6.3f rad, knee %6.3f rad\n", 1e-3 * static_cast<double>(c.beat_index()),
+                leg.angles[0], leg.angles[1]);
+    return true;  // false would end the run
   }
-  c.stop();
-}
+};
+
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }
 // [program end]

@@ -1,5 +1,5 @@
-// A user's program with all components: reads a parameter from a file, joins a DDS domain, steps a world of
-// the simulator, sends a set-point to a drive over a bus in memory.
+// A user's program with all components: has the main function for robots, reads a parameter from a file,
+// joins a DDS domain, steps a world of the simulator, sends a set-point to a drive over a bus in memory.
 #include <unistd.h>
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <cca/dds.hpp>
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
+#include <cca/main.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 #include <cca/sim/world.hpp>
 
@@ -39,7 +40,8 @@ struct alone : cca::deployment<moving, cca::environment<"all", cca::other_nodes>
 
 static_assert(cca::robots::oncilla::leg_axes::count == 8);
 
-int main() {
+int main(int count, char** words) {
+  if (count > 1) return cca::robot_main<moving>(count, words);
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";
   cca::controller<moving> c;
   c.load("moving.toml");

@@ -12,12 +12,27 @@
 #endif
 
 namespace {
-std::atomic<std::size_t> count{0};
-}
+class counter {
+public:
+  void operator++() {
+    ++all;
+    ++own;
+  }
+  std::size_t total() const { return all; }
+  static std::size_t of_this_thread() { return own; }
+
+private:
+  std::atomic<std::size_t> all{0};
+  static inline thread_local std::size_t own = 0;
+};
+counter count;
+}  // namespace
 
 namespace laws {
 std::size_t allocations();
-std::size_t allocations() { return count; }
+std::size_t allocations() { return count.total(); }
+std::size_t allocations_of_this_thread();
+std::size_t allocations_of_this_thread() { return counter::of_this_thread(); }
 }  // namespace laws
 
 extern "C" {

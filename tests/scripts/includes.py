@@ -15,9 +15,10 @@ import sys
 MOST_LINES = 300
 MOST_HEADERS = 20  # in a folder
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
-APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"]}
+APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"],
+         "main": ["base", "component", "graph", "runtime"]}
 # Headers directly in cca/, and the folders that each may include from.
-TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"]} | {
+TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds"}
@@ -45,6 +46,8 @@ def cca_include(where, target, part):
     if folder in OUTSIDE:
         return "the core includes an adapter or a robot"
     if "/" not in target:
+        if target == "config.hpp" and where.startswith("main/"):
+            return None  # a program reads its parameters from files
         return f"no header includes {target}: include the headers that are needed"
     may = allowed(where.split("/")[0]) if "/" in where else TOP.get(where)
     if may is None:
@@ -56,6 +59,8 @@ def other_include(where, target, part):
     """The same for a header of another library."""
     if target.startswith("toml++/") and not where.startswith(("config/", "config.hpp")):
         return "toml++ belongs in config.hpp and config/"
+    if target.startswith("CLI/") and not where.startswith("main/"):
+        return "CLI11 belongs in main/"
     if target.startswith("ode/") and part != "sim":
         return "the physics engine belongs in sim/"
     if target.startswith("dds/") and part != "dds":

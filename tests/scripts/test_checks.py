@@ -92,6 +92,13 @@ class Includes(Tree):
         self.found("include/cca/component/a.hpp", "boost/hana/tuple.hpp")
         self.assertEqual(len(self.found("include/cca/graph/a.hpp", "boost/hana/tuple.hpp")), 1)
 
+    def test_only_main_knows_the_command_line(self):
+        self.assertEqual(self.found("include/cca/main/a.hpp", "CLI/CLI.hpp"), [])
+        self.assertEqual(self.found("include/cca/main/b.hpp", "cca/config.hpp"), [])
+        self.assertEqual(len(self.found("include/cca/runtime/a.hpp", "CLI/CLI.hpp")), 1)
+        self.assertEqual(len(self.found("include/cca/runtime/b.hpp", "cca/main/a.hpp")), 2)
+        self.assertEqual(len(self.found("include/cca/runtime/c.hpp", "cca/config.hpp")), 3)
+
 
 class Snippets(Tree):
     SOURCE = "int main() {\n  // [part]\n  f();\n    g();\n  // [part end]\n}\n"

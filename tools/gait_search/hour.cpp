@@ -9,17 +9,17 @@
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <unistd.h>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
-#include "../../examples/trot/report/command_line.hpp"
-#include "../../examples/trot/report/program.hpp"
+#include "../../examples/trot/report/file.hpp"
+#include "../../examples/trot/report/json.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
 
@@ -32,30 +32,18 @@ struct options {
   std::uint64_t seed = 0;
 };
 
-constexpr std::string_view usage =
-    "trot_hour: the trot for an hour, on flat ground, up a slope and up steps\n"
-    "\n"
-    "  --config FILE     parameters (the defaults in the code)\n"
-    "  --terrain T       one ground only: flat, slope[:degrees] or steps[:millimetres]\n"
-    "  --seconds S       on each ground, simulated (3600)\n"
-    "  --seed N          the disturbances (0)\n"
-    "  --summary FILE    falls, way and memory as one JSON array\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.text("--config", o.config);
-  read.value("--terrain", [&o](const std::string& text) {
-    trot::detail::ground(text);
-    o.grounds = {text};
-  });
-  read.number("--seconds", o.seconds, 1, 86400);
-  read.whole_number("--seed", o.seed);
-  read.text("--summary", o.summary);
-  read.all(arguments);
-  return o;
+void offer(cca::command_line& line, options& o) {
+  line.text("--config FILE", o.config, "parameters (the defaults in the code)");
+  line.value(
+      "--terrain T",
+      [&o](const std::string& text) {
+        cca::sim::terrain::named(text);
+        o.grounds = {text};
+      },
+      "one ground only: flat, slope[:degrees] or steps[:millimetres]");
+  line.number("--seconds S", o.seconds, 1, 86400, "on each ground, simulated (3600)");
+  line.whole_number("--seed N", o.seed, 0, "the disturbances (0)");
+  line.text("--summary FILE", o.summary, "falls, way and memory as one JSON array");
 }
 
 // What the program has in memory now, MB.
@@ -123,7 +111,7 @@ int run(const options& o) {
   trot::trotting start;
   if (o.config.empty()) start.load();
   else start.load(o.config);
-  std::string all;
+  trot::json all = trot::json::array();
   bool fell = false;
   for (const std::string& ground : o.grounds) {
     if (interrupted) break;
@@ -135,23 +123,25 @@ int run(const options& o) {
         r.ground.c_str(), r.fell ? "FELL" : "stands", r.seconds, r.distance, r.climbed,
         r.distance / r.seconds, r.slowest_minute, r.memory_at_first, r.memory_at_last);
     std::fflush(stdout);
-    char text[320];
-    std::snprintf(text, sizeof text,
-                  "%s\n  {\"terrain\": \"%s\", \"fell\": %s, \"seconds\": %.6g, \"distance_m\": %.6g, "
-                  "\"climbed_m\": %.6g, \"slowest_minute_m_s\": %.6g, \"memory_after_a_minute_mb\": %.6g, "
-                  "\"memory_at_the_end_mb\": %.6g}",
-                  all.empty() ? "" : ",", r.ground.c_str(), r.fell ? "true" : "false", r.seconds, r.distance,
-                  r.climbed, r.slowest_minute, r.memory_at_first, r.memory_at_last);
-    all += text;
+    all.push_back({{"terrain", r.ground},
+                   {"fell", r.fell},
+                   {"seconds", r.seconds},
+                   {"distance_m", r.distance},
+                   {"climbed_m", r.climbed},
+                   {"slowest_minute_m_s", r.slowest_minute},
+                   {"memory_after_a_minute_mb", r.memory_at_first},
+                   {"memory_at_the_end_mb", r.memory_at_last}});
   }
-  if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { file << "[" << all << "\n]\n"; });
+  if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { trot::write(file, all); });
   if (interrupted) std::cerr << "trot_hour: interrupted\n";
   return interrupted ? interrupted.exit_code() : fell ? 1 : 0;
 }
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("trot_hour", usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return run(parse(given)); });
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("the trot for an hour, on flat ground, up a slope and up steps");
+  offer(line, o);
+  return cca::run_program(count, words, line, [&] { return run(o); });
 }

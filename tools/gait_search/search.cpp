@@ -14,16 +14,15 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "cma_es.hpp"
 #include "../../examples/trot/report/parallel.hpp"
-#include "../../examples/trot/report/program.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/report/statistics.hpp"
@@ -125,33 +124,13 @@ struct options {
   std::uint64_t seed = 1;
 };
 
-constexpr std::string_view usage =
-    "trot_search: searches gait parameters that make the robot fast and steady, on all cores\n"
-    "\n"
-    "  --config FILE     parameters to begin with (the defaults in the code)\n"
-    "  --out FILE        the best parameters, for trot --config (found.toml)\n"
-    "  --generations N   how long to search (40)\n"
-    "  --population N    gaits per generation (12)\n"
-    "  --seconds S       of each run, simulated (7)\n"
-    "  --seed N          of the search (1)\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.text("--config", o.config);
-  read.text("--out", o.out);
-  read.value("--generations", [&o](const std::string& text) {
-    o.generations = static_cast<int>(trot::detail::number("--generations", text, 1, 1e5));
-  });
-  read.value("--population", [&o](const std::string& text) {
-    o.population = static_cast<int>(trot::detail::number("--population", text, 4, 1e4));
-  });
-  read.number("--seconds", o.seconds, 3, 1000);
-  read.whole_number("--seed", o.seed);
-  read.all(arguments);
-  return o;
+void offer(cca::command_line& line, options& o) {
+  line.text("--config FILE", o.config, "parameters to begin with (the defaults in the code)");
+  line.text("--out FILE", o.out, "the best parameters, for trot --config (found.toml)");
+  line.number("--generations N", o.generations, 1, 1e5, "how long to search (40)");
+  line.number("--population N", o.population, 4, 1e4, "gaits per generation (12)");
+  line.number("--seconds S", o.seconds, 3, 1000, "of each run, simulated (7)");
+  line.whole_number("--seed N", o.seed, 0, "of the search (1)");
 }
 
 int search(const options& o) {
@@ -210,7 +189,9 @@ int search(const options& o) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("trot_search", usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return search(parse(given)); });
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("searches gait parameters that make the robot fast and steady, on all cores");
+  offer(line, o);
+  return cca::run_program(count, words, line, [&] { return search(o); });
 }

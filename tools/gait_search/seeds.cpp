@@ -9,16 +9,17 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../../examples/trot/report/command_line.hpp"
+#include "../../examples/trot/report/file.hpp"
+#include "../../examples/trot/report/json.hpp"
 #include "../../examples/trot/report/parallel.hpp"
-#include "../../examples/trot/report/program.hpp"
 #include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/report/statistics.hpp"
@@ -32,29 +33,13 @@ struct options {
   double seconds = 20;
 };
 
-constexpr std::string_view usage =
-    "trot_seeds: the trot from many disturbances, on all cores\n"
-    "\n"
-    "  --config FILE     parameters (the defaults in the code)\n"
-    "  --first N         the first seed (0)\n"
-    "  --count N         how many (100)\n"
-    "  --seconds S       of each, simulated (20)\n"
-    "  --terrain T       flat, slope[:degrees] or steps[:millimetres] (flat)\n"
-    "  --summary FILE    falls, speed, drift, slip and duty as one JSON object\n"
-    "  --version         the version of cca\n"
-    "  --help            this text\n";
-
-options parse(const std::vector<std::string>& arguments) {
-  options o;
-  trot::option_reader read;
-  read.text("--config", o.config);
-  read.text("--summary", o.summary);
-  read.value("--terrain", [&o](const std::string& text) { o.ground = trot::detail::ground(text); });
-  read.whole_number("--first", o.first);
-  read.whole_number("--count", o.count, 1);
-  read.number("--seconds", o.seconds, 1, 3600);
-  read.all(arguments);
-  return o;
+void offer(cca::command_line& line, options& o) {
+  line.text("--config FILE", o.config, "parameters (the defaults in the code)");
+  line.whole_number("--first N", o.first, 0, "the first seed (0)");
+  line.whole_number("--count N", o.count, 1, "how many (100)");
+  line.number("--seconds S", o.seconds, 1, 3600, "of each, simulated (20)");
+  trot::offer_terrain(line, o.ground);
+  line.text("--summary FILE", o.summary, "falls, speed, drift, slip and duty as one JSON object");
 }
 
 int run(const options& o) {
@@ -127,22 +112,25 @@ int run(const options& o) {
       all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, speed, slowest, 100 * aside,
       roll * 57.2958, pitch * 57.2958, slip, most_slip, friction, duty[0], duty[1], duty[2], duty[3]);
   if (o.summary.empty()) return interrupted.exit_code();
-  char text[512];
-  std::snprintf(
-      text, sizeof text,
-      "{\"seeds\": %zu, \"falls\": %zu, \"fall_rate\": %.6g, \"mean_speed_m_s\": %.6g, "
-      "\"least_speed_m_s\": %.6g, "
-      "\"greatest_drift_share\": %.6g, \"mean_foot_slip_m_s\": %.6g, \"greatest_foot_slip_m_s\": %.6g, "
-      "\"mean_friction_power_w\": %.6g, \"mean_duty_factors\": [%.6g, %.6g, %.6g, %.6g]}\n",
-      all.size(), falls, rate, speed, slowest, aside, slip, most_slip, friction, duty[0], duty[1], duty[2],
-      duty[3]);
-  trot::write(o.summary, [&](std::ostream& file) { file << text; });
+  const trot::json summary{{"seeds", all.size()},
+                           {"falls", falls},
+                           {"fall_rate", rate},
+                           {"mean_speed_m_s", speed},
+                           {"least_speed_m_s", slowest},
+                           {"greatest_drift_share", aside},
+                           {"mean_foot_slip_m_s", slip},
+                           {"greatest_foot_slip_m_s", most_slip},
+                           {"mean_friction_power_w", friction},
+                           {"mean_duty_factors", duty}};
+  trot::write(o.summary, [&](std::ostream& file) { trot::write(file, summary); });
   return interrupted.exit_code();
 }
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return trot::program("trot_seeds", usage, count, arguments,
-                       [](const std::vector<std::string>& given) { return run(parse(given)); });
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("the trot from many disturbances, on all cores");
+  offer(line, o);
+  return cca::run_program(count, words, line, [&] { return run(o); });
 }

@@ -1,10 +1,14 @@
 #pragma once
 // The figures of a run as a short table for people and as one JSON object for programs.
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <ostream>
 #include <string>
 
+#include "json.hpp"
 #include "recording.hpp"
 #include "statistics.hpp"
 
@@ -17,7 +21,8 @@ struct costs {
 };
 
 struct circumstances {
-  std::string seed, terrain;  // seed: a number, or null
+  std::optional<std::uint64_t> seed;  // none: no disturbance
+  std::string terrain;
 };
 
 namespace detail {
@@ -63,37 +68,31 @@ inline void write_table(std::ostream& out, const statistics& s, const costs& c) 
 }
 
 inline void write_json(std::ostream& out, const statistics& s, const costs& c, const circumstances& where) {
-  using detail::formatted, detail::in_degrees;
-  const auto number = [](double x) { return std::isfinite(x) ? formatted("%.6g", x) : std::string("null"); };
-  const auto field = [&](const char* name, const std::string& value) {
-    out << ",\n  \"" << name << "\": " << value;
+  using detail::in_degrees;
+  const auto of_legs = [](const std::array<double, 4>& numbers) {
+    json object;
+    for (std::size_t i = 0; i < 4; ++i) object[std::string(leg_keys[i])] = numbers[i];
+    return object;
   };
-  out << "{\n  \"speed_m_s\": " << number(s.speed);
-  field("cruise_speed_m_s", number(s.cruise));
-  field("distance_m", number(s.distance));
-  field("drift_m", number(s.drift));
-  field("seconds", number(s.seconds));
-  field("fell", s.fell ? "true" : "false");
-  field("max_roll_deg", number(in_degrees(s.max_roll)));
-  field("max_pitch_deg", number(in_degrees(s.max_pitch)));
-  field("stride_frequency_hz", number(s.stride_frequency));
-  std::string duty;
-  for (std::size_t i = 0; i < 4; ++i)
-    duty += (i ? ", \"" : "\"") + std::string(leg_keys[i]) + "\": " + number(s.duty_factor[i]);
-  field("duty_factor", "{" + duty + "}");
-  field("foot_slip_m_s", number(s.foot_slip));
-  std::string slip;
-  for (std::size_t i = 0; i < 4; ++i)
-    slip += (i ? ", \"" : "\"") + std::string(leg_keys[i]) + "\": " + number(s.slip_of_foot[i]);
-  field("slip_of_foot_m_s", "{" + slip + "}");
-  field("friction_power_w", number(s.friction_power));
-  field("cost_of_transport", number(s.cost_of_transport));
-  field("real_time_factor", number(c.real_time_factor));
-  field("controller_ns_per_beat", number(c.controller_ns_per_beat));
-  field("physics_ns_per_beat", number(c.physics_ns_per_beat));
-  field("seed", where.seed);
-  field("terrain", "\"" + where.terrain + "\"");
-  out << "\n}\n";
+  write(out, json{{"speed_m_s", s.speed},
+                  {"cruise_speed_m_s", s.cruise},
+                  {"distance_m", s.distance},
+                  {"drift_m", s.drift},
+                  {"seconds", s.seconds},
+                  {"fell", s.fell},
+                  {"max_roll_deg", in_degrees(s.max_roll)},
+                  {"max_pitch_deg", in_degrees(s.max_pitch)},
+                  {"stride_frequency_hz", s.stride_frequency},
+                  {"duty_factor", of_legs(s.duty_factor)},
+                  {"foot_slip_m_s", s.foot_slip},
+                  {"slip_of_foot_m_s", of_legs(s.slip_of_foot)},
+                  {"friction_power_w", s.friction_power},
+                  {"cost_of_transport", s.cost_of_transport},
+                  {"real_time_factor", c.real_time_factor},
+                  {"controller_ns_per_beat", c.controller_ns_per_beat},
+                  {"physics_ns_per_beat", c.physics_ns_per_beat},
+                  {"seed", where.seed ? json(*where.seed) : json()},
+                  {"terrain", where.terrain}});
 }
 
 }  // namespace trot

@@ -1,7 +1,10 @@
 // The code of docs/environments.md.
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include <cca/config.hpp>
@@ -10,7 +13,42 @@
 
 using namespace deployment_test;
 
+namespace {
+
+// [realtime]
+struct on_cores : cca::deployment<architecture,
+                                  cca::environment<"robot",
+                                                   cca::nodes<"device", "filter", "guard">,
+                                                   cca::realtime_if_allowed<80, cca::on_core<0>>>,
+                                  cca::environment<"mind", cca::other_nodes>> {};
+// [realtime end]
+static_assert(cca::well_formed<on_cores>);
+static_assert(cca::detail::wish_of_environment<on_cores, 0>.priority == 80);
+
+}  // namespace
+
 TEST_SUITE("deployment pages") {
+  TEST_CASE("figures, read at any time") {
+    std::ostringstream out;
+    // [figures]
+    cca::deployed<two> d;
+    d.load();
+    d.start();
+    d.run(cca::for_<0.1>{}, cca::at_wall_clock());
+    for (const cca::environment_figures& e : d.figures())
+      out << e.name << ": wakes within " << e.wake_up.quantile(0.99) / 1000 << " us in 99 of 100 beats\n";
+    // [figures end]
+    CHECK(out.str().starts_with("robot: wakes within "));
+  }
+
+  TEST_CASE("a process takes its part") {
+    const std::string name = "/cca_pages_" + std::to_string(::getpid());
+    // [processes]
+    cca::deployed<two> d(cca::only{"robot"}, cca::shared_memory(name));  // another process runs `mind`
+    // [processes end]
+    CHECK_EQ(d.state(), cca::state::created);
+  }
+
   TEST_CASE("parameters and components by the paths of the architecture") {
     const auto folder = std::filesystem::temp_directory_path();
     const std::string file = folder / "cca_test_deployment.toml";

@@ -243,9 +243,17 @@ TEST_CASE("the summary is a list of runs") {
 }
 
 TEST_CASE("a mistake on the command line is refused") {
-  CHECK(skills::parse({"--paw", "right", "--target", "world", "--seed", "none"}).run.paw ==
-        skills::paw_side::right);
+  const auto given = [](const std::vector<std::string>& words) {
+    cca::command_line line("reaches");
+    cca::run_settings settings;
+    skills::options o;
+    o.offer(line, settings);
+    line.parse(words);
+    return o;
+  };
+  CHECK(given({"--paw", "right", "--target", "world", "--seed", "none"}).run.paw == skills::paw_side::right);
+  CHECK(given({"--seconds", "2"}).run.after_seconds == 2);
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
            {"--paw", "hind"}, {"--target", "moon"}, {"--seed", "x"}, {"--push"}, {"--what"}})
-    CHECK_THROWS_AS(skills::parse(bad), skills::command_line_error);
+    CHECK_THROWS_AS(given(bad), cca::command_line_error);
 }

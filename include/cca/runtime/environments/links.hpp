@@ -164,10 +164,11 @@ private:
     if (ticks(published_of<D, Output>, k)) shared->template ring<Output>().repeat(k);
   }
 
-  // Looks again only where the last look does not tell: each look fetches the number from another core.
+  // As fast as possible it looks again only where the last look does not tell: each look fetches the number
+  // from another core. At wall-clock speed a peer that is refused goes back.
   template <int X>
   bool has_come_to(std::int64_t position) noexcept {
-    if (seen[X] < position) seen[X] = shared->position(X);
+    if (!is_exact || seen[X] < position) seen[X] = shared->position(X);
     return seen[X] >= position;
   }
   template <int X>

@@ -1,0 +1,146 @@
+// What the thread of the connection receives for a subscriber: it checks each message, and leaves the numbers
+// of the newest for the beat.
+//
+// A message waits at most 0.1 s of wall-clock time for a beat. So a controller that was stopped or faulted
+// does not go on with an old command.
+#pragma once
+
+#include <dds/dds.h>
+#include <dds/ddsi/ddsi_serdata.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <cca/ros2/connection.hpp>
+#include <cca/ros2/quality.hpp>
+#include <cca/ros2/topic.hpp>
+#include <cca/runtime/environments/sample_ring.hpp>
+#include <cca/runtime/pace.hpp>
+
+namespace cca::ros2::detail {
+
+template <class Message, class Quality>
+class incoming final : public endpoint {
+public:
+  incoming(std::shared_ptr<connection> over, std::string_view topic_name)
+      : net(std::move(over)),
+        on(net->in(), topic_name, Message::type),
+        reader(dds_create_reader(net->in().reads(),
+                                 on.get(),
+                                 qos_of(Quality::is_reliable, Quality::depth, Message::type.hash).get(),
+                                 nullptr),
+               "subscriber of `" + std::string(topic_name) + "`") {
+    net->listen_to(reader.get());
+    net->add(*this);
+  }
+  ~incoming() override { net->remove(*this); }
+
+  using vector_type = Eigen::Matrix<double, Message::size, 1>;
+
+  // The beat's: the newest message since it last asked. False: there is none.
+  bool take(vector_type& to) noexcept {
+    bool has = false;
+    typename decltype(ring)::sample one;
+    for (int i = 0; i < 2 * capacity && ring.take(next, everything, one); ++i) {
+      has = one.origin == is_message;
+      to = one.vector;
+    }
+    taken.store(next, std::memory_order_relaxed);
+    return has;
+  }
+  // At a start: what came before is too old.
+  void forget() noexcept {
+    vector_type unused;
+    take(unused);
+  }
+
+  std::int64_t received() const { return received_count.load(std::memory_order_relaxed); }
+  std::int64_t refused() const { return refused_count.load(std::memory_order_relaxed); }
+  std::int64_t too_late() const { return late_count.load(std::memory_order_relaxed); }
+  // Of the newest one that was refused; empty: none was.
+  std::string_view why_refused() const {
+    const char* const why = reason.load(std::memory_order_acquire);
+    return why ? why : "";
+  }
+
+  void work() override {
+    expire();
+    ddsi_serdata* some[16];
+    dds_sample_info_t about[16];
+    const int count = dds_takecdr(reader.get(), some, 16, about, DDS_ANY_STATE);
+    for (int i = 0; i < count; ++i) {
+      if (about[i].valid_data) hear(*some[i]);
+      ddsi_serdata_unref(some[i]);
+    }
+  }
+
+private:
+  static constexpr int capacity = 4;
+  static constexpr std::int64_t everything = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::int64_t is_message = 0, is_nothing = 1;
+  static constexpr std::int64_t longest_wait = 100'000'000;
+  static constexpr std::uint32_t most_bytes = 65'536, head = 4, most_padding = 3;
+
+  // A reason is a literal, so other threads may read it.
+  void hear(const ddsi_serdata& one) {
+    vector_type values;
+    if (const char* const why = read(one, values)) {
+      reason.store(why, std::memory_order_release);
+      refused_count.fetch_add(1, std::memory_order_relaxed);
+      return;
+    }
+    put(values, is_message);
+    received_count.fetch_add(1, std::memory_order_relaxed);
+  }
+  // Null, or why it is refused.
+  const char* read(const ddsi_serdata& one, vector_type& values) {
+    const std::uint32_t size = ddsi_serdata_size(&one);
+    if (size > most_bytes) return "longer than 65536 bytes";
+    typename Message::message m{};
+    const char* why = "no message of this type";
+    if (ddsi_serdata_to_sample(&one, &m, nullptr, nullptr)) {
+      const std::size_t whole = head + cdr_length(Message::type, &m).bytes();
+      why = size < whole || size > whole + most_padding ? "longer than a message of this type"
+                                                        : Message::read(m, values.data());
+    }
+    on.free_contents(&m);
+    if (!why && !values.allFinite()) why = "a number that is not finite";
+    return why;
+  }
+  void put(const vector_type& values, std::int64_t what) {
+    ring.put(values, what, 0);
+    ++count_put;
+    put_at = cca::detail::monotonic_clock::now();
+    is_waiting = what == is_message;
+  }
+  void expire() {
+    if (!is_waiting) return;
+    if (taken.load(std::memory_order_relaxed) >= count_put) {
+      is_waiting = false;
+    } else if (cca::detail::monotonic_clock::now() - put_at > longest_wait) {
+      put(vector_type::Zero(), is_nothing);
+      late_count.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  std::shared_ptr<connection> net;
+  topic on;
+  cca::dds::detail::entity reader;
+  cca::detail::sample_ring<Message::size, capacity> ring;
+  std::uint64_t next = 0;               // the beat's
+  std::atomic<std::uint64_t> taken{0};  // the same, for the thread
+  std::uint64_t count_put = 0;          // the thread's
+  std::int64_t put_at = 0;
+  bool is_waiting = false;
+  std::atomic<std::int64_t> received_count{0}, refused_count{0}, late_count{0};
+  std::atomic<const char*> reason{nullptr};
+};
+
+}  // namespace cca::ros2::detail

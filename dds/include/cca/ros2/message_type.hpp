@@ -1,0 +1,93 @@
+// A type of ROS 2 as data: its name, its published hash, and where its fields lie in the struct that holds a
+// message. From this the descriptor for DDS is made (topic.hpp), and the length of a message that has come is
+// checked. Tests compute the hash from it, as REP 2011 demands: sha256 of the type's description.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+namespace cca::ros2::detail {
+
+// The numbers that REP 2011 gives them.
+enum class kind : std::uint8_t { message = 1, int32 = 6, uint32 = 7, float64 = 11, string = 17 };
+
+struct message_type;
+
+struct message_field {
+  static constexpr int sequence = 0;  // as `count`: of any length
+
+  std::string_view name;
+  kind of;
+  std::size_t offset;
+  int count = 1;  // above 1: an array
+  const message_type* nested = nullptr;
+};
+
+struct message_type {
+  std::string_view name;  // "sensor_msgs/msg/JointState"
+  std::span<const message_field> fields;
+  std::size_t size, alignment;
+  std::string_view hash{};  // of those that have a topic
+};
+
+// As Cyclone and its generated code lay out a sequence.
+template <class Type>
+struct sequence {
+  std::uint32_t maximum = 0, length = 0;
+  Type* buffer = nullptr;
+  bool release = false;
+
+  std::span<Type> all() const { return {buffer, length}; }
+};
+
+// Of a sequence in a message.
+template <class Type>
+sequence<Type> borrowed(Type* first, std::size_t count) {
+  const auto length = static_cast<std::uint32_t>(count);
+  return {length, length, first, false};
+}
+
+// How many bytes a message takes in plain CDR (XCDR1), without its head of four. A longer one that has come
+// is another message: Cyclone would take its beginning.
+class cdr_length {
+public:
+  explicit cdr_length(const message_type& of, const void* message) { add(of, message); }
+  std::size_t bytes() const { return at; }
+
+private:
+  void add(const message_type& of, const void* message) {
+    for (const message_field& f : of.fields) {
+      const auto* const here = static_cast<const std::byte*>(message) + f.offset;
+      if (f.count != message_field::sequence) {
+        add_all(f, here, static_cast<std::size_t>(f.count));
+      } else {
+        sequence<std::byte> all;
+        std::memcpy(&all, here, sizeof all);
+        put(4);
+        add_all(f, all.buffer, all.length);
+      }
+    }
+  }
+  void add_all(const message_field& f, const std::byte* first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (f.of == kind::message) {
+        add(*f.nested, first + i * f.nested->size);
+      } else if (f.of == kind::string) {
+        const char* text = nullptr;
+        std::memcpy(&text, first + i * sizeof text, sizeof text);
+        put(4);
+        at += std::strlen(text) + 1;
+      } else {
+        put(f.of == kind::float64 ? 8 : 4);
+      }
+    }
+  }
+  void put(std::size_t size) { at = (at + size - 1) / size * size + size; }
+
+  std::size_t at = 0;
+};
+
+}  // namespace cca::ros2::detail

@@ -1,0 +1,152 @@
+// sensor_msgs/JointState: the domain types decide which field a space is.
+//
+//   joint_state<leg_angles, leg_velocities, leg_torques>
+//
+//   joint_angles       port "position"   rad
+//   joint_velocities   port "velocity"   rad/s
+//   joint_torques      port "effort"     N m
+//
+// Each at most once, all over the same axes, whose names are the names of the joints. Fields without a space
+// are sent empty. Of a message that comes, joints are found by name, in any order; others are ignored.
+// Refused: a joint that is missing or named twice, a field that is missing or of another length.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include <cca/base/array_size.hpp>
+#include <cca/ros2/messages/header.hpp>
+#include <cca/ros2/messages/ports.hpp>
+#include <cca/space/joint.hpp>
+
+namespace cca::ros2 {
+
+namespace detail {
+
+struct joint_state_message {
+  header head;
+  sequence<char*> name;
+  sequence<double> position, velocity, effort;
+};
+inline constexpr std::array joint_state_fields{
+    message_field{"header", kind::message, offsetof(joint_state_message, head), 1, &header_type},
+    message_field{"name", kind::string, offsetof(joint_state_message, name), message_field::sequence},
+    message_field{"position", kind::float64, offsetof(joint_state_message, position),
+                  message_field::sequence},
+    message_field{"velocity", kind::float64, offsetof(joint_state_message, velocity),
+                  message_field::sequence},
+    message_field{"effort", kind::float64, offsetof(joint_state_message, effort), message_field::sequence},
+};
+
+template <class Domain>
+struct joint_field {
+  static constexpr fixed_string name{"none"};
+  static constexpr sequence<double> joint_state_message::* values = nullptr;
+};
+template <>
+struct joint_field<joint_angles> {
+  static constexpr fixed_string name{"position"};
+  static constexpr auto values = &joint_state_message::position;
+};
+template <>
+struct joint_field<joint_velocities> {
+  static constexpr fixed_string name{"velocity"};
+  static constexpr auto values = &joint_state_message::velocity;
+};
+template <>
+struct joint_field<joint_torques> {
+  static constexpr fixed_string name{"effort"};
+  static constexpr auto values = &joint_state_message::effort;
+};
+
+}  // namespace detail
+
+template <class First, class... Rest>
+struct joint_state {
+  template <class Domain>
+  static constexpr int times = std::is_same_v<typename First::domain, Domain> +
+                               (std::is_same_v<typename Rest::domain, Domain> + ... + 0);
+  static_assert(times<joint_angles> <= 1 && times<joint_velocities> <= 1 && times<joint_torques> <= 1 &&
+                    times<joint_angles> + times<joint_velocities> + times<joint_torques> ==
+                        1 + sizeof...(Rest),
+                "cca::ros2::joint_state: its spaces are of joint_angles (position), joint_velocities "
+                "(velocity) and joint_torques (effort), each at most once");
+  static_assert(
+      (std::is_same_v<typename First::axes, typename Rest::axes> && ...),
+      "cca::ros2::joint_state: its spaces must have the same axes: they are the names of the joints");
+
+  using ports =
+      detail::port_list<detail::message_port<detail::joint_field<typename First::domain>::name, First>,
+                        detail::message_port<detail::joint_field<typename Rest::domain>::name, Rest>...>;
+  using message = detail::joint_state_message;
+  static constexpr int size = ports::size;
+  static constexpr detail::message_type type{
+      "sensor_msgs/msg/JointState", detail::joint_state_fields, sizeof(message), alignof(message),
+      "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"};
+
+  // Holds what a message points to.
+  class maker {
+  public:
+    maker() {
+      for (int i = 0; i < joints; ++i) {
+        names[at(i)] = label(i);
+        letters[at(i)] = names[at(i)].data();
+      }
+      made.head.frame_id = frame.data();
+      made.name = detail::borrowed(letters.data(), letters.size());
+    }
+    maker(const maker&) = delete;
+    maker& operator=(const maker&) = delete;
+
+    const message* make(const double* from, detail::time_stamp stamp) {
+      made.head.stamp = stamp;
+      std::copy_n(from, size, values.begin());
+      double* next = values.data();
+      for (const auto field : fields) {
+        made.*field = detail::borrowed(next, at(joints));
+        next += joints;
+      }
+      return &made;
+    }
+
+  private:
+    std::array<std::string, cca::detail::array_size(First::size)> names;
+    std::array<char*, cca::detail::array_size(First::size)> letters{};
+    std::array<double, cca::detail::array_size(size)> values{};
+    std::string frame;  // joints have none
+    message made;
+  };
+
+  // Null, or why it is refused.
+  static const char* read(const message& m, double* to) {
+    for (const auto& all : {m.position, m.velocity, m.effort})
+      if (all.length != 0 && all.length != m.name.length) return "a field of another length than the names";
+    for (const auto field : fields)
+      if ((m.*field).length == 0) return "a field is missing";
+    for (int i = 0; i < joints; ++i) {
+      std::size_t place = m.name.length;
+      for (std::size_t k = 0; k < m.name.length; ++k) {
+        if (m.name.buffer[k] != label(i)) continue;
+        if (place != m.name.length) return "a joint is named twice";
+        place = k;
+      }
+      if (place == m.name.length) return "a joint is missing";
+      for (std::size_t f = 0; f < fields.size(); ++f)
+        to[f * at(joints) + at(i)] = (m.*fields[f]).buffer[place];
+    }
+    return nullptr;
+  }
+
+private:
+  static constexpr int joints = First::size;
+  static constexpr std::array fields{detail::joint_field<typename First::domain>::values,
+                                     detail::joint_field<typename Rest::domain>::values...};
+  static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static std::string_view label(int i) { return cca::detail::space_of<First>.labels[i]; }
+};
+
+}  // namespace cca::ros2

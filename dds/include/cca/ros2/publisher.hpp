@@ -1,0 +1,86 @@
+// Publishers: nodes that tell a ROS 2 system what is in the graph.
+//
+//   cca::node<"states", cca::ros2::publisher<"joint_states", cca::ros2::joint_state<leg_angles>>>
+//   cca::node<"arm", cca::ros2::command_publisher<"arm/command", cca::ros2::joint_state<arm_angles>>>
+//
+//   in   a port for each space of the message, with the name of the message's field: "position", ...
+//
+// A `publisher` is a component like others, for what others watch. A `command_publisher` is a resource node
+// (its inputs are of `act`), for what a robot obeys: no joint command reaches it without a limiter
+// (robot.unlimited_command).
+//
+// They send a message each time they fire, once all inputs have a sample. The header's stamp is the wall
+// clock when it is sent, minus the age of the oldest input; it is true to about a millisecond, at wall-clock
+// speed. Third argument: `default_qos` or `sensor_data`. Domain: the variable ROS_DOMAIN_ID, else 0.
+//
+// Errors: `cca::refused` from `load()`, if DDS can't be opened. `sent()`, `dropped()`: a message is dropped
+// if 64 wait already, or a reliable subscriber does not keep up. A copy of a controller sends nothing.
+// Cost of a beat: the numbers are written into a ring; a thread makes the message. Example:
+// examples/ros2/leg.cpp. Page: docs/ros2.md.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <cca/component/beat.hpp>
+#include <cca/component/port.hpp>
+#include <cca/ros2/messages/ports.hpp>
+#include <cca/ros2/outgoing.hpp>
+
+namespace cca::ros2 {
+
+namespace detail {
+
+template <fixed_string Topic, class Message, class Quality>
+class publishes {
+public:
+  void on_load() { to.open(Topic.view()); }
+
+  std::int64_t sent() const { return to ? to->sent() : 0; }
+  std::int64_t dropped() const { return to ? to->dropped() : 0; }
+
+protected:
+  template <class... Inputs>
+  void publish(const beat& now, const Inputs&... inputs) {
+    const std::int64_t oldest = std::min({inputs.origin()...});
+    if (!to || oldest == never) return;
+    Eigen::Matrix<double, Message::size, 1> all;
+    int next = 0;
+    ((all.template segment<Inputs::space::size>(next) = inputs.vector(), next += Inputs::space::size), ...);
+    to->put(all, std::max<std::int64_t>(now.time() - oldest, 0));
+  }
+
+private:
+  connected<outgoing<Message, Quality>> to;
+};
+
+template <fixed_string Topic, class Message, class Quality, class Ports>
+class publisher_of;
+template <fixed_string Topic, class Message, class Quality, class... Ports>
+class publisher_of<Topic, Message, Quality, port_list<Ports...>> : public publishes<Topic, Message, Quality> {
+public:
+  void process(const in<Ports::name, typename Ports::space>&... inputs, beat now) {
+    this->publish(now, inputs...);
+  }
+};
+
+template <fixed_string Topic, class Message, class Quality, class Ports>
+class command_publisher_of;
+template <fixed_string Topic, class Message, class Quality, class... Ports>
+class command_publisher_of<Topic, Message, Quality, port_list<Ports...>>
+    : public publishes<Topic, Message, Quality> {
+public:
+  void act(const in<Ports::name, typename Ports::space>&... inputs, beat now) {
+    if ((inputs.fresh() || ...)) this->publish(now, inputs...);
+  }
+};
+
+}  // namespace detail
+
+template <fixed_string Topic, class Message, class Quality = default_qos>
+struct publisher : detail::publisher_of<Topic, Message, Quality, typename Message::ports> {};
+
+template <fixed_string Topic, class Message, class Quality = default_qos>
+struct command_publisher : detail::command_publisher_of<Topic, Message, Quality, typename Message::ports> {};
+
+}  // namespace cca::ros2

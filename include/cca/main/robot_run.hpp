@@ -1,0 +1,136 @@
+// One run of a robot's program: load, start, run, stop, figures, in this order whatever happens in it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cca/base/refused.hpp>
+#include <cca/component/lifecycle.hpp>
+#include <cca/config.hpp>
+#include <cca/main/counted_pace.hpp>
+#include <cca/main/robot_program.hpp>
+#include <cca/main/run_program.hpp>
+#include <cca/runtime/interruption.hpp>
+
+namespace cca::detail {
+
+template <class Program>
+class robot_run {
+  using controller_type = typename Program::controller_type;
+  static constexpr bool is_deployed = Deployment<typename Program::architecture>;
+
+public:
+  robot_run(Program& of, std::string name) : program(of), called(std::move(name)) {}
+
+  int go() {
+    const auto made = program.others.open ? program.others.open(only(program.settings.only))
+                                          : std::make_unique<controller_type>();
+    controller_type& c = *made;
+    const interruption interrupted;
+    program.prepare(c);
+    if (program.settings.configs.empty()) c.load();
+    for (const std::string& file : program.settings.configs) c.load(file);
+    program.loaded(c);
+    is_to_stop = true;
+    try {
+      c.start();
+      program.started(c);
+      run(c, interrupted);
+    } catch (const refused&) {
+      stop(c);
+      if (!interrupted) throw;
+    } catch (...) {
+      stop(c);
+      throw;
+    }
+    const bool has_faulted = c.state() == state::faulted;
+    const std::string fault = has_faulted ? fault_of(c) : "";
+    stop(c);  // before anything is written: a robot does not wait for a terminal
+    if (has_faulted) tell(fault);
+    if (!ended_by_others.empty()) tell(ended_by_others);
+    if (interrupted) tell("interrupted " + at(c));
+    if (!program.settings.quiet) print_figures(figures_of(c));
+    const int own = program.finish(c);
+    return has_faulted ? exit_code::fault : interrupted ? interrupted.exit_code() : own;
+  }
+
+private:
+  void run(controller_type& c, const interruption& interrupted) {
+    const run_settings& s = program.settings;
+    const for_some_beats length{
+        s.seconds ? std::max<std::int64_t>(
+                        1, std::llround(*s.seconds * 1e9 / static_cast<double>(controller_type::period())))
+                  : std::numeric_limits<std::int64_t>::max()};
+    const std::int64_t first = c.beat_index();
+    bool goes_on = true;
+    const auto between = [&](controller_type& running) {
+      if constexpr (!is_deployed)
+        if (s.speed) beats.end();
+      return goes_on = program.between(running) && !interrupted;
+    };
+    if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
+    else if (s.speed) c.run(length, at_speed(*s.speed), between);
+    else c.run(length, as_fast_as_possible(), between);
+    const bool is_over = !goes_on || c.state() == state::faulted || c.beat_index() - first >= length.count;
+    if (!is_over) ended_by_others = "another process has ended the run " + at(c);
+  }
+
+  void stop(controller_type& c) {
+    if (std::exchange(is_to_stop, false)) program.stop(c);
+  }
+
+  void tell(const std::string& what) const { std::cerr << called << ": " << what << std::endl; }
+  static std::string fault_of(const controller_type& c) {
+    const std::string path = c.fault_path();
+    return "fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason();
+  }
+  static std::string at(const controller_type& c) {
+    char text[64];
+    std::snprintf(text, sizeof text, "after %.3f s",
+                  1e-9 * static_cast<double>(c.beat_index() * controller_type::period()));
+    return text;
+  }
+
+  std::vector<environment_figures> figures_of(const controller_type& c) {
+    if constexpr (is_deployed) {
+      return c.figures();
+    } else {
+      environment_figures one = beats.figures;
+      one.name = called;
+      one.overruns = c.overruns();
+      one.lost_periods = c.lost_periods();
+      return {one};
+    }
+  }
+  // Of runs on a clock; nothing is counted without one.
+  static void print_figures(const std::vector<environment_figures>& all) {
+    std::int64_t beats = 0;
+    for (const auto& each : all) beats += each.beat.count();
+    if (beats == 0) return;
+    std::cout << all;
+    for (const auto& each : all) {
+      if (each.lost_periods > 0)
+        std::cout << each.name << ": " << each.lost_periods << " periods without a beat\n";
+      for (const auto& channel : each.channels)
+        if (channel.late > 0)
+          std::cout << each.name << ": " << channel.late << " beats without a sample from " << channel.from
+                    << '\n';
+    }
+    std::cout.flush();
+  }
+
+  Program& program;
+  std::string called, ended_by_others{};
+  bool is_to_stop = false;
+  counted_beats beats{};
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,174 @@
+// Messages go both ways between a controller and programs that share no code with cca: one on code that
+// Cyclone's idlc generates, one on Fast DDS.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <tuple>
+
+#include "peer.hpp"
+#include "spaces.hpp"
+
+using namespace ros2_test;
+
+namespace {
+
+struct source {
+  auto process() -> std::tuple<cca::out<"angles", leg_angles>,
+                               cca::out<"velocities", leg_velocities>,
+                               cca::out<"torques", leg_torques>,
+                               cca::out<"attitude", attitude>,
+                               cca::out<"turning", turning>,
+                               cca::out<"accelerated", accelerated>,
+                               cca::out<"load", load>,
+                               cca::out<"motion", motion>,
+                               cca::out<"numbers", numbers>> {
+    using Eigen::Vector2d, Eigen::Vector3d;
+    Eigen::Matrix<double, 6, 1> six;
+    six << 4, 5, 6, 1, 2, 3;  // the angular part is first here, and second in ROS 2
+    return {Vector2d(0.25, -0.5),
+            Vector2d(1, 2),
+            Vector2d(3, 4),
+            Eigen::Vector4d(0, 0, 0.6, 0.8),
+            Vector3d(1, 2, 3),
+            Vector3d(4, 5, 9.81),
+            six,
+            six,
+            Vector2d(7, 8)};
+  }
+};
+
+struct talker : cca::graph<cca::rate<100>,
+                           cca::node<"robot", source>,
+                           cca::node<"states", cca::ros2::publisher<"cca/joint_state", joints>>,
+                           cca::node<"imu", cca::ros2::publisher<"cca/imu", inertial>>,
+                           cca::node<"load", cca::ros2::publisher<"cca/wrench", loads>>,
+                           cca::node<"motion", cca::ros2::publisher<"cca/twist", motions>>,
+                           cca::node<"numbers", cca::ros2::publisher<"cca/array", array>>,
+                           cca::wire<"robot.angles", "states.position">,
+                           cca::wire<"robot.velocities", "states.velocity">,
+                           cca::wire<"robot.torques", "states.effort">,
+                           cca::wire<"robot.attitude", "imu.orientation">,
+                           cca::wire<"robot.turning", "imu.angular_velocity">,
+                           cca::wire<"robot.accelerated", "imu.linear_acceleration">,
+                           cca::wire<"robot.load", "load.wrench">,
+                           cca::wire<"robot.motion", "motion.twist">,
+                           cca::wire<"robot.numbers", "numbers.data">> {};
+
+struct recorder {
+  numbers_of<joints> joint_state = numbers_of<joints>::Zero();
+  numbers_of<inertial> imu = numbers_of<inertial>::Zero();
+  numbers_of<loads> wrench = numbers_of<loads>::Zero();
+  numbers_of<motions> twist = numbers_of<motions>::Zero();
+  numbers_of<array> data = numbers_of<array>::Zero();
+
+  void process(const cca::in<"angles", leg_angles>& q,
+               const cca::in<"velocities", leg_velocities>& v,
+               const cca::in<"torques", leg_torques>& t,
+               const cca::in<"attitude", attitude>& a,
+               const cca::in<"turning", turning>& w,
+               const cca::in<"accelerated", accelerated>& f,
+               const cca::in<"load", load>& l,
+               const cca::in<"motion", motion>& m,
+               const cca::in<"numbers", numbers>& n) {
+    joint_state << q.vector(), v.vector(), t.vector();
+    imu << a.vector(), w.vector(), f.vector();
+    wrench = l.vector();
+    twist = m.vector();
+    data = n.vector();
+  }
+};
+
+struct listener : cca::graph<cca::rate<100>,
+                             cca::node<"joints", cca::ros2::subscriber<"cca/joint_state", joints>>,
+                             cca::node<"imu", cca::ros2::subscriber<"cca/imu", inertial>>,
+                             cca::node<"load", cca::ros2::subscriber<"cca/wrench", loads>>,
+                             cca::node<"motion", cca::ros2::subscriber<"cca/twist", motions>>,
+                             cca::node<"numbers", cca::ros2::subscriber<"cca/array", array>>,
+                             cca::node<"here", recorder>,
+                             cca::wire<"joints.position", "here.angles">,
+                             cca::wire<"joints.velocity", "here.velocities">,
+                             cca::wire<"joints.effort", "here.torques">,
+                             cca::wire<"imu.orientation", "here.attitude">,
+                             cca::wire<"imu.angular_velocity", "here.turning">,
+                             cca::wire<"imu.linear_acceleration", "here.accelerated">,
+                             cca::wire<"load.wrench", "here.load">,
+                             cca::wire<"motion.twist", "here.motion">,
+                             cca::wire<"numbers.data", "here.numbers">> {};
+
+// What a peer prints of the first message that it hears from the controller.
+std::string heard_by(const char* program,
+                     cca::controller<talker>& c,
+                     const std::string& type,
+                     const std::string& topic) {
+  peer other(program, "hear", type, topic);
+  int beat = 0;
+  within_seconds(30, [&] {
+    if (++beat % 10 == 0) c.step();
+    return other.has_said();
+  });
+  return other.said;
+}
+
+void all_are_heard_by(const char* program, bool prints_user_data) {
+  use_own_domain();
+  cca::controller<talker> c;
+  c.load();
+  c.start();
+  const auto expect = [&](const char* type, const char* topic, std::string text, const char* hash) {
+    const auto bar = text.find(" |");
+    if (prints_user_data) text.insert(bar, std::string(" typehash=RIHS01_") + hash + ";");
+    CHECK_EQ(heard_by(program, c, type, topic), text + "\n");
+  };
+  expect("JointState", "cca/joint_state", "frame ``, stamped now hip knee | 0.25 -0.5 | 1 2 | 3 4",
+         "a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e");
+  expect("Imu", "cca/imu",
+         "frame `trunk`, stamped now | 0 0 0.6 0.8 | 0 0 0 0 0 0 0 0 0 | 1 2 3 | 0 0 0 0 0 0 0 0 0 "
+         "| 4 5 9.81 | 0 0 0 0 0 0 0 0 0",
+         "7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b");
+  expect("WrenchStamped", "cca/wrench", "frame `trunk`, stamped now | 1 2 3 | 4 5 6",
+         "8dc3deaf06b2ab281f9f9a742a8961c328ca7cec16e3fd6586d3a5c83fa78f77");
+  expect("TwistStamped", "cca/twist", "frame `world`, stamped now | 1 2 3 | 4 5 6",
+         "5f0fcd4f81d5d06ad9b4c4c63e3ea51b82d6ae4d0558f1d475229b1121db6f64");
+  expect("Float64MultiArray", "cca/array", "frame ``, no stamp hip,knee | 0 | 2 2 | 7 8",
+         "1025ddc6b9552d191f89ef1a8d2f60f3d373e28b283d8891ddcc974e8c55397f");
+  CHECK_GT(c.get<"states">().sent(), 0);
+  CHECK_EQ(c.get<"states">().dropped(), 0);
+}
+
+void all_are_heard_from(const char* program) {
+  use_own_domain();
+  cca::controller<listener> c;
+  c.load();
+  c.start();
+  const auto& here = c.get<"here">();
+  const auto expect = [&](const char* type, const char* topic, const auto& found, auto wanted) {
+    peer other(program, "tell", type, topic);
+    CAPTURE(type);
+    CHECK(within_seconds(30, [&] {
+      c.step();
+      return found.isApprox(wanted, 1e-15);
+    }));
+  };
+  numbers_of<joints> joint_state;
+  joint_state << 0.25, -0.5, 1, 2, 3, 4;  // found by name
+  expect("JointState", "cca/joint_state", here.joint_state, joint_state);
+  numbers_of<inertial> imu;
+  imu << 0, 0, 0.6, 0.8, 1, 2, 3, 4, 5, 9.81;
+  expect("Imu", "cca/imu", here.imu, imu);
+  numbers_of<loads> six;
+  six << 4, 5, 6, 1, 2, 3;
+  expect("WrenchStamped", "cca/wrench", here.wrench, six);
+  expect("TwistStamped", "cca/twist", here.twist, six);
+  expect("Float64MultiArray", "cca/array", here.data, Eigen::Vector2d(7, 8));
+  CHECK_EQ(c.get<"joints">().refused(), 0);
+  CHECK_GT(c.get<"joints">().received(), 0);
+}
+
+}  // namespace
+
+TEST_SUITE("ros 2 and other programs") {
+  TEST_CASE("a program on generated code hears what is published") { all_are_heard_by(idlc_peer, true); }
+  TEST_CASE("a program on Fast DDS hears what is published") { all_are_heard_by(fast_dds_peer, false); }
+  TEST_CASE("what a program on generated code publishes is heard") { all_are_heard_from(idlc_peer); }
+  TEST_CASE("what a program on Fast DDS publishes is heard") { all_are_heard_from(fast_dds_peer); }
+}
