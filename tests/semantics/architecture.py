@@ -273,13 +273,14 @@ class Architecture:
 
     def let_rest(self):
         """Some can be stopped. In one loop somebody stops them for a while, in environments nobody does."""
+        rng = random.Random(f"{self.seed} rests")
         for leaf in self.nodes:
-            if leaf.resource or leaf.root or leaf.strategy[0] in ("default", "inactive") or not self.chance(9):
+            if leaf.resource or leaf.root or leaf.strategy[0] in ("default", "inactive") or rng.randrange(100) >= 9:
                 continue
             leaf.strategy = ("stoppable", leaf.strategy)
-            if self.environments == 1 and self.chance(80):
-                first = self.rng.randrange(1, 60)
-                leaf.rests = first, first + self.rng.randrange(1, 40)
+            if self.environments == 1 and rng.randrange(100) < 80:
+                first = rng.randrange(1, 60)
+                leaf.rests = first, first + rng.randrange(1, 40)
 
     def with_inputs(self, leaf, names):
         rng = self.rng

@@ -128,6 +128,7 @@ public:
     for (std::int64_t skipped = std::max<std::int64_t>(k - 1, 0); skipped < next; ++skipped) {
       repeat_outputs<graph>(state, skipped);
       state.repeat_leaving(skipped);
+      if (state.is_exact) repeat_firings(skipped);
     }
     k = next;
   }
@@ -175,6 +176,16 @@ private:
       announce();
     }
     return k == end;
+  }
+
+  // A function whose clock is known in the whole architecture counts as fired in a beat that was cut, as in
+  // one loop, also where its clock is not known in this part.
+  void repeat_firings([[maybe_unused]] std::int64_t beat) {
+    if constexpr (layout_of<graph>.firing_count > 0)
+      for (std::size_t c = 0; c < array_size(counts_of<D>.call_count); ++c)
+        if (const int at = layout_of<graph>.calls[c].firing;
+            at >= 0 && ticks(plan_of<D>.calls[c].fires, beat))
+          state.firings[at].last = beat;
   }
 
   // False: a fault or the end has come before it.
