@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <cca/deployment.hpp>
+#include <cca/space/record.hpp>
 
 #include "clock.hpp"
 
@@ -18,14 +19,7 @@ namespace bench {
 // A block of numbers, 8 bytes each. One axis with many numbers: a type for each of 131072 axes would be more
 // than a compiler takes.
 template <int Words>
-struct block {
-  using quantity = void;
-  static constexpr bool actuated = false;
-  static constexpr int width(int) { return Words; }
-  static constexpr double zero(int, int) { return 0; }
-  template <class>
-  struct methods {};
-};
+struct block : cca::record<Words> {};
 template <int Words>
 struct message : cca::space<block<Words>, cca::axes<cca::x>> {};
 

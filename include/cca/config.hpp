@@ -106,16 +106,12 @@ void load_parameters_from_text(Controller& controller, std::string_view text, st
     if constexpr (HasParameters<Component>) {
       auto copy = component.p;
       read_component(root, path, parameters_schema<Component>(), &copy, found);
-      if constexpr (requires { controller.step_of(path); }) {
-        std::vector<complaint> wrong;
-        if (found.count() == 0) check_at(copy, path, controller.step_of(path), wrong);
-        const toml::node* const where = node_at(root, path);
-        for (auto& each : wrong)
-          found.add(where ? &where->source() : nullptr, each.path, std::move(each.what));
-      }
-      if constexpr (MayRefuse<Component>)
-        if (const std::string_view why = component.refusal_of(copy); found.count() == 0 && !why.empty())
-          found.add(nullptr, {}, std::string(path) + "." + std::string(why));
+      if (found.count() > 0) return;
+      double step = 0;
+      if constexpr (requires { controller.step_of(path); }) step = controller.step_of(path);
+      const toml::node* const where = node_at(root, path);
+      for (auto& each : complaints_of(component, copy, path, step))
+        found.add(where && !each.path.empty() ? &where->source() : nullptr, each.path, std::move(each.what));
     } else {
       read_component(root, path, no_parameters, nullptr, found);
     }

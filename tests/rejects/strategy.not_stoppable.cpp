@@ -1,6 +1,6 @@
 // EXPECT: strategy\.not_stoppable: `greeting` \(greeting\) returns cca::done, by which it stops itself, but its strategy does not let it be stopped: write cca::stoppable<\.\.\.> around the strategy
-// A component that has finished stops itself. That its node may be stopped is said there, because a component
-// that can be stopped is asked in each beat.
+// A component that has finished stops itself. Its node must allow that, because the loop asks each component
+// that can be stopped in each beat whether it runs.
 #include "parts.hpp"
 
 struct greeting {

@@ -1,4 +1,4 @@
-// The part of a test peer that all vendors share: what it tells, and how it prints what it hears.
+// The part of a test peer that all vendors share: what it publishes, and how it prints what it receives.
 //
 //   peer hear DOMAIN TYPE TOPIC   prints the first message, then ends; 1 if none comes within 20 s
 //   peer tell DOMAIN TYPE TOPIC   sends one message fifty times a second until it is killed, or for 30 s

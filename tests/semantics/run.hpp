@@ -11,7 +11,7 @@
 
 namespace semantics {
 
-// Around each beat: what somebody else does, and what is to be waited for.
+// What happens before and after each beat. Here: nothing.
 struct in_the_loop {
   template <class Controller>
   static void before(Controller&, int) {}

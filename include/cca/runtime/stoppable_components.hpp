@@ -26,8 +26,7 @@ namespace cca::detail {
 
 template <class Graph>
 constexpr bool is_stoppable_node(int node) {
-  const auto strategy = plan_of<Graph>.nodes[array_size(node)].item->strategy;
-  return strategy && strategy->is_stoppable;
+  return plan_of<Graph>.nodes[array_size(node)].item->is_stoppable();
 }
 
 // Refused: there is none.

@@ -60,12 +60,9 @@ struct question {
   }
 };
 
-// The strategy of a call's component, if its node states one that lets the component be stopped.
+// Whether the component of a call can be stopped.
 template <class Graph, int Call>
-inline constexpr bool is_stoppable = [] {
-  const auto strategy = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->strategy;
-  return strategy && strategy->is_stoppable;
-}();
+inline constexpr bool is_stoppable = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->is_stoppable();
 
 // Since it last fired. The first time it is one beat, or what the strategy that can be stopped says.
 template <class Graph, int Call>

@@ -35,9 +35,7 @@ inline void configure(dds_domainid_t number) {
 }
 
 inline identity identity_of(const dds_guid_t& guid) {
-  std::uint64_t token = 14695981039346656037ull;
-  for (const std::uint8_t byte : guid.v) token = (token ^ byte) * 1099511628211ull;
-  return {guid, token};
+  return {guid, cca::detail::hash({reinterpret_cast<const char*>(guid.v), sizeof guid.v})};
 }
 
 class participant {

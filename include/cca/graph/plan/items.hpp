@@ -32,6 +32,9 @@ struct item_info {
   bool repeats_option = false;               // wire: two policies, or two initial values
   std::uint64_t from_hash = 0, to_hash = 0;  // as paths of the outermost graph
   std::uint64_t strategy_key = 0;            // type_key of a node's strategy
+
+  // A component that may be stopped on its own.
+  constexpr bool is_stoppable() const { return strategy && strategy->is_stoppable; }
 };
 
 // How many of each a graph has, inner graphs included.

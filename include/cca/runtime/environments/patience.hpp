@@ -1,5 +1,9 @@
 // Waiting for another environment without a lock: first at once, then giving way, then asleep. Now and then
 // who waits asks whether the other one, in another process, is gone.
+//
+// A thread in real time that gives way comes back at once where no thread of its priority waits, and one that
+// sleeps briefly is always the next to run. So on a core that is shared it must sleep, and the longer it has
+// waited the longer, or those that it waits for never come.
 #pragma once
 
 #include <algorithm>
@@ -14,25 +18,30 @@ class patience {
 public:
   void wait() {
     if (++spun < spins) return;
-    if (++times < longest_awake) return give_way();
-    monotonic_clock::sleep_until(monotonic_clock::now() + 20'000);
+    const std::int64_t now = monotonic_clock::now();
+    if (times++ == 0) since = now;
+    waited = now - since;
+    if (waited < longest_awake) std::this_thread::yield();
+    else monotonic_clock::sleep_until(now + std::clamp(waited / 8, shortest_sleep, longest_sleep));
   }
   // Every few milliseconds.
-  bool is_time_to_ask() const { return times > longest_awake && times % 64 == 0; }
+  bool is_time_to_ask() {
+    if (waited < next_question) return false;
+    next_question = waited + 2'000'000;
+    return true;
+  }
 
 protected:
   static constexpr int least_spins = 64;
-  static constexpr std::int64_t longest_awake = 448;
-
-  // Who gives way on a busy machine comes back after milliseconds; who sleeps is woken at once.
-  void give_way() {
-    const std::int64_t before = monotonic_clock::now();
-    std::this_thread::yield();
-    if (monotonic_clock::now() - before > 100'000) times = longest_awake;
-  }
 
   int spins = least_spins, spun = 0;
-  std::int64_t times = 0;
+  std::int64_t times = 0;  // beyond the spins
+
+private:
+  // Who gives way on a busy machine comes back after milliseconds; who sleeps is woken at once.
+  static constexpr std::int64_t longest_awake = 100'000, shortest_sleep = 20'000, longest_sleep = 500'000;
+
+  std::int64_t since = 0, waited = 0, next_question = 2'000'000;
 };
 
 // How long an environment looks again at once before it gives way. On a core of its own it answers sooner

@@ -44,7 +44,8 @@ class known_parameters<Graph, std::integer_sequence<int, Node...>> : parameters_
 public:
   template <class Controller>
   explicit known_parameters(const Controller& c)
-      : parameters_of_node<Graph, Node>(component_of<Node>(c))..., paths{path_of_node<Graph>(Node)...} {}
+      : parameters_of_node<Graph, Node>(live_components::at<Node>(c))...,
+        paths{path_of_node<Graph>(Node)...} {}
 
   // As of a controller: f(path, something with the member `p`).
   template <class F>
@@ -81,21 +82,17 @@ private:
     return static_cast<const parameters_of_node<Graph, One>&>(*this);
   }
   template <int One, class Controller>
-  static auto& component_of(Controller& c) {
-    return live_components::at<One>(c);
-  }
-  template <int One, class Controller>
   bool takes(const Controller& c) const noexcept {
     if constexpr (MayRefuse<typename node_types<Graph, One>::component>)
-      return component_of<One>(c).refusal_of(of<One>().p).empty();
+      return live_components::at<One>(c).refusal_of(of<One>().p).empty();
     else return true;
   }
   // Where somebody refuses, what is known here is set right.
   template <int One, class Controller>
   void exchange(Controller& c, bool is_given) noexcept {
     if constexpr (HasParameters<typename node_types<Graph, One>::component>) {
-      if (is_given) component_of<One>(c).p = of<One>().p;
-      else of<One>().p = component_of<One>(c).p;
+      if (is_given) live_components::at<One>(c).p = of<One>().p;
+      else of<One>().p = live_components::at<One>(c).p;
     }
   }
 

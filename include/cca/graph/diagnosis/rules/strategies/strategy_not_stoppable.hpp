@@ -9,7 +9,7 @@ struct strategy_not_stoppable {
   static constexpr std::string_view id = "strategy.not_stoppable";
 
   static constexpr bool is_broken(when::component_function, const flat_view&, const finding& f) {
-    return f.function->stops_itself && !(f.item->strategy && f.item->strategy->is_stoppable);
+    return f.function->stops_itself && !f.item->is_stoppable();
   }
 
   static constexpr void tell(auto& m) {
