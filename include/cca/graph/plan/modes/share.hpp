@@ -72,8 +72,7 @@ struct sharing {
     if (to.found.is_broken()) return;
     node.modes |= bit_of(mode);
     // It can be stopped on its own if each of its modes says so.
-    if (const auto strategy = from.nodes[n].item->strategy; !strategy || !strategy->is_stoppable)
-      node.item = from.nodes[n].item;
+    if (!from.nodes[n].item->is_stoppable()) node.item = from.nodes[n].item;
     for (int c = 0; c < node.call_count; ++c) {
       const auto fires = from.calls[from.nodes[n].first_call + c].fires;
       auto& own = to.calls[node.first_call + c];
