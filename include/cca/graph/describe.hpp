@@ -2,7 +2,8 @@
 //
 //   std::cout << cca::describe<trot<cca::sim::oncilla>>::mermaid();
 //
-// The environments of a deployment are boxes. A wire from one to another shows its transport and delay.
+// The environments of a deployment are boxes. A wire from one to another shows its transport and delay. The
+// transport is chosen when the program starts, so it is an argument: mermaid("DDS").
 //
 // Works for graphs that break a rule as far as their parts are known, so that one can look at them too.
 #pragma once
@@ -22,7 +23,8 @@ namespace detail {
 template <class String>
 class picture_writer {
 public:
-  explicit picture_writer(const flat_view& graph) : g(graph) {}
+  picture_writer(const flat_view& graph, std::string_view between_environments)
+      : g(graph), transport(between_environments) {}
 
   String mermaid() {
     text = "flowchart LR\n";
@@ -147,8 +149,8 @@ private:
     all += line_break + (line_break[0] == '<' ? String(space) : quoted(space));
     if (g.hz > 0 && c.known()) all += ", " + hertz(g.hz / static_cast<double>(c.period));
     if (in.wire->policy == policy_kind::delayed)
-      all +=
-          line_break + String(crosses(in) ? "memory, " : "") + "delayed " + std::to_string(in.wire->number);
+      all += line_break + (crosses(in) ? joined(transport, line_break) : String()) + "delayed " +
+             std::to_string(in.wire->number);
     if (in.wire->policy == policy_kind::queue)
       all += String(line_break) + "queue " + std::to_string(in.wire->number);
     return line_break[0] == '<' ? keep_breaks(all) : all;
@@ -156,6 +158,10 @@ private:
 
   bool crosses(const input& in) const {
     return g.nodes[g.calls[in.call].node].environment != g.nodes[node_of_output(in.writer)].environment;
+  }
+
+  static String joined(std::string_view name, const char* line_break) {
+    return (line_break[0] == '<' ? String(name) : quoted(name)) + ", ";
   }
 
   static String hertz(double hz) {
@@ -189,6 +195,7 @@ private:
   }
 
   const flat_view& g;
+  std::string_view transport;
   String text;
 };
 
@@ -196,13 +203,13 @@ private:
 
 template <class Graph>
 struct describe {
-  static std::string mermaid() {
+  static std::string mermaid(std::string_view transport = "memory") {
     auto plan = detail::plan_of<Graph>;
-    return detail::picture_writer<std::string>(plan.view()).mermaid();
+    return detail::picture_writer<std::string>(plan.view(), transport).mermaid();
   }
-  static std::string dot() {
+  static std::string dot(std::string_view transport = "memory") {
     auto plan = detail::plan_of<Graph>;
-    return detail::picture_writer<std::string>(plan.view()).dot();
+    return detail::picture_writer<std::string>(plan.view(), transport).dot();
   }
 };
 

@@ -114,6 +114,13 @@ TEST_SUITE("describe a deployment") {
 
   TEST_CASE("dot") { CHECK_EQ(cca::describe<spread>::dot(), drawing); }
 
+  TEST_CASE("shows the transport that it is given") {
+    const auto mermaid = cca::describe<spread>::mermaid("DDS <7>");
+    CHECK(mermaid.find("DDS &lt;7&gt;, delayed 2") != std::string::npos);
+    CHECK(mermaid.find("memory") == std::string::npos);
+    CHECK(cca::describe<spread>::dot("\"DDS\"").find("\\\"DDS\\\", delayed 5") != std::string::npos);
+  }
+
   TEST_CASE("an inner graph is a box where all its nodes run in one environment") {
     static_assert(cca::well_formed<cut_deep>);
     const auto boxes = cca::describe<cut_deep>::mermaid();
