@@ -175,7 +175,7 @@ std::vector<result> campaign(const cca::interruption& interrupted) {
        {std::pair{"velocity frozen at 0", 0.0}, std::pair{"velocity of the wrong sign", -1.0},
         std::pair{"velocity 2.2 times too large", 2.2}})
     with(s{.fault = what,
-           .each = [scale = scale](limited_run& r, std::int64_t) { r.speed_scale[2] = scale; },
+           .each = [to = scale](limited_run& r, std::int64_t) { r.speed_scale[2] = to; },
            .mend = [](limited_run& r) { r.speed_scale[2] = 1; }});
   with(s{.fault = "calibration changed while it runs",
          .each = [](limited_run& r,

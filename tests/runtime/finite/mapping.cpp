@@ -28,7 +28,7 @@ using inverse = cca::inverse_kinematics<sliding_arm, arm_angles, foot_in_trunk>;
 
 // Its answer is always finite, but its status is a cca::reaching.
 struct search : laws::finite_case<inverse> {
-  static constexpr bool says_unreadable = false;
+  [[maybe_unused]] static constexpr bool says_unreadable = false;  // clang 19 overlooks its use
 };
 
 struct learned_space : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
