@@ -87,7 +87,7 @@ private:
     if (std::exchange(is_to_stop, false)) program.stop(c);
   }
 
-  void tell(const std::string& what) const { std::cerr << called << ": " << what << std::endl; }
+  void tell(const std::string& what) const { std::cerr << called + ": " + what + '\n'; }
   static std::string fault_of(const controller_type& c) {
     const std::string path = c.fault_path();
     return "fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason();

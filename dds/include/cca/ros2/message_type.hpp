@@ -77,7 +77,7 @@ private:
         add(*f.nested, first + i * f.nested->size);
       } else if (f.of == kind::string) {
         const char* text = nullptr;
-        std::memcpy(&text, first + i * sizeof text, sizeof text);
+        std::memcpy(static_cast<void*>(&text), first + i * sizeof text, sizeof text);
         put(4);
         at += std::strlen(text) + 1;
       } else {
