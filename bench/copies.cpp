@@ -45,66 +45,93 @@ cca::out<"y", joints> made_of(F f) {
   return y;
 }
 
+// The joints: encoders that count from somewhere else, and motors.
+inline constexpr double resolution = 0.002, zero = 50;
+
 template <style Style>
 struct plant {
-  vector8 at = vector8::Zero(), speed = vector8::Zero();
+  vector8 counts = vector8::Constant(zero), speed = vector8::Zero();
   auto sense() -> cca::out<"y", joints> {
-    if constexpr (Style == style::expressions) return at;
-    else return made_of<Style>([&](int i) { return at[i]; });
+    if constexpr (Style == style::expressions) return resolution * (counts.array() - zero).matrix();
+    else return made_of<Style>([&](int i) { return resolution * (counts[i] - zero); });
   }
   void act(cca::in<"x", joints> x) {
     if constexpr (Style == style::expressions) {
       speed += 0.001 * (x.vector() - 0.5 * speed);
-      at += 0.001 * speed;
+      counts += 0.5 * speed;
     } else {
       for (int i = 0; i < axis_count; ++i) {
         speed[i] += 0.001 * (x.vector()[i] - 0.5 * speed[i]);
-        at[i] += 0.001 * speed[i];
+        counts[i] += 0.5 * speed[i];
       }
     }
   }
 };
 
+// A swing of each axis: a pair that turns, and is kept at length 1.
+inline constexpr double turn_cos = 0.99998, turn_sin = 0.0063245;
+
 template <style Style>
-struct ramp {
-  vector8 value = vector8::LinSpaced(axis_count, 0.1, 0.8);
+struct swing {
+  vector8 c = vector8::LinSpaced(axis_count, 0.1, 0.8), s = vector8::Constant(0.6);
   auto process(cca::beat) -> cca::out<"y", joints> {
     if constexpr (Style == style::expressions) {
-      value.array() += 0.001;
-      return value;
+      const vector8 a = turn_cos * c - turn_sin * s, b = turn_sin * c + turn_cos * s;
+      const vector8 grow = (1.5 - 0.5 * (a.array() * a.array() + b.array() * b.array())).matrix();
+      c = a.cwiseProduct(grow);
+      s = b.cwiseProduct(grow);
+      return (0.2 + 0.4 * s.array()).matrix();
     } else {
-      return made_of<Style>([&](int i) { return value[i] += 0.001; });
+      return made_of<Style>([&](int i) {
+        const double a = turn_cos * c[i] - turn_sin * s[i], b = turn_sin * c[i] + turn_cos * s[i];
+        const double grow = 1.5 - 0.5 * (a * a + b * b);
+        c[i] = a * grow;
+        s[i] = b * grow;
+        return 0.2 + 0.4 * s[i];
+      });
     }
   }
 };
 
-template <style Style, int Percent>
+// A filter of second order.
+struct coefficients {
+  double b0, b1, b2, a1, a2;
+};
+inline constexpr coefficients fast{0.29, 0.58, 0.29, -0.01, 0.17}, slow{0.067, 0.135, 0.067, -1.143, 0.413};
+
+template <style Style, coefficients C>
 struct low_pass {
-  static constexpr double gain = Percent / 100.0;
-  vector8 state = vector8::Zero();
+  vector8 s1 = vector8::Zero(), s2 = vector8::Zero();
   auto process(cca::in<"x", joints> x) -> cca::out<"y", joints> {
     if constexpr (Style == style::expressions) {
-      state += gain * (x.vector() - state);
-      return state;
+      const vector8 y = C.b0 * x.vector() + s1;
+      s1 = C.b1 * x.vector() - C.a1 * y + s2;
+      s2 = C.b2 * x.vector() - C.a2 * y;
+      return y;
     } else {
-      return made_of<Style>([&](int i) { return state[i] += gain * (x.vector()[i] - state[i]); });
+      return made_of<Style>([&](int i) {
+        const double y = C.b0 * x.vector()[i] + s1[i];
+        s1[i] = C.b1 * x.vector()[i] - C.a1 * y + s2[i];
+        s2[i] = C.b2 * x.vector()[i] - C.a2 * y;
+        return y;
+      });
     }
   }
 };
 
 template <style Style>
 struct change {
-  vector8 last = vector8::Zero();
+  vector8 last = vector8::Zero(), state = vector8::Zero();
   auto process(cca::in<"x", joints> x) -> cca::out<"y", joints> {
     if constexpr (Style == style::expressions) {
-      const vector8 d = 1000.0 * (x.vector() - last);
+      state += 0.2 * (1000.0 * (x.vector() - last) - state);
       last = x.vector();
-      return d;
+      return state;
     } else {
       return made_of<Style>([&](int i) {
-        const double d = 1000.0 * (x.vector()[i] - last[i]);
+        state[i] += 0.2 * (1000.0 * (x.vector()[i] - last[i]) - state[i]);
         last[i] = x.vector()[i];
-        return d;
+        return state[i];
       });
     }
   }
@@ -126,12 +153,33 @@ struct sum {
   }
 };
 
-template <style Style, int Percent>
-struct times {
-  static constexpr double gain = Percent / 100.0;
+// A spring that hardens, and a damper with dry friction.
+template <style Style>
+struct spring {
   auto process(cca::in<"x", joints> x) -> cca::out<"y", joints> {
-    if constexpr (Style == style::expressions) return gain * x.vector();
-    else return made_of<Style>([&](int i) { return gain * x.vector()[i]; });
+    if constexpr (Style == style::expressions) {
+      return (x.vector().array() * (40.0 + 25.0 * (x.vector().array() * x.vector().array()))).matrix();
+    } else {
+      return made_of<Style>([&](int i) {
+        const double e = x.vector()[i];
+        return e * (40.0 + 25.0 * (e * e));
+      });
+    }
+  }
+};
+
+template <style Style>
+struct damper {
+  auto process(cca::in<"x", joints> x) -> cca::out<"y", joints> {
+    if constexpr (Style == style::expressions) {
+      return (x.vector().array() * -0.2 - x.vector().array() / (10.0 + 8.0 * x.vector().array().abs()))
+          .matrix();
+    } else {
+      return made_of<Style>([&](int i) {
+        const double v = x.vector()[i];
+        return v * -0.2 - v / (10.0 + 8.0 * std::abs(v));
+      });
+    }
   }
 };
 
@@ -172,14 +220,14 @@ struct one_axis {
 template <style Style>
 struct joint_control : cca::graph<cca::rate<1000>,
                                   cca::node<"plant", plant<Style>>,
-                                  cca::node<"smooth", low_pass<Style, 25>>,
+                                  cca::node<"smooth", low_pass<Style, fast>>,
                                   cca::node<"speed", change<Style>>,
-                                  cca::node<"goal", ramp<Style>>,
-                                  cca::node<"shaped", low_pass<Style, 10>>,
+                                  cca::node<"goal", swing<Style>>,
+                                  cca::node<"shaped", low_pass<Style, slow>>,
                                   cca::node<"error", difference<Style>>,
-                                  cca::node<"stiff", times<Style, 4000>>,
+                                  cca::node<"stiff", spring<Style>>,
                                   cca::node<"steady", integral<Style>>,
-                                  cca::node<"damping", times<Style, -20>>,
+                                  cca::node<"damping", damper<Style>>,
                                   cca::node<"wanted", sum<Style>>,
                                   cca::node<"damped", sum<Style>>,
                                   cca::node<"split", cca::splitter<"x", joints>>,
@@ -226,7 +274,7 @@ struct joint_control : cca::graph<cca::rate<1000>,
                                   cca::wire<"safe.y", "plant.x">> {};
 
 struct look_at_plant {
-  vector8 operator()(const auto& controller) const { return controller.template get<"plant">().at; }
+  vector8 operator()(const auto& controller) const { return controller.template get<"plant">().counts; }
 };
 template <style Style>
 using graph = as_graph<joint_control<Style>, look_at_plant>;
@@ -234,30 +282,49 @@ using graph = as_graph<joint_control<Style>, look_at_plant>;
 // The same by hand: a function after the other on arrays, each a loop over the axes.
 struct by_hand {
   static constexpr const char* name = "by_hand";
-  array8 at{}, speed{}, smooth{}, last{}, goal, shaped{}, steady{}, filtered{};
+  array8 counts, speed{}, smooth1{}, smooth2{}, last{}, changed{}, c, s, shaped1{}, shaped2{}, steady{},
+      filtered{};
   by_hand() {
     const vector8 first = vector8::LinSpaced(axis_count, 0.1, 0.8);
-    for (std::size_t i = 0; i < axis_count; ++i) goal[i] = first[static_cast<int>(i)];
+    for (std::size_t i = 0; i < axis_count; ++i) c[i] = first[static_cast<int>(i)];
+    s.fill(0.6);
+    counts.fill(zero);
   }
 
   template <class F>
   static void each(F f) {
     for (std::size_t i = 0; i < axis_count; ++i) f(i);
   }
+  static void low_pass(const coefficients& k, const array8& x, array8& s1, array8& s2, array8& y) {
+    each([&](std::size_t i) {
+      y[i] = k.b0 * x[i] + s1[i];
+      s1[i] = k.b1 * x[i] - k.a1 * y[i] + s2[i];
+      s2[i] = k.b2 * x[i] - k.a2 * y[i];
+    });
+  }
 
   void step() {
-    array8 change, error, stiff, damping, wanted, damped, safe;
-    each([&](std::size_t i) { smooth[i] += 0.25 * (at[i] - smooth[i]); });
+    array8 at, smooth, goal, shaped, error, stiff, damping, wanted, damped, safe;
+    each([&](std::size_t i) { at[i] = resolution * (counts[i] - zero); });
+    low_pass(fast, at, smooth1, smooth2, smooth);
     each([&](std::size_t i) {
-      change[i] = 1000.0 * (at[i] - last[i]);
+      changed[i] += 0.2 * (1000.0 * (at[i] - last[i]) - changed[i]);
       last[i] = at[i];
     });
-    each([&](std::size_t i) { goal[i] += 0.001; });
-    each([&](std::size_t i) { shaped[i] += 0.1 * (goal[i] - shaped[i]); });
+    each([&](std::size_t i) {
+      const double a = turn_cos * c[i] - turn_sin * s[i], b = turn_sin * c[i] + turn_cos * s[i];
+      const double grow = 1.5 - 0.5 * (a * a + b * b);
+      c[i] = a * grow;
+      s[i] = b * grow;
+      goal[i] = 0.2 + 0.4 * s[i];
+    });
+    low_pass(slow, goal, shaped1, shaped2, shaped);
     each([&](std::size_t i) { error[i] = shaped[i] - smooth[i]; });
-    each([&](std::size_t i) { stiff[i] = 40.0 * error[i]; });
+    each([&](std::size_t i) { stiff[i] = error[i] * (40.0 + 25.0 * (error[i] * error[i])); });
     each([&](std::size_t i) { steady[i] = std::max(std::min(steady[i] + 0.001 * error[i], 0.5), -0.5); });
-    each([&](std::size_t i) { damping[i] = -0.2 * change[i]; });
+    each([&](std::size_t i) {
+      damping[i] = changed[i] * -0.2 - changed[i] / (10.0 + 8.0 * std::abs(changed[i]));
+    });
     each([&](std::size_t i) { wanted[i] = stiff[i] + steady[i]; });
     each([&](std::size_t i) { damped[i] = wanted[i] + damping[i]; });
     each([&](std::size_t i) {
@@ -268,28 +335,42 @@ struct by_hand {
     each([&](std::size_t i) { safe[i] = std::max(std::min(safe[i], 6.0), -6.0); });
     each([&](std::size_t i) {
       speed[i] += 0.001 * (safe[i] - 0.5 * speed[i]);
-      at[i] += 0.001 * speed[i];
+      counts[i] += 0.5 * speed[i];
     });
   }
-  vector8 result() const { return Eigen::Map<const vector8>(at.data()); }
+  vector8 result() const { return Eigen::Map<const vector8>(counts.data()); }
 };
 
 // The same by hand with Eigen.
 struct by_hand_eigen {
   static constexpr const char* name = "by_hand";
-  vector8 at = vector8::Zero(), speed = at, smooth = at, last = at, shaped = at, steady = at, filtered = at;
-  vector8 goal = vector8::LinSpaced(axis_count, 0.1, 0.8);
+  vector8 counts = vector8::Constant(zero), speed = vector8::Zero(), smooth1 = speed, smooth2 = speed,
+          last = speed, changed = speed, shaped1 = speed, shaped2 = speed, steady = speed, filtered = speed;
+  vector8 c = vector8::LinSpaced(axis_count, 0.1, 0.8), s = vector8::Constant(0.6);
+
+  static vector8 low_pass(const coefficients& k, const vector8& x, vector8& s1, vector8& s2) {
+    const vector8 y = k.b0 * x + s1;
+    s1 = k.b1 * x - k.a1 * y + s2;
+    s2 = k.b2 * x - k.a2 * y;
+    return y;
+  }
 
   void step() {
-    smooth += 0.25 * (at - smooth);
-    const vector8 change = 1000.0 * (at - last);
+    const vector8 at = resolution * (counts.array() - zero).matrix();
+    const vector8 smooth = low_pass(fast, at, smooth1, smooth2);
+    changed += 0.2 * (1000.0 * (at - last) - changed);
     last = at;
-    goal.array() += 0.001;
-    shaped += 0.1 * (goal - shaped);
+    const vector8 a = turn_cos * c - turn_sin * s, b = turn_sin * c + turn_cos * s;
+    const vector8 grow = (1.5 - 0.5 * (a.array() * a.array() + b.array() * b.array())).matrix();
+    c = a.cwiseProduct(grow);
+    s = b.cwiseProduct(grow);
+    const vector8 goal = (0.2 + 0.4 * s.array()).matrix();
+    const vector8 shaped = low_pass(slow, goal, shaped1, shaped2);
     const vector8 error = shaped - smooth;
-    const vector8 stiff = 40.0 * error;
+    const vector8 stiff = (error.array() * (40.0 + 25.0 * (error.array() * error.array()))).matrix();
     steady = (steady + 0.001 * error).cwiseMin(0.5).cwiseMax(-0.5);
-    const vector8 damping = -0.2 * change;
+    const vector8 damping =
+        (changed.array() * -0.2 - changed.array() / (10.0 + 8.0 * changed.array().abs())).matrix();
     const vector8 wanted = stiff + steady;
     const vector8 damped = wanted + damping;
     const vector8 old = filtered;
@@ -297,9 +378,9 @@ struct by_hand_eigen {
     vector8 safe = filtered + 0.05 * (filtered - old);
     safe = safe.cwiseMin(6.0).cwiseMax(-6.0).eval();
     speed += 0.001 * (safe - 0.5 * speed);
-    at += 0.001 * speed;
+    counts += 0.5 * speed;
   }
-  vector8 result() const { return at; }
+  vector8 result() const { return counts; }
 };
 
 }  // namespace bench

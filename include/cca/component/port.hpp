@@ -6,11 +6,11 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string_view>
 #include <type_traits>
 
+#include <cca/base/copy_block.hpp>
 #include <cca/base/fixed_string.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/space/methods/scalar.hpp>
@@ -54,12 +54,10 @@ public:
 
   constexpr bool fresh() const { return arrived; }
 
-  // For the beat: the sample as its writer left it. One block, since the compilers can drop the copy of a
-  // block and then read, eight numbers at a time, what the writer stored; with a copy number by number g++
-  // did not.
+  // For the beat: the sample as its writer left it. One block: with a copy number by number g++ kept the
+  // copy.
   void show(const typename in::vector_type& stored, std::int64_t origin, bool is_fresh) {
-    std::memcpy(this->value.data(), stored.data(),
-                sizeof(double) * static_cast<std::size_t>(in::space::size));
+    detail::copy_block<in::space::size>(this->value.data(), stored.data());
     this->time = origin;
     arrived = is_fresh;
   }

@@ -1,8 +1,7 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
 // Read it by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
-// A sample owns its coordinates, but for an input of a component (`cca::in`): that shows the coordinates
-// where their writer left them. A copy always owns its coordinates.
+// A sample owns its coordinates.
 #pragma once
 
 #include <cstdint>
