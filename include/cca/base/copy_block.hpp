@@ -3,8 +3,8 @@
 // g++ copies what memcpy copies in pieces of 16 bytes. A loop that it has vectorised stores 32 bytes at a
 // time, so it can't see that both are the same numbers, and keeps the copy: a graph of 22 nodes with samples
 // of eight axes took 302 instructions per beat instead of 221 (docs/decisions/0017). Pieces of 32 bytes
-// match. clang drops either. Samples of more than 64 numbers are copied by memcpy: in pieces they would take
-// long to compile.
+// match. Without AVX its vectors have 16 bytes, and memcpy matches. clang drops either. Samples of more than
+// 64 numbers are copied by memcpy: in pieces they would take long to compile.
 #pragma once
 
 #include <cstring>
@@ -15,10 +15,10 @@ namespace cca::detail {
 
 template <int Count>
 inline void copy_block(double* to, const double* from) {
-#if defined(__clang__)
-  constexpr bool in_pieces = false;
-#else
+#if defined(__AVX__) && !defined(__clang__)
   constexpr bool in_pieces = Count <= 64;
+#else
+  constexpr bool in_pieces = false;
 #endif
   if constexpr (in_pieces) {
     using four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
