@@ -16,7 +16,7 @@ namespace cca::detail {
 template <int Count>
 inline void copy_block(double* to, const double* from) {
 #if defined(__AVX__) && !defined(__clang__)
-  constexpr bool in_pieces = Count <= 64;
+  constexpr bool in_pieces = true;
 #else
   constexpr bool in_pieces = false;
 #endif

@@ -57,7 +57,8 @@ public:
   // For the beat: the sample as its writer left it. One block: with a copy number by number g++ kept the
   // copy.
   void show(const typename in::vector_type& stored, std::int64_t origin, bool is_fresh) {
-    detail::copy_block<in::space::size>(this->value.data(), stored.data());
+    if constexpr (detail::is_large<typename in::space>) this->refer_to(stored);
+    else detail::copy_block<in::space::size>(this->value.data(), stored.data());
     this->time = origin;
     arrived = is_fresh;
   }

@@ -1,7 +1,8 @@
 // A sample is an immutable value of a space with its time of origin; it has the methods of its domain type.
 // Read it by axis, `q[hip{}]`, or whole, `q.vector()`; `q.template on<hip>()` is the part along some axes.
 //
-// A sample owns its coordinates.
+// A sample owns its coordinates. Only an input of many numbers refers to those that its writer stored, as
+// long as its component runs: a copy of it owns its own.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +24,22 @@ template <class From, class To> concept Renames =
     (hz_of<typename From::rate> == hz_of<typename To::rate> || hz_of<typename From::rate> == 0 ||
      hz_of<typename To::rate> == 0);
 
+// Samples of so many numbers are not copied to a component that reads them.
+template <class Space>
+inline constexpr bool is_large = Space::size > 64;
+
+template <class Vector, bool IsLarge>
+struct stored_elsewhere {
+  const Vector* stored = nullptr;  // null: here
+};
+template <class Vector>
+struct stored_elsewhere<Vector, false> {};
+
 }  // namespace detail
 
 template <class Space>
-class sample : public Space::domain::template methods<sample<Space>> {
+class sample : public Space::domain::template methods<sample<Space>>,
+               detail::stored_elsewhere<typename Space::vector_type, detail::is_large<Space>> {
 public:
   using space = Space;
   using vector_type = typename Space::vector_type;
@@ -44,17 +57,25 @@ public:
   constexpr sample(const sample<Other>& other) : time(other.origin()) {
     copy(other.vector());
   }
-  constexpr sample(const sample& other) : Space::domain::template methods<sample<Space>>(), time(other.time) {
+  constexpr sample(const sample& other)
+      : Space::domain::template methods<sample<Space>>(),
+        detail::stored_elsewhere<vector_type, detail::is_large<Space>>(),
+        time(other.time) {
     copy(other.vector());
   }
   constexpr sample& operator=(const sample& other) {
     copy(other.vector());
+    if constexpr (detail::is_large<Space>) this->stored = nullptr;
     time = other.time;
     return *this;
   }
 
   // Coordinates in the order of the axes, in the domain's units.
-  constexpr const vector_type& vector() const { return value; }
+  constexpr const vector_type& vector() const {
+    if constexpr (detail::is_large<Space>)
+      if (this->stored) return *this->stored;
+    return value;
+  }
 
   // Nanoseconds since beat 0; `never` for an initial value.
   constexpr std::int64_t origin() const { return time; }
@@ -75,6 +96,13 @@ public:
   }
 
 protected:
+  // Until it is filled again. `from` has to outlive it.
+  void refer_to(const vector_type& from)
+    requires detail::is_large<Space>
+  {
+    this->stored = &from;
+  }
+
   vector_type value;
   std::int64_t time = never;
 

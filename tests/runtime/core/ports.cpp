@@ -1,6 +1,11 @@
 // Ports: initial values, optional inputs, outputs that publish only sometimes, origins, resource nodes.
 #include <doctest/doctest.h>
 
+#include <utility>
+#include <vector>
+
+#include <cca/space/record.hpp>
+
 #include "counting.hpp"
 
 using namespace core_test;
@@ -45,6 +50,37 @@ struct sometimes : cca::graph<cca::rate<1000>,
                               cca::wire<"odd.odd", "each.x", cca::latest>,
                               cca::wire<"odd.all", "late.x", cca::delayed<2>, cca::initial<7>>,
                               cca::wire<"silent.y", "never.x", cca::latest, cca::initial<-2.5>>> {};
+
+// So many numbers that an input shows them where their writer stored them.
+struct many_numbers : cca::record<100> {};
+struct picture : cca::space<many_numbers, cca::axes<cca::x>> {};
+struct camera {
+  auto process(cca::beat now) -> cca::out<"y", picture> {
+    cca::out<"y", picture> y;
+    y.vector().setConstant(static_cast<double>(now.index()));
+    return y;
+  }
+};
+struct album {
+  using image = cca::in<"x", picture>;
+  void process(image x, cca::in<"before", picture> before) {
+    shown.emplace_back(x.vector()[99], before.vector()[99]);
+    kept.push_back(x);
+    const image copied = x;
+    const cca::sample<picture> owned = copied;
+    first = owned.vector()[99];
+    x = before;
+    assigned = x.vector()[99];
+  }
+  std::vector<std::pair<double, double>> shown;
+  std::vector<cca::sample<picture>> kept;
+  double first = -1, assigned = -1;
+};
+struct pictures : cca::graph<cca::rate<1000>,
+                             cca::node<"camera", camera>,
+                             cca::node<"album", album>,
+                             cca::wire<"camera.y", "album.x">,
+                             cca::wire<"camera.y", "album.before", cca::delayed<1>, cca::initial<7>>> {};
 
 struct older {  // sets the origin of its samples itself
   auto process(cca::beat now) -> cca::out<"y", reading> {
@@ -143,6 +179,19 @@ TEST_SUITE("ports") {
              std::vector<seen>{
                  {0, 7, cca::never, false}, {1, 7, cca::never, false}, {2, 0, 0, true}, {3, 1, ms, true}});
     CHECK_EQ(c.get<"never">().all.back(), seen{3, -2.5, cca::never, false});
+  }
+
+  TEST_CASE("a sample of many numbers can be kept: a copy is its own") {
+    auto c = started<pictures>();
+    c.run(cca::for_beats<3>{});
+    const auto& album = c.get<"album">();
+    CHECK_EQ(album.shown, std::vector<std::pair<double, double>>{{0, 7}, {1, 0}, {2, 1}});
+    for (std::size_t k = 0; k < 3; ++k) CHECK_EQ(album.kept[k].vector()[99], static_cast<double>(k));
+    CHECK_EQ(album.first, 2);
+    CHECK_EQ(album.assigned, 1);
+    const auto snapshot = c;
+    c.run(cca::for_beats<2>{});
+    CHECK_EQ(snapshot.get<"album">().kept[2].vector()[99], 2);
   }
 
   TEST_CASE("a sample takes the oldest origin of the inputs") {
