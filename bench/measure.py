@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, modes, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -223,6 +223,19 @@ def copies(work):
     return rows
 
 
+def modes(work):
+    """Beats of two modes, alone and in a set, and a switch between them."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "modes"
+        build(compiler, ["-O3"], HERE / "modes.cpp", program)
+        row = {"compiler": compiler} | {what: instructions(program, what) for what in ("trot", "trot_mode", "stand", "stand_mode")}
+        row["switch"] = instructions(program, "switches", within=("*bench::switch_and_back*",)) / 2
+        rows.append(row)
+        print("modes", row, flush=True)
+    return rows
+
+
 def compile_once(compiler, source):
     """User and system seconds, and megabytes."""
     child = subprocess.Popen([compiler, "-std=c++20", "-O2", *INCLUDES, "-c", str(source), "-o", "/dev/null"], stderr=subprocess.DEVNULL)
@@ -372,7 +385,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "modes": modes, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

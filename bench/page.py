@@ -277,6 +277,18 @@ The goal is a p99 of at most 1.2 times that of cyclictest.
 {measured(part)}"""
 
 
+def modes(part):
+    columns = ("trot", "trot_mode", "stand", "stand_mode")
+    rows = [[r["compiler"], *(number(r[what]) for what in columns), f"**{number(r['switch'])}**"] for r in part["data"]]
+    return f"""## Modes
+
+The trot of the examples with a mode `stand` beside it, `-O3`, instructions (`bench/modes.cpp`).
+The bound of a switch is a beat.
+
+{table(["compiler", "beat of the trot, alone", "in the set", "beat of `stand`, alone", "in the set", "a switch"], rows)}
+{measured(part)}"""
+
+
 def compiling(part, exponent):
     data = part["data"]
     bases = table(["file that only includes", "compiler", "s", "MB"],
@@ -345,6 +357,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(skills(figures["skills"]))
     if "drives" in figures:
         parts.append(drives(figures["drives"]))
+    if "modes" in figures:
+        parts.append(modes(figures["modes"]))
     if "latency" in figures:
         parts.append(latency(figures["latency"]))
     if "realtime" in figures:
