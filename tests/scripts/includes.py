@@ -22,7 +22,7 @@ TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"],
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds"}
-ONE_NAME = ["graph", "runtime"]  # no two headers in these folders have the same file name
+FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
 
@@ -81,16 +81,28 @@ def form_problems(name, text, lines):
         yield f"{name}: does not begin with a comment that says its purpose"
 
 
+def is_forwarder(text):
+    """Only a comment and one include."""
+    code = [line for line in text.splitlines() if line and not line.startswith("//") and line != "#pragma once"]
+    return len(code) == 1 and code[0].startswith("#include <cca/")
+
+
 def folder_problems(root):
-    """Folders with too many headers, and headers of one name."""
+    """Folders with too many headers, and headers of one name.
+
+    In include/cca no two headers have the same file name. The headers directly in it are exempt: each stands for a folder
+    or for a way to use the library (`mapping.hpp` for mapping/, `modes.hpp`), and may include the header of its name. A
+    header that only forwards from its former place is exempt, too.
+    """
     names = collections.defaultdict(list)
-    for base in ROOTS:
-        count = collections.Counter(header.parent.relative_to(root) for header in (root / base / "cca").rglob("*.hpp"))
+    for base in [f"{base}/cca" for base in ROOTS] + FOLDERS_OF_PROGRAMS:
+        count = collections.Counter(header.parent.relative_to(root) for header in (root / base).rglob("*.hpp"))
         for folder, headers in sorted(count.items()):
             if headers > MOST_HEADERS:
                 yield f"{folder}: {headers} headers, more than {MOST_HEADERS}: make folders of its parts"
-    for folder in ONE_NAME:
-        for header in sorted((root / "include/cca" / folder).rglob("*.hpp")):
+    top = root / "include/cca"
+    for header in sorted(top.rglob("*.hpp")):
+        if header.parent != top and not is_forwarder(header.read_text()):
             names[header.name].append(header.relative_to(root))
     for same in names.values():
         if len(same) > 1:

@@ -47,8 +47,8 @@ class Includes(Tree):
     def test_right(self):
         self.found("include/cca/graph/a.hpp", "vector", "Eigen/Core", "cca/space/b.hpp", "cca/graph/c.hpp", "cca/version.hpp")
         self.found("include/cca/runtime/b.hpp", "cca/graph/a.hpp")
-        self.found("include/cca/config/a.hpp", "toml++/toml.h", "cca/component/a.hpp")
-        self.found("include/cca/config.hpp", "toml++/toml.h", "cca/config/a.hpp", "cca/component/a.hpp")
+        self.found("include/cca/config/c.hpp", "toml++/toml.h", "cca/component/a.hpp")
+        self.found("include/cca/config.hpp", "toml++/toml.h", "cca/config/c.hpp", "cca/component/a.hpp")
         self.found("include/cca/cca.hpp", "cca/graph/a.hpp", "cca/runtime/a.hpp")
         self.found("include/cca/motor.hpp", "cca/motor/a.hpp", "cca/space/a.hpp")
         self.found("robots/include/cca/robots/a.hpp", "cca/robot/a.hpp", "cca/robots/b.hpp")
@@ -81,7 +81,18 @@ class Includes(Tree):
             self.found(f"include/cca/graph/h{i}.hpp")
         self.assertEqual(self.found("include/cca/graph/plan/h20.hpp"), [])
         self.assertEqual(len(self.found("include/cca/graph/h20.hpp")), 2)  # the folder, and the name
-        self.assertEqual(len(self.found("include/cca/runtime/h0.hpp")), 3)
+        self.assertEqual(len(self.found("include/cca/motor/h0.hpp")), 3)
+        self.assertEqual(len(self.found("include/cca/mapping.hpp")), 3)
+        self.found("include/cca/mapping/mapping.hpp")
+        self.write("include/cca/motor/h1.hpp", "// Moved.\n#pragma once\n\n#include <cca/graph/h1.hpp>\n")
+        self.assertEqual(len(list(includes.problems(self.root))), 3)
+
+    def test_folders_of_programs(self):
+        for i in range(20):
+            self.write(f"tools/a/h{i}.hpp", "")
+        self.assertEqual(list(includes.problems(self.root)), [])
+        self.write("tools/a/h20.hpp", "")
+        self.assertEqual(len(list(includes.problems(self.root))), 1)
 
     def test_what_is_named_exists(self):
         self.write("tests/runtime/space/a.cpp", "")
@@ -89,15 +100,15 @@ class Includes(Tree):
         self.assertEqual(len(self.found("include/cca/space/a.hpp", more="// Example: tests/runtime/space/b.cpp; docs/c.md.\n")), 2)
 
     def test_one_header_includes_hana(self):
-        self.found("include/cca/component/a.hpp", "boost/hana/tuple.hpp")
+        self.found("include/cca/component/b.hpp", "boost/hana/tuple.hpp")
         self.assertEqual(len(self.found("include/cca/graph/a.hpp", "boost/hana/tuple.hpp")), 1)
 
     def test_only_main_knows_the_command_line(self):
         self.assertEqual(self.found("include/cca/main/a.hpp", "CLI/CLI.hpp"), [])
         self.assertEqual(self.found("include/cca/main/b.hpp", "cca/config.hpp"), [])
-        self.assertEqual(len(self.found("include/cca/runtime/a.hpp", "CLI/CLI.hpp")), 1)
-        self.assertEqual(len(self.found("include/cca/runtime/b.hpp", "cca/main/a.hpp")), 2)
-        self.assertEqual(len(self.found("include/cca/runtime/c.hpp", "cca/config.hpp")), 3)
+        self.assertEqual(len(self.found("include/cca/runtime/c.hpp", "CLI/CLI.hpp")), 1)
+        self.assertEqual(len(self.found("include/cca/runtime/d.hpp", "cca/main/a.hpp")), 2)
+        self.assertEqual(len(self.found("include/cca/runtime/e.hpp", "cca/config.hpp")), 3)
 
 
 class Snippets(Tree):

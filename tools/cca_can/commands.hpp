@@ -8,18 +8,18 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate.hpp"
-#include "drive_name.hpp"
-#include "enable.hpp"
-#include "help.hpp"
+#include "commands/calibrate.hpp"
+#include "drives/drive_name.hpp"
+#include "commands/enable.hpp"
+#include "commands/help.hpp"
 #include "in_memory.hpp"
-#include "interfaces.hpp"
-#include "jog.hpp"
-#include "list.hpp"
-#include "pretend.hpp"
-#include "record.hpp"
-#include "replay.hpp"
-#include "watch.hpp"
+#include "commands/interfaces.hpp"
+#include "commands/jog.hpp"
+#include "commands/list.hpp"
+#include "commands/pretend.hpp"
+#include "commands/record.hpp"
+#include "commands/replay.hpp"
+#include "commands/watch.hpp"
 #include "words.hpp"
 
 namespace cca_can {

@@ -14,9 +14,9 @@
 
 #include <cca/hardware/memory_bus.hpp>
 
-#include "drive_name.hpp"
+#include "drives/drive_name.hpp"
 #include "pace.hpp"
-#include "pretend.hpp"
+#include "commands/pretend.hpp"
 
 namespace cca_can {
 

@@ -14,7 +14,7 @@
 #include <cca/base/nearest.hpp>
 #include <cca/config/problems.hpp>
 #include <cca/config/spelling.hpp>
-#include <cca/config/units.hpp>
+#include <cca/config/measure.hpp>
 
 namespace cca::detail {
 

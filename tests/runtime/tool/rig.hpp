@@ -12,10 +12,10 @@
 
 #include <cca/hardware/memory_bus.hpp>
 
-#include "../../../tools/cca_can/drive_name.hpp"
+#include "../../../tools/cca_can/drives/drive_name.hpp"
 #include "../../../tools/cca_can/console.hpp"
 #include "../../../tools/cca_can/pace.hpp"
-#include "../../../tools/cca_can/pretend.hpp"
+#include "../../../tools/cca_can/commands/pretend.hpp"
 
 namespace tool_test {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cca/graph/layout/types.hpp>
-#include <cca/graph/plan/deployment/placement.hpp>
+#include <cca/graph/plan/deployment/place_components.hpp>
 #include <cca/graph/plan/plan.hpp>
 
 namespace cca::detail {

@@ -19,8 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "console.hpp"
-#include "talk.hpp"
+#include "../console.hpp"
+#include "../drives/talk.hpp"
 
 namespace cca_can {
 

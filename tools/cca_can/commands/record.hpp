@@ -7,9 +7,9 @@
 
 #include <cca/hardware/can_bus.hpp>
 
-#include "console.hpp"
-#include "log_line.hpp"
-#include "pace.hpp"
+#include "../console.hpp"
+#include "../log_line.hpp"
+#include "../pace.hpp"
 
 namespace cca_can {
 

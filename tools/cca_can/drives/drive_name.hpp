@@ -26,7 +26,7 @@
 
 #include "addresses.hpp"
 #include "any_drive.hpp"
-#include "words.hpp"
+#include "../words.hpp"
 
 namespace cca_can {
 

@@ -18,9 +18,9 @@
 #include <cca/hardware/joint.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 
-#include "console.hpp"
-#include "talk.hpp"
-#include "words.hpp"
+#include "../console.hpp"
+#include "../drives/talk.hpp"
+#include "../words.hpp"
 
 namespace cca_can {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "any_drive.hpp"
-#include "ending.hpp"
-#include "pace.hpp"
+#include "../drives/any_drive.hpp"
+#include "../ending.hpp"
+#include "../pace.hpp"
 
 namespace cca_can {
 

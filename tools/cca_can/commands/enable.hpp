@@ -1,8 +1,8 @@
 // cca-can enable: enables a drive at its present position, watches it, and disables it at the end.
 #pragma once
 
-#include "console.hpp"
-#include "talk.hpp"
+#include "../console.hpp"
+#include "../drives/talk.hpp"
 
 namespace cca_can {
 

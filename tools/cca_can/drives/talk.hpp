@@ -11,7 +11,7 @@
 #include <cca/hardware/link_supervisor.hpp>
 
 #include "any_drive.hpp"
-#include "pace.hpp"
+#include "../pace.hpp"
 
 namespace cca_can {
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "console.hpp"
-#include "drive_name.hpp"
-#include "log_line.hpp"
-#include "talk.hpp"
+#include "../console.hpp"
+#include "../drives/drive_name.hpp"
+#include "../log_line.hpp"
+#include "../drives/talk.hpp"
 
 namespace cca_can {
 

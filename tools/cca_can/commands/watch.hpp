@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "console.hpp"
-#include "talk.hpp"
+#include "../console.hpp"
+#include "../drives/talk.hpp"
 
 namespace cca_can {
 
