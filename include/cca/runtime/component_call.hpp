@@ -35,16 +35,32 @@ struct firing {
   std::int64_t last = -1;        // beat of the last one; -1: none
 };
 
-// `Call` is the first of all its twins; `at` says what this one touches.
-template <class Graph, int Call, class Parameters, class Results, class Inputs>
+template <class Results>
+struct numbers_of;
+template <class... Results>
+struct numbers_of<list<Results...>> {
+  using type = std::index_sequence_for<Results...>;
+};
+template <class Results>
+using result_numbers = typename numbers_of<Results>::type;
+
+// `Call` is the first of all its twins; `at` says what this one touches. `Position` are the wired inputs,
+// `Number` the results.
+template <class Graph, int Call, class Parameters, class Results, class Inputs, class Numbers>
 struct component_call_of;
 
-template <class Graph, int Call, class... Parameters, class... Results, int... Position>
+template <class Graph,
+          int Call,
+          class... Parameters,
+          class... Results,
+          int... Position,
+          std::size_t... Number>
 struct component_call_of<Graph,
                          Call,
                          list<Parameters...>,
                          list<Results...>,
-                         std::integer_sequence<int, Position...>> {
+                         std::integer_sequence<int, Position...>,
+                         std::index_sequence<Number...>> {
   static constexpr const auto& c = call_of<Graph, Call>;
   static constexpr std::int64_t period = counts_of<Graph>.period;
   using types = node_types<Graph, c.node>;
@@ -68,11 +84,16 @@ struct component_call_of<Graph,
                              result(one.call(now, std::index_sequence_for<Parameters...>{}));
       const std::int64_t oldest = one.origin();
       one.take_from_queues();
-      one.publish_all(returned, oldest, std::index_sequence_for<Results...>{});
+      if constexpr (std::is_same_v<result, std::tuple<Results...>>)
+        (publish<Graph, Call, output_of_result<Number>>(b, at, std::get<Number>(returned), oldest), ...);
+      else publish<Graph, Call, 0>(b, at, returned, oldest);
     }
   }
 
 private:
+  template <std::size_t I>
+  static constexpr int output_of_result = function_ports<list<>, list<Results...>>::output_of_result[I];
+
   // Settled at compile time if the clock is known; else its strategy is asked.
   CCA_INLINE firing fires() const {
     if constexpr (c.fires.never()) {
@@ -81,7 +102,10 @@ private:
       last_firing& own = b.state.firings[at.firing];
       using strategy =
           typename strategy_or_default<typename types::strategy, (sizeof...(Position) > 0)>::type;
-      if (!strategy_fires<strategy>(question<Graph, Call>{b, at, own})) return {};
+      const inputs_view<Graph, Call> inputs{b, at, own};
+      bool is_now = false;
+      CCA_INLINE_CALL is_now = strategy{}.fires(beat_of<Graph, Call>(b.k, own), inputs);
+      if (!is_now) return {};
       if constexpr (c.stored_seen) own.oldest = oldest_seen();
       const std::int64_t last = own.last;
       const std::int64_t beats = beats_since<Graph, Call>(b.k, own);
@@ -147,29 +171,6 @@ private:
     else return unread.place();
   }
 
-  template <class Returned, std::size_t... I>
-  CCA_INLINE void publish_all(Returned& returned, std::int64_t oldest, std::index_sequence<I...>) const {
-    using ports = function_ports<list<>, list<Results...>>;
-    if constexpr (std::is_same_v<Returned, std::tuple<Results...>>)
-      (publish_one<ports::output_of_result[I]>(std::get<I>(returned), oldest), ...);
-    else publish_one<0>(returned, oldest);
-  }
-  template <int P, class One>
-  CCA_INLINE void publish_one(One& one, [[maybe_unused]] std::int64_t oldest) const {
-    if constexpr (std::is_same_v<One, fault>) {
-      if (one) b.outcome = {one.reason(), at.node};
-    } else if constexpr (is_mode_request<One>) {
-      if constexpr (requires { b.state.request(one); })
-        if (one) b.state.request(one);
-    } else if constexpr (std::is_same_v<One, done>) {
-      if constexpr (is_stoppable<Graph, Call>)
-        if (one) b.state.firings[at.firing].is_stopped = true;
-    } else {
-      publish<Graph, layout_of<Graph>.output_twin[c.first_output + P]>(
-          b, one, layout_of<Graph>.outputs[at.first_output + P].index, oldest);
-    }
-  }
-
   // The oldest origin among the inputs as they were; if none counts, the beat's time. If the compiler knows
   // that a sample has arrived, the beat does not test it: in a chain each test would wait for the one before.
   CCA_INLINE std::int64_t origin() const {
@@ -208,6 +209,7 @@ using component_call = component_call_of<Graph,
                                          Call,
                                          typename function_called<Graph, Call>::parameters,
                                          typename function_called<Graph, Call>::results,
-                                         input_positions<Graph, Call>>;
+                                         input_positions<Graph, Call>,
+                                         result_numbers<typename function_called<Graph, Call>::results>>;
 
 }  // namespace cca::detail

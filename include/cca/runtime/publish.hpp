@@ -1,8 +1,7 @@
 // What a component returned goes to its readers: it stays where it is for those of this beat, and is stored
 // for those of later beats and for queues, and sent to other environments.
 //
-// `Output` is the number of the first output that is published in the same way; `index` says where in its
-// array this one is stored.
+// A fault, a request for another mode and `done` are results, too.
 #pragma once
 
 #include <utility>
@@ -34,21 +33,37 @@ CCA_INLINE void put_into_queues(const beat_context<Graph>& b, const Vector& v, s
   if constexpr (next >= 0) put_into_queues<Graph, next>(b, v, origin);
 }
 
-// An output that a component returned.
-template <class Graph, int Output, class Result>
-CCA_INLINE void publish(const beat_context<Graph>& b, Result& result, int index, std::int64_t oldest) {
-  constexpr const auto& out = output_of<Graph, Output>;
-  if constexpr (requires { result.operator bool(); })
-    if (!result) return;
-  if (result.origin() == never) result.with_origin(oldest);
-  const auto& coordinates = std::as_const(result).vector();
-  if constexpr (out.storage == storage_kind::of_beat)
-    b.template at<layout_of<Graph>.outputs[Output].array>(index).template put<out.port>();
-  if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
-    b.template at<layout_of<Graph>.outputs[Output].array>(index).put(coordinates, result.origin(), b.k);
-  if constexpr (out.leaves) b.state.template send<Output>(coordinates, result.origin(), b.k);
-  constexpr int queue = queue_from<Graph>(out.first_reader);
-  if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, result.origin());
+// One thing that a component returned: an output goes to its readers. `Port` is its number among the outputs.
+template <class Graph, int Call, int Port, class Returned>
+CCA_INLINE void publish(const beat_context<Graph>& b,
+                        [[maybe_unused]] const call_place& at,
+                        Returned& returned,
+                        [[maybe_unused]] std::int64_t oldest) {
+  if constexpr (std::is_same_v<Returned, fault>) {
+    if (returned) b.outcome = {returned.reason(), at.node};
+  } else if constexpr (is_mode_request<Returned>) {
+    if constexpr (requires { b.state.request(returned); })
+      if (returned) b.state.request(returned);
+  } else if constexpr (std::is_same_v<Returned, done>) {
+    if constexpr (is_stoppable<Graph, Call>)
+      if (returned) b.state.firings[at.firing].is_stopped = true;
+  } else {
+    // All twins publish like the first, each at its place.
+    constexpr int Output = layout_of<Graph>.output_twin[call_of<Graph, Call>.first_output + Port];
+    constexpr int array = layout_of<Graph>.outputs[Output].array;
+    constexpr const auto& out = output_of<Graph, Output>;
+    if constexpr (requires { returned.operator bool(); })
+      if (!returned) return;
+    if (returned.origin() == never) returned.with_origin(oldest);
+    const auto& coordinates = std::as_const(returned).vector();
+    const int index = layout_of<Graph>.outputs[at.first_output + Port].index;
+    if constexpr (out.storage == storage_kind::of_beat) b.template at<array>(index).template put<out.port>();
+    if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
+      b.template at<array>(index).put(coordinates, returned.origin(), b.k);
+    if constexpr (out.leaves) b.state.template send<Output>(coordinates, returned.origin(), b.k);
+    constexpr int queue = queue_from<Graph>(out.first_reader);
+    if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, returned.origin());
+  }
 }
 
 }  // namespace cca::detail

@@ -157,17 +157,17 @@ CCA_INLINE auto& part_of(Whole& whole) {
 
 // Where components and samples are kept: modes share theirs (runtime/modes/shared_state.hpp).
 template <class Graph, int First>
-struct component_home {
+struct array_of_components {
   using type = component_array<Graph, First>;
 };
 template <class Graph, int Array>
-struct sample_home {
+struct array_of_samples {
   using type = stored_array<Graph, Array>;
 };
 
 template <class Graph, int First, class State>
 CCA_INLINE auto& component_in(State& state, int index) {
-  return part_of<typename component_home<Graph, First>::type>(state).at(index);
+  return part_of<typename array_of_components<Graph, First>::type>(state).at(index);
 }
 template <class Graph, int Node, class State>
 CCA_INLINE auto& component_at(State& state) {
@@ -177,8 +177,12 @@ CCA_INLINE auto& component_at(State& state) {
 
 template <class Graph, int Array, class State>
 CCA_INLINE auto& sample_in(State& state, int index) {
-  return part_of<typename sample_home<Graph, Array>::type>(state).all[index];
+  return part_of<typename array_of_samples<Graph, Array>::type>(state).all[index];
 }
+
+// Whether the component of a call can be stopped.
+template <class Graph, int Call>
+inline constexpr bool is_stoppable = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->is_stoppable();
 
 // ---- what a beat works on ----
 
@@ -194,7 +198,7 @@ using beat_arrays = chosen<layout_of<Graph>.array_count, ends_with_beat<Graph>>;
 
 template <class Graph, int Array>
 struct reference_to_array {
-  stored_array<Graph, Array>& array;
+  stored_array<Graph, Array>&& array;
 };
 
 template <class Graph, class BeatArrays = beat_arrays<Graph>>
@@ -205,12 +209,6 @@ struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
   controller_state<Graph>& state;
   beat_outcome& outcome;
   std::int64_t k;
-
-  CCA_INLINE beat_context(controller_state<Graph>& s,
-                          beat_outcome& o,
-                          std::int64_t beat,
-                          stored_array<Graph, BeatArray>&&... samples)
-      : reference_to_array<Graph, BeatArray>{samples}..., state(s), outcome(o), k(beat) {}
 
   // A stored sample, by its place.
   template <int Array>

@@ -4,8 +4,8 @@
 //   show(k, delay)                what a reader with this delay sees in beat k; null: nothing has arrived yet
 //   arrived(k, delay)             the beat in which that arrived; -1: nothing has
 //
-// Which type an output has is decided in graph/plan/storage.hpp. All of them are plain values: a copy is a
-// snapshot.
+// Which type an output has is decided in graph/plan/steps/storage.hpp. All of them are plain values: a copy
+// is a snapshot.
 #pragma once
 
 #include <cstdint>
@@ -164,34 +164,34 @@ class past_samples {
 public:
   template <class Vector>
   CCA_INLINE void put(const Vector& v, std::int64_t origin, std::int64_t k) {
-    entry& e = entries[index_in_ring(Published.known() ? (k - Published.first) / Published.period : count++)];
-    e.store(v, origin);
-    e.published_in = k;
+    slot& s = slots[index_in_ring(Published.known() ? (k - Published.first) / Published.period : count++)];
+    s.store(v, origin);
+    s.published_in = k;
   }
   CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const {
     return newest_arrived(k, delay);
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
-    const entry* e = newest_arrived(k, delay);
-    return e ? e->published_in + delay : -1;
+    const slot* s = newest_arrived(k, delay);
+    return s ? s->published_in + delay : -1;
   }
   // In beat k nothing was published: if its clock ticks, the sample before counts again.
   void repeat(std::int64_t k) {
     if constexpr (Published.dynamic()) return repeat_last(k);
     if (!ticks(Published, k)) return;
     const std::int64_t number = (k - Published.first) / Published.period;
-    entry& now = entries[index_in_ring(number)];
+    slot& now = slots[index_in_ring(number)];
     if (now.published_in == k) return;
-    now = number > 0 ? entries[index_in_ring(number - 1)] : entry();
+    now = number > 0 ? slots[index_in_ring(number - 1)] : slot();
     if (now.published_in >= 0) now.published_in = k;
   }
   void forget() {
-    for (entry& each : entries) each.published_in = -1;
+    for (slot& each : slots) each.published_in = -1;
     count = 0;
   }
 
 private:
-  struct entry : stored_sample<Size> {
+  struct slot : stored_sample<Size> {
     std::int64_t published_in = -1;
   };
 
@@ -200,12 +200,12 @@ private:
   }
 
   void repeat_last(std::int64_t k) {
-    if (count == 0 || entries[index_in_ring(count - 1)].published_in == k) return;
-    entries[index_in_ring(count)] = entries[index_in_ring(count - 1)];
-    entries[index_in_ring(count++)].published_in = k;
+    if (count == 0 || slots[index_in_ring(count - 1)].published_in == k) return;
+    slots[index_in_ring(count)] = slots[index_in_ring(count - 1)];
+    slots[index_in_ring(count++)].published_in = k;
   }
 
-  CCA_INLINE const entry* newest_arrived(std::int64_t k, int delay) const {
+  CCA_INLINE const slot* newest_arrived(std::int64_t k, int delay) const {
     std::int64_t number = -1;
     if constexpr (Published.known()) {
       const std::int64_t newest = k - delay;
@@ -213,14 +213,14 @@ private:
     } else {
       number = count - 1;
       // At most `Depth` samples are newer than the one that has arrived: older ones have been overwritten.
-      while (number >= 0 && entries[index_in_ring(number)].published_in + delay > k) --number;
+      while (number >= 0 && slots[index_in_ring(number)].published_in + delay > k) --number;
     }
     if (number < 0) return nullptr;
-    const entry& e = entries[index_in_ring(number)];
-    return e.published_in < 0 ? nullptr : &e;  // cut before the first
+    const slot& s = slots[index_in_ring(number)];
+    return s.published_in < 0 ? nullptr : &s;  // cut before the first
   }
 
-  entry entries[array_size(Depth)];
+  slot slots[array_size(Depth)];
   std::int64_t count = 0;
 };
 

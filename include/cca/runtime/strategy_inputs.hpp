@@ -8,62 +8,6 @@
 
 namespace cca::detail {
 
-// The state of a function whose clock is known only at run time, when its strategy is asked.
-template <class Graph, int Call>
-struct question {
-  const beat_context<Graph>& b;
-  const call_place& at;
-  const last_firing& self;
-
-  template <int Position>
-  CCA_INLINE bool fresh() const {
-    constexpr int input = input_at<Graph, Call, Position>;
-    if constexpr (is_wired<Graph, input>)
-      return input_reader<Graph, input>::is_fresh(b, index_of_source<Graph>(at, Position), self.last);
-    else return false;
-  }
-  template <int... Position>
-  CCA_INLINE bool any_fresh(std::integer_sequence<int, Position...>) const {
-    return (fresh<Position>() || ... || any_observed());
-  }
-  template <int... Position>
-  CCA_INLINE bool all_fresh(std::integer_sequence<int, Position...>) const {
-    return ((!is_wired<Graph, input_at<Graph, Call, Position>> || fresh<Position>()) && ... &&
-            (!has_observers(call_of<Graph, Call>) || any_observed()));
-  }
-
-  // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
-  template <int... Position>
-  CCA_INLINE bool together(std::integer_sequence<int, Position...>) const {
-    std::int64_t common = never;
-    bool all = true;
-    (join<Position>(common, all), ...);
-    return all && common > self.oldest;
-  }
-  template <int Position>
-  CCA_INLINE void join(std::int64_t& common, bool& all) const {
-    constexpr int input = input_at<Graph, Call, Position>;
-    if constexpr (is_wired<Graph, input>) {
-      const auto origin = input_reader<Graph, input>::origin(b, index_of_source<Graph>(at, Position));
-      if (common == never) common = origin;
-      all = all && origin != never && origin == common;
-    }
-  }
-
-  // Does an observer of this function listen to something fresh?
-  CCA_INLINE bool any_observed() const {
-    bool any = false;
-    if constexpr (has_observers(call_of<Graph, Call>))
-      for_each_observed<Graph, Call>(
-          [&]<int Link>() { any = any || observed_output<Graph, Link>::arrived(b) > self.last; });
-    return any;
-  }
-};
-
-// Whether the component of a call can be stopped.
-template <class Graph, int Call>
-inline constexpr bool is_stoppable = plan_of<Graph>.nodes[call_of<Graph, Call>.node].item->is_stoppable();
-
 // Since it last fired. The first time it is one beat, or what the strategy that can be stopped says.
 template <class Graph, int Call>
 CCA_INLINE std::int64_t beats_since(std::int64_t k, const last_firing& self) {
@@ -101,25 +45,34 @@ constexpr auto check_input() {
                 "component has, or give the node another strategy");
 }
 
-// component/strategy.hpp says what each function is.
-template <class Graph, int Call>
-struct inputs_view {
-  const question<Graph, Call>& asked;
+// What a strategy is given of a call's inputs. component/strategy.hpp says what each function is.
+template <class Graph, int Call, class Positions = input_positions<Graph, Call>>
+struct inputs_view;
+template <class Graph, int Call, int... Position>
+struct inputs_view<Graph, Call, std::integer_sequence<int, Position...>> {
+  const beat_context<Graph>& b;
+  const call_place& at;
+  const last_firing& self;
 
-  CCA_INLINE bool any_fresh() const { return asked.any_fresh(input_positions<Graph, Call>{}); }
-  CCA_INLINE bool all_fresh() const { return asked.all_fresh(input_positions<Graph, Call>{}); }
-  CCA_INLINE bool share_new_origin() const { return asked.together(input_positions<Graph, Call>{}); }
-  CCA_INLINE std::int64_t beats_since_fired() const {
-    return asked.b.k - (asked.self.last < 0 ? 0 : asked.self.last);
+  CCA_INLINE bool any_fresh() const { return (is_fresh<Position>() || ... || any_observed()); }
+  CCA_INLINE bool all_fresh() const {
+    return ((!is_wired<Graph, input_at<Graph, Call, Position>> || is_fresh<Position>()) && ... &&
+            (!has_observers(call_of<Graph, Call>) || any_observed()));
   }
-
-  CCA_INLINE bool is_stopped() const { return asked.self.is_stopped; }
+  // All inputs hold arrived samples of one origin, later than what was seen in the last firing.
+  CCA_INLINE bool share_new_origin() const {
+    std::int64_t common = never;
+    bool all = true;
+    (join<Position>(common, all), ...);
+    return all && common > self.oldest;
+  }
+  CCA_INLINE std::int64_t beats_since_fired() const { return b.k - (self.last < 0 ? 0 : self.last); }
+  CCA_INLINE bool is_stopped() const { return self.is_stopped; }
 
   template <fixed_string Name>
   CCA_INLINE bool fresh() const {
-    return asked.template fresh<position_of<Name>()>();
+    return is_fresh<position_of<Name>()>();
   }
-
   template <fixed_string Name>
   auto get() const {
     using function = typename function_of<component, call_of<Graph, Call>.phase>::type;
@@ -128,6 +81,31 @@ struct inputs_view {
 
 private:
   using component = typename node_types<Graph, call_of<Graph, Call>.node>::component;
+
+  template <int Input>
+  CCA_INLINE bool is_fresh() const {
+    constexpr int input = input_at<Graph, Call, Input>;
+    if constexpr (is_wired<Graph, input>)
+      return input_reader<Graph, input>::is_fresh(b, index_of_source<Graph>(at, Input), self.last);
+    else return false;
+  }
+  template <int Input>
+  CCA_INLINE void join(std::int64_t& common, bool& all) const {
+    constexpr int input = input_at<Graph, Call, Input>;
+    if constexpr (is_wired<Graph, input>) {
+      const auto origin = input_reader<Graph, input>::origin(b, index_of_source<Graph>(at, Input));
+      if (common == never) common = origin;
+      all = all && origin != never && origin == common;
+    }
+  }
+  // Does an observer of this function listen to something fresh?
+  CCA_INLINE bool any_observed() const {
+    bool any = false;
+    if constexpr (has_observers(call_of<Graph, Call>))
+      for_each_observed<Graph, Call>(
+          [&]<int Link>() { any = any || observed_output<Graph, Link>::arrived(b) > self.last; });
+    return any;
+  }
 
   // The position of an input among those of its function.
   template <fixed_string Name>
@@ -143,25 +121,18 @@ private:
     return position < 0 ? 0 : position;  // the message says the rest
   }
 
-  template <int Position, class... Parameters>
+  template <int Input, class... Parameters>
   auto filled(list<Parameters...>) const {
     constexpr int parameter = [] {
       const auto& positions = function_ports<list<Parameters...>, list<>>::input_of_parameter;
       for (std::size_t i = 0; i < sizeof...(Parameters); ++i)
-        if (positions[i] == Position) return static_cast<int>(i);
+        if (positions[i] == Input) return static_cast<int>(i);
       return 0;
     }();
     using port = std::tuple_element_t<static_cast<std::size_t>(parameter), std::tuple<Parameters...>>;
-    return input_reader<Graph, input_at<Graph, Call, Position>>::template get<port>(
-        asked.b, index_of_source<Graph>(asked.at, Position), beat_of<Graph, Call>(asked.b.k, asked.self),
-        asked.self.last);
+    return input_reader<Graph, input_at<Graph, Call, Input>>::template get<port>(
+        b, index_of_source<Graph>(at, Input), beat_of<Graph, Call>(b.k, self), self.last);
   }
 };
-
-template <class Strategy, class Graph, int Call>
-CCA_INLINE bool strategy_fires(const question<Graph, Call>& asked) {
-  CCA_INLINE_CALL return Strategy{}.fires(beat_of<Graph, Call>(asked.b.k, asked.self),
-                                          inputs_view<Graph, Call>{asked});
-}
 
 }  // namespace cca::detail

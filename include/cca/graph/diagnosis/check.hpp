@@ -49,6 +49,13 @@ constexpr void check(flat_view& g, const finding& facts) {
   }
 }
 
+// The rules that look at a call, for each call.
+template <class Event>
+constexpr void check_calls(flat_view& g) {
+  for (int c = 0; c < g.call_count; ++c)
+    check<Event>(g, {.item = &item_of_call(g, g.calls[c]), .scope = scope_of_call(g, g.calls[c]), .call = c});
+}
+
 // The number of the rule with this id in the list.
 template <class... Rules>
 constexpr std::size_t number_of_rule(std::string_view id, list<Rules...>) {

@@ -63,7 +63,7 @@ struct input {
   std::uint64_t modes = 0;   // of a set of modes: those that have this queue
 };
 
-// How a sample is stored; decided in graph/plan/storage.hpp. A queue is an input's own.
+// How a sample is stored; decided in graph/plan/steps/storage.hpp. A queue is an input's own.
 enum class storage_kind : std::uint8_t { none, of_beat, newest, past, arriving, queue };
 
 struct output {

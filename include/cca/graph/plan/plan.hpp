@@ -1,25 +1,33 @@
 // The plan of a graph: everything that is known at compile time, as one constexpr value. This file is the
-// list of the steps, in the order in which they run. Each takes a flat graph and returns it with more filled
-// in; after a broken rule the steps that follow are skipped. Each variable below is a constant evaluation of
-// its own, so that large graphs stay within the compilers' limits.
+// list of the steps, in the order in which they run; each has a header in steps/. A step takes a flat graph
+// and returns it with more filled in; after a broken rule the steps that follow are skipped. Each variable
+// below is a constant evaluation of its own, so that large graphs stay within the compilers' limits.
 //
-//   flatten       components and ports of all inner graphs, in arrays     flatten.hpp
-//   connect       wires and observers bound to ports                      connect.hpp
-//   find_rate     the length of a beat                                    rate.hpp
-//   order_calls   the order of a beat                                     order.hpp
-//   find_clocks   when each function fires                                clocks.hpp
-//   find_feedback which delayed inputs close a loop                       feedback.hpp
-//   choose_storage  how the samples of each output are stored             storage.hpp
-//   check_whole   the rules about the finished plan                       whole.hpp
+//   flatten           components and ports of all inner graphs, in arrays     flatten.hpp
+//   connect           wires and observers bound to ports                      connect.hpp
+//   find_rate         the length of a beat                                    rate.hpp
+//   check_strategies  the rules about strategies                              check_strategies.hpp
+//   order_calls       the order of a beat                                     order.hpp
+//   find_clocks       when each function fires                                clocks.hpp
+//   find_feedback     which delayed inputs close a loop                       feedback.hpp
+//   choose_storage    how the samples of each output are stored               storage.hpp
+//   check_whole       the rules about the finished plan                       whole.hpp
+//
+// A deployment adds one step, place_components, and a set of modes its own (modes/plan_of_modes.hpp).
 #pragma once
 
-#include <cca/graph/plan/storage.hpp>
-#include <cca/graph/plan/clocks.hpp>
-#include <cca/graph/plan/connect.hpp>
-#include <cca/graph/plan/flatten.hpp>
-#include <cca/graph/plan/order.hpp>
-#include <cca/graph/plan/rate.hpp>
-#include <cca/graph/plan/whole.hpp>
+#include <cca/graph/plan/flat.hpp>
+#include <cca/graph/plan/long_beats.hpp>
+#include <cca/graph/plan/names.hpp>
+#include <cca/graph/plan/steps/flatten.hpp>
+#include <cca/graph/plan/steps/connect.hpp>
+#include <cca/graph/plan/steps/rate.hpp>
+#include <cca/graph/plan/steps/check_strategies.hpp>
+#include <cca/graph/plan/steps/order.hpp>
+#include <cca/graph/plan/steps/clocks.hpp>
+#include <cca/graph/plan/steps/feedback.hpp>
+#include <cca/graph/plan/steps/storage.hpp>
+#include <cca/graph/plan/steps/whole.hpp>
 
 namespace cca::detail {
 
@@ -45,11 +53,13 @@ struct flattened {
   std::array<table_entry, names_size<Graph>> names{};
 };
 
-// The next step, unless a rule is broken.
-template <class Graph, class Step>
-consteval flat_of<Graph> then(const flat_of<Graph>& before, Step step) {
+// The next steps, until a rule is broken.
+template <class Graph, class... Steps>
+consteval flat_of<Graph> then(const flat_of<Graph>& before, Steps... steps) {
   auto result = before;
-  if (!result.counts.found.is_broken()) result.keep(step(result.view()));
+  flat_view g = result.view();
+  ((g = g.found.is_broken() ? g : steps(g)), ...);
+  result.keep(g);
   return result;
 }
 
@@ -71,18 +81,22 @@ inline constexpr flat_of<Graph> connected_of = then<Graph>(flattened_of<Graph>.g
 
 template <class Graph>
 inline constexpr flat_of<Graph> ordered_of =
-    then<Graph>(connected_of<Graph>, [](flat_view g) { return order_calls(check_strategies(find_rate(g))); });
+    then<Graph>(connected_of<Graph>, find_rate, check_strategies, order_calls);
 
 template <class Graph>
-inline constexpr flat_of<Graph> clocked_of =
-    then<Graph>(ordered_of<Graph>, [](flat_view g) { return find_clocks(g); });
+inline constexpr flat_of<Graph> clocked_of = then<Graph>(ordered_of<Graph>, find_clocks);
 
 template <class Graph>
-inline constexpr flat_of<Graph> plan_of = then<Graph>(clocked_of<Graph>, [](flat_view g) {
-  g.calls_in_part = calls_in_part<Graph>;
-  return check_whole(choose_storage(find_feedback(g)), flattened_of<Graph>.names.data(),
-                     names_size<Graph> - 1);
-});
+consteval flat_of<Graph> finished() {
+  const auto check = [](flat_view g) {
+    return check_whole(g, flattened_of<Graph>.names.data(), names_size<Graph> - 1);
+  };
+  auto clocked = clocked_of<Graph>;
+  clocked.counts.calls_in_part = calls_in_part<Graph>;
+  return then<Graph>(clocked, find_feedback, choose_storage, check);
+}
+template <class Graph>
+inline constexpr flat_of<Graph> plan_of = finished<Graph>();
 
 template <class Graph>
 inline constexpr flat_view counts_of = plan_of<Graph>.counts;

@@ -14,33 +14,33 @@ public:
   // It was published in beat `published_in`, and is here when beat `came` begins.
   template <class Vector>
   void put(const Vector& v, std::int64_t origin, std::int64_t published_in, std::int64_t came) {
-    entry& e = entries[static_cast<std::size_t>(count++) & (array_size(Depth) - 1)];
-    e.store(v, origin);
-    e.published_in = published_in;
-    e.came = came;
+    slot& s = slots[static_cast<std::size_t>(count++) & (array_size(Depth) - 1)];
+    s.store(v, origin);
+    s.published_in = published_in;
+    s.came = came;
   }
   CCA_INLINE const stored_sample<Size>* show(std::int64_t k, int delay) const {
     return newest_arrived(k, delay);
   }
   CCA_INLINE std::int64_t arrived(std::int64_t k, int delay) const {
-    const entry* e = newest_arrived(k, delay);
-    return !e ? -1 : e->came > e->published_in + delay ? e->came : e->published_in + delay;
+    const slot* s = newest_arrived(k, delay);
+    return !s ? -1 : s->came > s->published_in + delay ? s->came : s->published_in + delay;
   }
 
 private:
-  struct entry : stored_sample<Size> {
+  struct slot : stored_sample<Size> {
     std::int64_t published_in = -1, came = -1;
   };
 
-  CCA_INLINE const entry* newest_arrived(std::int64_t k, int delay) const {
+  CCA_INLINE const slot* newest_arrived(std::int64_t k, int delay) const {
     for (std::int64_t n = count - 1; n >= 0 && n > count - 1 - Depth; --n)
-      if (const entry& e = entries[static_cast<std::size_t>(n) & (array_size(Depth) - 1)];
-          e.published_in + delay <= k)
-        return &e;
+      if (const slot& s = slots[static_cast<std::size_t>(n) & (array_size(Depth) - 1)];
+          s.published_in + delay <= k)
+        return &s;
     return nullptr;
   }
 
-  entry entries[array_size(Depth)];
+  slot slots[array_size(Depth)];
   std::int64_t count = 0;
 };
 

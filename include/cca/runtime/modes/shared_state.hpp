@@ -29,11 +29,11 @@ template <class M>
 using state_of_modes = controller_state<mode_part<M, mode_count<M> - 1>>;
 
 template <class M, int I, int First>
-struct component_home<mode_part<M, I>, First> {
+struct array_of_components<mode_part<M, I>, First> {
   using type = component_array<M, layout_of<M>.components[shared_nodes<M, I>[array_size(First)]].array>;
 };
 template <class M, int I, int Array>
-struct sample_home<mode_part<M, I>, Array> {
+struct array_of_samples<mode_part<M, I>, Array> {
   using type = stored_array<M, shared_array<M, I, Array>>;
 };
 

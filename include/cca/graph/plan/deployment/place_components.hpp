@@ -1,10 +1,10 @@
-// Step 9, place: gives each component of a deployment its environment. It comes last, so a mistake of the
-// architecture is reported before one of its placement.
+// Step 10, of deployments only, place: gives each component of a deployment its environment. It comes last,
+// so a mistake of the architecture is reported before one of its placement.
 #pragma once
 
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/deployment/environments.hpp>
-#include <cca/graph/plan/feedback.hpp>
+#include <cca/graph/plan/steps/feedback.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
-#include <cca/graph/plan/feedback.hpp>
+#include <cca/graph/plan/steps/feedback.hpp>
 
 namespace cca::detail {
 

@@ -1,22 +1,10 @@
-// Asks the rules that need a connected graph or the finished plan.
+// Step 9, check the whole: asks the rules that need the finished plan.
 #pragma once
 
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {
-
-template <class Event>
-constexpr void check_calls(flat_view& g) {
-  for (int t = 0; t < g.call_count; ++t)
-    check<Event>(g, {.item = &item_of_call(g, g.calls[t]), .scope = scope_of_call(g, g.calls[t]), .call = t});
-}
-
-// Before the calls are ordered.
-constexpr flat_view check_strategies(flat_view g) {
-  check_calls<when::connected_call>(g);
-  return g;
-}
 
 // `require<latency<...>, beats<...>>` among the items of a graph.
 constexpr void check_latency(

@@ -1,5 +1,5 @@
-// How the samples of each output are stored. It is decided here, once; runtime/stored_samples.hpp has a type
-// for each way.
+// Step 8, choose the storage: how the samples of each output are stored. It is decided here, once;
+// runtime/stored_samples.hpp has a type for each way.
 //
 //   none      nobody reads them, or only queues do
 //   of_beat   only read in the beat in which they were published: where the component returned them
@@ -8,7 +8,7 @@
 //   arriving  its writer runs in another environment: the last ones that came
 #pragma once
 
-#include <cca/graph/plan/feedback.hpp>
+#include <cca/graph/plan/steps/feedback.hpp>
 #include <cca/graph/plan/long_beats.hpp>
 
 namespace cca::detail {

@@ -1,6 +1,6 @@
-// Which delayed inputs close a loop: their writer is fed, over any wires, by their reader. The origin of such
-// an input does not count for what its component publishes (otherwise the age of the data in a loop would
-// grow forever).
+// Step 7, find feedback: which delayed inputs close a loop. Their writer gets data, over any wires, from
+// their reader. The origin of such an input does not count for what its component publishes (otherwise the
+// age of the data in a loop would grow forever).
 #pragma once
 
 #include <cca/graph/plan/flat.hpp>

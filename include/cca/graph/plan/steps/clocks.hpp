@@ -1,4 +1,4 @@
-// Step 5, find the clocks: when each function fires and each output is published, in the order of the beat.
+// Step 6, find the clocks: when each function fires and each output is published, in the order of the beat.
 #pragma once
 
 #include <cca/graph/diagnosis/check.hpp>

@@ -1,4 +1,4 @@
-// Step 4, order the calls of a beat: all senses, then all components, then all acts; within each the
+// Step 5, order the calls of a beat: all senses, then all components, then all acts; within each the
 // topological order over wires without delay: again and again the first declared call whose predecessors are
 // all placed.
 #pragma once
