@@ -3,8 +3,9 @@
 
 usage: includes.py [ROOT of the repository]
 
-A folder of the core includes only from the folders to its left in FOLDERS. `runtime` and `config` stand apart, and nothing
-in the core includes them. Outside of the core, robots, sim, hardware and dds include only from the parts in OUTSIDE. Other
+A folder of the core includes only from the folders to its left in FOLDERS. `runtime`, `config` and `main` stand apart, and
+nothing in the core includes them. In runtime/ and hardware/ a folder includes only from those before it in ROOMS. No two
+headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware and dds include only from the parts in OUTSIDE. Other
 libraries are included from one place each. The tests, examples and pages that a header's comments name exist.
 """
 import collections
@@ -16,13 +17,16 @@ MOST_LINES = 300
 MOST_HEADERS = 20  # in a folder
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"],
-         "main": ["base", "component", "graph", "runtime"]}
+         "main": ["base", "component", "graph", "runtime", "config"]}
 # Headers directly in cca/, and the folders that each may include from.
 TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
+# Folders of parts: each includes only from those before it. "." is what stands directly in the part's folder.
+ROOMS = {"runtime": [".", "live", "modes", "environments", "transports"],
+         "hardware": ["bus", "drives", "safety", "robot", "virtual_drives"]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
 
@@ -34,10 +38,28 @@ def allowed(folder):
     return None
 
 
+def room_include(where, target):
+    """The mistake in an include from one room of a part into another."""
+    part = where.split("/")[0]
+    rooms = ROOMS.get(part)
+    if not rooms or target.split("/")[0] != part:
+        return None
+    room_of = lambda path: path.split("/")[1] if path.count("/") > 1 else "."
+    here, there = room_of(where), room_of(target)
+    if here == "." and "." not in rooms:
+        return None  # a header that forwards from its former place
+    for room in (here, there):
+        if room not in rooms:
+            return f"{part}/ has no place for {room}: state in ROOMS what it may include"
+    return None if rooms.index(there) <= rooms.index(here) else f"{part}/{here} may include only from: {' '.join(rooms[:rooms.index(here) + 1])}"
+
+
 def cca_include(where, target, part):
     """The mistake in `#include <cca/target>` in the header `where` (relative to cca/) of a part outside of the core, or None."""
     if target in FREE:
         return None
+    if wrong := room_include(where, target):
+        return wrong
     folder = target.split("/")[0]
     if part:
         if folder in OUTSIDE and folder not in OUTSIDE[part]:
@@ -46,8 +68,6 @@ def cca_include(where, target, part):
     if folder in OUTSIDE:
         return "the core includes an adapter or a robot"
     if "/" not in target:
-        if target == "config.hpp" and where.startswith("main/"):
-            return None  # a program reads its parameters from files
         return f"no header includes {target}: include the headers that are needed"
     may = allowed(where.split("/")[0]) if "/" in where else TOP.get(where)
     if may is None:
@@ -70,6 +90,15 @@ def other_include(where, target, part):
     if target.startswith("boost/") and not target.startswith("boost/hana/"):
         return "of Boost only Hana is used"
     return None
+
+
+def macro_problems(name, where, lines):
+    """Macros stand in base/ and runtime/ only; elsewhere a compiler workaround is a function or a type with a name."""
+    if where.startswith(("base/", "runtime/")):
+        return
+    for number, line in enumerate(lines, 1):
+        if re.match(r"\s*#\s*define\b", line):
+            yield f"{name}:{number}: a macro outside of base/ and runtime/"
 
 
 def form_problems(name, text, lines):
@@ -119,6 +148,7 @@ def problems(root):
             lines = text.splitlines()
             name = header.relative_to(root)
             yield from form_problems(name, text, lines)
+            yield from macro_problems(name, where, lines)
             for number, line in enumerate(lines, 1):
                 for named in re.findall(r"(?:tests|examples)/[\w/]+\.[ch]pp|\bdocs/\w+\.md", line) if line.lstrip().startswith("//") else []:
                     if not (root / named).exists():

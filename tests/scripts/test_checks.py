@@ -52,7 +52,7 @@ class Includes(Tree):
         self.found("include/cca/cca.hpp", "cca/graph/a.hpp", "cca/runtime/a.hpp")
         self.found("include/cca/motor.hpp", "cca/motor/a.hpp", "cca/space/a.hpp")
         self.found("robots/include/cca/robots/a.hpp", "cca/robot/a.hpp", "cca/robots/b.hpp")
-        self.found("hardware/include/cca/hardware/bus/a.hpp", "cca/robots/a.hpp", "cca/hardware/drives/b.hpp")
+        self.found("hardware/include/cca/hardware/drives/a.hpp", "cca/robots/a.hpp", "cca/hardware/bus/b.hpp")
         self.found("dds/include/cca/dds/a.hpp", "dds/dds.h", "cca/dds/b.hpp", "cca/runtime/b.hpp")
         self.assertEqual(self.found("sim/include/cca/sim/a.hpp", "cca/robots/a.hpp", "cca/robot/a.hpp", "cca/cca.hpp", "ode/ode.h", "cca/sim/b.hpp"), [])
 
@@ -70,6 +70,22 @@ class Includes(Tree):
             with self.subTest(name=name, target=target):
                 self.setUp()
                 self.assertEqual(len(self.found(name, target)), 1)
+
+    def test_rooms(self):
+        self.found("include/cca/runtime/a.hpp", "cca/runtime/b.hpp")
+        self.found("include/cca/runtime/environments/c.hpp", "cca/runtime/a.hpp", "cca/runtime/live/d.hpp")
+        self.found("hardware/include/cca/hardware/robot/e.hpp", "cca/hardware/bus/f.hpp")
+        self.assertEqual(self.found("hardware/include/cca/hardware/f.hpp", "cca/hardware/robot/f.hpp"), [])
+        for number, (name, target) in enumerate((("include/cca/runtime/g.hpp", "cca/runtime/live/d.hpp"), ("include/cca/runtime/odd/h.hpp", "cca/runtime/a.hpp"),
+                                                 ("include/cca/runtime/environments/i.hpp", "cca/runtime/transports/j.hpp"),
+                                                 ("hardware/include/cca/hardware/bus/k.hpp", "cca/hardware/drives/l.hpp"),
+                                                 ("hardware/include/cca/hardware/safety/m.hpp", "cca/hardware/oncilla.hpp")), 1):
+            self.assertEqual(len(self.found(name, target)), number, name)
+
+    def test_macros(self):
+        self.assertEqual(self.found("include/cca/base/a.hpp", more="#define A\n"), [])
+        self.assertEqual(self.found("include/cca/runtime/b.hpp", more="#define A\n"), [])
+        self.assertEqual(len(self.found("include/cca/motor/c.hpp", more="# define A\n")), 1)
 
     def test_form(self):
         self.assertEqual(len(self.found("include/cca/space/long.hpp", more="\n" * 300)), 1)
@@ -105,10 +121,11 @@ class Includes(Tree):
 
     def test_only_main_knows_the_command_line(self):
         self.assertEqual(self.found("include/cca/main/a.hpp", "CLI/CLI.hpp"), [])
-        self.assertEqual(self.found("include/cca/main/b.hpp", "cca/config.hpp"), [])
-        self.assertEqual(len(self.found("include/cca/runtime/c.hpp", "CLI/CLI.hpp")), 1)
-        self.assertEqual(len(self.found("include/cca/runtime/d.hpp", "cca/main/a.hpp")), 2)
-        self.assertEqual(len(self.found("include/cca/runtime/e.hpp", "cca/config.hpp")), 3)
+        self.assertEqual(self.found("include/cca/main/b.hpp", "cca/config/f.hpp"), [])
+        self.assertEqual(len(self.found("include/cca/main/g.hpp", "cca/config.hpp")), 1)
+        self.assertEqual(len(self.found("include/cca/runtime/c.hpp", "CLI/CLI.hpp")), 2)
+        self.assertEqual(len(self.found("include/cca/runtime/d.hpp", "cca/main/a.hpp")), 3)
+        self.assertEqual(len(self.found("include/cca/runtime/e.hpp", "cca/config.hpp")), 4)
 
 
 class Snippets(Tree):

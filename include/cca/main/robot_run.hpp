@@ -14,7 +14,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/config.hpp>
+#include <cca/config/files.hpp>
 #include <cca/main/counted_pace.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_program.hpp>

@@ -8,7 +8,7 @@
 
 #include <cca/base/array_size.hpp>
 #include <cca/graph/layout/lookup.hpp>
-#include <cca/runtime/environments/arriving_samples.hpp>
+#include <cca/runtime/arriving_samples.hpp>
 #include <cca/runtime/stored_samples.hpp>
 
 namespace cca::detail {

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include <cca/runtime/live_access.hpp>
+#include <cca/runtime/live/live_access.hpp>
 
 #include "counting.hpp"
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include <cca/config.hpp>
-#include <cca/runtime/live_access.hpp>
+#include <cca/runtime/live/live_access.hpp>
 
 #include "counting.hpp"
 

@@ -14,7 +14,7 @@
 
 #include <cca/dds/replica.hpp>
 #include <cca/runtime/transports/manifest.hpp>
-#include <cca/runtime/transports/peers.hpp>
+#include <cca/runtime/environments/peers.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca::dds::detail {

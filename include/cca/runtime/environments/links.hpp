@@ -10,7 +10,7 @@
 #include <cca/runtime/environments/fault_order.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
 #include <cca/runtime/environments/patience.hpp>
-#include <cca/runtime/transports/peers.hpp>
+#include <cca/runtime/environments/peers.hpp>
 
 namespace cca::detail {
 

@@ -9,7 +9,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/patience.hpp>
-#include <cca/runtime/transports/peers.hpp>
+#include <cca/runtime/environments/peers.hpp>
 
 namespace cca::detail {
 

@@ -19,7 +19,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/transports/manifest.hpp>
-#include <cca/runtime/transports/peers.hpp>
+#include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/transports/shared_file.hpp>
 
 namespace cca {
