@@ -11,7 +11,7 @@
 // CCA_STAY_ROLLED    before a loop that rarely runs. clang would unroll it, which costs the rest of the beat
 //                    registers; g++ leaves it alone.
 //
-// call_simplified(f, ...) calls a function that many calls of a beat share. clang gets it as a pointer that
+// call_simplified<f>(...) calls a function that many calls of a beat share. clang gets it as a pointer that
 // it resolves while it inlines: by then it has simplified the function, once for all its calls. With a direct
 // call a graph of 1,000 nodes takes clang twice the time (docs/performance.md).
 #pragma once
@@ -32,9 +32,20 @@
 
 namespace cca::detail {
 
+#if defined(__clang__)
 template <class Function, class... Arguments>
-inline void call_simplified(Function* function, const Arguments&... arguments) {
+inline void call_through(Function* function, const Arguments&... arguments) {
   function(arguments...);
 }
+template <auto* Function, class... Arguments>
+CCA_INLINE void call_simplified(const Arguments&... arguments) {
+  call_through(Function, arguments...);
+}
+#else
+template <auto* Function, class... Arguments>
+CCA_INLINE void call_simplified(const Arguments&... arguments) {
+  Function(arguments...);
+}
+#endif
 
 }  // namespace cca::detail

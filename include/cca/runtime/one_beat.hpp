@@ -27,30 +27,35 @@ struct calls_of_beat<Graph,
                      First,
                      std::integer_sequence<int, Rank...>,
                      std::integer_sequence<int, BeatArray...>> {
+  // Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
+  // them in memory on g++.
+  CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
+    run_calls({state, outcome, k, stored_array<Graph, BeatArray>()...});
+  }
+
+private:
+  static constexpr int call_at(int rank) { return plan_of<Graph>.order[static_cast<std::size_t>(rank)]; }
+
   // Until one faults. Where a beat can end early the calls are one chain of conditions, so that g++ sees that
   // no later call reads what an earlier one did not write. In a deployment, also until a fault elsewhere.
-  CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
-    // Each array of samples is a variable of its own, which lives as long as `b`: in one struct a loop over
-    // one of them would keep all of them in memory on g++.
-    [[maybe_unused]] const beat_context<Graph> b{{stored_array<Graph, BeatArray>()}..., state, outcome, k};
+  CCA_INLINE static void run_calls([[maybe_unused]] const beat_context<Graph>& b) {
     if constexpr (requires { b.state.template is_due<0>(b.k); })
       (void)((b.state.template is_due<First + Rank>(b.k) &&
-              (call_simplified(call_at<First + Rank>, b, place_at<First + Rank>),
+              (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
+                   b, layout_of<Graph>.calls[call_at(First + Rank)]),
                goes_on(b.outcome) ? b.state.template is_done<First + Rank>(b.k)
                                   : b.state.template is_faulted<First + Rank>())) &&
              ...);
     else if constexpr (counts_of<Graph>.may_fault)
-      (void)((call_simplified(call_at<First + Rank>, b, place_at<First + Rank>), goes_on(b.outcome)) && ...);
-    else (call_simplified(call_at<First + Rank>, b, place_at<First + Rank>), ...);
+      (void)((call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
+                  b, layout_of<Graph>.calls[call_at(First + Rank)]),
+              goes_on(b.outcome)) &&
+             ...);
+    else
+      (call_simplified<component_call<Graph, layout_of<Graph>.twin[call_at(First + Rank)]>::run>(
+           b, layout_of<Graph>.calls[call_at(First + Rank)]),
+       ...);
   }
-
-private:
-  template <int Number>
-  static constexpr int index_at = plan_of<Graph>.order[static_cast<std::size_t>(Number)];
-  template <int Number>
-  static constexpr auto* call_at = &component_call<Graph, layout_of<Graph>.twin[index_at<Number>]>::run;
-  template <int Number>
-  static constexpr const call_place& place_at = layout_of<Graph>.calls[index_at<Number>];
 };
 
 template <class Graph, int First, int Count>

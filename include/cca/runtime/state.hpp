@@ -198,7 +198,7 @@ using beat_arrays = chosen<layout_of<Graph>.array_count, ends_with_beat<Graph>>;
 
 template <class Graph, int Array>
 struct reference_to_array {
-  stored_array<Graph, Array>&& array;
+  stored_array<Graph, Array>& array;
 };
 
 template <class Graph, class BeatArrays = beat_arrays<Graph>>
@@ -209,6 +209,12 @@ struct beat_context<Graph, std::integer_sequence<int, BeatArray...>>
   controller_state<Graph>& state;
   beat_outcome& outcome;
   std::int64_t k;
+
+  CCA_INLINE beat_context(controller_state<Graph>& s,
+                          beat_outcome& o,
+                          std::int64_t beat,
+                          stored_array<Graph, BeatArray>&&... samples)
+      : reference_to_array<Graph, BeatArray>{samples}..., state(s), outcome(o), k(beat) {}
 
   // A stored sample, by its place.
   template <int Array>
