@@ -4,8 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <fstream>
 #include <string>
+#include <vector>
 
+#include <cca/config.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>
 
 #include "../../laws/transport_laws.hpp"
@@ -74,5 +78,33 @@ TEST_SUITE("deployed in processes") {
           }).find("`trot` is no name") != std::string::npos);
     CHECK_EQ(refusal([&] { static_cast<void>(d.get<"thinker">()); }),
              "cca::deployed: `thinker` runs in environment `mind`, which another process runs");
+  }
+
+  TEST_CASE("parameters of a component elsewhere are refused by any path, a file is the same for all") {
+    cca::deployed<two> d(cca::only{"mind"}, cca::shared_memory(over_shared_memory::other_name()));
+    const auto is_refused = [](auto f) {
+      try {
+        f();
+      } catch (const cca::refused& e) {
+        CHECK_EQ(std::string(e.what()),
+                 "cca::deployed: `filter` runs in environment `robot`, which another process runs");
+        return true;
+      }
+      return false;
+    };
+    CHECK(is_refused([&] { d.set<"filter">({0.2}); }));
+    CHECK(is_refused([&] { d.set("filter.gain", 0.2); }));
+    CHECK(is_refused([&] { static_cast<void>(d.parameter("filter.gain")); }));
+    CHECK(is_refused([&] { static_cast<void>(d.parameter<double>("filter.gain")); }));
+    CHECK_EQ(d.parameter_paths(), std::vector<std::string>{"filter.gain", "guard.most"});
+
+    const std::string file = "processes_" + std::to_string(::getpid()) + ".toml";
+    std::ofstream(file) << "[filter]\ngain = 0.3\n[guard]\nmost = 7.0\n";
+    d.load(file);
+    d.save(file);
+    cca::deployed<two> all;
+    all.load(file);
+    CHECK_EQ(all.parameter("filter.gain"), "0.3");
+    std::remove(file.c_str());
   }
 }
