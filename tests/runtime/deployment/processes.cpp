@@ -4,7 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -25,6 +28,43 @@ struct over_shared_memory {
     return "/cca_test_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
   }
 };
+
+// The memory of a process of another program, which says that it runs `mind`.
+class other_memory {
+public:
+  other_memory(const std::string& name, const std::string& bytes) : file(name) {
+    file.resize(bytes.size());
+    void* const at = file.map(bytes.size());
+    std::memcpy(at, bytes.data(), bytes.size());
+    ::munmap(at, bytes.size());
+    file.lock(byte_of_mind, false);
+  }
+  void end() const { file.unlock(byte_of_mind); }
+  ~other_memory() { file.remove(); }
+  other_memory(const other_memory&) = delete;
+  other_memory& operator=(const other_memory&) = delete;
+
+private:
+  static constexpr long byte_of_mind = 2;
+  cca::detail::shared_file file;
+};
+
+std::string memory_of(const std::string& magic, std::uint64_t manifest_size, const std::string& manifest) {
+  const char* const size = reinterpret_cast<const char*>(&manifest_size);
+  return magic + std::string(size, sizeof manifest_size) + manifest + std::string(4096, '\0');
+}
+
+std::string refusal_beside(const std::string& memory) {
+  const std::string name = over_shared_memory::other_name();
+  const other_memory other(name, memory);
+  std::string said = "nothing";
+  try {
+    cca::deployed<two> d(cca::only{"robot"}, cca::shared_memory(name));
+  } catch (const cca::refused& e) { said = e.what(); }
+  other.end();
+  cca::deployed<two> begins_anew(cca::only{"robot"}, cca::shared_memory(name));
+  return said.substr(std::min(said.find(name) + name.size() + 1, said.size()));
+}
 
 }  // namespace
 
@@ -58,6 +98,19 @@ TEST_SUITE("deployed in processes") {
       CHECK_EQ(of.st_mode & 0777, 0600);
     }
     CHECK_NE(::access(("/dev/shm" + name).c_str(), F_OK), 0);
+  }
+
+  TEST_CASE("a process of another version is refused, both versions are named") {
+    const std::string own = cca::detail::manifest_of<two>();
+    const std::string version = own.substr(0, own.find('\n'));
+    const std::string other = "cca 9.8.7" + own.substr(version.size());
+    CHECK_EQ(refusal_beside(memory_of("cca shm1", other.size(), other)),
+             ": the other process runs another deployment; here `" + version + "`, there `cca 9.8.7`");
+    CHECK_EQ(refusal_beside(memory_of("cca shm9", own.size(), own)), " is no memory of this version of cca");
+    CHECK_EQ(refusal_beside(memory_of("cca shm1", std::uint64_t{1} << 40, own)),
+             " is no memory of this version of cca");
+    CHECK_EQ(refusal_beside(memory_of("cca shm1", own.size(), own)), " has another size");
+    CHECK_EQ(refusal_beside("cca shm1"), " is no memory of cca");
   }
 
   TEST_CASE("what is refused: a name that is none, an environment that is none, a component elsewhere") {
