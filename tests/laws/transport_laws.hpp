@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "../runtime/deployment/alarmed.hpp"
 #include "../runtime/deployment/robot_and_mind.hpp"
 #include "process.hpp"
 
@@ -146,6 +147,34 @@ void loses_contact_with_the_killed() {
                                  : "faulted lost contact with `robot`") != std::string::npos);
       if (kills_mind) CHECK(said.ends_with(" 1\n"));  // on_fault
     }
+}
+
+// At wall-clock speed a fault in a follower stops every resource node, in whichever process, within two
+// beats.
+template <class Meeting>
+void stops_all_within_two_beats_of_a_fault() {
+  const std::string name = Meeting::other_name();
+  const auto run = [&](const char* environment, auto tell) {
+    auto d = opened<Meeting, alarmed>(environment, name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{}, cca::at_speed(alarmed_speed));
+    return std::string(d.fault().reason()) + ' ' + std::to_string(tell(d));
+  };
+  process mind([&] { return run("mind", [](auto& d) { return d.template get<"alarm">().raised_at; }); });
+  process hand([&] { return run("hand", [](auto& d) { return d.template get<"hand">().stopped_at; }); });
+  process arm([&] { return run("arm", [](auto& d) { return d.template get<"arm">().stopped_at; }); });
+  const auto time_in = [](const std::string& said) {
+    CAPTURE(said);
+    REQUIRE(said.starts_with("alarm "));
+    return std::stoll(said.substr(6));
+  };
+  const auto raised_at = time_in(mind.said());
+  for (process* const each : {&arm, &hand}) {
+    const auto stopped_at = time_in(each->said());
+    CHECK_GE(stopped_at, raised_at);
+    CHECK_LE(stopped_at, raised_at + 2 * alarmed_beat);
+  }
 }
 
 // Who comes late is waited for. Who comes again goes on with the beat of the others.

@@ -70,7 +70,8 @@ std::vector<std::string> parameter_paths(const Controller& controller) {
   return all;
 }
 
-// Calls f(component, what follows its path) for the component that the path leads into.
+// Calls f(component, what follows its path) for the component that the path leads into. Refused: of a
+// deployment, a component that another process runs.
 template <class Controller, class F>
 void with_component_at(Controller& controller, std::string_view path, const char* call, F f) {
   bool found = false;
@@ -82,6 +83,7 @@ void with_component_at(Controller& controller, std::string_view path, const char
       const found_field at = field_at(schema_of<typename C::parameters>, &component.p, rest);
       if (!at.type) return;
       found = true;
+      if constexpr (requires { controller.check_is_here(scope); }) controller.check_is_here(scope);
       f(component, rest);
     }
   });

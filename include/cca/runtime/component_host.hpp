@@ -130,6 +130,9 @@ public:
   // at run time.
   static double step_of(std::string_view path) { return detail::step_of<Graph>(node_at<Graph>(path)); }
 
+  // Refuses a component that another process runs.
+  void check_is_here(std::string_view path) const { self().refuse_if_elsewhere(node_at<Graph>(path)); }
+
   // Calls f(path, component) for each component, in declaration order.
   template <class F>
   void for_each_component(F f) {
@@ -147,6 +150,8 @@ protected:
   // In a beat that the life-cycle does not allow.
   [[gnu::noinline]] void idle() { visit(call_on_idle{}); }
 
+  // Of components of a controller none is elsewhere.
+  void refuse_if_elsewhere(int) const {}
   // Before one component is stopped or started: refused where it can't run now. Modes have such components.
   void check_runs(const char*, int) const {}
   void check(transition what, const char* call) const {

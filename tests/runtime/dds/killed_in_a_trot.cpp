@@ -1,5 +1,7 @@
-// The gait of the trot on drives is a process of its own, and is killed in the middle of a trot: the robot's
-// side stops the drives in order, over each transport.
+// The gait of the trot on drives is a process of its own. One of the two is killed in the middle of a trot,
+// over each transport. Without the gait the robot's side stops the drives in order, also on a clock. Without
+// the robot's side the gait ends; the drives stop by their own watchdogs (docs/hardware.md), which the fault
+// campaign tests.
 #include <doctest/doctest.h>
 
 #include <signal.h>
@@ -29,29 +31,52 @@ struct time_of_drives {
   }
 };
 
+// The same on a clock. It is slow, so that a busy machine makes nothing late before the gait is killed.
+class clock_of_drives : public cca::at_speed {
+public:
+  explicit clock_of_drives(hil::memory_buses& drives) : at_speed(0.02), far(drives) {}
+  void wait(std::int64_t since) {
+    at_speed::wait(since);
+    if (since > 0) far.pass_millisecond();
+  }
+
+private:
+  hil::memory_buses& far;
+};
+
 bool is_driven(const hil::memory_buses& far) {
   return std::any_of(far.laws.begin(), far.laws.end(), [](const auto& law) { return law.stiffness > 0; });
 }
 
 constexpr std::int64_t middle = 1500;
+constexpr std::int64_t begin_of_clock = middle - 20;  // before, as fast as possible
+constexpr std::int64_t tolerated = 3;                 // late beats
 
 // What the robot's side says at its end. Before: it trots. After: within 2 ms no drive holds a position any
 // more.
 template <class Transport>
-std::string robot_whose_gait_is_killed(const Transport& transport) {
+std::string robot_whose_gait_is_killed(const Transport& transport, bool is_on_clock) {
   trot_in_two robot(cca::only{"buses"}, transport);
   hil::memory_buses far;
   far.connect(robot);
   robot.load();
   robot.start();
   bool was_driven = false;
-  robot.run(cca::for_some_beats{20'000}, time_of_drives{far}, [&](const auto& c) {
+  const auto look = [&](const auto& c) {
     if (c.beat_index() == middle) was_driven = is_driven(far) && far.world().trunk_position()[0] > 0.3;
     return true;
-  });
+  };
+  if (is_on_clock) {
+    robot.run(cca::for_some_beats{begin_of_clock}, time_of_drives{far}, look);
+    far.pass_millisecond();
+    robot.run(cca::for_some_beats{20'000}, clock_of_drives(far), look);
+  } else {
+    robot.run(cca::for_some_beats{20'000}, time_of_drives{far}, look);
+  }
   std::ostringstream said;
   said << (was_driven ? "trots; " : "does not trot; ") << robot.fault().reason();
-  if (robot.beat_index() > middle + 20) said << " only in beat " << robot.beat_index();
+  if (robot.beat_index() > middle + (is_on_clock ? tolerated + 2 : 20))
+    said << " only in beat " << robot.beat_index();
   int driven = 0;
   for (int ms = 0; ms < 300; ++ms) {  // the frames of on_fault are on the buses
     far.pass_millisecond();
@@ -63,34 +88,82 @@ std::string robot_whose_gait_is_killed(const Transport& transport) {
   return said.str();
 }
 
+constexpr auto die_in_the_middle = [](const auto& c) {
+  if (c.beat_index() == middle) ::raise(SIGKILL);
+  return true;
+};
+
 template <class Open>
-std::string trot_with_killed_gait(Open open) {
+std::string trot_with_killed_gait(Open open, bool is_on_clock = false) {
   process gait([&] {
     trot_in_two d(cca::only{"gait"}, open());
     d.load();
     d.start();
-    d.run(cca::without_end{}, cca::as_fast_as_possible{}, [](const auto& c) {
-      if (c.beat_index() == middle) ::raise(SIGKILL);
-      return true;
-    });
+    if (is_on_clock) d.run(cca::for_some_beats{begin_of_clock});
+    d.run(cca::without_end{}, cca::as_fast_as_possible{}, die_in_the_middle);
     return "it was not killed";
   });
-  process robot([&] { return robot_whose_gait_is_killed(open()); });
+  process robot([&] { return robot_whose_gait_is_killed(open(), is_on_clock); });
   CHECK_EQ(gait.said(), "");
   return robot.said();
 }
 
 constexpr std::string_view expected = "trots; lost contact with `gait`; all drives are off";
 
+// What the gait's side says at its end.
+template <class Open>
+std::string trot_with_killed_buses(Open open) {
+  process buses([&] {
+    trot_in_two robot(cca::only{"buses"}, open());
+    hil::memory_buses far;
+    far.connect(robot);
+    robot.load();
+    robot.start();
+    robot.run(cca::for_some_beats{20'000}, time_of_drives{far}, die_in_the_middle);
+    return "it was not killed";
+  });
+  process gait([&] {
+    trot_in_two d(cca::only{"gait"}, open());
+    d.load();
+    d.start();
+    d.run(cca::without_end{});
+    std::ostringstream said;
+    said << cca::to_string(d.state()) << ' ' << d.fault().reason();
+    if (d.beat_index() < middle || d.beat_index() > middle + 20) said << " in beat " << d.beat_index();
+    const std::int64_t beats = d.beat_index();
+    if (d.step() || d.beat_index() != beats) said << ", and goes on";
+    return said.str();
+  });
+  CHECK_EQ(buses.said(), "");
+  return gait.said();
+}
+
+std::string memory_name() {
+  static int made = 0;
+  return "/cca_test_killed_" + std::to_string(::getpid()) + "_" + std::to_string(made++);
+}
+
 }  // namespace
 
-TEST_SUITE("a trot whose gait is killed") {
-  TEST_CASE("over shared memory") {
-    const std::string name = "/cca_test_killed_" + std::to_string(::getpid());
-    CHECK_EQ(trot_with_killed_gait([&] { return cca::shared_memory(name); }), expected);
+TEST_SUITE("a trot whose gait or robot is killed") {
+  TEST_CASE("the gait, over shared memory") {
+    CHECK_EQ(trot_with_killed_gait([name = memory_name()] { return cca::shared_memory(name); }), expected);
   }
-  TEST_CASE("over DDS") {
-    const std::string name = over_dds::other_name();
-    CHECK_EQ(trot_with_killed_gait([&] { return over_dds::transport(name); }), expected);
+  TEST_CASE("the gait, over DDS") {
+    CHECK_EQ(trot_with_killed_gait([name = over_dds::other_name()] { return over_dds::transport(name); }),
+             expected);
+  }
+  TEST_CASE("the gait, on a clock: the drives are safe within two beats more than are tolerated") {
+    CHECK_EQ(trot_with_killed_gait([name = memory_name()] { return cca::shared_memory(name); }, true),
+             expected);
+    CHECK_EQ(
+        trot_with_killed_gait([name = over_dds::other_name()] { return over_dds::transport(name); }, true),
+        expected);
+  }
+  TEST_CASE("the robot's side: the gait has lost contact, and stops") {
+    CHECK_EQ(trot_with_killed_buses([name = memory_name()] { return cca::shared_memory(name); }),
+             "faulted lost contact with `buses`");
+    CHECK_EQ(trot_with_killed_buses([name = over_dds::other_name()] { return over_dds::transport(name); }),
+             "faulted lost contact with `buses`");
   }
 }

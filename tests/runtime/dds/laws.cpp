@@ -12,6 +12,9 @@ TEST_SUITE("deployed over dds") {
   TEST_CASE("a killed process is lost contact for the others, at any pace") {
     transport_laws::loses_contact_with_the_killed<over_dds>();
   }
+  TEST_CASE("a fault in a follower stops every resource node within two beats") {
+    transport_laws::stops_all_within_two_beats_of_a_fault<over_dds>();
+  }
   TEST_CASE("a process may come late, and come again") {
     transport_laws::waits_for_who_comes_late_or_again<over_dds>();
   }

@@ -95,6 +95,29 @@ std::string robot_beside(const lie& told) {
   return said;
 }
 
+// The same program in another version.
+std::string manifest_of_other_version() {
+  const std::string own = cca::detail::manifest_of<two>();
+  return "cca 9.8.7" + own.substr(own.find('\n'));
+}
+std::string versions() {
+  const std::string own = cca::detail::manifest_of<two>();
+  return "the other process runs another deployment; here `" + own.substr(0, own.find('\n')) +
+         "`, there `cca 9.8.7`";
+}
+// Says that it runs `mind` in another version. `settles_at_once`: it is there first.
+std::string play_other_version(const std::string& name, bool settles_at_once) {
+  const participant in(over_dds::number(), name);
+  presence known(in, 2, manifest_of_other_version());
+  refusals unused;
+  if (settles_at_once) known.settle();
+  for (int i = 0; i < 300; ++i) {
+    known.look(unused, [](int) { return std::string_view("mind"); });
+    std::this_thread::sleep_for(10ms);
+  }
+  return {};
+}
+
 bool is_refused(const std::string& said, const std::string& why) {
   return said.find("faulted lost contact with `mind`") != std::string::npos &&
          said.find("; refused process ") != std::string::npos && said.find(why + " 1") != std::string::npos;
@@ -160,6 +183,34 @@ TEST_SUITE("liars over dds") {
     const auto text = robot_beside({.about_status = [](status& s) { s.reason.fill(~std::uint64_t{0}); }});
     CAPTURE(text);
     CHECK(is_refused(text, "a reason that is no text"));
+  }
+
+  TEST_CASE("a process of another version is refused, both versions are named") {
+    const std::string name = over_dds::other_name();
+    process other([&] { return play_other_version(name, true); });
+    std::this_thread::sleep_for(300ms);
+    process robot([&] {
+      cca::deployed<two> d(cca::only{"robot"}, over_dds::transport(name));
+      return std::string("it may run");
+    });
+    const std::string said = robot.said();
+    CAPTURE(said);
+    CHECK(said.starts_with("refused: cca::dds: " + versions() + ": process "));
+    other.kill();
+  }
+
+  TEST_CASE("who was there first stays, and tells whom it refused") {
+    const std::string name = over_dds::other_name();
+    process robot([&] {
+      const auto net = over_dds::transport(name);
+      cca::deployed<two> d(cca::only{"robot"}, net);
+      for (int i = 0; i < 500 && net.refusals().empty(); ++i) std::this_thread::sleep_for(10ms);
+      return net.refusals().empty() ? "it met nobody" : net.refusals()[0].why;
+    });
+    std::this_thread::sleep_for(700ms);
+    process other([&] { return play_other_version(name, false); });
+    CHECK_EQ(robot.said(), versions());
+    other.kill();
   }
 
   TEST_CASE("a stranger with the right names changes nothing") {

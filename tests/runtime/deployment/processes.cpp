@@ -4,8 +4,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
 #include <string>
+#include <vector>
 
+#include <cca/config.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>
 
 #include "../../laws/transport_laws.hpp"
@@ -22,6 +29,43 @@ struct over_shared_memory {
   }
 };
 
+// The memory of a process of another program, which says that it runs `mind`.
+class other_memory {
+public:
+  other_memory(const std::string& name, const std::string& bytes) : file(name) {
+    file.resize(bytes.size());
+    void* const at = file.map(bytes.size());
+    std::memcpy(at, bytes.data(), bytes.size());
+    ::munmap(at, bytes.size());
+    file.lock(byte_of_mind, false);
+  }
+  void end() const { file.unlock(byte_of_mind); }
+  ~other_memory() { file.remove(); }
+  other_memory(const other_memory&) = delete;
+  other_memory& operator=(const other_memory&) = delete;
+
+private:
+  static constexpr long byte_of_mind = 2;
+  cca::detail::shared_file file;
+};
+
+std::string memory_of(const std::string& magic, std::uint64_t manifest_size, const std::string& manifest) {
+  const char* const size = reinterpret_cast<const char*>(&manifest_size);
+  return magic + std::string(size, sizeof manifest_size) + manifest + std::string(4096, '\0');
+}
+
+std::string refusal_beside(const std::string& memory) {
+  const std::string name = over_shared_memory::other_name();
+  const other_memory other(name, memory);
+  std::string said = "nothing";
+  try {
+    cca::deployed<two> d(cca::only{"robot"}, cca::shared_memory(name));
+  } catch (const cca::refused& e) { said = e.what(); }
+  other.end();
+  cca::deployed<two> begins_anew(cca::only{"robot"}, cca::shared_memory(name));
+  return said.substr(std::min(said.find(name) + name.size() + 1, said.size()));
+}
+
 }  // namespace
 
 TEST_SUITE("deployed in processes") {
@@ -31,6 +75,9 @@ TEST_SUITE("deployed in processes") {
   }
   TEST_CASE("a killed process is lost contact for the others, at any pace") {
     transport_laws::loses_contact_with_the_killed<over_shared_memory>();
+  }
+  TEST_CASE("a fault in a follower stops every resource node within two beats") {
+    transport_laws::stops_all_within_two_beats_of_a_fault<over_shared_memory>();
   }
   TEST_CASE("a process may come late, and come again") {
     transport_laws::waits_for_who_comes_late_or_again<over_shared_memory>();
@@ -56,6 +103,19 @@ TEST_SUITE("deployed in processes") {
     CHECK_NE(::access(("/dev/shm" + name).c_str(), F_OK), 0);
   }
 
+  TEST_CASE("a process of another version is refused, both versions are named") {
+    const std::string own = cca::detail::manifest_of<two>();
+    const std::string version = own.substr(0, own.find('\n'));
+    const std::string other = "cca 9.8.7" + own.substr(version.size());
+    CHECK_EQ(refusal_beside(memory_of("cca shm1", other.size(), other)),
+             ": the other process runs another deployment; here `" + version + "`, there `cca 9.8.7`");
+    CHECK_EQ(refusal_beside(memory_of("cca shm9", own.size(), own)), " is no memory of this version of cca");
+    CHECK_EQ(refusal_beside(memory_of("cca shm1", std::uint64_t{1} << 40, own)),
+             " is no memory of this version of cca");
+    CHECK_EQ(refusal_beside(memory_of("cca shm1", own.size(), own)), " has another size");
+    CHECK_EQ(refusal_beside("cca shm1"), " is no memory of cca");
+  }
+
   TEST_CASE("what is refused: a name that is none, an environment that is none, a component elsewhere") {
     const std::string name = over_shared_memory::other_name();
     cca::deployed<two> d(cca::only{"robot"}, cca::shared_memory(name));
@@ -74,5 +134,33 @@ TEST_SUITE("deployed in processes") {
           }).find("`trot` is no name") != std::string::npos);
     CHECK_EQ(refusal([&] { static_cast<void>(d.get<"thinker">()); }),
              "cca::deployed: `thinker` runs in environment `mind`, which another process runs");
+  }
+
+  TEST_CASE("parameters of a component elsewhere are refused by any path, a file is the same for all") {
+    cca::deployed<two> d(cca::only{"mind"}, cca::shared_memory(over_shared_memory::other_name()));
+    const auto is_refused = [](auto f) {
+      try {
+        f();
+      } catch (const cca::refused& e) {
+        CHECK_EQ(std::string(e.what()),
+                 "cca::deployed: `filter` runs in environment `robot`, which another process runs");
+        return true;
+      }
+      return false;
+    };
+    CHECK(is_refused([&] { d.set<"filter">({0.2}); }));
+    CHECK(is_refused([&] { d.set("filter.gain", 0.2); }));
+    CHECK(is_refused([&] { static_cast<void>(d.parameter("filter.gain")); }));
+    CHECK(is_refused([&] { static_cast<void>(d.parameter<double>("filter.gain")); }));
+    CHECK_EQ(d.parameter_paths(), std::vector<std::string>{"filter.gain", "guard.most"});
+
+    const std::string file = "processes_" + std::to_string(::getpid()) + ".toml";
+    std::ofstream(file) << "[filter]\ngain = 0.3\n[guard]\nmost = 7.0\n";
+    d.load(file);
+    d.save(file);
+    cca::deployed<two> all;
+    all.load(file);
+    CHECK_EQ(all.parameter("filter.gain"), "0.3");
+    std::remove(file.c_str());
   }
 }

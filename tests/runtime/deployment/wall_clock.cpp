@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "alarmed.hpp"
 #include "robot_and_mind.hpp"
 
 using namespace deployment_test;
@@ -29,6 +30,19 @@ struct strict : cca::deployment<architecture,
                                 cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
                                 cca::environment<"mind", cca::other_nodes>,
                                 cca::tolerate<20>> {};
+
+// All that runs beside the device has a period of ten beats, or of twenty.
+struct sleepers : cca::graph<cca::rate<1000>,
+                             cca::node<"device", device>,
+                             cca::node<"often", filter, cca::timed<10>>,
+                             cca::node<"seldom", stalling, cca::timed<20>>,
+                             cca::wire<"device.measured", "often.x", cca::delayed<1>>,
+                             cca::wire<"often.y", "seldom.x", cca::latest>,
+                             cca::wire<"seldom.y", "device.command", cca::delayed<5>>> {};
+struct sleeping : cca::deployment<sleepers,
+                                  cca::environment<"robot", cca::nodes<"device">>,
+                                  cca::environment<"mind", cca::other_nodes>,
+                                  cca::tolerate<100000>> {};
 
 template <class D>
 void begin(cca::deployed<D>& d) {
@@ -87,6 +101,29 @@ TEST_SUITE("deployed at wall-clock speed") {
       const stall one(beat, 20);
       CHECK_EQ(d.run(cca::for_beats<100>{}, cca::at_wall_clock()), cca::state::started);
       CHECK_EQ(d.beat_index(), 100);
+    }
+  }
+
+  TEST_CASE("an environment sleeps through the beats in which nothing can fire") {
+    cca::deployed<sleeping> d;
+    begin(d);
+    CHECK_EQ(d.run(cca::for_beats<400>{}, cca::at_wall_clock()), cca::state::started);
+    const auto figures = d.figures();
+    CHECK_EQ(figures[0].beat.count(), 400);
+    CHECK_LE(figures[1].beat.count(), 40);
+    CHECK_EQ(figures[1].beat.count() + figures[1].lost_periods / 10, 40);
+  }
+
+  TEST_CASE("a fault in a follower stops the resource nodes of all environments within two beats") {
+    cca::deployed<alarmed> d;
+    begin(d);
+    CHECK_EQ(d.run(cca::without_end{}, cca::at_speed(alarmed_speed)), cca::state::faulted);
+    CHECK_EQ(d.fault_path(), "alarm");
+    const std::int64_t raised_at = d.get<"alarm">().raised_at;
+    for (const limb* const each : {&d.get<"arm">(), &d.get<"hand">()}) {
+      CHECK_EQ(each->stops, 1);
+      CHECK_GE(each->stopped_at, raised_at);
+      CHECK_LE(each->stopped_at, raised_at + 2 * alarmed_beat);
     }
   }
 

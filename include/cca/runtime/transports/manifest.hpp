@@ -1,24 +1,54 @@
-// What two processes must have in common to run one deployment, as text: one fact a line.
+// What two processes must have in common to run one deployment, as text: one fact a line. Numbers have all
+// their digits, so limits that differ in the last bit differ here.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <iomanip>
 #include <sstream>
 #include <string>
 #include <string_view>
 
+#include <cca/component/parameter_check.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/exchange.hpp>
+#include <cca/space/space_schema.hpp>
 #include <cca/version.hpp>
 
 namespace cca::detail {
 
-// "x, y; joint_angles; -1.5 to 1.5, ...": the axes, the domain type and the limits.
+// "legs: joint_angles of hip from -1.5 to 1.5 rad at 1000 Hz, schema 0123456789abcdef": the schema's hash
+// covers what the words leave out.
 inline void write_space(std::ostream& to, const space_info& space) {
   to << space.name << ": " << space.domain << " of";
   for (int a = 0; a < space.axis_count; ++a) {
     to << (a ? ", " : " ") << space.axes[a];
-    if (space.lower) to << " from " << space.lower[a] << " to " << space.upper[a];
+    if (space.lower) to << " from " << number_text(space.lower[a]) << " to " << number_text(space.upper[a]);
+    if (!space.unit.empty()) to << ' ' << space.unit;
   }
-  if (space.hz > 0) to << " at " << space.hz << " Hz";
+  if (space.hz > 0) to << " at " << number_text(space.hz) << " Hz";
+  to << ", schema " << std::hex << std::setw(16) << std::setfill('0') << space_schema(space).hash()
+     << std::dec << std::setfill(' ');
+}
+
+// "delayed 3, initial 0.5", "queue of 4, drop_oldest": the policy of a wire.
+inline void write_policy(std::ostream& to, const item_info& wire) {
+  constexpr std::string_view full[] = {"drop_oldest", "drop_newest", "reject", "unknown"};
+  switch (wire.policy) {
+    case policy_kind::unstated:
+    case policy_kind::latest:
+      to << "latest";
+      break;
+    case policy_kind::delayed:
+      to << "delayed " << wire.number;
+      break;
+    case policy_kind::queue:
+      to << "queue of " << wire.number << ", " << full[static_cast<int>(wire.full)];
+      break;
+  }
+  if (!wire.initial) return;
+  to << ", initial";
+  for (int i = 0; i < wire.initial_count; ++i) to << ' ' << number_text(wire.initial[i]);
 }
 
 template <class D>
@@ -26,6 +56,9 @@ std::string manifest_of() {
   auto plan = plan_of<D>;
   const flat_view g = plan.view();
   std::ostringstream text;
+  const auto port = [&](const auto& one) {
+    return path_of_node<D>(g.calls[one.call].node) + "." + std::string(port_of(g, one).name);
+  };
   text << "cca " << version_major << '.' << version_minor << '.' << version_patch << '\n'
        << "deployment " << g.scopes[0].graph->name << ", " << g.period << " ns a beat, "
        << sizeof(exchange<D>) << " bytes exchanged, " << environments_of<D>::tolerated
@@ -36,15 +69,21 @@ std::string manifest_of() {
     text << "node " << path_of_node<D>(n) << ": " << g.nodes[n].item->component->name() << ", strategy "
          << g.nodes[n].item->strategy_key << ", in environment " << g.nodes[n].environment << '\n';
   for (int o = 0; o < g.output_count; ++o) {
-    text << "output " << path_of_node<D>(g.calls[g.outputs[o].call].node) << '.'
-         << port_of(g, g.outputs[o]).name << " in ";
+    text << "output " << port(g.outputs[o]) << " in ";
     write_space(text, *port_of(g, g.outputs[o]).space);
-    text << '\n';
+    text << (g.outputs[o].watched ? ", observed\n" : "\n");
   }
   for (int i = 0; i < g.input_count; ++i)
-    if (const auto& in = g.inputs[i]; in.writer >= 0)
-      text << "wire to " << path_of_node<D>(g.calls[in.call].node) << '.' << port_of(g, in).name
-           << " from output " << in.writer << ", delayed " << in.delay << '\n';
+    if (const auto& in = g.inputs[i]; in.wire && in.writer >= 0) {
+      text << "wire from " << port(g.outputs[in.writer]) << " to " << port(in) << ": ";
+      write_policy(text, *in.wire);
+      text << ", read in ";
+      write_space(text, *port_of(g, in).space);
+      text << '\n';
+    }
+  for (int l = 0; l < g.link_count; ++l)
+    text << "observer " << port(g.inputs[g.links[l].input]) << " of " << port(g.outputs[g.links[l].output])
+         << ", delayed " << delay_of(g, g.links[l]) << '\n';
   return text.str();
 }
 
