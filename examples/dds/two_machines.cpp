@@ -1,7 +1,7 @@
 // Two environments on two machines, over Cyclone DDS: on one `dds_two_machines --only robot --dds 7`, on the
-// other the same with `--only mind`, both with CYCLONEDDS_URI (docs/transports.md). Without that variable both
-// run on this machine; without both options they are two threads of one process. The robot's process compares
-// the leg with that of one loop, bit for bit. A signal to one ends both in order.
+// other the same with `--only mind`, both with CYCLONEDDS_URI (docs/transports.md). Without that variable
+// both run on this machine; without both options they are two threads of one process. The robot's process
+// compares the leg with that of one loop, bit for bit. A signal to one ends both in order.
 #include <cstdio>
 #include <optional>
 #include <vector>

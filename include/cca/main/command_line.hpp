@@ -59,9 +59,9 @@ inline std::uint64_t whole_number_in(const std::string& option,
       !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos;
   if (!is_number || std::stoull(text) < least || std::stoull(text) > most) {
     const std::string from = std::to_string(least);
-    throw command_line_error(
-        option + " " + text + ": expected a whole number" +
-        (most == any_whole_number ? ", " + from + " or more" : " from " + from + " to " + std::to_string(most)));
+    throw command_line_error(option + " " + text + ": expected a whole number" +
+                             (most == any_whole_number ? ", " + from + " or more"
+                                                       : " from " + from + " to " + std::to_string(most)));
   }
   return std::stoull(text);
 }
@@ -126,8 +126,8 @@ public:
                     std::uint64_t most = any_whole_number) {
     value(
         option,
-        [put = detail::setter<std::uint64_t>(into), name = name_in(option), least, most](
-            const std::string& given) { put(whole_number_in(name, given, least, most)); },
+        [put = detail::setter<std::uint64_t>(into), name = name_in(option), least,
+         most](const std::string& given) { put(whole_number_in(name, given, least, most)); },
         help);
   }
   // One of these names; its number goes into a number or an enumeration.

@@ -106,8 +106,8 @@ public:
           };
           if constexpr (std::constructible_from<Transport, std::string>) opens(Transport(text));
           else
-            opens(Transport(
-                static_cast<int>(whole_number_in(name, text, 0, std::numeric_limits<int>::max()))));
+            opens(
+                Transport(static_cast<int>(whole_number_in(name, text, 0, std::numeric_limits<int>::max()))));
         },
         help);
   }
