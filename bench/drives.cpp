@@ -9,7 +9,6 @@
 // work. docs/hardware.md.
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +19,7 @@
 
 #include "../examples/hardware_in_the_loop/robot.hpp"
 #include "../examples/trot/architecture.hpp"
+#include "words.hpp"
 
 extern "C" long bench_allocations();
 
@@ -107,16 +107,18 @@ template <class Robot>
 }  // namespace bench
 
 int main(int count, char** arguments) {
+  const std::string_view what = count > 1 ? arguments[1] : "";
+  if (count != 2) bench::refuse(what, "one word: a number of beats, or `allocations`");
+  const int beats = what == "allocations" ? 1000 : bench::beats_in(what);
   const auto r = std::make_unique<bench::robot>();
   constexpr int begin = 2000;  // the drives are enabled and follow the gait
   for (int k = 0; k < begin; ++k) bench::one_beat(*r);
-  const std::string_view what = count > 1 ? arguments[1] : "";
   if (what == "allocations") {
     const long before = bench_allocations();
-    for (int k = 0; k < 1000; ++k) bench::one_beat(*r);
+    for (int k = 0; k < beats; ++k) bench::one_beat(*r);
     std::printf("%ld\n", bench_allocations() - before);
   } else {
-    for (int k = std::atoi(what.data()); k > 0; --k) bench::one_beat(*r);
+    for (int k = 0; k < beats; ++k) bench::one_beat(*r);
   }
   if (r->trots()) return 0;
   const auto cause = r->controller.get<"robot.emergency_stop">().first_cause();

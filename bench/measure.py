@@ -347,7 +347,7 @@ def realtime(work):
             for n in range(rounds):
                 beside = subprocess.Popen(["cyclictest", "-q", "-a", str(1 - n % 2), "-t", "1", "-p", "80", "-m", "-i", "1000", "-D", str(seconds + 1), "-h", "50000"],
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                own = subprocess.run([str(PROGRAMS / "bench_realtime"), str(n % 2), str(seconds)], text=True, capture_output=True)
+                own = subprocess.run([str(PROGRAMS / "bench_realtime"), "--core", str(n % 2), "--seconds", str(seconds)], text=True, capture_output=True)
                 out, error = beside.communicate()
                 if own.returncode != 0 or beside.returncode != 0:
                     print(f"realtime: NOT MEASURED: {own.stderr}{error}", file=sys.stderr)

@@ -1,9 +1,11 @@
 // One benchmark program: the same arithmetic as a graph, as a loop written by hand, and in the classical way.
 //
-//   program check [<beats>]          compares the three, bit for bit, beat by beat; exits with 1 if they
-//   differ program <form> <beats>           runs `graph`, `by_hand` or `classical` for this many beats (under
-//   callgrind) program figures                  allocations per beat and bytes of state, one line per form
-//   program [--benchmark_...]        nanoseconds per beat (Google Benchmark)
+//   program check [BEATS]         compares the three, bit for bit, beat by beat; exits with 1 if they differ
+//   program FORM BEATS            runs `graph`, `by_hand` or `classical` for so many beats (under callgrind)
+//   program figures               allocations per beat and bytes of state, one line per form
+//   program [--benchmark_...]     nanoseconds per beat (Google Benchmark)
+//
+// Other words are refused, with 2.
 //
 // A form has step() and result(), an Eigen vector.
 #pragma once
@@ -11,7 +13,6 @@
 #include <malloc.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -21,6 +22,8 @@
 #include <benchmark/benchmark.h>
 
 #include <cca/cca.hpp>
+
+#include "words.hpp"
 
 extern "C" long bench_allocations();
 
@@ -102,14 +105,17 @@ int check(int beats) {
 template <class Graph, class... Others>
 int program(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
-  if (what == "check") return check<Graph, Others...>(argc > 2 ? std::atoi(argv[2]) : 3000);
-  if (what == "figures") {
+  if (what == "check" && argc <= 3) return check<Graph, Others...>(argc > 2 ? beats_in(argv[2]) : 3000);
+  if (what == "figures" && argc == 2) {
     figures<Graph>();
     (figures<Others>(), ...);
     return 0;
   }
-  if (argc == 3) {
-    const int beats = std::atoi(argv[2]);
+  if (argc > 1 && !what.starts_with("--")) {
+    const bool is_form = what == Graph::name || ((what == Others::name) || ...);
+    if (!is_form || argc != 3)
+      refuse(what, "check [BEATS], figures, or graph, by_hand or classical and a number of beats");
+    const int beats = beats_in(argv[2]);
     const auto run_if = [&]<class Form>(std::type_identity<Form>) {
       return what == Form::name && (run<Form>(beats), true);
     };
@@ -118,6 +124,7 @@ int program(int argc, char** argv) {
   benchmark::RegisterBenchmark(Graph::name, time<Graph>);
   (benchmark::RegisterBenchmark(Others::name, time<Others>), ...);
   benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

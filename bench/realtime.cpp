@@ -1,20 +1,26 @@
 // Wake-ups of a deployment at 1 kHz in real time, for comparison with cyclictest in the same run.
 //
-//   bench_realtime <core 0 or 1> <seconds>    a line of JSON; bench/realtime.py runs cyclictest beside it
+//   bench_realtime --core 1 --seconds 10    a line of JSON; bench/measure.py runs cyclictest beside it
 //
 // The environment is as on a robot: SCHED_FIFO 80, one core, memory locked. Counted is the time from when a
-// beat should begin until its thread is awake. Exits with 3, and says why, if the
+// beat should begin until its thread is awake. Exits with 2, and says why, if the
 // system refuses any of it.
 #include <time.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
+#include <iostream>
 #include <map>
+#include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include <cca/deployment.hpp>
+#include <cca/main/command_line.hpp>
+#include <cca/main/run_program.hpp>
 
 namespace {
 
@@ -71,25 +77,23 @@ int measure(std::int64_t seconds) {
   run(1000 * seconds);
   std::map<std::int64_t, int> counts;
   for (const std::int64_t ns : late) ++counts[std::max<std::int64_t>(ns, 0) / 1000];
-  std::printf("{\"core\": %d, \"overruns\": %lld, \"us\": {", Core, static_cast<long long>(d.overruns()));
-  const char* comma = "";
-  for (const auto& [us, count] : counts) {
-    std::printf("%s\"%lld\": %d", comma, static_cast<long long>(us), count);
-    comma = ", ";
-  }
-  std::printf("}}\n");
+  nlohmann::ordered_json told{
+      {"core", Core}, {"overruns", d.overruns()}, {"us", nlohmann::ordered_json::object()}};
+  for (const auto& [us, count] : counts) told["us"][std::to_string(us)] = count;
+  std::cout << told << '\n';
   return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const int core = argc > 1 ? std::atoi(argv[1]) : 0;
-  const std::int64_t seconds = argc > 2 ? std::atoll(argv[2]) : 10;
-  try {
-    return core == 0 ? measure<0>(seconds) : measure<1>(seconds);
-  } catch (const cca::refused& why) {
-    std::fprintf(stderr, "bench_realtime: REFUSED, nothing was measured: %s\n", why.what());
-    return 3;
-  }
+int main(int count, char** words) {
+  std::size_t core = 0;
+  std::uint64_t seconds = 10;
+  cca::command_line line("wake-ups of a deployment at 1 kHz in real time, as a line of JSON");
+  line.one_of("--core N", core, std::array{"0", "1"}, "where it runs (0)");
+  line.whole_number("--seconds S", seconds, 1, "how long (10)", 86400);
+  return cca::run_program(count, words, line, [&] {
+    const auto length = static_cast<std::int64_t>(seconds);
+    return core == 0 ? measure<0>(length) : measure<1>(length);
+  });
 }

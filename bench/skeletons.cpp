@@ -1,16 +1,19 @@
 // Each skeleton in a graph, and by hand: shows how much of a skeleton is left after compiling.
 //
-//   skeletons list                       the names
-//   skeletons check                      compares the two forms of each, bit for bit; exits with 1 if they
-//   differ skeletons <name> <form> <beats>      runs `graph` or `by_hand` for this many beats (under
-//   callgrind) skeletons <name> allocations         the allocations of a thousand beats
+//   skeletons list                  the names
+//   skeletons check                 compares the two forms of each, bit for bit; exits with 1 if they differ
+//   skeletons NAME FORM BEATS       runs `graph` or `by_hand` for so many beats (under callgrind)
+//   skeletons NAME allocations      the allocations of a thousand beats
+//
+// Other words are refused, with 2.
 #include "skeletons.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
+
+#include "words.hpp"
 
 extern "C" long bench_allocations();
 
@@ -50,7 +53,7 @@ int run(int beats) {
 }
 
 template <class Graph, class ByHand>
-int use(const char* name, int argc, char** argv) {
+int use(const char* name, int argc, char** argv, bool& is_known) {
   const std::string_view what = argv[1];
   if (what == "list") std::puts(name);
   if (what == "check") {
@@ -64,8 +67,11 @@ int use(const char* name, int argc, char** argv) {
       return 1;
     }
   }
-  if (what != name || argc < 3) return 0;
-  if (std::string_view(argv[2]) == "allocations") {
+  if (what != name) return 0;
+  is_known = true;
+  constexpr const char* forms = "`allocations`, or `graph` or `by_hand` and a number of beats";
+  const std::string_view form = argc > 2 ? argv[2] : "";
+  if (form == "allocations" && argc == 3) {
     const auto g = std::make_unique<as_graph<Graph>>();
     one_round(*g);
     const long before = bench_allocations();
@@ -73,25 +79,31 @@ int use(const char* name, int argc, char** argv) {
     std::printf("%ld\n", bench_allocations() - before);
     return 0;
   }
-  return std::string_view(argv[2]) == "graph" ? run<as_graph<Graph>>(std::atoi(argv[3]))
-                                              : run<ByHand>(std::atoi(argv[3]));
+  if ((form != "graph" && form != "by_hand") || argc != 4) refuse(form, forms);
+  const int beats = beats_in(argv[3]);
+  return form == "graph" ? run<as_graph<Graph>>(beats) : run<ByHand>(beats);
 }
 
 }  // namespace bench
 
 int main(int argc, char** argv) {
   using namespace bench;
-  if (argc < 2) return 2;
-  return use<splitter_collector, splitter_collector_by_hand>("splitter, collector", argc, argv) +
-         use<pipeline, pipeline_by_hand>("pipeline", argc, argv) +
-         use<pipeline_delayed, pipeline_delayed_by_hand>("pipeline over delays", argc, argv) +
-         use<farm, farm_by_hand>("farm", argc, argv) +
-         use<farm_threads, farm_threads_by_hand>("farm on threads", argc, argv) +
-         use<by_priority, by_priority_by_hand>("arbiter by priority", argc, argv) +
-         use<by_freshness, by_freshness_by_hand>("arbiter by freshness", argc, argv) +
-         use<switched, switched_by_hand>("switch", argc, argv) +
-         use<blended, blended_by_hand>("blend", argc, argv) + use<held, held_by_hand>("hold", argc, argv) +
-         use<decimated, decimated_by_hand>("decimate", argc, argv) +
-         use<averaged, averaged_by_hand>("decimate, averaged", argc, argv) +
-         use<interpolated, interpolated_by_hand>("interpolate", argc, argv);
+  const std::string_view what = argc > 1 ? argv[1] : "";
+  bool is_known = (what == "list" || what == "check") && argc == 2;
+  const int failed =
+      use<splitter_collector, splitter_collector_by_hand>("splitter, collector", argc, argv, is_known) +
+      use<pipeline, pipeline_by_hand>("pipeline", argc, argv, is_known) +
+      use<pipeline_delayed, pipeline_delayed_by_hand>("pipeline over delays", argc, argv, is_known) +
+      use<farm, farm_by_hand>("farm", argc, argv, is_known) +
+      use<farm_threads, farm_threads_by_hand>("farm on threads", argc, argv, is_known) +
+      use<by_priority, by_priority_by_hand>("arbiter by priority", argc, argv, is_known) +
+      use<by_freshness, by_freshness_by_hand>("arbiter by freshness", argc, argv, is_known) +
+      use<switched, switched_by_hand>("switch", argc, argv, is_known) +
+      use<blended, blended_by_hand>("blend", argc, argv, is_known) +
+      use<held, held_by_hand>("hold", argc, argv, is_known) +
+      use<decimated, decimated_by_hand>("decimate", argc, argv, is_known) +
+      use<averaged, averaged_by_hand>("decimate, averaged", argc, argv, is_known) +
+      use<interpolated, interpolated_by_hand>("interpolate", argc, argv, is_known);
+  if (!is_known) refuse(what, "list, check, or the name of a skeleton");
+  return failed;
 }

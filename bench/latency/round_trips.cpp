@@ -1,14 +1,16 @@
 // Round trips between a driver and BENCH_FAN_OUT reflectors: the source's benchmark (AMARSi D7.3, 5.1.3).
 //
-//   latency_4 [--quick]    a line of JSON for each transport, form and size; bench/latency.py reads them
+//   latency_4 [--quick]    a line of JSON for each transport, form and size; bench/measure.py reads them
 //
 // Forms: `cca`; `raw`, the same by the bare means of the transport; `tcp`. All are measured in turn, so that
 // what the machine does meanwhile meets all of them. Exits with 1 if a message comes back changed.
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include <cca/main/command_line.hpp>
+#include <cca/main/run_program.hpp>
 
 #include "library.hpp"
 #include "mailboxes.hpp"
@@ -89,18 +91,23 @@ bool measure_size(bool is_quick) {
 
 }  // namespace bench
 
-int main(int argc, char** argv) {
+int main(int count, char** words) {
+  bool is_quick = false;
+  cca::command_line line("round trips between a driver and " + std::to_string(bench::fan_out) +
+                         " reflectors, as lines of JSON");
+  line.flag("--quick", is_quick, "few round trips, only to see that it runs");
+  return cca::run_program(count, words, line, [&] {
 #ifdef BENCH_CYCLONE
-  bench::use_only_this_machine();
+    bench::use_only_this_machine();
 #endif
-  const bool is_quick = argc > 1 && std::string_view(argv[1]) == "--quick";
-  using bench::measure_size;
-  bool is_right = measure_size<1>(is_quick);
+    using bench::measure_size;
+    bool is_right = measure_size<1>(is_quick);
 #ifndef BENCH_ONE_SIZE
-  is_right = measure_size<128>(is_quick) && is_right;
-  is_right = measure_size<4096>(is_quick) && is_right;
-  is_right = measure_size<131072>(is_quick) && is_right;
+    is_right = measure_size<128>(is_quick) && is_right;
+    is_right = measure_size<4096>(is_quick) && is_right;
+    is_right = measure_size<131072>(is_quick) && is_right;
 #endif
-  if (!is_right) std::fprintf(stderr, "a message came back changed, or a form could not be measured\n");
-  return is_right ? 0 : 1;
+    if (!is_right) std::fprintf(stderr, "a message came back changed, or a form could not be measured\n");
+    return is_right ? 0 : 1;
+  });
 }

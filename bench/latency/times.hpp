@@ -3,9 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace bench {
 
@@ -57,6 +64,12 @@ inline figures figures_of(const round_of_times& round) {
   return f;
 }
 
+inline double to_five_digits(double number) {
+  std::ostringstream text;
+  text << std::setprecision(5) << number;
+  return std::stod(text.str());
+}
+
 // Of each figure the median of all rounds: what disturbs one round does not count.
 inline void print(const char* transport,
                   const char* form,
@@ -71,14 +84,16 @@ inline void print(const char* transport,
                      [&](const figures& a, const figures& b) { return a.*which < b.*which; });
     return all[all.size() / 2].*which;
   };
-  std::printf(
-      "{\"transport\": \"%s\", \"form\": \"%s\", \"fan_out\": %d, \"bytes\": %zu, \"mean_us\": %.5g, "
-      "\"p50_us\": %.5g, \"p99_us\": %.5g, \"variance_us2\": %.5g, \"jitter_us\": %.5g, \"set_up_us\": %.5g, "
-      "\"rounds\": %zu, \"round_trips\": %zu, \"wrong\": %lld}\n",
-      transport, form, fan_out, bytes, median(&figures::mean), median(&figures::p50), median(&figures::p99),
-      median(&figures::variance), median(&figures::jitter), median(&figures::set_up), rounds.size(),
-      rounds.front().times.size(), static_cast<long long>(wrong));
-  std::fflush(stdout);
+  nlohmann::ordered_json line{
+      {"transport", transport}, {"form", form}, {"fan_out", fan_out}, {"bytes", bytes}};
+  const std::pair<const char*, double figures::*> shown[] = {
+      {"mean_us", &figures::mean},          {"p50_us", &figures::p50},       {"p99_us", &figures::p99},
+      {"variance_us2", &figures::variance}, {"jitter_us", &figures::jitter}, {"set_up_us", &figures::set_up}};
+  for (const auto& [name, which] : shown) line[name] = to_five_digits(median(which));
+  line["rounds"] = rounds.size();
+  line["round_trips"] = rounds.front().times.size();
+  line["wrong"] = wrong;
+  std::cout << line << std::endl;
 }
 
 }  // namespace bench

@@ -1,79 +1,51 @@
-// Two environments on two machines, over Cyclone DDS: on one `dds_two_machines robot`, on the other
-// `dds_two_machines mind`, both with CYCLONEDDS_URI (docs/transports.md). Without that variable both run on
-// this machine. Without an argument it starts both here, and compares the leg with that of one loop, bit for
-// bit.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cstdint>
+// Two environments on two machines, over Cyclone DDS: on one `dds_two_machines --only robot --dds 7`, on the
+// other the same with `--only mind`, both with CYCLONEDDS_URI (docs/transports.md). Without that variable
+// both run on this machine; without both options they are two threads of one process. The robot's process
+// compares the leg with that of one loop, bit for bit. A signal to one ends both in order.
 #include <cstdio>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include <cca/dds.hpp>
-#include <cca/main/command_line.hpp>
-#include <cca/main/run_program.hpp>
+#include <cca/main.hpp>
 
-#include "../deployment/thoughtful_leg.hpp"
+#include "../deployment/one_loop.hpp"
 
 namespace {
 
-// [dds]
-int run_robot(const cca::dds::domain& net, std::vector<double>& angles) {
-  cca::deployed<split> d(cca::only{"robot"}, net);
-  d.load();
-  d.start();
-  d.run(cca::for_<0.3>{}, {}, [&](auto& running) { angles.push_back(running.template get<"leg">().angle); });
-  for (const auto& one : net.refusals())
-    std::printf("refused from %s: %s (%lld times)\n", one.who.c_str(), one.why.c_str(),
-                static_cast<long long>(one.count));
-  return d.fault() ? 1 : 0;
-}
+struct program : cca::robot_program<split> {
+  program() {
+    purpose = "a leg and its thoughts, on one machine or on two, over Cyclone DDS";
+    settings.seconds = 0.3;
+    settings.speed.reset();  // as fast as possible
+  }
 
-int run_mind(const cca::dds::domain& net) {
-  cca::deployed<split> d(cca::only{"mind"}, net);
-  d.load();
-  d.start();
-  d.run(cca::without_end{});  // the robot ends it
-  return d.fault() ? 1 : 0;
-}
-// [dds end]
+  // [transport]
+  void options(cca::command_line& line) override {
+    transport<cca::dds::domain>(line, "--dds DOMAIN", "reaches the others by DDS, in this domain",
+                                [this](const auto& chosen) { net = chosen; });
+  }
+  // [transport end]
 
-constexpr std::uint32_t domain_number = 7;
+  bool between(controller_type& c) override {
+    if (runs("robot")) angles.push_back(c.get<"leg">().angle);
+    return true;
+  }
 
-// Runs `robot` here and `mind` in a child, in a partition of their own, and compares the angles.
-int run_both() {
-  const cca::dds::domain net(domain_number, "two_machines_" + std::to_string(::getpid()));
-  const pid_t mind = ::fork();
-  if (mind == 0) ::_exit(run_mind(net));
-  std::vector<double> angles, expected;
-  const int failed = run_robot(net, angles);
-  int status = 0;
-  ::waitpid(mind, &status, 0);
+  int finish(controller_type& c) override {
+    // [refusals]
+    if (net)
+      for (const auto& one : net->refusals())
+        std::printf("refused from %s: %s (%lld times)\n", one.who.c_str(), one.why.c_str(),
+                    static_cast<long long>(one.count));
+    // [refusals end]
+    return runs("robot") ? compare_with_one_loop(angles, c) : 0;
+  }
 
-  cca::controller<thoughtful_leg> one_loop;
-  one_loop.load();
-  one_loop.start();
-  one_loop.run(cca::for_<0.3>{}, {},
-               [&](auto& running) { expected.push_back(running.template get<"leg">().angle); });
-  std::printf("%zu beats in two processes over DDS, %s\n", angles.size(),
-              angles == expected ? "bit for bit as in one loop" : "NOT as in one loop");
-  return failed || status != 0 || angles != expected;
-}
+  std::optional<cca::dds::domain> net;
+  std::vector<double> angles;
+};
 
 }  // namespace
 
-int main(int count, char** words) {
-  cca::command_line line("two environments on two machines, over Cyclone DDS");
-  std::vector<std::string> given;
-  line.words("[ENVIRONMENT]", given, 1,
-             "robot or mind: runs it here (both, and compares them with one loop)");
-  return cca::run_program(count, words, line, [&] {
-    if (given.empty()) return run_both();
-    const cca::dds::domain net(domain_number);
-    std::vector<double> angles;
-    if (given[0] == "robot") return run_robot(net, angles);
-    if (given[0] == "mind") return run_mind(net);
-    throw cca::command_line_error(given[0] + ": expected robot or mind");
-  });
-}
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }

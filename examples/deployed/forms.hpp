@@ -1,6 +1,7 @@
 #pragma once
 // The forms of one run: as one loop, in threads, in processes. What each of them did can be compared.
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -17,6 +18,7 @@
 #include "architecture.hpp"
 #include "process.hpp"
 #include "transports.hpp"
+#include "wake_up.hpp"
 
 namespace deployed {
 
@@ -34,6 +36,7 @@ struct outcome {
   skills::result judged{};
   std::int64_t late = 0, overruns = 0, lost_periods = 0;
   double wake_p99_us = 0;  // of the environment that wakes worst
+  std::string figures{};   // the table of all environments; empty without a clock
   std::string failure{};
 };
 
@@ -90,24 +93,29 @@ outcome run_deployed(std::string_view form,
   constexpr bool is_timed = !std::is_same_v<Pace, cca::as_fast_as_possible>;
   constexpr std::int64_t at_once = 1000, warm_up = 100;
   std::int64_t exact = 0;
+  bool is_ended = false;  // by another process
   // Touches all memory, so that the first beats by the clock are as short as the others. The robot stands.
   if (is_timed) d.run(cca::for_some_beats{std::min(beats, warm_up)}), exact = d.beat_index();
   while (d.beat_index() < beats && !d.fault() && !interrupted) {
-    const std::int64_t left = beats - d.beat_index();
+    const std::int64_t first = d.beat_index(), left = beats - first;
     if constexpr (is_timed)
       d.run(cca::for_some_beats{left}, pace, [&](const auto& running) {
         if (is_exact(running)) exact = running.beat_index();
         return !interrupted;
       });
     else d.run(cca::for_some_beats{std::min(left, at_once)});
+    is_ended = d.beat_index() == first && !interrupted;
+    if (is_ended) break;
   }
   outcome one = result_of(form, is_timed ? wall_clock : fast, d);
   if (is_timed) one.exact_beats = exact;
   one.late = d.late();
   one.overruns = d.overruns();
   one.lost_periods = d.lost_periods();
-  for (const auto& e : d.figures())
-    one.wake_p99_us = std::max(one.wake_p99_us, 1e-3 * static_cast<double>(e.wake_up.quantile(0.99)));
+  if (is_timed) one.figures = table_of(d.figures());
+  for (const auto& e : d.figures()) one.wake_p99_us = std::max(one.wake_p99_us, wake_p99_us(e));
+  if (is_ended) one.failure += " another process has ended the run";
+  if (d.state() == cca::state::started || d.state() == cca::state::faulted) d.stop();  // all processes
   return one;
 }
 
@@ -116,6 +124,17 @@ outcome run_threads(const settings& s, Pace pace, const cca::interruption& inter
   cca::deployed<split> d;
   set_up(d, s, all_environments);
   return run_deployed("threads", d, s.most_beats, pace, interrupted);
+}
+
+// What another process has told of its environment. Memory that is shared has told it already.
+inline void add_figures(outcome& to, const std::string& printed, const std::string& environment) {
+  const told_figures told = figures_in(printed, environment);
+  if (!told.wake_p99_us) {
+    to.failure += " no figures of `" + environment + "`";
+    return;
+  }
+  to.wake_p99_us = std::max(to.wake_p99_us, *told.wake_p99_us);
+  if (figures_in(to.figures, environment).row.empty()) to.figures += told.row;
 }
 
 // The simulation in this process, each other environment in one of its own.
@@ -129,15 +148,17 @@ outcome run_processes(const std::string& transport,
   return with_transport(transport, address, [&](const auto& connection) {
     cca::deployed<split> d(cca::only{"simulation"}, connection);
     std::vector<process> others;
-    for (const std::string& one : all_environments)
-      if (one != "simulation")
-        others.push_back(process({"--only", one, "--form", transport, "--address", address, "--shape",
-                                  s.shape, "--beats", std::to_string(s.most_beats)}));
+    const std::vector<std::string> elsewhere{"robot", "reflexes", "mind"};
+    for (const std::string& one : elsewhere)
+      others.push_back(process({"--only", one, "--form", transport, "--address", address, "--shape", s.shape,
+                                "--beats", std::to_string(s.most_beats)}));
     set_up(d, s, {"simulation"});
     outcome one = run_deployed(transport, d, s.most_beats, pace, interrupted);
-    if (!interrupted)
-      for (process& other : others)
-        if (other.wait() != 0) one.failure += " a process failed";
+    if (interrupted) return one;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (others[i].wait() != 0) one.failure += " the process of `" + elsewhere[i] + "` failed";
+      else if (one.pace == wall_clock) add_figures(one, others[i].printed(), elsewhere[i]);
+    }
     return one;
   });
 }
@@ -149,21 +170,31 @@ inline std::string distance_of(const skills::result& r) {
   return r.touched() ? text : "-";
 }
 
-// What such another process does: the simulation decides when it begins, at which pace, and when it ends.
+// What such another process does: the simulation decides when it begins, at which pace, and when it ends. A
+// signal ends the run of all processes, and each stops its environment in order.
 inline int run_environment(const std::string& name,
                            const std::string& transport,
                            const std::string& address,
                            const settings& s) {
   return with_transport(transport, address, [&](const auto& connection) {
+    const cca::interruption interrupted;
     cca::deployed<split> d(cca::only(std::vector{name}), connection);
     set_up(d, s, {name});
-    while (d.beat_index() < s.most_beats && !d.fault())
-      d.run(cca::for_some_beats{s.most_beats - d.beat_index()});
+    bool is_ended = false;  // by another process
+    while (d.beat_index() < s.most_beats && !d.fault() && !interrupted && !is_ended) {
+      const std::int64_t first = d.beat_index();
+      d.run(cca::for_some_beats{s.most_beats - first}, {}, [&](const auto&) { return !interrupted; });
+      is_ended = d.beat_index() == first;
+    }
+    const std::string fault = d.fault() ? d.fault().reason() : "";
+    if (d.state() == cca::state::started || d.state() == cca::state::faulted) d.stop();
+    std::fputs(told_of(d.figures(), name).c_str(), stdout);
     if (name == "simulation")
       std::printf("%lld beats; from paw to ball: %s\n", static_cast<long long>(d.beat_index()),
-                  distance_of(d.get<"robot.simulator">().judgement()).c_str());
-    if (d.fault()) std::fprintf(stderr, "%s: %s\n", name.c_str(), d.fault().reason());
-    return d.fault() ? 1 : 0;
+                  distance_of(d.template get<"robot.simulator">().judgement()).c_str());
+    if (!fault.empty()) std::fprintf(stderr, "%s: %s\n", name.c_str(), fault.c_str());
+    if (interrupted) std::fprintf(stderr, "%s: interrupted, stopped in order\n", name.c_str());
+    return !fault.empty() ? 1 : interrupted.exit_code();
   });
 }
 

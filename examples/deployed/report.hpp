@@ -37,6 +37,7 @@ inline void print(const compared_form& one) {
   if (o.pace == wall_clock)
     std::printf(" %9lld %10.0f us", static_cast<long long>(o.overruns), o.wake_p99_us);
   std::printf("\n");
+  std::fputs(o.figures.c_str(), stdout);
   if (const auto& first = one.with_loop.first)
     std::printf("  the first difference: %s in beat %lld\n", std::string(first->output).c_str(),
                 static_cast<long long>(first->beat));

@@ -103,7 +103,9 @@ struct in_one_process : cca::robot_program<two_environments<memory_end>> {
   void stop(controller_type& c) override {
     if (far.world().fallen()) std::printf("the robot fell\n");
     result = report(c) + (far.world().fallen() ? 1 : 0);
-    std::printf("%s\n", far.shut_down(c).text().c_str());
+    std::printf("robot: %s\n", far.shut_down(c).text().c_str());
+    std::printf("drives: %s\n", far.are_free() ? "switched off" : "still driven");
+    if (!far.are_free()) result = 1;
   }
   int finish(controller_type&) override { return result; }
 

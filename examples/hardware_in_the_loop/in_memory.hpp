@@ -1,6 +1,7 @@
 #pragma once
 // Robot and far end in one process, on five buses in memory: the controller at one end, virtual drives around
 // the simulated Oncilla at the other, and a third node on each bus for spies and intruders.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -77,6 +78,11 @@ public:
   template <class Controller>
   cca::hardware::shut_down_report shut_down(Controller& controller) {
     return cca::hardware::shut_down(controller, drives_reaction{*this});
+  }
+
+  // Whether no drive holds anything: what the drives do, not what the controller knows of them.
+  bool are_free() const {
+    return std::ranges::none_of(laws, [](const auto& law) { return law.stiffness > 0 || law.damping > 0; });
   }
 
   // For programs that put the robot down and push it.

@@ -3,11 +3,13 @@
 // docs/modes.md
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <tuple>
 
 #include <cca/cca.hpp>
+#include <cca/main.hpp>
 #include <cca/modes.hpp>
 
 struct hip : cca::dimension<"hip"> {
@@ -65,32 +67,34 @@ struct stand : cca::graph<cca::node<"leg", leg>,
 struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>> {};
 // [modes end]
 
-template <class Controller>
-void tell(const Controller& c) {
-  const std::string mode(c.mode());
-  std::printf("beat %4lld: %-5s hip %6.3f rad\n", static_cast<long long>(c.beat_index()), mode.c_str(),
-              c.template get<"leg">().at);
-}
+// [program]
+struct program : cca::robot_program<legs> {  // begins in the first mode
+  program() {
+    purpose = "a leg that walks, and stands when its foot loses the ground";
+    settings.seconds = 1.6;
+    settings.speed.reset();  // as fast as possible
+  }
 
-int main() {
-  // [program]
-  cca::controller<legs> c;  // begins in the first mode
-  c.load();
-  c.start();
-  c.run(cca::for_beats<800>{});
-  tell(c);
-  c.get<"leg">().on_foot = 0;  // the ground is gone
-  c.run(cca::for_beats<1>{});
-  tell(c);
-  c.run(cca::for_beats<199>{});
-  tell(c);
-  c.get<"leg">().on_foot = 40;
-  c.run(cca::for_beats<400>{});
-  tell(c);
-
-  c.switch_to<"stand">();  // from outside, between two beats
-  c.run(cca::for_beats<200>{});
-  tell(c);
+  bool between(controller_type& c) override {
+    const std::int64_t beat = c.beat_index();
+    if (beat == 800 || beat == 801 || beat == 1000 || beat == 1400 || beat == 1600) tell(c);
+    if (beat == 800) c.get<"leg">().on_foot = 0;  // the ground is gone
+    if (beat == 1000) c.get<"leg">().on_foot = 40;
+    if (beat == 1400) c.switch_to<"stand">();  // from outside, between two beats
+    return true;
+  }
   // [program end]
-  std::printf("the command moved at most at %.2f rad/s\n", c.get<"leg">().fastest);
-}
+
+  int finish(controller_type& c) override {
+    std::printf("the command moved at most at %.2f rad/s\n", c.get<"leg">().fastest);
+    return 0;
+  }
+
+  void tell(const controller_type& c) const {
+    const std::string mode(c.mode());
+    std::printf("beat %4lld: %-5s hip %6.3f rad\n", static_cast<long long>(c.beat_index()), mode.c_str(),
+                c.get<"leg">().at);
+  }
+};
+
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }

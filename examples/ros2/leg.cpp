@@ -1,18 +1,16 @@
-// A leg that a ROS 2 system commands and watches: `ros2_leg` runs until Ctrl-C, `ros2_leg 10` for ten
-// seconds.
+// A leg that a ROS 2 system commands and watches: `ros2_leg` runs until a signal, `ros2_leg --seconds 10` for
+// ten seconds; --help lists the options.
 //
 //   leg_command    sensor_msgs/JointState   in: the angles to reach
 //   joint_states   sensor_msgs/JointState   out: angles and velocities, a hundred times a second
 //
 // docs/ros2.md says how to use it.
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <string>
 #include <tuple>
 
 #include <cca/cca.hpp>
+#include <cca/main.hpp>
 #include <cca/ros2.hpp>
 
 // [ros2]
@@ -57,21 +55,10 @@ struct commanded_leg
 
 namespace {
 
-volatile std::sig_atomic_t is_over = 0;
-void stop(int) { is_over = 1; }
+struct program : cca::robot_program<commanded_leg> {
+  program() { purpose = "a leg that a ROS 2 system commands and watches"; }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    const double seconds = count > 1 ? std::stod(arguments[1]) : 0;  // 0: without end
-    std::signal(SIGINT, stop);
-    std::signal(SIGTERM, stop);
-    cca::controller<commanded_leg> c;
-    c.load();
-    c.start();
-    for (double done = 0; !is_over && (seconds == 0 || done < seconds); done += 0.1)
-      c.run(cca::for_<0.1>{}, cca::at_wall_clock());
+  int finish(controller_type& c) override {
     // [counts]
     const auto& heard = c.get<"command">();
     std::printf("sent %lld, received %lld, refused %lld", static_cast<long long>(c.get<"states">().sent()),
@@ -80,8 +67,9 @@ int main(int count, char** arguments) {
     std::printf("; hip %.3f rad, knee %.3f rad\n", c.get<"leg">().at[0], c.get<"leg">().at[1]);
     // [counts end]
     return 0;
-  } catch (const std::exception& refusal) {
-    std::fprintf(stderr, "%s\n", refusal.what());
-    return 1;
   }
-}
+};
+
+}  // namespace
+
+int main(int count, char** words) { return cca::robot_main<program>(count, words); }

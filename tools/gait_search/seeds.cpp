@@ -70,7 +70,6 @@ int run(const options& o) {
     if (over[i]) all[seeds.size()] = all[i], seeds.push_back(o.first + i);
   all.resize(seeds.size());
   if (interrupted) std::cerr << "trot_seeds: interrupted after " << all.size() << " runs\n";
-  if (all.empty()) return interrupted.exit_code();
 
   std::size_t falls = 0;
   double slowest = 1e9, aside = 0, roll = 0, pitch = 0, most_slip = 0;
@@ -100,7 +99,7 @@ int run(const options& o) {
     for (std::size_t leg = 0; leg < duty.size(); ++leg) duty[leg] += s.duty_factor[leg];
   }
   const double stood = static_cast<double>(all.size() - falls),
-               rate = static_cast<double>(falls) / static_cast<double>(all.size());
+               rate = all.empty() ? 0 : static_cast<double>(falls) / static_cast<double>(all.size());
   if (falls == all.size()) slowest = 0;
   for (double* summed : {&speed, &slip, &friction, &duty[0], &duty[1], &duty[2], &duty[3]})
     *summed = stood > 0 ? *summed / stood : 0;

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -48,14 +49,20 @@ inline double number_in(const std::string& option, const std::string& text, doub
   return value;
 }
 
+inline constexpr std::uint64_t any_whole_number = std::numeric_limits<std::uint64_t>::max();
+
 inline std::uint64_t whole_number_in(const std::string& option,
                                      const std::string& text,
-                                     std::uint64_t least = 0) {
+                                     std::uint64_t least = 0,
+                                     std::uint64_t most = any_whole_number) {
   const bool is_number =
       !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos;
-  if (!is_number || std::stoull(text) < least)
-    throw command_line_error(option + " " + text + ": expected a whole number, " + std::to_string(least) +
-                             " or more");
+  if (!is_number || std::stoull(text) < least || std::stoull(text) > most) {
+    const std::string from = std::to_string(least);
+    throw command_line_error(option + " " + text + ": expected a whole number" +
+                             (most == any_whole_number ? ", " + from + " or more"
+                                                       : " from " + from + " to " + std::to_string(most)));
+  }
   return std::stoull(text);
 }
 
@@ -112,12 +119,15 @@ public:
         help);
   }
   template <class Into>
-  void whole_number(std::string_view option, Into&& into, std::uint64_t least, std::string_view help) {
+  void whole_number(std::string_view option,
+                    Into&& into,
+                    std::uint64_t least,
+                    std::string_view help,
+                    std::uint64_t most = any_whole_number) {
     value(
         option,
-        [put = detail::setter<std::uint64_t>(into), name = name_in(option), least](const std::string& given) {
-          put(whole_number_in(name, given, least));
-        },
+        [put = detail::setter<std::uint64_t>(into), name = name_in(option), least,
+         most](const std::string& given) { put(whole_number_in(name, given, least, most)); },
         help);
   }
   // One of these names; its number goes into a number or an enumeration.

@@ -18,11 +18,13 @@
 #include <algorithm>
 #include <concepts>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <cca/base/type_name.hpp>
@@ -83,22 +85,29 @@ public:
   // An option by which this process reaches the other environments. In `options`, one line for each
   // transport:
   //   transport<cca::dds::domain>(line, "--dds DOMAIN", "reaches the others by DDS, in this domain");
-  // A transport is made of the text of the option, or of a whole number.
+  // A transport is made of the text of the option, or of a whole number. `keep(transport)` is called if it is
+  // chosen: a program can keep it, and ask it later.
   template <class Transport>
     requires Deployment<Architecture>
-  void transport(command_line& line, std::string_view option, std::string_view help) {
+  void transport(command_line& line,
+                 std::string_view option,
+                 std::string_view help,
+                 std::function<void(const Transport&)> keep = {}) {
     const std::string name(option.substr(0, option.find(' ')));
     others.offered.emplace_back(option);
     line.value(
         option,
-        [this, name](const std::string& text) {
+        [this, name, keep = std::move(keep)](const std::string& text) {
           if (others.open) throw command_line_error(name + " and " + others.chosen + ": take one of them");
           others.chosen = name;
-          const auto opens = [this](const Transport& by) {
+          const auto opens = [&](const Transport& by) {
+            if (keep) keep(by);
             others.open = [by](const only& here) { return std::make_unique<controller_type>(here, by); };
           };
           if constexpr (std::constructible_from<Transport, std::string>) opens(Transport(text));
-          else opens(Transport(static_cast<int>(whole_number_in(name, text, 0))));
+          else
+            opens(
+                Transport(static_cast<int>(whole_number_in(name, text, 0, std::numeric_limits<int>::max()))));
         },
         help);
   }

@@ -2,18 +2,21 @@
 // commands, parameters, stops and starts from any pose; one robot on Damiao drives, one with all families.
 // Each frame that the controller sends is judged (judge.hpp).
 //
-// usage: cca_fuzz_robot [--seconds 60] [--seed 1]
+//   cca_fuzz_robot --seconds 60 --seed 1
 //
 // It prints how many beats and frames it judged, and ends with 1 at the first frame that should not have been
 // sent, with the seed of the life in which it was.
-#include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <random>
-#include <string_view>
+#include <string>
 #include <tuple>
+
+#include <cca/main/command_line.hpp>
+#include <cca/main/run_program.hpp>
 
 #include "../../laws/damiao_oncilla.hpp"
 #include "../../laws/families_oncilla.hpp"
@@ -206,23 +209,7 @@ private:
   bool pressed = false;
 };
 
-bool read(std::string_view text, std::uint64_t& into) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), into);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
-}  // namespace
-
-int main(int count, char** words) {
-  std::uint64_t seconds = 60, seed = 1;
-  for (int i = 1; i < count; i += 2) {
-    const std::string_view key = words[i];
-    std::uint64_t* into = key == "--seconds" ? &seconds : key == "--seed" ? &seed : nullptr;
-    if (!into || i + 1 == count || !read(words[i + 1], *into)) {
-      std::fprintf(stderr, "usage: cca_fuzz_robot [--seconds 60] [--seed 1]\n");
-      return 3;
-    }
-  }
+int judge_lives(std::uint64_t seconds, std::uint64_t seed) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   totals all;
   do {
@@ -241,4 +228,14 @@ int main(int count, char** words) {
       static_cast<unsigned long long>(all.lives), static_cast<unsigned long long>(all.beats),
       static_cast<unsigned long long>(all.motions), static_cast<unsigned long long>(all.frames));
   return all.motions > 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  std::uint64_t seconds = 60, seed = 1;
+  cca::command_line line("random lives of whole robots; each frame that they send is judged");
+  line.whole_number("--seconds S", seconds, 1, "how long (60)", 86400);
+  line.whole_number("--seed N", seed, 0, "of the first life (1)");
+  return cca::run_program(count, words, line, [&] { return judge_lives(seconds, seed); });
 }

@@ -84,7 +84,8 @@ std::string robot_whose_gait_is_killed(const Transport& transport, bool is_on_cl
     robot.step();
   }
   if (driven > 2) said << "; driven for " << driven << " ms";
-  said << "; " << far.shut_down(robot).text();
+  const auto off = far.shut_down(robot);
+  said << "; " << (off.complete() ? "all drives are off" : off.text());
   return said.str();
 }
 

@@ -151,7 +151,9 @@ TEST_SUITE("stopping") {
     l.run();
     const auto good = hw::shut_down(l.controller, lab_pace{l});
     CHECK(good.complete());
-    CHECK(good.text() == "all drives are off");
+    CHECK(good.text() ==
+          "all drives are off; confirmed by: left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, "
+          "left_front_knee, right_front_knee, left_hind_knee, right_hind_knee");
     CHECK(good.beats > 1000);
     CHECK(good.beats < 1100);
     CHECK(l.enabled() == 0);
@@ -163,7 +165,11 @@ TEST_SUITE("stopping") {
     const auto bad = hw::shut_down(l.controller, lab_pace{l});
     CHECK_FALSE(bad.complete());
     REQUIRE(bad.unconfirmed == std::vector<std::string>{"left_hind_knee"});
-    CHECK(bad.text() == "not confirmed to be off: left_hind_knee; switch the supply of the drives off");
+    CHECK(
+        bad.text() ==
+        "not confirmed to be off: left_hind_knee; switch the supply of the drives off; confirmed by: "
+        "left_front_hip, right_front_hip, left_hind_hip, right_hind_hip, left_front_knee, right_front_knee, "
+        "right_hind_knee");
     CHECK(bad.beats < 1600);
     CHECK(hw::shut_down(l.controller, lab_pace{l}).beats == 0);  // there is nothing left to do
   }

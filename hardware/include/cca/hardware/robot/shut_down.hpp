@@ -6,7 +6,8 @@
 //
 // It calls stop() where that is still to do, and then step() once a period: the drives damp, then they are
 // disabled, and each frame is repeated until each drive has confirmed or the time is over: 1 s and 0.5 s
-// (stop_sequence.hpp). The report names the joints whose drives did not confirm: switch their supply off.
+// (stop_sequence.hpp). The report names the joints whose drives confirmed, and those whose drives did not:
+// switch their supply off.
 //
 //   Controller   of a graph with a can_synchronizer, at any path
 //   Pace         begin() and wait(ns), as in cca/runtime/pace.hpp. A program that plays the drives itself, in
@@ -28,15 +29,22 @@
 namespace cca::hardware {
 
 struct shut_down_report {
-  std::vector<std::string> unconfirmed{};  // the joints whose drives did not say that they are off
+  std::vector<std::string> confirmed{};    // the joints whose drives said that they are off
+  std::vector<std::string> unconfirmed{};  // those whose drives did not
   std::int64_t beats = 0;                  // that it took
 
   bool complete() const { return unconfirmed.empty(); }
   std::string text() const {
-    if (complete()) return "all drives are off";
+    const std::string off = confirmed.empty() ? "" : "; confirmed by: " + listed(confirmed);
+    if (complete()) return "all drives are off" + off;
+    return "not confirmed to be off: " + listed(unconfirmed) + "; switch the supply of the drives off" + off;
+  }
+
+private:
+  static std::string listed(const std::vector<std::string>& joints) {
     std::string names;
-    for (const std::string& name : unconfirmed) names += (names.empty() ? "" : ", ") + name;
-    return "not confirmed to be off: " + names + "; switch the supply of the drives off";
+    for (const std::string& name : joints) names += (names.empty() ? "" : ", ") + name;
+    return names;
   }
 };
 
@@ -75,7 +83,7 @@ shut_down_report shut_down(Controller& controller, Pace pace = cca::at_wall_cloc
   }
   detail::for_each_synchronizer(controller, [&]<class S>(const S& s) {
     for (std::size_t i = 0; i < S::count; ++i)
-      if (s.unconfirmed(i)) report.unconfirmed.emplace_back(S::name_of(i));
+      (s.unconfirmed(i) ? report.unconfirmed : report.confirmed).emplace_back(S::name_of(i));
   });
   return report;
 }
