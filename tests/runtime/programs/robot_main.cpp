@@ -79,8 +79,14 @@ struct telling : cca::robot_program<Architecture> {
   }
 };
 
+// A busy machine is no lost contact here.
+struct patient : cca::deployment<architecture,
+                                 cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                 cca::environment<"mind", cca::other_nodes>,
+                                 cca::tolerate<100'000>> {};
+
 using one_loop = telling<architecture>;
-using two_loops = telling<two>;
+using two_loops = telling<patient>;
 
 template <class Program>
 child run(std::vector<std::string> words) {
