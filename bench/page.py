@@ -267,7 +267,7 @@ def realtime(part):
 An environment with `cca::realtime<80, cca::on_core<N>>` runs at 1 kHz at wall-clock speed (`bench/realtime.cpp`), and cyclictest of the same priority and period on the other core, in one run.
 They change places in each round.
 Under load, each core also has a process that computes without end.
-`cmake --build --preset bench --target realtime` measures this part as root, or with the rights that [real time](environments.md#placement) needs, and writes `build/bench/out/realtime.json`.
+`cmake --build --preset bench --target realtime` measures this part as root, or with the rights that [real time](real_time.md) needs, and writes `build/bench/out/realtime.json`.
 
 A wake-up is the time from when a beat should begin until its thread is awake, in whole microseconds; each cell reads cca / cyclictest.
 The maxima are those of the machine, virtual or not: compare them only with each other.

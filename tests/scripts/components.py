@@ -3,23 +3,25 @@
 
 usage: components.py [ROOT of the repository]
 
-Each row names types that its header declares, and each header of motor/, mapping/, robot/ and skeleton/ that has a
-component, a type with a `process` outside of namespace detail, has a row.
+Each row names types that its header declares, and a page that names the header as a user includes it. Each header of
+motor/, adaptive/, mapping/, robot/ and skeleton/ that has a component, a type with a `process` outside of namespace detail,
+has a row.
 """
 import pathlib
 import re
 import sys
 
 PAGE = "docs/components.md"
-FOLDERS = ("motor", "mapping", "robot", "skeleton")
+FOLDERS = ("motor", "adaptive", "mapping", "robot", "skeleton")
 PROCESS = re.compile(r"^\s+(?:\[\[.*?\]\] )?(?:auto|void|[\w:<>]+) process\(", re.M)
 
 
 def rows(text):
-    """(names, header) of each row."""
+    """(names, header, page) of each row."""
     table = text.split("## Components of the library", 1)[-1]
-    for names, header in re.findall(r"^\| (`.*?`) \| `([\w/]+\.hpp)` \|", table, re.M):
-        yield re.findall(r"`(\w+)", names), header
+    for names, header, rest in re.findall(r"^\| (`.*?`) \| `([\w/]+\.hpp)` \|(.*)$", table, re.M):
+        page = re.search(r"\]\(([\w/]+\.md)[^)]*\) \|$", rest)
+        yield re.findall(r"`(\w+)", names), header, page[1] if page else None
 
 
 def is_declared(name, code):
@@ -29,7 +31,7 @@ def is_declared(name, code):
 def problems(root):
     listed = set()
     found = list(rows((root / PAGE).read_text()))
-    for names, header in found:
+    for names, header, page in found:
         listed.add(header)
         file = root / "include/cca" / header
         if not file.exists():
@@ -38,6 +40,9 @@ def problems(root):
         for name in names:
             if not is_declared(name, file.read_text()):
                 yield f"{PAGE}: `{name}` is not in cca/{header}"
+        described = root / "docs" / (page or "")
+        if not described.is_file() or f"<cca/{header}>" not in described.read_text():
+            yield f"{PAGE}: the page of `{names[0]}`, docs/{page}, does not name <cca/{header}>"
     for folder in FOLDERS:
         for file in sorted((root / "include/cca" / folder).glob("*.hpp")):
             header = f"{folder}/{file.name}"

@@ -26,18 +26,23 @@ class Tree(unittest.TestCase):
 
 
 class Components(Tree):
-    def found(self, row, code):
-        self.write(components.PAGE, f"## Components of the library\n\n| component | header |\n|---|---|\n{row}\n")
-        self.write("include/cca/motor/a.hpp", code)
+    def found(self, row, code, page="Header: `<cca/motor/a.hpp>`.", folder="motor"):
+        self.write(components.PAGE, f"## Components of the library\n\n| component | header | page |\n|---|---|---|\n{row}\n")
+        self.write("docs/motor.md", page)
+        self.write(f"include/cca/{folder}/a.hpp", code)
         return list(components.problems(self.root))
 
     def test_all(self):
         code = "struct a {\n  auto process(beat now) -> out<1> {}\n};\n"
-        self.assertEqual(self.found("| `a<S>` | `motor/a.hpp` | x |", code), [])
-        self.assertEqual(len(self.found("| `b<S>` | `motor/a.hpp` | x |", code)), 1)  # declares no `b`
-        self.assertEqual(len(self.found("| `a<S>` | `motor/b.hpp` | x |", code)), 2)  # no such header; `a` has no row
-        self.assertEqual(self.found("| `a<S>` | `motor/a.hpp` | x |", f"namespace detail {{\n{code}}}  // namespace detail\nusing a = int;"), [])
-
+        row = "| `a<S>` | `motor/a.hpp` | x | [Motor](motor.md#a) |"
+        self.assertEqual(self.found(row, code), [])
+        self.assertEqual(len(self.found("| `b<S>` | `motor/a.hpp` | [Motor](motor.md) |", code)), 1)  # declares no `b`
+        self.assertEqual(len(self.found("| `a<S>` | `motor/b.hpp` | [Motor](motor.md) |", code)), 2)  # no such header; `a` has no row
+        self.assertEqual(len(self.found(row, code, page="Header: `<cca/motor/b.hpp>`.")), 1)  # the page names another header
+        self.assertEqual(len(self.found("| `a<S>` | `motor/a.hpp` | [Motor](none.md) |", code)), 1)  # no such page
+        self.assertEqual(len(self.found("| `a<S>` | `motor/a.hpp` | x |", code)), 1)  # no page
+        self.assertEqual(self.found(row, f"namespace detail {{\n{code}}}  // namespace detail\nusing a = int;"), [])
+        self.assertEqual(len(self.found(row, code, folder="adaptive")), 1)  # has no row
 
 class Includes(Tree):
     def found(self, name, *targets, more=""):

@@ -14,9 +14,9 @@
 // speed. Third argument: `default_qos` or `sensor_data`. Domain: the variable ROS_DOMAIN_ID, else 0.
 //
 // Errors: `cca::refused` from `load()`, if DDS can't be opened. `sent()`, `dropped()`: a message is dropped
-// if 64 wait already, or a reliable subscriber does not keep up. A copy of a controller sends nothing.
-// Cost of a beat: the numbers are written into a ring; a thread makes the message. Example:
-// examples/ros2/leg.cpp. Page: docs/ros2.md.
+// if 64 wait already, or a reliable subscriber does not keep up. Any thread may ask for both, after `load()`.
+// A copy of a controller sends nothing. Cost of a beat: the numbers are written into a ring; a thread makes
+// the message. Example: examples/ros2/leg.cpp. Page: docs/ros2.md.
 #pragma once
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 // A message is checked before it is used: length, names, frame, fields, finite numbers (each header in
 // ros2/messages says what it refuses). One that is refused changes nothing and is counted: `refused()`,
 // `why_refused()` the last reason, `received()`. A message that no beat takes for 0.1 s is dropped,
-// `too_late()`.
+// `too_late()`. Any thread may ask for all of these, after `load()`.
 //
 // Third argument: `default_qos` or `sensor_data`. Domain: the variable ROS_DOMAIN_ID, else 0. Errors:
 // `cca::refused` from `load()`, if DDS can't be opened. A copy of a controller receives nothing. Cost of a
