@@ -1,6 +1,8 @@
 #pragma once
-// The fault campaign: the trot with faults in its controller, what a fault is, and what a run tells. A run is
-// in campaign_run.hpp.
+// The fault campaign: the trot with faults in its controller, what a fault is, and what a run tells.
+//
+// faults.cpp runs it and prints the table; the rows are in fault_rows.hpp. A run with a fault in the middle
+// of the trot is in campaign_run.hpp, one with a fault at the start in start_run.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <functional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "spy.hpp"
@@ -42,7 +45,9 @@ struct spread {
   double target = 0;
 };
 
-template <class Limiter>
+// `Delay`: of the two wires between the gait and the side of the buses. cca::delayed<1> is the form of the
+// real robot's program, in which these are two environments (two_environments.hpp); cca::latest is one loop.
+template <class Limiter, class Delay, class Robot = oncilla<memory_end>>
 struct sabotaged : cca::graph<cca::rate<1000>,
                               cca::node<"throttle", trot::throttle, cca::timed<10>>,
                               cca::node<"posture", trot::posture, cca::timed<10>>,
@@ -52,23 +57,51 @@ struct sabotaged : cca::graph<cca::rate<1000>,
                               cca::node<"limits", Limiter>,
                               cca::node<"spread", spread>,
                               cca::node<"spread_limits", cca::limiter<robots::oncilla::abduction_angles>>,
-                              cca::node<"robot", oncilla<memory_end>>,
+                              cca::node<"robot", Robot>,
 
-                              cca::wire<"robot.orientation", "posture.orientation", cca::latest>,
+                              cca::wire<"robot.orientation", "posture.orientation", Delay>,
                               cca::wire<"throttle.amplitude", "cpg.amplitude", cca::latest>,
                               cca::wire<"posture.turn", "gait.turn", cca::latest>,
                               cca::wire<"posture.lean", "gait.lean", cca::latest>,
                               cca::wire<"cpg.phase", "gait.phase">,
                               cca::wire<"cpg.amplitude", "gait.amplitude">,
-                              cca::wire<"gait.angles", "saboteur.angles">,
+                              cca::wire<"gait.angles", "saboteur.angles", Delay>,
                               cca::wire<"saboteur.angles", "limits.command">,
                               cca::wire<"limits.safe", "robot.command">,
                               cca::wire<"spread.angles", "spread_limits.command">,
                               cca::wire<"spread_limits.safe", "robot.abduction">> {};
 
 // With the limiter of every architecture, and with the limiter switched off.
-struct limited : sabotaged<cca::limiter<robots::oncilla::leg_angles>> {};
-struct unlimited : sabotaged<cca::unlimited<robots::oncilla::leg_angles>> {};
+template <class Delay>
+struct limited : sabotaged<cca::limiter<robots::oncilla::leg_angles>, Delay> {};
+template <class Delay>
+struct unlimited : sabotaged<cca::unlimited<robots::oncilla::leg_angles>, Delay> {};
+
+// The parts that a fault is done to.
+template <class Run>
+auto& saboteur_of(Run& r) {
+  return r.controller.template get<"saboteur">();
+}
+template <class Run>
+auto& button(Run& r) {
+  return r.controller.template get<"robot.emergency_stop">();
+}
+template <class Run>
+auto& spread_of(Run& r) {
+  return r.controller.template get<"spread">();
+}
+template <class Run>
+auto& synchronizer(Run& r) {
+  return r.controller.template get<"robot.synchronizer">();
+}
+template <std::size_t Drive, class Run>
+auto& drive(Run& r) {
+  return std::get<Drive>(r.far.drives);
+}
+
+struct timing {  // in beats: before a fault, after it, of the longest fault, after the restart
+  static constexpr std::int64_t begin = 1500, after = 700, longest = 1000, restarted = 2500;
+};
 
 template <class Architecture>
 struct scenario {
@@ -81,11 +114,17 @@ struct scenario {
   std::function<void(run_type&)> mend = {};  // ends the fault
   bool killed = false;                       // the program is killed and started again
   bool stops = false;                        // the program ends its run and calls stop()
+  int signal = 0;                            // the program gets this signal, and ends as `stops`
+  bool pressed = false;                      // the emergency stop is pressed all the time
   std::int64_t stands_still = 0;    // periods that the program loses between two beats, as the fault begins
   std::int64_t long_beat = 0;       // periods after which the beat still works in which the fault begins
   bool every_beat_is_long = false;  // so do the beats after it
   std::int64_t fault_after = 0;     // overruns in a row are a fault; 0: never
 
+  // Watched to its end, stop() takes longer than the damping. Then each drive must have confirmed.
+  bool is_whole_stop() const {
+    return (stops || signal != 0) && beats + timing::after > hw::stop_sequence<8>::damping_beats;
+  }
   std::int64_t lost_beats() const {
     return every_beat_is_long ? long_beat * fault_after : stands_still + long_beat;
   }
@@ -102,13 +141,11 @@ struct result {
   std::int64_t sent = 0, sent_outside_limits = 0;
   std::int64_t lost_beats = 0, expected_lost_beats = 0;
   bool recovered = false, fell = false;
+  std::string unexpected;  // what else is wrong
   bool good() const {
-    return recovered && sent_outside_limits == 0 && beats_to_safe <= 3 && lost_beats == expected_lost_beats;
+    return unexpected.empty() && recovered && sent_outside_limits == 0 && beats_to_safe <= 3 &&
+           lost_beats == expected_lost_beats;
   }
-};
-
-struct timing {  // in beats: before a fault, after it, of the longest fault, after the restart
-  static constexpr std::int64_t begin = 1500, after = 700, longest = 1000, restarted = 2500;
 };
 
 // The time in a beat at which the far end answers, ns: early, so that the abduction targets of the next beat

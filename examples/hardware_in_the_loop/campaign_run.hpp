@@ -7,9 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <cca/runtime/interruption.hpp>
 
 #include "campaign.hpp"
 
@@ -29,7 +33,13 @@ public:
 
   result go() {
     start();
-    r.controller.run(cca::without_end(), pace, [this](auto&) { return goes_on(); });
+    {
+      std::optional<cca::interruption> interrupted;  // as every program has it
+      if (s.signal != 0) interrupted.emplace();
+      const auto is_interrupted = [&] { return interrupted && *interrupted; };
+      r.controller.run(cca::without_end(), pace, [&](auto&) { return goes_on() && !is_interrupted(); });
+      if (is_interrupted()) r.controller.stop();
+    }
     found.lost_beats = r.controller.lost_periods();
     // The run has ended: by a fault, by the program, or because the program is gone.
     while (k < end) {
@@ -78,13 +88,13 @@ private:
     return script;
   }
 
-  auto& stop() { return r.controller.template get<"robot.emergency_stop">(); }
+  auto& stop() { return button(r); }
 
   void start() {
     r.controller.load();
     r.controller.start();
     if (s.long_beat > 0)
-      r.controller.template get<"saboteur">().works = [this] {
+      saboteur_of(r).works = [this] {
         if (k != begin && !(s.every_beat_is_long && k > begin && k < begin + s.beats)) return;
         for (std::int64_t i = 0; i < s.long_beat; ++i) pass();
         still_works = 1;
@@ -96,7 +106,7 @@ private:
     const bool next_is_fault = k + 1 == begin;
     if (next_is_fault && s.stands_still > 0)
       for (std::int64_t i = 0; i <= s.stands_still; ++i) pass();
-    return k + 1 < end && !(next_is_fault && (s.killed || s.stops));
+    return k + 1 < end && !(next_is_fault && (s.killed || s.stops));  // a signal ends the run by itself
   }
 
   // A millisecond of the robot, then the fault of the next one.
@@ -107,6 +117,8 @@ private:
     ++k;
     const std::int64_t since = k - begin;
     if (since == 0 && s.stops) r.controller.stop();
+    if (since == 0 && s.signal != 0) std::raise(s.signal);
+    watcher.pressed = s.pressed && since >= 0 && since < s.beats;
     if (since >= 0 && since < s.beats && s.each) s.each(r, since);
     if (since == s.beats && s.mend) s.mend(r);
   }
@@ -128,6 +140,7 @@ private:
     }
     former = r.laws;
     if (unfed && k >= begin) finds("drives' watchdog");
+    if (k >= begin) note_stop();
     if (detected < 0 || k <= detected) where = positions(r);
     if (k < begin) return;
     if (moving) last_moving = k;
@@ -143,7 +156,8 @@ private:
     const cca::state is = r.controller.state();
     if (is != cca::state::started && is != cca::state::running) {
       finds("controller");
-      found.first_cause = !r.controller.fault()               ? "stop()"
+      found.first_cause = s.signal != 0                       ? name_of(s.signal)
+                          : !r.controller.fault()             ? "stop()"
                           : r.controller.fault_path().empty() ? "overruns in a row"
                                                               : "a component's fault";
     } else if (stop().mode() != hw::motion_mode::run) {
@@ -155,7 +169,29 @@ private:
     }
   }
 
+  static std::string name_of(int signal) { return signal == SIGINT ? "SIGINT" : "SIGTERM"; }
+
+  // How long all drives are on and follow nothing. A knee that moves against its cable is not even damped.
+  void note_stop() {
+    bool on = true;
+    std::apply([&](const auto&... d) { on = (d.enabled() && ...); }, r.far.drives);
+    damped += on && std::all_of(r.laws.begin(), r.laws.end(), [](const auto& c) { return c.stiffness == 0; });
+  }
+  // stop(), and a signal: the drives damp, then they are switched off, and each has confirmed.
+  void judge_stop() {
+    constexpr std::int64_t expected = hw::stop_sequence<8>::damping_beats;
+    const auto& robot = synchronizer(r);
+    bool confirmed = !robot.stopping();
+    for (std::size_t i = 0; i < 8; ++i) confirmed = confirmed && !robot.unconfirmed(i);
+    std::apply([&](const auto&... d) { confirmed = confirmed && !(d.enabled() || ...); }, r.far.drives);
+    if (!confirmed) found.unexpected = "a drive has not confirmed that it is off; ";
+    if (std::abs(damped - expected) > 3)
+      found.unexpected +=
+          "damps for " + std::to_string(damped) + " ms, not " + std::to_string(expected) + "; ";
+  }
+
   void judge() {
+    if (s.is_whole_stop()) judge_stop();
     if (detected >= 0) {
       found.beats_to_detect = detected - begin;
       found.beats_to_safe = std::max<std::int64_t>(0, last_moving + 1 - detected);
@@ -178,9 +214,7 @@ private:
   }
 
   // A leg of the sunken robot is outside of its range. The operator then sets it on its feet by hand.
-  bool refused() {
-    return r.controller.template get<"robot.synchronizer">().refusal() == hw::safety_rule::range;
-  }
+  bool refused() { return synchronizer(r).refusal() == hw::safety_rule::range; }
 
   static constexpr std::int64_t begin = timing::begin;
   const scenario<Architecture>& s;
@@ -191,8 +225,8 @@ private:
   std::int64_t k = 0;            // the millisecond
   std::int64_t still_works = 0;  // ns: a beat that ends after the next one should have begun
   result found{};
-  spy watcher{};
-  std::int64_t last_moving = -1, detected = -1;
+  spy<> watcher{};
+  std::int64_t last_moving = -1, detected = -1, damped = 0;
   std::array<double, 8> where{};
   std::array<hw::drive_command, 8> former = r.laws;
   path gone{};

@@ -25,34 +25,36 @@ using memory_end = wire::end_type;
 struct trot_on_drives : trot::architecture<oncilla<memory_end>> {};
 // [trot end]
 
-// The posture around which the gait swings.
-inline cca::sim::world put_down() {
+// The posture around which the gait swings. `beyond`: rad, added to each joint.
+inline cca::sim::world put_down(const std::array<double, 8>& beyond = {}) {
   const trot::gait g;
   cca::sim::initial_posture posture;
   for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
     const trot::leg_shape& shape = axes::is_front(leg) ? g.p.front : g.p.hind;
-    posture.legs[leg] = {shape.hip, shape.knee, 0};
+    posture.legs[leg] = {shape.hip + beyond[axes::hip_of(leg)], shape.knee + beyond[axes::knee_of(leg)], 0};
   }
   return cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat(), posture);
 }
 
-// The buses and what is behind them. Neither copied nor moved: its parts point to one another.
-class memory_buses {
+// The buses and what is behind them: `Far`, the far side of a robot. Neither copied nor moved: its parts
+// point to one another.
+template <class Far>
+class memory_buses_of {
 public:
   static constexpr std::int64_t beat = 1'000'000;
 
   // `one_shot`: a frame is sent once, without retries, as docs/hardware.md asks for. `answering`: the time in
   // a beat at which the far end answers, ns.
-  explicit memory_buses(std::span<const cca::hardware::bus_fault> script = {},
-                        bool one_shot = true,
-                        std::int64_t answering = beat / 2)
+  explicit memory_buses_of(std::span<const cca::hardware::bus_fault> script = {},
+                           bool one_shot = true,
+                           std::int64_t answering = beat / 2)
       : answers_at(answering),
         wires{made(script, one_shot, 1), made(script, one_shot, 2), made(script, one_shot, 3),
               made(script, one_shot, 4), made(script, one_shot, 5)} {
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
   }
-  memory_buses(const memory_buses&) = delete;
-  memory_buses& operator=(const memory_buses&) = delete;
+  memory_buses_of(const memory_buses_of&) = delete;
+  memory_buses_of& operator=(const memory_buses_of&) = delete;
 
   // A controller that has the robot at "robot".
   template <class Controller>
@@ -88,14 +90,14 @@ public:
   // For programs that put the robot down and push it.
   const cca::sim::world& world() const { return robot.world; }
   void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
-    robot.world = std::move(w);
+    robot.put_down(std::move(w));
     robot.disturbance = d;
   }
   void disturb(const cca::sim::disturbance& d) { robot.disturbance = d; }
 
   std::int64_t answers_at;
   std::array<wire, buses> wires;
-  far_side<memory_end> far{};
+  Far far{};
   mechanics robot{hil::put_down()};
   std::array<cca::hardware::drive_command, 8> laws{};         // of the drives in the last beat
   std::array<double, 8> speed_scale{1, 1, 1, 1, 1, 1, 1, 1};  // of the velocities that the drives report
@@ -104,7 +106,7 @@ public:
 private:
   // The pace of shut_down: what the drives do between two beats.
   struct drives_reaction {
-    memory_buses& run;
+    memory_buses_of& run;
     void begin() const {}
     void wait(std::int64_t) const { run.pass_millisecond(); }
   };
@@ -121,23 +123,29 @@ private:
                                      wires[4].end(1)};
 };
 
+using memory_buses = memory_buses_of<far_side<memory_end>>;
+
 // The same with a controller, for programs that run it themselves. `Architecture` has the robot at "robot".
 // Of a deployment, `Controller` is cca::deployed<Architecture>: the buses are used by the thread that calls
 // `step` or `run`, so "robot" belongs into the first environment.
-template <class Architecture = trot_on_drives, class Controller = cca::controller<Architecture>>
-class in_memory : public memory_buses {
+template <class Architecture = trot_on_drives,
+          class Controller = cca::controller<Architecture>,
+          class Far = far_side<memory_end>>
+class in_memory : public memory_buses_of<Far> {
+  using behind = memory_buses_of<Far>;
+
 public:
   explicit in_memory(std::span<const cca::hardware::bus_fault> script = {},
                      bool one_shot = true,
-                     std::int64_t answering = beat / 2)
-      : memory_buses(script, one_shot, answering) {
-    connect(controller);
+                     std::int64_t answering = behind::beat / 2)
+      : behind(script, one_shot, answering) {
+    this->connect(controller);
   }
 
   // One millisecond: the controller's beat, unless it stands still, then the drives' reaction.
   bool step(bool controller_runs = true) {
     const bool stepped = controller_runs && controller.step();
-    pass_millisecond();
+    this->pass_millisecond();
     return stepped;
   }
 
@@ -145,15 +153,15 @@ public:
   template <class Between>
   void run(std::int64_t beats, Between between) {
     controller.run(cca::for_some_beats{beats}, time_of_drives{*this}, between);
-    pass_millisecond();
+    this->pass_millisecond();
   }
 
-  cca::hardware::shut_down_report shut_down() { return memory_buses::shut_down(controller); }
+  cca::hardware::shut_down_report shut_down() { return behind::shut_down(controller); }
 
   // A new controller, as if the program were started again.
   void restart_program() {
     controller = {};
-    connect(controller);
+    this->connect(controller);
   }
 
   Controller controller{};

@@ -1,5 +1,10 @@
 #pragma once
 // The simulated Oncilla as the mechanics of the virtual drives: their laws in, its joints and sensors out.
+//
+// A drive measures its velocity with its encoder: it is the change of the angle over the last millisecond.
+// The simulator's own velocity is that of one step of the engine. Where a joint chatters in a stop or a
+// contact, faster than a millisecond, this is always the same phase of the chatter: a joint at rest then
+// shows up to 1 rad/s, and the velocity check of the start refuses it.
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -16,7 +21,7 @@ namespace axes = cca::robots::oncilla;
 
 class mechanics {
 public:
-  explicit mechanics(cca::sim::world&& w) : world(std::move(w)) {}
+  explicit mechanics(cca::sim::world&& w) : world(std::move(w)), former(angles()) {}
 
   // One millisecond.
   void advance(const std::array<cca::hardware::drive_command, 8>& drives,
@@ -27,18 +32,29 @@ public:
     cca::sim::robot_laws laws;
     for (std::size_t leg = 0; leg < axes::leg_count; ++leg)
       laws[leg] = {law(drives[axes::hip_of(leg)]), law(drives[axes::knee_of(leg)]), abduction[leg]};
+    former = angles();
     world.push(disturbance.push_at(world.time()));
     world.follow(laws);
   }
 
   std::array<cca::hardware::drive_motion, 8> joints() const {
     std::array<cca::hardware::drive_motion, 8> all;
+    const auto at = angles();
+    const auto measured = [&](std::size_t joint, double torque) {
+      all[joint] = {at[joint], (at[joint] - former[joint]) * 1000, torque};
+    };
     for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
       const auto& r = world.reading().legs[leg];
-      all[axes::hip_of(leg)] = {r.hip.angle, r.hip.velocity, r.hip.torque};
-      all[axes::knee_of(leg)] = {r.knee.angle, r.knee.velocity, r.knee.torque};
+      measured(axes::hip_of(leg), r.hip.torque);
+      measured(axes::knee_of(leg), r.knee.torque);
     }
     return all;
+  }
+
+  // Somebody puts the robot down, or sets it on its feet.
+  void put_down(cca::sim::world&& w) {
+    world = std::move(w);
+    former = angles();
   }
 
   cca::hardware::board_reading board() const {
@@ -59,6 +75,19 @@ public:
 
   cca::sim::world world;
   cca::sim::disturbance disturbance{};
+
+private:
+  std::array<double, 8> angles() const {
+    std::array<double, 8> all;
+    for (std::size_t leg = 0; leg < axes::leg_count; ++leg) {
+      const auto& r = world.reading().legs[leg];
+      all[axes::hip_of(leg)] = r.hip.angle;
+      all[axes::knee_of(leg)] = r.knee.angle;
+    }
+    return all;
+  }
+
+  std::array<double, 8> former;  // a millisecond ago
 };
 
 }  // namespace hil
