@@ -55,15 +55,15 @@ struct by_hand {
 
   // Parameters, as in the components.
   double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
-  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.4, average = 1, level = 1.2, damp = 0.02,
+  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.8, average = 1, level = 1.2, damp = 0.02,
          most_lean = 0.5;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
     double hip, knee, swing, lift;
   };
-  leg front{trot::degrees(46.0), trot::degrees(95.2), trot::degrees(14.8), trot::degrees(40.4)};
-  leg hind{trot::degrees(36.6), trot::degrees(85.0), trot::degrees(18.3), trot::degrees(53.2)};
-  double duty = 0.587, even = 0.695, give = trot::degrees(-0.2), lead = -0.05;
+  leg front{trot::degrees(45.5), trot::degrees(93.2), trot::degrees(14.8), trot::degrees(40.4)};
+  leg hind{trot::degrees(36.1), trot::degrees(87.0), trot::degrees(18.3), trot::degrees(53.2)};
+  double duty = 0.587, even = 0.695, give = trot::degrees(-0.2), lead = -0.05, squat = 0.8;
   std::array<double, 4> offsets{0.0, 0.5, 0.373, -0.127};
 
   // State.
@@ -154,14 +154,15 @@ struct by_hand {
                  amplitude = std::sqrt(oscillator.squaredNorm());
 
     vector8 command;
+    const double squatting = squat * std::max(0.0, -hips);
     for (int l = 0; l < 4; ++l) {
       const leg& shape = l < 2 ? front : hind;
       const double side = l % 2 == 0 ? 1.0 : -1.0;
       const double own = phase + whole * offsets[static_cast<std::size_t>(l)];
       command[l] =
           shape.hip + hips + amplitude * (1 - side * turn - hips) * shape.swing * sweep(cca::wrap_turn(own));
-      command[4 + l] =
-          shape.knee + side * knees + amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
+      command[4 + l] = shape.knee + side * knees + (l < 2 ? -squatting : squatting) +
+                       amplitude * flexion(cca::wrap_turn(own + whole * lead), shape.lift);
     }
 
     if (!limiter_begun) {

@@ -46,7 +46,8 @@ trot::gait::parameters taught() {
           0.65,
           degrees(2.5),
           -0.044,
-          {0.0, 0.5, 0.374, -0.126}};
+          {0.0, 0.5, 0.374, -0.126},
+          0.0};
 }
 
 // The angles around which the gait swings.

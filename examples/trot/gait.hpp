@@ -5,13 +5,17 @@
 //   in  "amplitude"   gait_amplitude, 0: stand; 1: the full gait
 //   in  "turn"        turning: the legs of one side swing farther, those of the other side less
 //   in  "lean"        leaning: hips forward or back, knees of one side flexed, of the other extended; uphill
-//                     the hips swing farther
+//                     the hips swing farther, the front legs extend, and the hind legs flex
 //   out "angles"      leg_angles
 //
 // A hip swings as a cosine of the phase, its stance stretched to `duty` of the stride. `even` blends this
 // with a stance of constant speed: the trunk's speed is almost constant, so a foot that follows a cosine must
 // slip. A knee flexes as a squared sine: much in swing, so that the foot clears the ground; a little in
 // stance, so that the spring carries and not the cable.
+//
+// Uphill the hind feet carry more. Then the front feet touch the ground late and leave it early, and the hind
+// feet, which push, slip. `squat` extends the front legs and flexes the hind ones.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -44,21 +48,24 @@ struct gait {
                              (cca::bounded<double, -0.5, 0.5>,
                               lead),  // of the knee before the hip, in strides
                              (std::array<double, 4>,
-                              offsets));  // left and right front, left and right hind, in strides
+                              offsets),  // left and right front, left and right hind, in strides
+                             (cca::bounded<double, 0, 3>, squat));  // of the knees, rad per rad of lean
   };
-  parameters p{{degrees(46.0), degrees(95.2), degrees(14.8), degrees(40.4)},
-               {degrees(36.6), degrees(85.0), degrees(18.3), degrees(53.2)},
+  parameters p{{degrees(45.5), degrees(93.2), degrees(14.8), degrees(40.4)},
+               {degrees(36.1), degrees(87.0), degrees(18.3), degrees(53.2)},
                0.587,
                0.695,
                degrees(-0.2),
                -0.05,
-               {0.0, 0.5, 0.373, -0.127}};
+               {0.0, 0.5, 0.373, -0.127},
+               0.8};
 
   auto process(cca::in<"phase", gait_phase> phase,
                cca::in<"amplitude", gait_amplitude> amplitude,
                cca::in<"turn", turning> turn,
                cca::in<"lean", leaning> lean) -> cca::out<"angles", oncilla::leg_angles> {
     oncilla::leg_angles::vector_type angles;
+    const double squat = p.squat * std::max(0.0, -lean[pitch{}]);
     for (std::size_t leg = 0; leg < oncilla::leg_count; ++leg) {
       const leg_shape& shape = oncilla::is_front(leg) ? p.front : p.hind;
       const double own = phase[stride{}] + whole * p.offsets[leg];
@@ -66,7 +73,7 @@ struct gait {
       angles[oncilla::hip_of(leg)] = shape.hip + lean[pitch{}] +
                                      amplitude[stride{}] * farther * shape.swing * sweep(cca::wrap_turn(own));
       angles[oncilla::knee_of(leg)] =
-          shape.knee + oncilla::side_of(leg) * lean[roll{}] +
+          shape.knee + oncilla::side_of(leg) * lean[roll{}] + (oncilla::is_front(leg) ? -squat : squat) +
           amplitude[stride{}] * flexion(cca::wrap_turn(own + whole * p.lead), shape.lift);
     }
     return angles;

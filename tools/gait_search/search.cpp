@@ -140,9 +140,9 @@ int search(const options& o) {
   else start.load(o.config);
   const searched first{start.get<"cpg">().p, start.get<"gait">().p};
   const std::vector<trial> trials{{cca::sim::terrain::flat(), o.seconds, 0.72},
-                                  {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.55},
-                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.55},
-                                  {cca::sim::terrain::slope(trot::degrees(-6)), o.seconds, 0.55}};
+                                  {cca::sim::terrain::steps(0.006, 0.45, 20, 1.0), o.seconds, 0.66},
+                                  {cca::sim::terrain::slope(trot::degrees(6)), o.seconds, 0.66},
+                                  {cca::sim::terrain::slope(trot::degrees(-6)), o.seconds, 0.66}};
 
   gait_search::cma_es evolution(to_point(first), 0.1, o.population, o.seed);
   searched best = first;

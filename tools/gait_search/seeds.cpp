@@ -1,7 +1,8 @@
 // The trot from many disturbance seeds, on all cores: how often it falls, how fast it is, how straight, how
-// far its feet slip, and how long they stand.
+// far its feet slip, and how long they stand. With --bounds it ends with 1 if a run misses one of
+// report/bounds.hpp.
 //
-//   trot_seeds --config trot.toml --count 100 --summary seeds.json
+//   trot_seeds --config trot.toml --count 20 --terrain slope:6 --bounds --summary seeds.json
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
+#include "../../examples/trot/report/bounds.hpp"
 #include "../../examples/trot/report/command_line.hpp"
 #include "../../examples/trot/report/file.hpp"
 #include "../../examples/trot/report/json.hpp"
@@ -31,6 +33,7 @@ struct options {
   cca::sim::terrain ground = cca::sim::terrain::flat();
   std::uint64_t first = 0, count = 100;
   double seconds = 20;
+  bool bounds = false;
 };
 
 void offer(cca::command_line& line, options& o) {
@@ -39,7 +42,9 @@ void offer(cca::command_line& line, options& o) {
   line.whole_number("--count N", o.count, 1, "how many (100)");
   line.number("--seconds S", o.seconds, 1, 3600, "of each, simulated (20)");
   trot::offer_terrain(line, o.ground);
-  line.text("--summary FILE", o.summary, "falls, speed, drift, slip and duty as one JSON object");
+  line.text("--summary FILE", o.summary,
+            "falls, speed, drift, slip and duty, of all and of each, as one JSON object");
+  line.flag("--bounds", o.bounds, "ends with 1 if a run falls, is slow, slips, or stands too long or short");
 }
 
 int run(const options& o) {
@@ -71,19 +76,34 @@ int run(const options& o) {
   all.resize(seeds.size());
   if (interrupted) std::cerr << "trot_seeds: interrupted after " << all.size() << " runs\n";
 
-  std::size_t falls = 0;
-  double slowest = 1e9, aside = 0, roll = 0, pitch = 0, most_slip = 0;
-  double speed = 0, slip = 0, friction = 0;  // means over the runs that stood
+  const double commanded = start.get<"gait">().p.duty;
+  std::size_t falls = 0, beyond = 0;
+  trot::json runs = trot::json::array();
+  double slowest = 1e9, slowest_cruise = 1e9, most_off_duty = 0, aside = 0, roll = 0, pitch = 0,
+         most_slip = 0;
+  double speed = 0, cruise = 0, slip = 0, friction = 0;  // means over the runs that stood
   std::array<double, 4> duty{};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const trot::statistics& s = all[i];
+    const double off_duty = trot::farthest_off_duty(s, commanded);
+    const bool kept = trot::keeps(s, commanded);
+    beyond += !kept;
+    runs.push_back({{"seed", seeds[i]},
+                    {"fell", s.fell},
+                    {"speed_m_s", s.speed},
+                    {"cruise_speed_m_s", s.cruise},
+                    {"foot_slip_m_s", s.foot_slip},
+                    {"duty_factors", s.duty_factor},
+                    {"farthest_off_duty", off_duty},
+                    {"within_bounds", kept}});
     if (all.size() <= 20 || s.fell)
       std::printf(
-          "  seed %3zu  %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f m/s  duty %.2f %.2f "
-          "%.2f %.2f%s\n",
-          static_cast<std::size_t>(seeds[i]), s.speed, s.drift, s.max_roll * 57.2958, s.max_pitch * 57.2958,
-          s.foot_slip, s.duty_factor[0], s.duty_factor[1], s.duty_factor[2], s.duty_factor[3],
-          s.fell ? "  FELL" : "");
+          "  seed %3zu  %.3f m/s, cruise %.3f  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f m/s  "
+          "duty "
+          "%.2f %.2f %.2f %.2f%s%s\n",
+          static_cast<std::size_t>(seeds[i]), s.speed, s.cruise, s.drift, s.max_roll * 57.2958,
+          s.max_pitch * 57.2958, s.foot_slip, s.duty_factor[0], s.duty_factor[1], s.duty_factor[2],
+          s.duty_factor[3], s.fell ? "  FELL" : "", kept ? "" : "  beyond the bounds");
     roll = std::max(roll, s.max_roll);
     pitch = std::max(pitch, s.max_pitch);
     if (s.fell) {
@@ -92,6 +112,9 @@ int run(const options& o) {
     }
     speed += s.speed;
     slowest = std::min(slowest, s.speed);
+    cruise += s.cruise;
+    slowest_cruise = std::min(slowest_cruise, s.cruise);
+    most_off_duty = std::max(most_off_duty, off_duty);
     aside = std::max(aside, std::abs(s.drift) / s.distance);
     slip += s.foot_slip;
     most_slip = std::max(most_slip, s.foot_slip);
@@ -100,29 +123,38 @@ int run(const options& o) {
   }
   const double stood = static_cast<double>(all.size() - falls),
                rate = all.empty() ? 0 : static_cast<double>(falls) / static_cast<double>(all.size());
-  if (falls == all.size()) slowest = 0;
-  for (double* summed : {&speed, &slip, &friction, &duty[0], &duty[1], &duty[2], &duty[3]})
+  if (falls == all.size()) slowest = slowest_cruise = 0;
+  for (double* summed : {&speed, &cruise, &slip, &friction, &duty[0], &duty[1], &duty[2], &duty[3]})
     *summed = stood > 0 ? *summed / stood : 0;
   std::printf(
-      "%zu seeds, %.0f s each, %s: %zu fell (%.1f %%); speed %.3f m/s on average, %.3f at least; drift up to "
-      "%.1f %%; roll up to %.1f, pitch up to %.1f deg; slip %.3f m/s on average, %.3f at most; friction %.1f "
-      "W; "
-      "duty %.3f %.3f %.3f %.3f\n",
-      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, speed, slowest, 100 * aside,
-      roll * 57.2958, pitch * 57.2958, slip, most_slip, friction, duty[0], duty[1], duty[2], duty[3]);
-  if (o.summary.empty()) return interrupted.exit_code();
+      "%zu seeds, %.0f s each, %s: %zu fell (%.1f %%), %zu beyond the bounds; speed %.3f m/s on average, "
+      "%.3f "
+      "at least; cruise %.3f, %.3f at least; drift up to %.1f %%; roll up to %.1f, pitch up to %.1f deg; "
+      "slip "
+      "%.3f m/s on average, %.3f at most; friction %.1f W; duty %.3f %.3f %.3f %.3f, up to %.3f off\n",
+      all.size(), o.seconds, o.ground.name().c_str(), falls, 100 * rate, beyond, speed, slowest, cruise,
+      slowest_cruise, 100 * aside, roll * 57.2958, pitch * 57.2958, slip, most_slip, friction, duty[0],
+      duty[1], duty[2], duty[3], most_off_duty);
+  const int outcome = interrupted ? interrupted.exit_code() : o.bounds && beyond > 0 ? 1 : 0;
+  if (o.summary.empty()) return outcome;
   const trot::json summary{{"seeds", all.size()},
                            {"falls", falls},
                            {"fall_rate", rate},
+                           {"beyond_bounds", beyond},
                            {"mean_speed_m_s", speed},
                            {"least_speed_m_s", slowest},
+                           {"mean_cruise_speed_m_s", cruise},
+                           {"least_cruise_speed_m_s", slowest_cruise},
                            {"greatest_drift_share", aside},
                            {"mean_foot_slip_m_s", slip},
                            {"greatest_foot_slip_m_s", most_slip},
                            {"mean_friction_power_w", friction},
-                           {"mean_duty_factors", duty}};
+                           {"mean_duty_factors", duty},
+                           {"commanded_duty_factor", commanded},
+                           {"farthest_off_duty", most_off_duty},
+                           {"runs", runs}};
   trot::write(o.summary, [&](std::ostream& file) { trot::write(file, summary); });
-  return interrupted.exit_code();
+  return outcome;
 }
 
 }  // namespace

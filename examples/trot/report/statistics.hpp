@@ -13,7 +13,7 @@ struct statistics {
   double seconds = 0;                  // simulated
   double distance = 0;                 // m forward (along x) from the start, standing and starting included
   double speed = 0;                    // m/s, distance over all seconds
-  double cruise = 0;                   // m/s from 2 s on
+  double cruise = 0;                   // m/s from 2 s on, along the ground: uphill it is more than along x
   double drift = 0;                    // m to the left of the line of the start
   double max_roll = 0, max_pitch = 0;  // rad
   double stride_frequency = 0;         // Hz
@@ -87,8 +87,11 @@ inline statistics evaluate(const recording& run) {
   }
   const auto cruising = std::find_if(run.moments.begin(), run.moments.end(),
                                      [&](const moment& m) { return m.time >= settled; });
-  if (cruising != run.moments.end() && cruising->time < last.time)
-    s.cruise = (last.position[0] - cruising->position[0]) / (last.time - cruising->time);
+  if (cruising != run.moments.end() && cruising->time < last.time) {
+    const double forward = last.position[0] - cruising->position[0],
+                 up = last.position[2] - cruising->position[2];
+    s.cruise = std::copysign(std::hypot(forward, up), forward) / (last.time - cruising->time);
+  }
   for (std::size_t leg = 0; leg < 4; ++leg) {
     s.stride_frequency += detail::stride_frequency(run, leg, settled) / 4;
     s.duty_factor[leg] = detail::duty_factor(run, leg, settled);
