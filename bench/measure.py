@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, modes, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, dynamics, modes, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -50,9 +50,9 @@ def run(command, **options):
     return done
 
 
-def build(compiler, flags, source, program):
+def build(compiler, flags, source, program, *libraries):
     run([compiler, "-std=c++20", "-DNDEBUG", *flags, *INCLUDES, str(source), str(HERE / "counting.cpp"), "-o", str(program),
-         "-lbenchmark", "-lpthread"])
+         "-lbenchmark", "-lpthread", *libraries])
 
 
 def instructions(program, *form, lengths=(1000, 3000), within=()):
@@ -236,6 +236,22 @@ def modes(work):
     return rows
 
 
+def dynamics(work):
+    """The dynamics of an arm of seven joints, beside those of Orocos KDL."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "dynamics"
+        build(compiler, ["-O2"], HERE / "dynamics.cpp", program, "-lorocos-kdl")
+        run([str(program), "check"])
+        for name in run([str(program), "list"]).stdout.splitlines():
+            row = {"quantity": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
+            for form in ("cca", "kdl"):
+                row[form] = {"instructions": instructions(program, name, form, lengths=(20, 220))}
+            rows.append(row)
+            print("dynamics", compiler, name, {f: row[f]["instructions"] for f in ("cca", "kdl")}, flush=True)
+    return rows
+
+
 def compile_once(compiler, source):
     """User and system seconds, and megabytes."""
     child = subprocess.Popen([compiler, "-std=c++20", "-O2", *INCLUDES, "-c", str(source), "-o", "/dev/null"], stderr=subprocess.DEVNULL)
@@ -385,7 +401,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "modes": modes, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "dynamics": dynamics, "modes": modes, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

@@ -8,6 +8,12 @@
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/body_dynamics.hpp>
 #include <cca/robot/body_pose.hpp>
+#include <cca/robot/dynamics/coriolis_matrix.hpp>
+#include <cca/robot/dynamics/forward_dynamics.hpp>
+#include <cca/robot/dynamics/mass_matrix.hpp>
+#include <cca/robot/dynamics/momentum.hpp>
+#include <cca/robot/dynamics/momentum_observer.hpp>
+#include <cca/robot/dynamics/operational_space.hpp>
 #include <cca/robot/limiter.hpp>
 #include <cca/robot/unreadable_fault.hpp>
 #include <cca/robot/watchdog.hpp>

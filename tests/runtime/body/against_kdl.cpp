@@ -10,7 +10,7 @@
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 #include <kdl/treejnttojacsolver.hpp>
 
-#include "random_trees.hpp"
+#include "random_states.hpp"
 
 using namespace body_test;
 
@@ -20,29 +20,6 @@ constexpr double exact = 1e-10;
 
 template <std::size_t Value>
 using count = std::integral_constant<std::size_t, Value>;
-
-template <std::size_t Count>
-auto random_state(laws::source& random, double size) {
-  Eigen::Matrix<double, static_cast<int>(Count), 1> v;
-  for (auto& x : v) x = random(-size, size);
-  return v;
-}
-
-template <std::size_t Count>
-auto placed(const random_tree<Count>& t, const Eigen::Matrix<double, static_cast<int>(Count), 1>& q) {
-  std::array<cca::detail::placed_link, Count> links;
-  cca::detail::place_links(t.links, q, links);
-  return links;
-}
-
-template <std::size_t Count>
-Eigen::Matrix<double, static_cast<int>(Count), 1> in_order(const random_tree<Count>& t,
-                                                           const KDL::JntArray& a) {
-  Eigen::Matrix<double, static_cast<int>(Count), 1> v;
-  for (std::size_t i = 0; i < Count; ++i)
-    v[static_cast<Eigen::Index>(i)] = a(static_cast<unsigned>(t.number(i)));
-  return v;
-}
 
 }  // namespace
 

@@ -8,66 +8,12 @@
 #include <cca/robot/body_components.hpp>
 
 #include "../../laws/mapping_laws.hpp"
+#include "bodies.hpp"
 #include "random_trees.hpp"
 
 namespace {
 
-struct trunk : cca::frame<"trunk"> {};
-struct hip : cca::frame<"hip"> {};
-struct paw : cca::frame<"paw"> {};
-struct toe : cca::frame<"toe"> {};
-struct tail_end : cca::frame<"tail"> {};
-struct sensor : cca::frame<"sensor"> {};
-
-struct a : cca::dimension<"a"> {};
-struct b : cca::dimension<"b"> {};
-struct c : cca::dimension<"c"> {};
-struct d : cca::dimension<"d"> {};
-struct e : cca::dimension<"e"> {};
-
-using cca::along_y, cca::along_z, cca::prismatic, cca::revolute, cca::turned_about;
-constexpr auto at = [](double x, double y, double z) { return cca::at(x, y, z); };
-
-struct hip_chain : cca::serial_chain<trunk, hip, cca::axes<a>> {
-  static constexpr std::array joints{revolute({1, 0.2, 0}, at(0.2, 0.1, 0))};
-  static constexpr auto tip = at(0, 0.05, 0) * turned_about({1, 1, 1}, 0.5);
-  static constexpr std::array links{
-      cca::link_inertia{0.3, {0, 0.02, 0.01}, {2e-3, 3e-3, 4e-3, 1e-4, -2e-4, 3e-4}}};
-};
-// A pantograph: two joints of one coordinate.
-struct leg_chain : cca::serial_chain<hip, paw, cca::axes<b, c>> {
-  static constexpr std::array joints{revolute(along_y).driven_by(0, -1),
-                                     revolute(along_y, at(0, 0, -0.08)).driven_by(1),
-                                     revolute(along_y, at(0, 0, -0.09)).driven_by(1, -1, 0.1)};
-  static constexpr auto tip = at(0, 0, -0.06);
-  static constexpr std::array links{cca::link_inertia{0.2, {0, 0, -0.04}, {1e-3, 1e-3, 1e-4, 0, 0, 0}},
-                                    cca::link_inertia{0.1, {0, 0.01, -0.05}, {5e-4, 5e-4, 1e-4, 0, 0, 1e-5}},
-                                    cca::link_inertia{0.05, {0.01, 0, -0.03}, {1e-4, 1e-4, 1e-5, 0, 0, 0}}};
-};
-struct toe_chain : cca::serial_chain<paw, toe, cca::axes<d>> {
-  static constexpr std::array joints{prismatic({0, 1, 2}, at(0.01, 0, 0)).driven_by(0, 0.7)};
-  static constexpr auto tip = at(0.02, 0, 0);
-  static constexpr std::array links{cca::link_inertia{0.04, {0.01, 0, 0}, {1e-5, 1e-5, 1e-5, 0, 0, 0}}};
-};
-struct tail_chain : cca::serial_chain<trunk, tail_end, cca::axes<e>> {  // without a stated mass
-  static constexpr std::array joints{revolute(along_z, at(-0.2, 0, 0.05))};
-  static constexpr auto tip = at(-0.1, 0, 0);
-};
-struct sensor_place : cca::serial_chain<tail_end, sensor, cca::axes<>> {  // no joints
-  static constexpr std::array<cca::joint, 0> joints{};
-  static constexpr auto tip = at(0, 0, 0.01) * turned_about(along_y, 1);
-};
-
-// Declared from the ends: each part comes before the one to which it is attached.
-struct dog : cca::body<trunk,
-                       cca::part<"toe", toe_chain>,
-                       cca::part<"sensor", sensor_place>,
-                       cca::part<"leg", leg_chain>,
-                       cca::part<"tail", tail_chain>,
-                       cca::part<"hip", hip_chain, cca::driven_by<"hip", "legs.motor">>> {
-  static constexpr cca::link_inertia base{3, {0.01, 0, 0.02}, {1e-2, 5e-2, 5e-2, 1e-3, 0, 0}};
-};
-struct star : cca::body<trunk, cca::part<"hip", hip_chain>, cca::part<"tail", tail_chain>> {};
+using namespace body_test;
 
 static_assert(std::is_same_v<cca::axes_of<dog>, cca::axes<d, b, c, e, a>>);
 static_assert(dog::attached::parent == std::array{2, 3, 4, -1, -1});
