@@ -179,7 +179,7 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE("commands from old data: a soft stop once they are older than 50 ms") {
-    trotting<hil::limited> run;
+    trotting<hil::limited<cca::latest>> run;
     run.controller.get<"saboteur">().stuck = true;
     go(run, 40);
     CHECK(run.stop().mode() == hw::motion_mode::run);
@@ -192,7 +192,7 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE("a command that is NaN, where no limiter holds it: a soft stop in the same beat") {
-    trotting<hil::unlimited> run;
+    trotting<hil::unlimited<cca::latest>> run;
     run.controller.get<"saboteur">().not_a_number = true;
     go(run, 1);
     is(run.stop().first_cause(), hw::safety_rule::not_finite, 2, 500);
@@ -340,7 +340,7 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE("the campaign's counter works: it sees a set point beyond its limits") {
-    hil::in_memory<hil::limited> run;
+    hil::in_memory<hil::limited<cca::latest>> run;
     run.controller.load();
     run.controller.start();
     hil::spy watcher;
@@ -395,7 +395,7 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE("the most important rows of the campaign") {
-    using scenario = hil::scenario<hil::limited>;
+    using scenario = hil::scenario<hil::limited<cca::latest>>;
     const auto off =
         hil::run(scenario{.fault = "bus off", .script = {{.what = hw::bus_trouble::bus_off, .end = 0}}});
     CHECK(off.good());
@@ -409,7 +409,7 @@ TEST_SUITE("safety chain") {
   }
 
   TEST_CASE("a run that goes on is compared with a run without the fault") {
-    using scenario = hil::scenario<hil::limited>;
+    using scenario = hil::scenario<hil::limited<cca::latest>>;
     const auto warned =
         hil::run(scenario{.fault = "warning", .script = {{.what = hw::bus_trouble::warning, .end = 0}}});
     CHECK(warned.good());
