@@ -49,9 +49,9 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
       if (returned) b.state.firings[at.firing].is_stopped = true;
   } else {
     // All twins publish like the first, each at its place.
-    constexpr int Output = layout_of<Graph>.output_twin[call_of<Graph, Call>.first_output + Port];
-    constexpr int array = layout_of<Graph>.outputs[Output].array;
-    constexpr const auto& out = output_of<Graph, Output>;
+    constexpr int output = layout_of<Graph>.output_twin[call_of<Graph, Call>.first_output + Port];
+    constexpr int array = layout_of<Graph>.outputs[output].array;
+    constexpr const auto& out = output_of<Graph, output>;
     if constexpr (requires { returned.operator bool(); })
       if (!returned) return;
     if (returned.origin() == never) returned.with_origin(oldest);
@@ -60,7 +60,7 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
     if constexpr (out.storage == storage_kind::of_beat) b.template at<array>(index).template put<out.port>();
     if constexpr (out.storage == storage_kind::newest || out.storage == storage_kind::past)
       b.template at<array>(index).put(coordinates, returned.origin(), b.k);
-    if constexpr (out.leaves) b.state.template send<Output>(coordinates, returned.origin(), b.k);
+    if constexpr (out.leaves) b.state.template send<output>(coordinates, returned.origin(), b.k);
     constexpr int queue = queue_from<Graph>(out.first_reader);
     if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, returned.origin());
   }
