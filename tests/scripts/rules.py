@@ -45,14 +45,20 @@ def rule_headers(root):
 
 
 def forgotten_strategies(root):
-    """Each header of component/strategies/ holds a strategy of its name, which stands in the list of strategies.hpp."""
+    """Each header of component/strategies/ holds a strategy of its name, which has a line in the list of strategies.hpp
+    and a row in the first table of docs/strategies.md."""
     folder = root / "include/cca/component/strategies"
     file = folder.with_suffix(".hpp")
     listed = re.search(r"using library_strategies = list<(.*?)>;\n", file.read_text(), re.S) if file.exists() else None
     names = set(re.findall(r"\w+", listed[1])) if listed else set()
+    page = root / "docs/strategies.md"
+    table = re.search(r"\| strategy \|.*\n((?:\|.*\n)+)", page.read_text()) if page.exists() else None
+    rows = {name for row in (table[1].splitlines() if table else []) for name in re.findall(r"`(\w+)", row.split("|")[1])}
     for header in sorted(folder.glob("*.hpp")):
         if header.stem not in names:
             yield f"{header.relative_to(root)}: its strategy is not in the list of include/cca/component/strategies.hpp"
+        if header.stem not in rows:
+            yield f"{header.relative_to(root)}: its strategy has no row in docs/strategies.md"
 
 
 def problems(root):

@@ -183,6 +183,20 @@ class Rules(Tree):
         self.assertEqual(len(list(rules.problems(self.root))), 3)
 
 
+    def test_strategies(self):
+        self.write("include/cca/graph/a.hpp", 'auto a = "space.mismatch";')
+        self.write("tests/rejects/space.mismatch.cpp", "")
+        self.write("include/cca/component/strategies/always.hpp", "")
+        self.write("include/cca/component/strategies.hpp", "using library_strategies = list<always>;\n")
+        row = "# Strategies\n\n| strategy | fires if |\n|---|---|\n| `always<N>` | always |\n"
+        self.write("docs/strategies.md", row)
+        self.assertEqual(list(rules.problems(self.root)), [])
+        self.write("docs/strategies.md", row.replace("`always", "`other"))
+        self.assertEqual(len(list(rules.problems(self.root))), 1)
+        self.write("include/cca/component/strategies/never.hpp", "")
+        self.assertEqual(len(list(rules.problems(self.root))), 3)
+
+
 class Finite(Tree):
     def test_every_header_has_a_test_or_a_reason(self):
         for name in finite.WITHOUT:

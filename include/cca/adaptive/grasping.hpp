@@ -14,7 +14,7 @@
 // wider. Before each input has a sample it is open.
 //
 // While the aperture is NaN or infinite: error 1e12, `lost` after `hold` s; while the effort is: not
-// fulfilled. Neither is kept. Afterwards `hold` counts anew.
+// fulfilled. Neither is kept. Afterwards `hold` restarts.
 //
 // Errors: none. Cost: negligible. Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once

@@ -11,7 +11,7 @@
 // Parameters `limits`: within, until, lost (unit of S), hold (s). The adaptive component reports `reached`
 // only once its ode has converged too: passing the goal is not reaching it.
 //
-// While an input is NaN or infinite: error 1e12, state `lost`; afterwards `open`, and `hold` counts anew.
+// While an input is NaN or infinite: error 1e12, state `lost`; afterwards `open`, and `hold` restarts.
 //
 // Errors: none. Cost: negligible. Example: tests/runtime/adaptive/kinds.cpp.
 #pragma once

@@ -9,7 +9,7 @@
 //   out "running"     step_time              s since the step began
 //   out "timed_out"   step_flag              1 if the step began by a timeout
 //   out "status"      component_status_port  reached in the last step, converging before
-//   fault             if a condition names a path that nobody publishes
+//   fault             if a condition names a path without a publisher
 //
 // For other outputs (a target, an amplitude) read "step" in your own component, or hold a cca::sequence<plan>
 // in it. Timeouts count beats of the controller, whatever the strategy of the sequencer. Cost: that of a

@@ -10,7 +10,7 @@
 // Parameters `limits`: within, until, lost (unit of S), hold (s). The delay of a good servo is an error too:
 // choose `within` large enough. Before both inputs have a sample it is open, with error zero.
 //
-// While an input is NaN or infinite: error 1e12, state `lost`; afterwards `open`, and `hold` counts anew.
+// While an input is NaN or infinite: error 1e12, state `lost`; afterwards `open`, and `hold` restarts.
 //
 // Errors: none. Cost: negligible. Example: tests/runtime/adaptive/tracker.cpp; docs/adaptive.md.
 #pragma once

@@ -31,7 +31,7 @@ struct tolerate {};
 
 namespace detail {
 
-// Of a type that is no graph there are none. Then the deployment is no graph either, and is refused as such.
+// A type that is no graph has no items. Then the deployment is no graph either, and gets that message.
 template <class Architecture>
 struct items_of_architecture {};
 template <Graph Architecture>

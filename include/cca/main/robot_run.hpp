@@ -110,7 +110,7 @@ private:
       return {one};
     }
   }
-  // Of runs on a clock; nothing is counted without one.
+  // Counted in runs on a clock only.
   static void print_figures(const std::vector<environment_figures>& all) {
     std::int64_t beats = 0;
     for (const auto& each : all) beats += each.beat.count();

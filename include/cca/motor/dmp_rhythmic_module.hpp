@@ -28,10 +28,10 @@
 // save). The weights depend on the stiffness: a file that was learned with another stiffness is refused.
 //
 // Inputs (input_status.hpp): while one is NaN or infinite, the movement stands still, the velocity is 0, only
-// the statuses are published besides, "ode" is `unreadable`, and demonstrations count anew; beyond 1e12, and
-// a frequency below 0.01 Hz, it is cut and "ode" is `clamped`. A frequency that is too high for the rate of
-// the node (2 pi f max(stiffness / 2, 1) above 16 / dt) makes the movement slower than its phase, with the
-// same status.
+// the statuses are published besides, "ode" is `unreadable`, and the count of demonstrations restarts; beyond
+// 1e12, and a frequency below 0.01 Hz, it is cut and "ode" is `clamped`. A frequency that is too high for the
+// rate of the node (2 pi f max(stiffness / 2, 1) above 16 / dt) makes the movement slower than its phase,
+// with the same status.
 //
 // Errors: learner.model; `cca::refused` for files. Cost: five times N exponentials, up to 13 times as much at
 // high frequencies; with a demonstration also one step of the learner. Source:

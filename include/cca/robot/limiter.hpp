@@ -189,7 +189,7 @@ private:
     else return now.dt();
   }
 
-  // The same once more, with what is to be told of it.
+  // Limits again, and records what the status reports.
   [[gnu::always_inline]] vector_type corrected(vector_type value, std::int64_t k, double dt) {
     detail::rolled<Space::size>([&](int axis) {
       const double wanted = value[axis];

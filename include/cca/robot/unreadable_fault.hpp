@@ -1,4 +1,4 @@
-// Stops the robot when a component gets numbers that are none (input_status.hpp).
+// Stops the robot when a component receives NaN or infinity (input_status.hpp).
 //
 //   cca::node<"check", cca::fault_when_unreadable<cca::input_status_port, 5>>
 //   cca::wire<"servo.status", "check.status">

@@ -5,7 +5,7 @@
 //   is_here(node)                  whether this process runs it
 //   visit(f, self)                 f(number, component) for each, in declaration order
 //   visit_firings(node, f, self)   f(last_firing) for each call of it whose clock is known only at run time
-//   forget_runs()                  the counts of the runs begin anew
+//   forget_runs()                  sets the counts of the runs to zero
 #pragma once
 
 #include <string>

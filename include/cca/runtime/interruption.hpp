@@ -8,9 +8,9 @@
 //
 // In a function of your own between two beats: `return !interrupted;`. In a loop: `while (!interrupted)`.
 // A further signal is noted as well and kills nothing, so that a robot always stops in order; SIGQUIT
-// (ctrl-\) still ends the program at once. The destructor gives the signals back to whoever had them. Cost:
-// one load of an atomic number. Not in <cca/cca.hpp>, because <csignal> declares `signal`, a name that a
-// program may want for a space. Example: tests/runtime/core/ending.cpp; docs/controller.md.
+// (ctrl-\) still ends the program at once. The destructor restores the signal handlers that were set before.
+// Cost: one load of an atomic number. Not in <cca/cca.hpp>, because <csignal> declares `signal`, a name that
+// a program may want for a space. Example: tests/runtime/core/ending.cpp; docs/controller.md.
 #pragma once
 
 #include <array>

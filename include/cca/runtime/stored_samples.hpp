@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  // Of an output in a tuple of results; -1 if the result is an output and no tuple.
+  // The index of an output in a tuple of results; -1 if the result is an output and no tuple.
   template <int Position, class Output>
   static constexpr int index_of(const Output*) {
     return -1;

@@ -73,7 +73,7 @@ public:
   virtual std::int64_t run_finished(std::size_t environment) const = 0;
 };
 
-// Of an environment that another process runs, for all threads of this one.
+// What all threads of this process know of an environment that another process runs.
 struct contact {
   std::atomic<std::uint64_t> accepted{0};    // the participant that this process listens to; 0: none
   std::atomic<std::int64_t> accepted_in{0};  // the newest run that this process began before that

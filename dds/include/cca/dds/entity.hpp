@@ -83,7 +83,7 @@ private:
 // Of a participant: the first numbers of all its endpoints.
 struct identity {
   dds_guid_t guid{};
-  std::uint64_t token = 0;  // a hash of it; 0: nobody
+  std::uint64_t token = 0;  // a hash of it; 0: none
 
   friend bool operator==(const identity& a, const identity& b) { return a.token == b.token; }
 };

@@ -1,9 +1,9 @@
 // Which processes are in the domain, what they run, and whether it is the same deployment. Each says it once,
 // and DDS keeps it for those that come later.
 //
-// Who finds another deployment, or an environment that somebody else runs, gives way if the other one was
-// here first. A process settles when it has looked for others and found no reason to go. The one that settled
-// first stays; before that the one with the lower token. So both come to the same decision.
+// A process that finds another deployment, or one of its own environments in another process, stops if the
+// other process was first. A process settles when it has looked for others and found no reason to go. The one
+// that settled first stays; before that the one with the lower token. So both come to the same decision.
 #pragma once
 
 #include <dds/dds.h>
@@ -95,7 +95,7 @@ public:
     return found == all.end() ? nullptr : &*found;
   }
 
-  // Nobody is here who has a better right.
+  // No other process was here first: this one stays.
   void settle() {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     announce(static_cast<std::uint64_t>(std::chrono::nanoseconds(now).count()));

@@ -1,5 +1,5 @@
 // Writes what other processes publish into the exchange of this one, in a thread of its own, after it has
-// checked it. A status waits here until the samples that it counts have come: so nobody sees a position
+// checked it. A status waits here until the samples that it counts have come: so no reader sees a position
 // before the samples that belong to it.
 #pragma once
 
@@ -100,7 +100,7 @@ private:
     checked(dds_waitset_attach(wakes.get(), condition, 0), "no waitset");
   }
 
-  // ---- who runs an environment ----
+  // ---- which process runs an environment ----
 
   bool is_lost(const environment& e, std::int64_t now) const {
     const contact& c = peers[e.number];
@@ -202,7 +202,7 @@ private:
     strangers.emplace_back(from.token, now);
     return true;
   }
-  // Whoever sends what can't be is not heard any more. For the others contact is lost.
+  // A process that sends an impossible message is ignored from then on: contact with it is lost.
   void refuse(environment& e, std::string_view why) {
     peer* const liar = known.find(e.holder);
     if (!liar) return;

@@ -43,7 +43,7 @@ struct call {
   clock fires{};
   bool stored_seen = false;  // keeps the oldest origin that it saw when it last fired
   bool elsewhere = false;    // runs in another environment
-  // Of a set of modes (graph/plan/modes/share.hpp):
+  // Only in a set of modes (graph/plan/modes/share.hpp):
   bool unsteady = false;            // its clock is known, but another mode has another one, or lacks the node
   bool other_clocks = false;        // another mode has another one
   std::int64_t longest_period = 1;  // in beats, of all modes

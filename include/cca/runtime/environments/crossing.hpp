@@ -11,7 +11,7 @@ namespace cca::detail {
 
 template <class D>
 struct crossings {
-  // Of each output the largest delay of a reader in another environment; 0: it stays.
+  // For each output, the largest delay of a reader in another environment; 0: all readers are here.
   std::array<int, array_size(graph_size<D>.outputs) + 1> largest_delay{};
   // From an environment to another the least delay; 0: nothing goes there.
   std::array<std::array<int, array_size(environment_count<D>)>, array_size(environment_count<D>)>

@@ -37,7 +37,7 @@ struct nothing_between {
 
 }  // namespace detail
 
-// Of a deployment that breaks a rule: one error, which is the message.
+// A deployment that breaks a rule gives one error, which is the message.
 template <class D>
 class deployed : public controller<D> {
   static_assert(Deployment<D> || !well_formed<D>,

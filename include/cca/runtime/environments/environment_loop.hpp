@@ -58,7 +58,7 @@ public:
 
   // ---- as fast as possible ----
 
-  // Where nobody may be ahead, `after_beat` sees all environments at rest.
+  // Where no environment may be ahead, `after_beat` sees all environments at rest.
   template <class Pace, class AfterBeat>
   void lead_exactly(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
     const std::int64_t first = k;
@@ -198,7 +198,7 @@ private:
     }
   }
 
-  // Waits until all others have done the beats in front of k. False: somebody faulted or stopped.
+  // Waits until all others have done the beats before k. False: one of them faulted or stopped.
   bool all_have_come() noexcept {
     for (learned_patience patience(state.habit); goes_on(); patience.wait()) {
       if (state.all_have_come_to(position())) return true;
@@ -237,7 +237,7 @@ private:
   }
   static constexpr std::int64_t longest_silence = 10'000'000;  // then it is asked whether it is gone
   static constexpr std::int64_t shortest_sleep = 20'000;
-  // A fault elsewhere wakes nobody: who must act on it looks in each beat.
+  // A fault in another environment wakes no thread: an environment that must react to it checks in each beat.
   static constexpr std::int64_t longest_sleep(std::int64_t interval) {
     constexpr std::int64_t shortest = any_component<graph, call_on_fault> ? shortest_sleep : 20'000'000;
     return std::max(interval, shortest);

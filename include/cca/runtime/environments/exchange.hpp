@@ -61,10 +61,11 @@ template <int Environments>
 struct alignas(64) environment_record {
   std::atomic<std::int64_t> position{0};
 
-  // Of the first environment at wall-clock speed: the newest beat begun, when, and the time to the next (ns).
+  // The clock of the first environment at wall-clock speed: the newest beat begun, when, and the time to the
+  // next (ns).
   std::atomic<std::int64_t> begun{-1}, begun_at{0}, interval{0};
 
-  // On a line of its own: all look at it while they wait, and nobody writes it.
+  // On a cache line of its own: all poll it while they wait, and it is not written meanwhile.
   alignas(64) fault_record fault{};
   std::atomic<std::int64_t> stop_at{no_position};  // no environment begins this beat, or a later one
 

@@ -59,8 +59,8 @@ public:
     }(chosen<counts_of<D>.output_count, leaves_by_clock<D, E>>{});
   }
 
-  // An environment that is gone will never come: that is a fault here. `has_come()` is asked once more behind
-  // that, when its numbers are final.
+  // An environment whose process has ended sends nothing more: that is a fault here. `has_come()` is asked
+  // once more afterwards, when the counters of that environment are final.
   template <class F>
   void look_for(int environment, std::int64_t position, F has_come) noexcept {
     if (others && others->is_gone(environment) && !has_come())
@@ -149,7 +149,7 @@ private:
     if (is_exact) {
       if (next.newest == k - 1) return;
       const std::uint64_t end = ring.end_before(next.number, k);
-      constexpr std::uint64_t shown = crossings_of<D>.largest_delay[Output] + 1;  // older ones nobody reads
+      constexpr std::uint64_t shown = crossings_of<D>.largest_delay[Output] + 1;  // older ones are not read
       for (std::uint64_t n = std::max(next.number, end - std::min(end, shown)); n < end; ++n)
         ring.show(n, arrive);
       next.number = end;

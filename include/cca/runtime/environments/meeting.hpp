@@ -118,7 +118,8 @@ private:
            !(away && away->is_gone(static_cast<int>(e)));
   }
 
-  // Until each is at this run, or waits(missing, ns), which is asked now and then, says no.
+  // Waits until each environment is at this run. Ends early if waits(missing, ns), called now and then,
+  // returns false.
   template <class F>
   void wait(std::atomic<std::int64_t> record::* at, F waits) {
     const std::int64_t since = monotonic_clock::now();

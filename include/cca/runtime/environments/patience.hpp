@@ -1,9 +1,9 @@
 // Waiting for another environment without a lock: first at once, then giving way, then asleep. Now and then
 // who waits asks whether the other one, in another process, is gone.
 //
-// A thread in real time that gives way comes back at once where no thread of its priority waits, and one that
-// sleeps briefly is always the next to run. So on a core that is shared it must sleep, and the longer it has
-// waited the longer, or those that it waits for never come.
+// A real-time thread that yields runs again at once if no other thread of its priority is ready, and after a
+// short sleep it is always the next to run. So on a shared core it must sleep, and sleep longer the longer it
+// has waited. Otherwise the threads that it waits for never run.
 #pragma once
 
 #include <algorithm>
@@ -38,15 +38,15 @@ protected:
   std::int64_t times = 0;  // beyond the spins
 
 private:
-  // Who gives way on a busy machine comes back after milliseconds; who sleeps is woken at once.
+  // On a busy machine a thread that yields runs again after milliseconds; a sleeping one is woken at once.
   static constexpr std::int64_t longest_awake = 100'000, shortest_sleep = 20'000, longest_sleep = 500'000;
 
   std::int64_t since = 0, waited = 0, next_question = 2'000'000;
 };
 
-// How long an environment looks again at once before it gives way. On a core of its own it answers sooner
-// the longer it does; where the others need its core, it only keeps them from coming. So it learns from how
-// its waits end, and tries again now and then.
+// How long an environment polls before it yields. On a core of its own, longer polling gives a faster answer.
+// On a shared core, polling only delays the threads that it waits for. So it learns from how its waits end,
+// and tries longer polling again now and then.
 struct waiting_habit {
   static constexpr int most_spins = 2048;  // some microseconds
   int spins = most_spins;

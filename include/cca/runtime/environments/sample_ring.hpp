@@ -66,8 +66,8 @@ public:
 
   // ---- a reader's, as fast as possible ----
 
-  // The number behind the newest sample that was published before beat `k`, looked for from `next` on. The
-  // writer may be overwriting older ones meanwhile.
+  // One more than the number of the newest sample published before beat `k`; searches from `next` on. The
+  // writer may overwrite older samples meanwhile.
   std::uint64_t end_before(std::uint64_t next, std::int64_t k) const noexcept {
     for (;;) {
       const slot& s = slots[index(next)];

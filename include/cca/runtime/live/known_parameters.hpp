@@ -87,7 +87,7 @@ private:
       return live_components::at<One>(c).refusal_of(of<One>().p).empty();
     else return true;
   }
-  // Where somebody refuses, what is known here is set right.
+  // If a component refuses a value, the copy that other threads read is corrected.
   template <int One, class Controller>
   void exchange(Controller& c, bool is_given) noexcept {
     if constexpr (HasParameters<typename node_types<Graph, One>::component>) {

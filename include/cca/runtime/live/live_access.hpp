@@ -63,7 +63,7 @@ public:
     look_at(c);
   }
 
-  // The loop's, between two beats. False: somebody has called `end_run()`.
+  // The loop calls it between two beats. False: another thread has called `end_run()`.
   bool operator()(controller<Graph>& c) {
     std::size_t i = 0;
     c.observed([&](const observation& o) {

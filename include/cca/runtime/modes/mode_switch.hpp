@@ -1,5 +1,5 @@
 // The switch from one mode to another, between two beats: what the next mode lacks is stopped, what the last
-// one lacked begins anew and is started. All else stays where it is, so nothing is copied.
+// one lacked is reset and started. All else stays where it is, so nothing is copied.
 //
 // Cost: for each component and sample that not all modes have a test, and what its hook does.
 #pragma once

@@ -37,7 +37,7 @@ public:
   shared_file(const shared_file&) = delete;
   shared_file& operator=(const shared_file&) = delete;
 
-  // Of the byte `at`. Waits for it, if it is to.
+  // Locks the byte `at`; if `waits`, blocks until it is free. False: another process holds it.
   bool lock(long at, bool waits) const {
     auto one = lock_of(F_WRLCK, at, 1);
     while (::fcntl(file, waits ? F_OFD_SETLKW : F_OFD_SETLK, &one) != 0)
@@ -48,7 +48,7 @@ public:
     auto one = lock_of(F_UNLCK, at, 1);
     ::fcntl(file, F_OFD_SETLK, &one);
   }
-  // Whether somebody else holds one of these bytes.
+  // Does another process hold one of these bytes?
   bool is_locked(long at, long count) const {
     auto one = lock_of(F_WRLCK, at, count);
     return ::fcntl(file, F_OFD_GETLK, &one) == 0 && one.l_type != F_UNLCK;

@@ -2,9 +2,9 @@
 //
 //   float64_multi_array<motor_currents>   port "data": the coordinates in the order of the axes
 //
-// The layout has one dimension, whose label is the names of the coordinates: "hip,knee". Refused: another
-// number of coordinates, a layout of something else. An empty layout, as people leave it who publish by hand,
-// is taken; so is one with an empty label.
+// The layout has one dimension, whose label is the names of the coordinates: "hip,knee". A message with
+// another number of coordinates or another layout is refused. An empty layout or an empty label is accepted:
+// messages published by hand often have them.
 #pragma once
 
 #include <algorithm>

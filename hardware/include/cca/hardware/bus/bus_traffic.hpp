@@ -18,7 +18,7 @@ struct frame_traffic {
   std::int64_t period = 0;  // ns; 0: by cycle
 };
 
-// The bits of a reply's first byte that say who sent it: those of `mask` have the `value`. Without a mask
+// The bits of a reply's first byte that identify its sender: those of `mask` have the `value`. Without a mask
 // they say nothing.
 struct drive_mark {
   std::uint8_t value = 0, mask = 0;

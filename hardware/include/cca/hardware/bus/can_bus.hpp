@@ -4,7 +4,7 @@
 //                  never kept: a late set point is worse than none. `full`: the transmit queue has no room
 //                  for the rest of the batch. `away`: the bus is down or off, and nothing is taken.
 //                  `invalid`: some frames can't be on this bus; the others are sent. `sent` does not say that
-//                  somebody received the frame: only a drive's answer shows that the drive is there.
+//                  another node received the frame: only a drive's answer shows that the drive is there.
 //   receive(into)  gives the frames that have come, in order of arrival, as many as there is room for, and
 //                  learns the bus's state. Call it in each beat.
 //   state()        the state as of the last `receive`
@@ -54,7 +54,7 @@ struct bus_counters {
   std::uint64_t errors = 0;            // error frames
   std::uint64_t arbitration_lost = 0;  // by a controller that doesn't try again
   std::uint64_t protocol_errors = 0;   // of bits, forms, stuffing, checksums
-  std::uint64_t not_acknowledged = 0;  // nobody else is on the bus
+  std::uint64_t not_acknowledged = 0;  // no other node is on the bus
   std::uint64_t overflows = 0;         // of the controller's own buffers
   std::uint64_t timeouts = 0;          // the driver gave up a frame
   std::uint64_t bus_offs = 0, restarts = 0, downs = 0, ups = 0;

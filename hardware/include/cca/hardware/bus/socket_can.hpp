@@ -12,7 +12,7 @@
 //   gives_up_after  for controllers in one-shot mode, which do not say which frames they gave up: most of a
 //                   beat. A frame that is not confirmed by then counts as dropped and is no longer in flight
 //   confirmations   false: own frames don't come back. Then `in_flight` is what the kernel still holds, and
-//                   nobody knows what waits in the controller: only for buses on which nothing moves
+//                   it is unknown what waits in the controller: only for buses on which nothing moves
 //   times           false: a frame's time is that of `receive`
 // docs/can_bus.md says what confirmations and times cost.
 //

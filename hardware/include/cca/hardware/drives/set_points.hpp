@@ -28,7 +28,7 @@ enum class safety_rule : std::uint8_t {
   sensor_board,  // the sensor board is silent or reports a fault
   drive_fault,   // a drive reports a fault
   implausible,   // a drive reports a jump, or no longer its velocity
-  link,          // the bus went off or down, its queue stays full, or somebody else sends our frames
+  link,          // the bus went off or down, its queue stays full, or another program sends our frames
   enabling,      // a start failed: a drive could not be enabled, or the sensor board is silent
   pressed,       // the emergency stop
   asked,         // a soft stop

@@ -1,9 +1,9 @@
-// Finds out that a drive is not alone on its bus: that two drives answer under its id, or that somebody else
-// commands it.
+// Finds out that a drive is not alone on its bus: that two drives answer under its id, or that another
+// program commands it.
 //
-//   is_command<D>(frame)   the frame is one that only we may send to this drive. Heard from somebody else, it
-//                          may have taken the torque away (`leave` of an MIT drive, whose answers do not say
-//                          so), or may move it
+//   is_command<D>(frame)   the frame is one that only we may send to this drive. From another
+//                          sender, it may have taken the torque away (`leave` of an MIT drive, whose answers
+//                          do not say so), or may move it
 //   answered(frame), begin_beat(), too_many()
 //                          a drive that answers each frame gets one a beat. If in `window` beats half as many
 //                          answers again come, two drives answer. An answer that repeats the last one does

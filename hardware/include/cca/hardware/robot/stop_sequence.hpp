@@ -2,7 +2,7 @@
 // each drive has confirmed that it is off, or until the time is over.
 //
 //   begin(damp)           from now on: `damping_beats` of damping (none, where nothing moved), then disabling
-//   hurry()               ends the damping: somebody waits for the end, to start again
+//   hurry()               ends the damping early, so that the robot can start again
 //   listen(joints, reports, gone)
 //                         each beat, after the frames have been read. gone[b]: the frames that disable went
 //                         over bus b

@@ -1,4 +1,4 @@
-// The emergency stop: collects every trip of the chain and keeps it until somebody starts the robot
+// The emergency stop: collects every trip of the chain and keeps it until an operator starts the robot
 // deliberately.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points, whose `mark` is now the
@@ -60,7 +60,7 @@ public:
   motion_mode mode() const { return is; }
   safety_event first_cause() const { return cause; }
 
-  // Whoever holds the button keeps it pressed.
+  // A button that is held stays pressed.
   void on_start() {
     is = motion_mode::damped;
     cause = {};

@@ -10,7 +10,7 @@
 //   - the bus went off or down, even for less than a beat (the counters show it);
 //   - the bus dropped something of `FullCycles` batches in a row because its queue was full: nobody
 //     acknowledges, or the bus is overloaded;
-//   - somebody else sends frames that only we may send.
+//   - another program sends frames that only we may send.
 // The first cause is kept, with its beat. `may_speak`: frames that brake, damp or ask can still go out; where
 // they can't, only the drive's own watchdog stops it. A passive bus still works: `degraded()` says so, and
 // stops nothing.

@@ -33,7 +33,7 @@ struct loop_search {
       if (number[v] < 0) visit(v);
   }
 
-  // Is the writer of this output fed, over any wires, by the one who reads it?
+  // Does the writer of this output get data, over any wires, from this reader?
   constexpr bool closes(int reader_call, int output) const {
     return group[g.calls[reader_call].node] == group[g.calls[g.outputs[output].call].node];
   }

@@ -1,7 +1,7 @@
 // Step 8, choose the storage: how the samples of each output are stored. It is decided here, once;
 // runtime/stored_samples.hpp has a type for each way.
 //
-//   none      nobody reads them, or only queues do
+//   none      they have no readers except queues
 //   of_beat   only read in the beat in which they were published: where the component returned them
 //   newest    some reader may come in a later beat: the newest one
 //   past      some reader has a delay of more than a beat: the last ones
