@@ -204,7 +204,7 @@ TEST_SUITE("liars over dds") {
     process robot([&] {
       const auto net = over_dds::transport(name);
       cca::deployed<two> d(cca::only{"robot"}, net);
-      for (int i = 0; i < 500 && net.refusals().empty(); ++i) std::this_thread::sleep_for(10ms);
+      for (int i = 0; i < 2000 && net.refusals().empty(); ++i) std::this_thread::sleep_for(10ms);
       return net.refusals().empty() ? "it met nobody" : net.refusals()[0].why;
     });
     std::this_thread::sleep_for(700ms);
