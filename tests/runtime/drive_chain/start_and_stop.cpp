@@ -322,13 +322,25 @@ TEST_SUITE("starting") {
       CHECK(l.stop().first_cause().rule == hw::safety_rule::implausible);
       CHECK(l.stop().first_cause().joint == 2);
     }
-    lab l;  // and a start while such a joint turns is refused
-    l.speed_scale[1] = -1;
-    l.motors[1].now.velocity = 3, l.motors[1].friction = 0;
-    l.controller.start();
-    l.beats(1100);
-    CHECK(l.phase() == hw::motion_phase::stopped);
-    CHECK(l.synchronizer().refusal() != hw::safety_rule::none);
+  }
+
+  TEST_CASE("so does it refuse a start, also where the joint has turned a little and rests now") {
+    for (const int turns : {1100, 15}) {  // ms
+      CAPTURE(turns);
+      lab l;
+      l.speed_scale[1] = -1;
+      l.motors[1].now.velocity = 3, l.motors[1].friction = 0;
+      l.controller.start();
+      l.beats(turns);
+      l.motors[1].now.velocity = 0;
+      CHECK((l.synchronizer().refusal() == hw::safety_rule::none) == (turns == 15));  // it has not failed yet
+      l.beats(1100);
+      CHECK(l.phase() == hw::motion_phase::stopped);
+      CHECK(l.synchronizer().refusal() == hw::safety_rule::implausible);
+      CHECK(hw::text_of(l.synchronizer().failure()) ==
+            "right_front_hip: the velocity that its drive reports is not the change of its angle: check the "
+            "sign and the range of the velocity");
+    }
   }
 
   TEST_CASE("the calibration is latched by start: a change while running is refused, and changes nothing") {

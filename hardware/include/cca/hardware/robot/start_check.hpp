@@ -5,7 +5,7 @@
 //                                none. A joint that is outside of its range by more than `range_tolerance`,
 //                                in three beats in a row; a velocity that is not the change of the angle
 //   missing(drives, enabling, board)
-//                                when the time is over: what has not come
+//                                when the time is over: what has not come, or has not passed
 //
 // Used by can_synchronizer.hpp. Cost: some operations a joint, while it enables.
 #pragma once
@@ -53,6 +53,9 @@ public:
                                             : "";
       if (!f.missing.empty()) return f;
     }
+    // A joint that has turned a little and rests now: too little for `check`, and not taken back.
+    for (std::size_t i = 0; i < joints::count; ++i)
+      if (!drives.velocity(i).passed()) return of(i, safety_rule::implausible, drives);
     start_failure f{.why = safety_rule::enabling};
     f.missing = board.frames == 0 ? "the sensor board is silent"
                                   : "a bus is away, or holds frames that nobody acknowledges";
