@@ -30,7 +30,7 @@ inline constexpr bool is_large = Space::size > 64;
 
 template <class Vector, bool IsLarge>
 struct stored_elsewhere {
-  const Vector* stored = nullptr;  // null: here
+  const Vector* shown = nullptr;  // null: here
 };
 template <class Vector>
 struct stored_elsewhere<Vector, false> {};
@@ -65,7 +65,7 @@ public:
   }
   constexpr sample& operator=(const sample& other) {
     copy(other.vector());
-    if constexpr (detail::is_large<Space>) this->stored = nullptr;
+    if constexpr (detail::is_large<Space>) this->shown = nullptr;
     time = other.time;
     return *this;
   }
@@ -73,7 +73,7 @@ public:
   // Coordinates in the order of the axes, in the domain's units.
   constexpr const vector_type& vector() const {
     if constexpr (detail::is_large<Space>)
-      if (this->stored) return *this->stored;
+      if (this->shown) return *this->shown;
     return value;
   }
 
@@ -100,7 +100,7 @@ protected:
   void refer_to(const vector_type& from)
     requires detail::is_large<Space>
   {
-    this->stored = &from;
+    this->shown = &from;
   }
 
   vector_type value;
