@@ -1,4 +1,4 @@
-// What modes cost: the trot with a mode `stand` beside it, and each of the two in a controller of its own.
+// What modes cost: the trot and the mode `stand`, each in its own controller and both in one set.
 //
 //   bench_modes <what> <beats>    trot, stand: in a controller of its own; trot_mode, stand_mode: in the set;
 //                                 switches: as trot_mode, with a switch to `stand` and back before each beat

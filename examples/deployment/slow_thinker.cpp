@@ -1,5 +1,5 @@
 // A component that computes for 8 ms in an architecture whose beats last 1 ms. In one loop it would stop the
-// robot for 8 beats, every 10; in an environment of its own it does not, and computes the same. --help lists
+// robot for 8 of 10 beats. In an environment of its own it stops nothing, and computes the same. --help lists
 // the options. docs/environments.md
 #include <algorithm>
 #include <cstdint>

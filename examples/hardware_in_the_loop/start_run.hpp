@@ -1,6 +1,6 @@
 #pragma once
 // A run of the fault campaign with its fault at the start: the robot is put down in some posture, its drives
-// report what they shall not, and the program starts. Then the fault is mended, the operator sets the robot
+// report wrong values or none, and the program starts. Then the fault is mended, the operator sets the robot
 // on its feet, and starts again.
 #include <algorithm>
 #include <array>

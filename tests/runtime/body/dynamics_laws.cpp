@@ -211,7 +211,7 @@ TEST_SUITE("dynamics") {
           slope([&](double t) { return cca::body_pose<Body>(q + t * dq).centre_of_mass(); });
       CHECK((of_joints.template tail<3>() - mass * velocity).norm() < exact);
 
-      // Angular: that of each link about its own centre, and of the links as points.
+      // Angular: each link turns about its own centre, and the links move as points.
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (std::size_t i = 0; i < cd::body_tree_of<Body>.links.size(); ++i) {
         const auto& of = cd::body_tree_of<Body>.links[i].inertia;

@@ -1,6 +1,6 @@
 // A beat of an environment allocates nothing, at any pace and over any transport. Each environment counts
-// what its own thread allocates, from one of its beats to a later one: what it computes, sends, receives, and
-// how it waits. The threads of a transport are not beats, so they are not counted.
+// the allocations of its own thread between two of its beats, with sending, receiving and waiting. The
+// threads of a transport run no beats, so they are not counted.
 #include <doctest/doctest.h>
 
 #include <unistd.h>

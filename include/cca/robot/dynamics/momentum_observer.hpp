@@ -8,8 +8,8 @@
 //     out "external"     Torques            N m; a wrench f on the end of a part appears as J^T f
 //     out "status"       input_status_port
 //
-// "torques" are those that acted between the last firing and this one: wire what is sent to the drives with
-// `cca::delayed<1>`, or measured torques as they come. Friction that they don't contain counts as external.
+// "torques" are those that acted between the last firing and this one. Wire measured torques directly, and
+// commanded ones with `cca::delayed<1>`. Friction that they don't contain counts as external.
 // The base does not accelerate. Neither accelerations nor the inverse of the mass matrix are needed.
 //
 //   r' = 2 pi bandwidth (external - r), by r = 2 pi bandwidth (p - p(0) - integral of (torques + change -

@@ -5,8 +5,8 @@
 //   const cca::operational_space task(cca::mass_matrix(now), now.jacobian<"arm">());
 //   task.inertia            6 x 6: wrench = inertia * acceleration of the end at rest; angular part first:
 //                           kg m^2, kg m and kg, along the axes of the base
-//   task.inverse            n x 6: of the joint motions that move the end in a given way, that of the least
-//                           kinetic energy (dynamically consistent generalised inverse)
+//   task.inverse            n x 6: from a motion of the end to the joint motion with the least kinetic energy
+//                           (dynamically consistent generalised inverse)
 //   task.free_motion(dq)    the part of a joint motion that does not move the end: (1 - inverse J) dq
 //   task.free_torques(t)    the part of joint torques that does not accelerate it: (1 - J^T inverse^T) t
 //
