@@ -55,7 +55,7 @@ struct by_hand {
 
   // Parameters, as in the components.
   double speed = 0.66, start = 0.2, intercept = 0.191, slope = 1.076;
-  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.8, average = 1, level = 1.2, damp = 0.02,
+  double heading = 1.2, drift = 0.4, most = 0.5, upright = 0.68, average = 1, level = 1.2, damp = 0.02,
          most_lean = 0.5;
   double frequency = 4.0, convergence = 10.0;
   struct leg {
