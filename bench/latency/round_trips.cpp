@@ -105,7 +105,8 @@ int main(int count, char** words) {
 #ifndef BENCH_ONE_SIZE
     is_right = measure_size<128>(is_quick) && is_right;
     is_right = measure_size<4096>(is_quick) && is_right;
-    is_right = measure_size<131072>(is_quick) && is_right;
+    if constexpr (bench::fan_out <= 8)  // with 16, compiling takes more than 9 GB
+      is_right = measure_size<131072>(is_quick) && is_right;
 #endif
     if (!is_right) std::fprintf(stderr, "a message came back changed, or a form could not be measured\n");
     return is_right ? 0 : 1;

@@ -24,8 +24,13 @@ struct leaving_output {
   std::int32_t depth = 0;  // samples that readers may be behind
 };
 
+struct environment_facts {
+  std::string_view name;
+  bool samples_tell = false;  // what it has sent tells how far it is: it can't fault, and its clocks are known
+};
+
 struct deployment_facts {
-  std::vector<std::string_view> environments;
+  std::vector<environment_facts> environments;
   std::uint64_t here = 0;  // a bit for each environment of this process
   std::vector<leaving_output> outputs;
   std::string manifest;
@@ -40,7 +45,7 @@ struct deployment_facts {
     return all;
   }
   std::string status_topic(std::size_t environment) const {
-    return "cca/" + std::string(environments[environment]) + "/status";
+    return "cca/" + std::string(environments[environment].name) + "/status";
   }
   // Processes of another deployment have another type.
   std::string status_type() const { return "cca::status_" + as_text(cca::detail::hash(manifest)); }

@@ -33,7 +33,7 @@ public:
                       const cca::detail::environments_here<D>& here,
                       std::shared_ptr<refusals> counted)
       : refused(std::move(counted)) {
-    transport.emplace(domain, partition, facts_of(here), static_cast<own_exchange&>(*this), *refused,
+    transport.emplace(domain, partition, facts_of(here), static_cast<own_exchange&>(*this), own_rings, *refused,
                       [](int e) { return cca::detail::name_of_environment<D>(cca::detail::array_size(e)); });
   }
 
@@ -44,6 +44,7 @@ public:
   }
   std::int64_t newest_run_before() const override { return transport->newest_run_before(); }
   void check() const override { transport->check(); }
+  bells* rings() const override { return &own_rings; }
 
 private:
   static constexpr std::size_t environment_count = cca::detail::environment_count<D>;
@@ -51,21 +52,29 @@ private:
 
   static deployment_facts facts_of(const cca::detail::environments_here<D>& here) {
     deployment_facts all;
-    for (std::size_t e = 0; e < environment_count; ++e) {
-      all.environments.push_back(cca::detail::name_of_environment<D>(e));
+    [&]<int... E>(std::integer_sequence<int, E...>) {
+      (all.environments.push_back({cca::detail::name_of_environment<D>(E), samples_tell<E>}), ...);
+    }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
+    for (std::size_t e = 0; e < environment_count; ++e)
       if (here[e]) all.here |= std::uint64_t{1} << e;
-    }
     (all.outputs.push_back(facts_of_output<Output>()), ...);
     all.manifest = cca::detail::manifest_of<D>();
     all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
                   cca::detail::counts_of<D>.node_count};
     return all;
   }
+  template <int E>
+  static constexpr bool samples_tell =
+      !cca::detail::counts_of<cca::detail::part<D, E>>.may_fault &&
+      ((cca::detail::plan_of<D>.nodes[cca::detail::call_of<D, cca::detail::output_of<D, Output>.call>.node]
+                .environment != E ||
+        cca::detail::published_of<D, Output>.known()) &&
+       ...);
   template <int Number>
   static leaving_output facts_of_output() {
     constexpr const auto& port = cca::detail::output_port_of<D, Number>;
     constexpr int node = cca::detail::call_of<D, cca::detail::output_of<D, Number>.call>.node;
-    constexpr space_schema schema(*port.space);
+    const space_schema schema(*port.space);
     std::string name = "cca/" + cca::detail::path_of_node<D>(node) + "." + std::string(port.name);
     std::ranges::replace(name, '.', '/');
     return {cca::detail::plan_of<D>.nodes[node].environment, name,
@@ -179,6 +188,7 @@ private:
   std::int64_t run_finished(std::size_t e) const override { return own.environments[e].finished; }
 
   std::shared_ptr<refusals> refused;
+  mutable bells own_rings;
   cca::detail::exchange<D> own{};
   std::optional<replica> transport;  // last: its threads use the exchange
 };

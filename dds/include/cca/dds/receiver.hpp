@@ -191,7 +191,7 @@ private:
     if (other && !other->is_refused && (other->claims >> e.number & 1)) return false;  // it may take over
     if (!other && now != no_time && is_new(from, now)) return false;
     refused.add(other ? other->name : "participant " + std::to_string(from.token),
-                "it does not run environment `" + std::string(facts.environments[e.number]) + "`");
+                "it does not run environment `" + std::string(facts.environments[e.number].name) + "`");
     return false;
   }
   // A status may come before the presence of its sender.

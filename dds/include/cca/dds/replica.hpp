@@ -22,10 +22,12 @@ public:
           const std::string& partition,
           deployment_facts of,
           own_exchange& exchanged,
+          cca::detail::peers::bells& to_ring,
           refusals& counted,
           std::string_view (*name_of)(int))
       : facts(std::move(of)),
         numbers(exchanged),
+        rings(to_ring),
         refused(counted),
         name(name_of),
         in(domain, partition),
@@ -34,7 +36,7 @@ public:
         to_here(in, facts, numbers, peers, known, refused) {
     look_for_others();
     known.settle();
-    from_here.emplace(in, facts, numbers, peers);
+    from_here.emplace(in, facts, numbers, peers, rings.leaving);
     receiving = std::thread([this] { receive(); });
     sending = std::thread([this] { from_here->run([this] { return is_over.load(); }); });
   }
@@ -84,6 +86,7 @@ private:
     while (!is_over) {
       try {
         to_here.work();
+        rings.arriving.ring();
         look();
       } catch (const std::exception& e) {
         const std::lock_guard lock(one_at_a_time);
@@ -96,6 +99,7 @@ private:
 
   deployment_facts facts;
   own_exchange& numbers;
+  cca::detail::peers::bells& rings;
   refusals& refused;
   std::string_view (*name)(int);
   participant in;

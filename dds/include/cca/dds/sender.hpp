@@ -1,13 +1,13 @@
 // Sends what the environments of this process publish, in a thread of its own: a beat only writes its
 // numbers.
 //
-// It looks at them every 50 us while something changes, and every millisecond when nothing does; waiting
-// takes 2 % of a core (docs/transports.md). A status goes out after the samples that it counts, and at least
+// It sleeps until an environment rings: when a beat begins and when it is done. Every millisecond it looks at
+// what changes between runs. A status goes out after the samples that it counts, and at least
 // every 100 ms.
 #pragma once
 
-#include <sys/prctl.h>
-
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -20,8 +20,12 @@ namespace cca::dds::detail {
 
 class sender {
 public:
-  sender(const participant& in, const deployment_facts& of, const own_exchange& from, const contacts& others)
-      : facts(of), numbers(from), peers(others) {
+  sender(const participant& in,
+         const deployment_facts& of,
+         const own_exchange& from,
+         const contacts& others,
+         cca::detail::bell& to_hear)
+      : facts(of), numbers(from), peers(others), news(to_hear) {
     for (std::size_t e = 0; e < facts.environments.size(); ++e)
       if (facts.is_here(e)) all.push_back(std::make_unique<environment>(in, facts, e));
   }
@@ -29,22 +33,20 @@ public:
   // Until `is_over()`. Then it says that it leaves.
   template <class F>
   void run(F is_over) {
-    ::prctl(PR_SET_TIMERSLACK, 1UL);
-    std::int64_t changed_at = 0;
     while (!is_over()) {
+      const std::uint32_t before = news.count();
       const std::int64_t now = cca::detail::monotonic_clock::now();
-      for (auto& one : all)
-        if (send(*one, now, 0)) changed_at = now;
-      const bool is_active = now - changed_at < active_for;
-      cca::detail::monotonic_clock::sleep_until(now + (is_active ? active_sleep : idle_sleep));
+      std::int64_t sleep = longest_sleep;
+      for (auto& one : all) sleep = std::min(sleep, send(*one, now, 0));
+      news.wait(before, sleep);
     }
     for (auto& one : all) send(*one, cca::detail::monotonic_clock::now(), status::is_leaving);
     for (auto& one : all) one->writer.wait_for_readers();
   }
 
 private:
-  static constexpr std::int64_t active_sleep = 50'000, idle_sleep = 1'000'000, active_for = 20'000'000;
-  static constexpr std::int64_t longest_silence = 100'000'000;
+  static constexpr std::int64_t shortest_sleep = 50'000, longest_sleep = 1'000'000;
+  static constexpr std::int64_t longest_silence = 100'000'000, longest_hold = 500'000;
 
   struct output {
     std::size_t number;
@@ -75,11 +77,11 @@ private:
     std::int64_t sent_at = 0;
   };
 
-  // Whether something new went out.
-  bool send(environment& e, std::int64_t now, std::int64_t flags) {
+  // How long until the next look at the latest.
+  std::int64_t send(environment& e, std::int64_t now, std::int64_t flags) {
     numbers.read(e.number, e.now);  // before the samples: they are at least those that its position promises
     for (std::size_t o = 0; o < e.outputs.size(); ++o) {
-      if (!send_samples(e.outputs[o])) return true;
+      if (!send_samples(e.outputs[o])) return shortest_sleep;
       e.now.published[o] = static_cast<std::int64_t>(e.outputs[o].next);
     }
     e.now[status::flags] |= flags;
@@ -89,14 +91,24 @@ private:
     }
     const std::int64_t age = std::exchange(e.now[status::begun_age], 0);
     e.now.write_to(e.message);
-    const bool is_new = e.message != e.sent;
-    if (!is_new && now - e.sent_at < longest_silence) return false;
+    const std::int64_t silence = now - e.sent_at;
+    if (e.message == e.sent && silence < longest_silence) return longest_sleep;
+    if (may_wait(e) && silence < longest_hold) return longest_hold - silence;
     std::swap(e.message, e.sent);
     e.message = e.sent;
     e.message[status::begun_age] = static_cast<std::uint64_t>(age);
     if (!e.writer.write(e.message)) e.sent.clear();  // once more
     e.sent_at = now;
-    return is_new;
+    return longest_sleep;
+  }
+  // As fast as possible, and nothing is new but how far it is: if its samples tell that, a status in each beat
+  // would only cost time.
+  bool may_wait(const environment& e) const {
+    const auto behind = static_cast<std::ptrdiff_t>(e.outputs.size());
+    return facts.environments[e.number].samples_tell && (e.now[status::flags] & status::is_exact) != 0 &&
+           e.message.size() == e.sent.size() && e.message[status::flags] == e.sent[status::flags] &&
+           std::equal(e.message.begin() + status::position + 1, e.message.end() - behind,
+                      e.sent.begin() + status::position + 1);
   }
   // All there are. False: a reader holds them up.
   bool send_samples(output& o) {
@@ -110,6 +122,7 @@ private:
   const deployment_facts& facts;
   const own_exchange& numbers;
   const contacts& peers;
+  cca::detail::bell& news;
   std::vector<std::unique_ptr<environment>> all;
 };
 

@@ -217,9 +217,13 @@ struct layout_step {
     return key;
   }
 
-  // Observers read, queues are filled, and samples leave by the numbers of the ports: these have no twins.
+  static constexpr int most_compared = 1024;
+
+  // Observers read, queues are filled, and samples leave by the numbers of the ports: these have no twins. To
+  // compare the initial values of large samples would take the compilers long.
   constexpr bool is_unique(const input& in) const {
-    return (in.writer < 0 && !port_of(g, in).space) || g.calls[in.call].elsewhere;
+    const auto space = port_of(g, in).space;
+    return (in.writer < 0 && !space) || g.calls[in.call].elsewhere || (space && space->size > most_compared);
   }
   constexpr bool is_unique(const output& out) const {
     if (out.leaves || g.calls[out.call].elsewhere) return true;

@@ -40,6 +40,7 @@ public:
       exchange<D>& exchanged, const peers* others, bool is_exact, std::int64_t ahead, std::int64_t beat) {
     state.shared = &exchanged;
     state.others = others;
+    state.rings = others ? others->rings() : nullptr;
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
@@ -51,7 +52,7 @@ public:
     own().fault.position = no_position;
     own().stop_at = no_position;
     announce();
-    if (E == 0 && ahead == 0) shared().move_to(E, position() - 1);  // when its pace lets it begin
+    if (E == 0 && ahead == 0) state.move_to(position() - 1);  // when its pace lets it begin
   }
 
   // `after_beat`, of the first environment in each process, returns false at the end.
@@ -92,6 +93,7 @@ public:
       own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
       own().begun.store(k, std::memory_order_release);
+      state.ring();
       own().overruns.store(runs.overruns, std::memory_order_relaxed);
       own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
       run_timed_beat();
@@ -144,7 +146,7 @@ private:
   exchange<D>& shared() { return *state.shared; }
   auto& own() { return shared().environments[E]; }
   std::int64_t position(int rank = 0) const { return exchange<D>::position_of(k, rank); }
-  void announce() { shared().move_to(E, position()); }
+  void announce() { state.move_to(position()); }
   std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
   bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
   void state_fault(int rank, std::string_view reason, int node) noexcept {
@@ -190,7 +192,7 @@ private:
 
   // False: a fault or the end has come before it.
   bool wait_until_it_may_begin() noexcept {
-    for (learned_patience patience(state.habit);; patience.wait()) {
+    for (learned_patience patience(state.habit, state.arriving());; patience.wait()) {
       const bool may_begin = state.may_begin(k);
       if (shared().fault_position() < position() || shared().stop_at() <= k) return false;
       if (may_begin) return true;
@@ -200,7 +202,7 @@ private:
 
   // Waits until all others have done the beats before k. False: one of them faulted or stopped.
   bool all_have_come() noexcept {
-    for (learned_patience patience(state.habit); goes_on(); patience.wait()) {
+    for (learned_patience patience(state.habit, state.arriving()); goes_on(); patience.wait()) {
       if (state.all_have_come_to(position())) return true;
       if (patience.is_time_to_ask()) state.look_for_those_before(position());
     }

@@ -36,6 +36,7 @@ public:
   bool is_exact = false;          // as fast as possible: waits for whatever a result depends on
   std::int64_t ahead = 0;         // by how many beats at most, then
   bool is_cut = false;            // a fault elsewhere comes before the next call of this beat
+  peers::bells* rings = nullptr;  // of a transport with threads of its own
   waiting_habit habit;
   int fault_rank = 0;  // of the call that faulted here, in the order of the whole
 
@@ -70,6 +71,18 @@ public:
   void look_for_missing(std::int64_t k, std::int64_t position) noexcept {
     (look_for(Other, position, [&] { return is_far_enough<Other>(k); }), ...);
   }
+
+  // This environment is there; those that wait for it look again.
+  void move_to(std::int64_t position) noexcept {
+    shared->move_to(E, position);
+    ring();
+  }
+  void ring() noexcept {
+    if (!rings) return;
+    rings->leaving.ring();
+    rings->arriving.ring();
+  }
+  bell* arriving() noexcept { return rings ? &rings->arriving : nullptr; }
 
   // Whether all others are at a position, and whether those that are not will come.
   bool all_have_come_to(std::int64_t position) noexcept {
@@ -111,8 +124,7 @@ public:
       auto plan = plan_of<part<D, E>>;
       return may_fault_in(plan.view(), plan.calls[array_size(plan.order[array_size(Rank)])]);
     }();
-    if constexpr (may_fault)
-      shared->move_to(E, exchange<D>::position_of(k, order.whole_rank[array_size(Rank)] + 1));
+    if constexpr (may_fault) move_to(exchange<D>::position_of(k, order.whole_rank[array_size(Rank)] + 1));
     return true;
   }
   template <int Rank>
@@ -211,7 +223,7 @@ private:
     const auto from = exchange<D>::position_of(k, needed<X>(rank));
     const auto here = exchange<D>::position_of(k, order.whole_rank[array_size(rank)]);
     if (needed<X>(rank) == 0) return;
-    for (learned_patience patience(habit); !is_cut; patience.wait()) {
+    for (learned_patience patience(habit, arriving()); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
       is_cut = shared->fault_position() <= here;
       if (is_there) return;

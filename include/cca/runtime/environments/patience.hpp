@@ -10,19 +10,24 @@
 #include <cstdint>
 #include <thread>
 
+#include <cca/runtime/environments/peers.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::detail {
 
 class patience {
 public:
+  explicit patience(bell* arriving = nullptr) : news(arriving), before(arriving ? arriving->count() : 0) {}
+
   void wait() {
-    if (++spun < spins) return;
+    if (++spun < spins) return count_again();
     const std::int64_t now = monotonic_clock::now();
     if (times++ == 0) since = now;
     waited = now - since;
-    if (waited < longest_awake) std::this_thread::yield();
+    if (news) news->wait(before, longest_sleep);
+    else if (waited < longest_awake) std::this_thread::yield();
     else monotonic_clock::sleep_until(now + std::clamp(waited / 8, shortest_sleep, longest_sleep));
+    count_again();
   }
   // Every few milliseconds.
   bool is_time_to_ask() {
@@ -41,6 +46,12 @@ private:
   // On a busy machine a thread that yields runs again after milliseconds; a sleeping one is woken at once.
   static constexpr std::int64_t longest_awake = 100'000, shortest_sleep = 20'000, longest_sleep = 500'000;
 
+  void count_again() {
+    if (news) before = news->count();
+  }
+
+  bell* news;
+  std::uint32_t before;
   std::int64_t since = 0, waited = 0, next_question = 2'000'000;
 };
 
@@ -55,7 +66,8 @@ struct waiting_habit {
 
 class learned_patience : public patience {
 public:
-  explicit learned_patience(waiting_habit& of) : habit(of) {
+  // `arriving`: rings when something comes from another process. Null: only polling tells.
+  learned_patience(waiting_habit& of, bell* arriving) : patience(arriving), habit(of) {
     spins = ++habit.waits % 64 == 0 ? waiting_habit::most_spins : habit.spins;
   }
   ~learned_patience() {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <cca/runtime/environments/bell.hpp>
+
 namespace cca::detail {
 
 class peers {
@@ -14,6 +16,13 @@ public:
   virtual std::int64_t newest_run_before() const { return 0; }
   // Throws `refused` where this process must not run what it runs.
   virtual void check() const {}
+
+  // Between the environments and the threads of a transport that has its own: something here is to be sent, and
+  // something has come.
+  struct bells {
+    bell leaving, arriving;
+  };
+  virtual bells* rings() const { return nullptr; }
 };
 
 }  // namespace cca::detail

@@ -32,12 +32,12 @@ struct storage_step {
   }
 
   static constexpr bool same_initial(ref<item_info> a, ref<item_info> b, int size) {
-    for (int c = 0; c < size; ++c) {
-      const auto value = [c](ref<item_info> w) {
-        return w && w->initial ? w->initial[w->initial_count == 1 ? 0 : c] : 0.0;
-      };
-      if (bool(a && a->initial) != bool(b && b->initial) || value(a) != value(b)) return false;
-    }
+    const bool has_a = a && a->initial, has_b = b && b->initial;
+    if (!has_a || !has_b) return has_a == has_b;
+    if (a->initial_count == 1 && b->initial_count == 1) size = 1;  // the same for all
+    for (int c = 0; c < size; ++c)
+      if (a->initial[a->initial_count == 1 ? 0 : c] != b->initial[b->initial_count == 1 ? 0 : c])
+        return false;
     return true;
   }
 
