@@ -33,7 +33,8 @@ public:
                       const cca::detail::environments_here<D>& here,
                       std::shared_ptr<refusals> counted)
       : refused(std::move(counted)) {
-    transport.emplace(domain, partition, facts_of(here), static_cast<own_exchange&>(*this), own_rings, *refused,
+    transport.emplace(domain, partition, facts_of(here), static_cast<own_exchange&>(*this), own_rings,
+                      *refused,
                       [](int e) { return cca::detail::name_of_environment<D>(cca::detail::array_size(e)); });
   }
 
@@ -66,8 +67,8 @@ private:
   template <int E>
   static constexpr bool samples_tell =
       !cca::detail::counts_of<cca::detail::part<D, E>>.may_fault &&
-      ((cca::detail::plan_of<D>.nodes[cca::detail::call_of<D, cca::detail::output_of<D, Output>.call>.node]
-                .environment != E ||
+      ((cca::detail::plan_of<D>.nodes[cca::detail::call_of<D, cca::detail::output_of<D, Output>.call>.node].environment !=
+            E ||
         cca::detail::published_of<D, Output>.known()) &&
        ...);
   template <int Number>

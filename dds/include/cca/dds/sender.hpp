@@ -101,8 +101,8 @@ private:
     e.sent_at = now;
     return longest_sleep;
   }
-  // As fast as possible, and nothing is new but how far it is: if its samples tell that, a status in each beat
-  // would only cost time.
+  // As fast as possible, and nothing is new but how far it is: if its samples tell that, a status in each
+  // beat would only cost time.
   bool may_wait(const environment& e) const {
     const auto behind = static_cast<std::ptrdiff_t>(e.outputs.size());
     return facts.environments[e.number].samples_tell && (e.now[status::flags] & status::is_exact) != 0 &&

@@ -17,8 +17,8 @@ public:
   // Throws `refused` where this process must not run what it runs.
   virtual void check() const {}
 
-  // Between the environments and the threads of a transport that has its own: something here is to be sent, and
-  // something has come.
+  // Between the environments and the threads of a transport that has its own: something here is to be sent,
+  // and something has come.
   struct bells {
     bell leaving, arriving;
   };
