@@ -67,7 +67,7 @@ struct waiting_habit {
 class learned_patience : public patience {
 public:
   // `arriving`: rings when something comes from another process. Null: only polling tells.
-  learned_patience(waiting_habit& of, bell* arriving) : patience(arriving), habit(of) {
+  explicit learned_patience(waiting_habit& of, bell* arriving = nullptr) : patience(arriving), habit(of) {
     spins = ++habit.waits % 64 == 0 ? waiting_habit::most_spins : habit.spins;
   }
   ~learned_patience() {
