@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Checks that every component is under the laws of finite numbers (tests/laws/finite_laws.hpp).
+"""Checks that every component is under the laws of finite numbers (tests/laws/finite_laws.hpp), and that its header says so.
 
 usage: finite.py [ROOT of the repository]
 
 Each header directly in a folder of FOLDERS has a TEST_CASE of its name in tests/runtime/finite, or a reason in WITHOUT.
+The comment at its beginning states what holds while an input is NaN or infinite, or it has a reason in SILENT.
 """
 import pathlib
 import re
 import sys
 
-FOLDERS = ["adaptive", "mapping", "motor", "robot"]
+FOLDERS = ["adaptive", "mapping", "motor", "robot", "robot/dynamics"]
 TESTS = "tests/runtime/finite"
 FUNCTION = "functions and data, no component"
 PART = "a graph of components that are tested by themselves"
@@ -47,11 +48,52 @@ WITHOUT = {
     "robot/body_components.hpp": "without a state: NaN passes",
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
+    "robot/dynamics/coriolis_matrix.hpp": FUNCTION,
+    "robot/dynamics/forward_dynamics.hpp": FUNCTION,
+    "robot/dynamics/mass_matrix.hpp": FUNCTION,
+    "robot/dynamics/momentum.hpp": FUNCTION,
+    "robot/dynamics/momentum_observer.hpp": "tested in tests/runtime/body/momentum_observer.cpp, with its arm",
+    "robot/dynamics/operational_space.hpp": FUNCTION,
+    "robot/dynamics/positive_matrix.hpp": FUNCTION,
+    "robot/dynamics/spatial_inertia.hpp": FUNCTION,
+    "robot/watchdog.hpp": "looks at times only",
+}
+STATES = re.compile(r"\bNaN\b|\bnot finite\b")
+CONSTANTS = "constants of the program"
+SILENT = {
+    "adaptive/learned_file.hpp": "files; it refuses what is no finite number",
+    "adaptive/module_status.hpp": "names of states",
+    "adaptive/ode.hpp": "what a model is; the solver says what it does with NaN",
+    "mapping/placement.hpp": CONSTANTS,
+    "mapping/serial_chain.hpp": CONSTANTS,
+    "motor/dmp_shapes.hpp": "what a learner adapts; the learner says what NaN does",
+    "motor/gait.hpp": CONSTANTS,
+    "motor/spaces.hpp": CONSTANTS,
+    "robot/body.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }
 
 
 def problems(root):
+    yield from problems_of_tests(root)
+    yield from problems_of_sentences(root)
+
+
+def problems_of_sentences(root):
+    for folder in FOLDERS:
+        for file in sorted((root / "include/cca" / folder).glob("*.hpp")):
+            header = f"{folder}/{file.name}"
+            states = bool(STATES.search(file.read_text().partition("#pragma once")[0]))
+            if not states and header not in SILENT:
+                yield f"include/cca/{header}: its first comment does not say what holds while an input is NaN or infinite: output, status and fault"
+            if states and header in SILENT:
+                yield f"tests/scripts/finite.py: {header} speaks of NaN, so it needs no reason"
+    for header in sorted(SILENT):
+        if not (root / "include/cca" / header).exists():
+            yield f"tests/scripts/finite.py names {header}, which does not exist"
+
+
+def problems_of_tests(root):
     tested = set()
     for file in sorted((root / TESTS).glob("*.cpp")):
         tested |= set(re.findall(r'TEST_CASE\("([\w/]+\.hpp)"\)', file.read_text()))
@@ -67,7 +109,7 @@ def problems(root):
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     found = list(problems(root))
-    print("\n".join(found) if found else "every component is under the laws of finite numbers")
+    print("\n".join(found) if found else "every component is under the laws of finite numbers, and its header says what NaN does")
     return bool(found)
 
 

@@ -200,11 +200,17 @@ class Rules(Tree):
 class Finite(Tree):
     def test_every_header_has_a_test_or_a_reason(self):
         for name in finite.WITHOUT:
-            self.write(f"include/cca/{name}", "")
-        self.write("include/cca/motor/hopf.hpp", "")
+            self.write(f"include/cca/{name}", "" if name in finite.SILENT else "// While an input is NaN: nothing.\n")
+        self.write("include/cca/motor/hopf.hpp", "// While an input is NaN or infinite, it stands still.\n#pragma once\n")
         self.write("tests/runtime/finite/motor.cpp", 'TEST_CASE("motor/hopf.hpp") {}\n')
         self.assertEqual(list(finite.problems(self.root)), [])
-        self.write("include/cca/motor/forgotten.hpp", "")
+        self.write("include/cca/motor/hopf.hpp", "// An oscillator.\n#pragma once\n// NaN is told too late.\n")
+        self.assertEqual(len(list(finite.problems(self.root))), 1)
+        self.write("include/cca/motor/hopf.hpp", "// NaN passes.\n#pragma once\n")
+        self.write("include/cca/motor/gait.hpp", "// NaN means walk.\n#pragma once\n")
+        self.assertEqual(len(list(finite.problems(self.root))), 1)
+        self.write("include/cca/motor/gait.hpp", "")
+        self.write("include/cca/motor/forgotten.hpp", "// NaN passes.\n")
         self.write("tests/runtime/finite/motor.cpp", 'TEST_CASE("motor/hopf.hpp") {}\nTEST_CASE("motor/gone.hpp") {}\n')
         self.assertEqual(len(list(finite.problems(self.root))), 2)
 

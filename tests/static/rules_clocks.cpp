@@ -170,6 +170,51 @@ static_assert(cca::diagnosis<exclusive_and_waiting>.message ==
               "strategy.never_fires: `b` (sink<>) has all_of<timed<2>, timed<4, 3>> in its strategy, which "
               "never fires: its clocks have no beat in common; change a period or a phase, or remove it");
 
+// A user's strategies without add_name: the name of the type stands in the message.
+struct nameless {
+  template <class Inputs>
+  static constexpr bool fires(cca::beat, const Inputs&) {
+    return true;
+  }
+};
+struct mistaken : nameless {
+  static constexpr std::string_view mistake = "asks for a beat that never comes: ask for another";
+};
+struct never_satisfied : nameless {
+  static constexpr bool excludes_itself = true;
+};
+struct waiting_in_vain : nameless {
+  static constexpr bool waits_in_vain(const cca::detail::arrivals&) { return true; }
+};
+template <class Strategy>
+struct fired_by : khz<cca::node<"a", source<>, Strategy>> {};
+template <class Strategy>
+constexpr bool says(std::string_view end) {
+  const std::string_view whole = cca::diagnosis<fired_by<Strategy>>.message,
+                         begin = "strategy.never_fires: `a` (source<>) ";
+  return whole.starts_with(begin) && whole.substr(begin.size()) == end;
+}
+static_assert(cca::well_formed<fired_by<nameless>> &&
+              cca::well_formed<fired_by<cca::any_of<nameless, cca::timed<3>>>>);
+static_assert(says<mistaken>("asks for a beat that never comes: ask for another") &&
+              says<cca::any_of<nameless, mistaken>>("asks for a beat that never comes: ask for another"));
+static_assert(says<waiting_in_vain>(
+    "fires only when a sample arrives, but no input that it waits for is wired: wire one, or make it "
+    "cca::timed"));
+static_assert(says<cca::all_of<nameless, cca::timed<2>, cca::timed<2, 1>>>(
+    "never fires: the clocks under its cca::all_of have no beat in common; change a period or a phase"));
+static_assert(says<cca::any_of<nameless, cca::all_of<cca::timed<2>, nameless, cca::timed<2, 1>>>>(
+    "has all_of<timed<2>, nameless, timed<2, 1>> in its strategy, which never fires: its clocks have no beat "
+    "in common; change a period or a phase, or remove it"));
+// No all_of is at fault here, and no clock.
+static_assert(
+    says<never_satisfied>("never fires: no beat can satisfy never_satisfied; choose another "
+                          "strategy"));
+static_assert(says<cca::any_of<cca::timed<3>, never_satisfied>>(
+    "has never_satisfied in its strategy, which no beat can satisfy: remove it"));
+static_assert(says<cca::all_of<cca::timed<3>, never_satisfied>>(
+    "has never_satisfied in its strategy, which no beat can satisfy: remove it"));
+
 struct loop
     : khz<cca::node<"a", step<>>, cca::node<"b", step<>>, cca::wire<"a.y", "b.x">, cca::wire<"b.y", "a.x">> {
 };

@@ -26,6 +26,11 @@
 //                                         the mapping M on that port: the port has the space of M, the module
 //                                         keeps its own
 //
+// While an input is NaN or infinite, each part does what its header states. A module of motor/ keeps its
+// state and "ode_status" is `unreadable`. If the criterion reads the number (the feedback, or the reference
+// if that is its target), "error" is 1e12 and "component_status" is `diverged`. No fault:
+// unreadable_fault.hpp makes one.
+//
 // Errors: criterion.spaces, wire.unknown_port; those of a graph. Cost: that of its parts.
 // Example: tests/runtime/adaptive/tracker.cpp.
 #pragma once

@@ -8,6 +8,9 @@
 // orientation) counts as plain coordinates. Trained region: near some example (covered_region.hpp). It learns
 // in batches only.
 //
+// Examples and inputs that are NaN or infinite don't come here (learner.hpp). The answer to NaN is NaN; the
+// one to infinity may be finite, because the hyperbolic tangent ends at 1: the status says `outside`.
+//
 // Cost: an answer takes Hidden (I + O) products and Hidden hyperbolic tangents; a batch Hidden^2 per example
 // and Hidden^3. Source: Huang, Zhu, Siew, Extreme learning machine: theory and applications, Neurocomputing
 // 70, 2006; with ridge: Deng, Zheng, Chen, Regularized extreme learning machine, CIDM 2009; for inverse

@@ -13,6 +13,10 @@
 //   OnlineLearner     `step(learned, x, y, settings)`: learns one example within a beat; its cost is bounded
 //   BatchLearner      `batch(examples, settings)`: learns from all examples, outside of the loop
 //
+// NaN and infinity reach no learner: `training` ignores such an example, and says `outside` (the trained
+// region) of such an input without asking the learner. So a learner checks no number, and has neither a
+// status nor a fault.
+//
 // A learner has no state of its own. The state is `learned`, a value in a `training` (training.hpp), so a
 // batch can run on another thread and hand over its whole result. Errors: learner.model.
 // Laws: tests/laws/learner_laws.hpp; docs/learners.md.

@@ -10,6 +10,8 @@
 // activation, so regions that are not visited are not forgotten. Trained region: the functions that are
 // active at x have seen examples.
 //
+// Examples and inputs that are NaN or infinite don't come here (learner.hpp), so the weights stay finite.
+//
 // Cost: a step takes N (2 D + 6) products and the activations; a batch that per example.
 // Source: Ijspeert, Nakanishi, Hoffmann, Pastor, Schaal, Neural Computation 25, 2013, equation 2.14 (batch);
 // Schaal and Atkeson, Constructive incremental learning from only local information, Neural Computation 10,

@@ -11,6 +11,9 @@
 // makes a new stepper, so a beat depends only on the state. That allows one-step steppers (runge_kutta4,
 // cash_karp54, dopri5, fehlberg78, modified_midpoint), not those that use earlier steps. The step is the
 // beat; its length is not adapted. Cost: that of the stepper; no allocation, since states have fixed size.
+//
+// While an input is NaN or infinite: a step whose end is not finite is dropped by the solver, which keeps its
+// state and says so by the result of `advance` (ode_solver.hpp). No stepper keeps anything of it.
 // Example: tests/runtime/ode/odeint.cpp.
 #pragma once
 

@@ -8,8 +8,9 @@
 // The state stays finite. A step that is too long for the integrator is taken in closed form if the model has
 // one (`flow`), else divided into up to `most_parts` parts, if the model states its `fastest` rate. If that
 // is not enough the model advances by as much time as these parts allow, so it runs slower than asked, and
-// `advance` returns false. So it does for a step whose end is not finite, which is not taken. A model without
-// `fastest` gets undivided steps: then eigenvalues of at most about 2 / dt are a precondition.
+// `advance` returns false. So it does for a step whose end is not finite, which is not taken: a NaN input
+// leaves the state as it is. A model without `fastest` gets undivided steps: then eigenvalues of at most
+// about 2 / dt are a precondition.
 //
 // Cost: that of the integrator; the bound, and a check that the new state is finite.
 // Example: tests/runtime/ode/example.cpp.

@@ -9,6 +9,8 @@
 // nothing. Trained region: f^T P f, the variance of the answer in units of the variance of an example, is at
 // most `leverage`. Precondition: R <= 128 regressors (P has fixed size).
 //
+// Examples and inputs that are NaN or infinite don't come here (learner.hpp), so W and P stay finite.
+//
 // Cost: a step takes R (2 R + D) products; a batch R^2 per example and R^3.
 // Source: Ljung, System Identification, second edition 1999, chapters 11 (recursion) and 7 (batch); wind-up
 // of P: Astrom and Wittenmark, Adaptive Control, second edition 1995. Checked against the normal equations

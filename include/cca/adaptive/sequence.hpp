@@ -20,7 +20,8 @@
 // value<"path">()` is the observed value. The compiler checks that names are unique and that each named step
 // exists.
 //
-// An observed NaN fulfils neither `is`, `below` nor `above`, and is not kept.
+// An observed NaN fulfils neither `is`, `below` nor `above`, so it fulfils `no` of them, and `held_for`
+// begins again; timeouts and `after` go on. Infinity compares like a number. Neither is kept.
 //
 // Errors: none in a beat; `unheard()` tells of unknown paths. Cost: each path is searched once; then one
 // comparison per condition. Example: tests/runtime/adaptive/sequencer.cpp.

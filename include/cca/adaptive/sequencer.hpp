@@ -11,6 +11,9 @@
 //   out "status"      component_status_port  reached in the last step, converging before
 //   fault             if a condition names a path without a publisher
 //
+// While an observed number is NaN, conditions hold as sequence.hpp says; all outputs stay finite, "status" is
+// `converging` or `reached` as before, and there is no fault.
+//
 // For other outputs (a target, an amplitude) read "step" in your own component, or hold a cca::sequence<plan>
 // in it. Timeouts count beats of the controller, whatever the strategy of the sequencer. Cost: that of a
 // sequence (sequence.hpp). Example: tests/runtime/adaptive/sequencer.cpp.

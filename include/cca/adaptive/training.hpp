@@ -10,6 +10,9 @@
 //   auto work = m.learning.begin_batch(m.p.settings);    a value: call work() on any thread
 //   m.learning.hand_over(work());                        the whole result, between two beats
 //
+// An example that is NaN, infinite or beyond 1e12 is ignored in every state. An input that is NaN or infinite
+// lies outside of the trained region; its answer is what the model makes of it. There is no fault.
+//
 // It keeps the newest Capacity examples. States and legal changes stand in a table (learning_transitions);
 // other changes are refused. A beat allocates nothing. It is a value: a copy continues independently. Memory:
 // Capacity examples. Errors: `cca::refused` for illegal changes and for files (learned_file.hpp).
@@ -97,7 +100,7 @@ public:
   learning state() const { return now; }
   // always_inline, here and below: without it clang leaves calls in the beat.
   [[gnu::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
-    return has_learned && Rule::inside(known, x, s);
+    return has_learned && detail::all_finite(x) && Rule::inside(known, x, s);
   }
   [[gnu::always_inline]] trained_region region(const input& x, const settings& s) const {
     return in_trained_region(x, s) ? trained_region::inside : trained_region::outside;

@@ -20,6 +20,7 @@
 // Example: tests/runtime/adaptive/mapping.cpp.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -71,7 +72,11 @@ struct learned_mapping {
       typename To::vector_type zero = To::vector_type::Zero();
       if constexpr (Correction) zero = x;
       if (teacher && teacher.fresh()) learning.teach(x, teacher.vector() - zero, p.settings);
-      return {typename To::vector_type(zero + learning.answer(x)), learning.status(x, p.settings)};
+      // A model may answer infinity with a finite number.
+      const typename To::vector_type y =
+          inputs.unreadable() ? To::vector_type::Constant(std::numeric_limits<double>::quiet_NaN()).eval()
+                              : typename To::vector_type(zero + learning.answer(x));
+      return {y, learning.status(x, p.settings)};
     }
   }
 

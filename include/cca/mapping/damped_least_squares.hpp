@@ -4,6 +4,8 @@
 // J^T + m I) y = e, dq = J^T y, over the joints that no limit blocks. It is taken if it reduces the distance;
 // the damping m follows the ratio of actual to predicted gain (Nielsen 1999). A descent ends in a minimum of
 // the distance, which need not be the least one: many_starts.hpp tries others.
+// Precondition: the target is not NaN or infinite; inverse_kinematics.hpp checks it. Then the angles stay
+// finite.
 // Cost: a step is one evaluation of the chain and one solution of at most six equations.
 //
 // Sources: Wampler, Manipulator inverse kinematic solutions based on vector formulations and damped

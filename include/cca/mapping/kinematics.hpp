@@ -5,6 +5,7 @@
 //   now.jacobian()   6 x coordinates: angular velocity (rad/s), then velocity (m/s) of the origin of the tip,
 //                    along the axes of the base
 //
+// An angle that is NaN or infinite makes each link behind it not finite; nothing is kept.
 // Everything has fixed size; nothing allocates. Cost: per joint a sine, a cosine and at most one product of
 // two 3 x 3 matrices. Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics: Modelling, Planning and
 // Control, 2009, chapters 2 and 3 (geometric Jacobian). Checked against Orocos KDL on random trees, and

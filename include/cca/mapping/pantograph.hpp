@@ -16,6 +16,7 @@
 // Its inverse gives the nearest point within the joint limits, of all that exist. The reachable points of the
 // plane are bounded by arcs on which one joint is at its limit or the leg is straight or folded, and the
 // nearest point of an arc is known (law of cosines; compare Siciliano et al., Robotics, 2009, chapter 2).
+// A target that is NaN or infinite does not come here: inverse_kinematics.hpp answers it.
 // Preconditions: lengths are positive; the range of the abduction is less than a turn.
 // Cost: about 10 sines and arc tangents.
 #pragma once

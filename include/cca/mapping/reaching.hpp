@@ -2,6 +2,8 @@
 //
 //   cca::wire<"ik.status", ...>;   if (s.is(cca::reaching::reached)) ...
 //
+// While a target is NaN or infinite, it is `unreadable`, and the angles stay (inverse_kinematics.hpp).
+//
 // It is a space of one axis without a rate, so it fits every input of its kind.
 #pragma once
 

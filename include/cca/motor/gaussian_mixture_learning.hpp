@@ -10,6 +10,8 @@
 // in the last steps. Trained region: inputs at least as likely as the least likely example. It learns in
 // batches only. The model has the parameters of cca::gmr: `c.get<"motion">().p.mixture = learned.function`.
 //
+// Examples and inputs that are NaN or infinite don't come here (learner.hpp), so the mixture stays finite.
+//
 // Errors: none. Cost: a batch takes K (I + O)^3 operations per example and iteration.
 // Source: Dempster, Laird, Rubin, Maximum likelihood from incomplete data via the EM algorithm, Journal of
 // the Royal Statistical Society B 39, 1977; regression: equations/gaussian_mixture.hpp. Checked: the

@@ -12,6 +12,12 @@
 //   out "command"    S
 //   out "ode_status", "module_status", "component_status", "error", and the other ports of the shape
 //
+// Inputs (input_status.hpp): while "frequency", "phase" or "centre" is NaN or infinite, the pattern publishes
+// no new command and "ode_status" is `unreadable`; "frequency" stops the oscillator too, which otherwise goes
+// on. While "amplitude" is, the oscillator stands still and the command settles at its phase: only the
+// observed status `module.oscillator.status` says so. While "feedback" is, the movement goes on, "error" is
+// 1e12 and "component_status" is `diverged`. No fault: unreadable_fault.hpp makes one.
+//
 // Inside: `module` (a graph of `oscillator`, `shift` and `pattern`), `criterion`, `status`. The oscillator is
 // hopf<Axis>, or the fourth argument: a component with inputs "amplitude", "frequency" and outputs "phase",
 // "amplitude". Options: those of an adaptive component. Errors, cost: those of its parts.

@@ -9,6 +9,9 @@
 // the ground, gravity is (0, 0, -9.81) turned back by the orientation of the trunk. A wrench f on the end of
 // a part adds -J^T f. Parts without `links` weigh nothing.
 //
+// Numbers that are NaN or infinite make results that are not finite. Nothing is kept, and no status says so:
+// check them before (input_status.hpp).
+//
 // Source: the recursive Newton-Euler algorithm (Luh, Walker, Paul 1980; Featherstone, Rigid Body Dynamics
 // Algorithms, 2008, section 5.3), all vectors along the axes of the base. Checked against Orocos KDL on
 // random trees, and by power and energy. Cost: linear in the number of joints; nothing allocates.

@@ -7,6 +7,8 @@
 //                                                     origin of that end
 //   now.centre_of_mass()                              of all links and the base, m
 //
+// An angle that is NaN or infinite makes each link behind it and the centre of mass not finite; nothing is
+// kept.
 // Everything has fixed size; nothing allocates. Cost: per joint a sine, a cosine and at most two products of
 // 3 x 3 matrices.
 #pragma once

@@ -1,4 +1,5 @@
 // All kinds of adaptive components and criteria obey their laws.
+#include <array>
 #include <future>
 #include <string>
 #include <string_view>
@@ -476,6 +477,78 @@ TEST_CASE("a generator oscillates around its centre, and rests there at a negati
   for (int k = 0; k < 8000; ++k) c.step();
   CHECK((c.get<"robot">().angles - Eigen::Vector2d(0.3, -0.5)).norm() < 2e-3);
   CHECK(laws::told(c).at("swing.status.component")[0] == cca::status_of(reached));
+}
+
+namespace {
+
+// All inputs of a generator, each of which can be broken.
+struct hands {
+  auto process(cca::beat) -> std::tuple<cca::out<"centre", leg>,
+                                        cca::out<"amplitude", cca::over<cca::amplitude, stride>>,
+                                        cca::out<"phase", cca::over<cca::phase, stride>>,
+                                        cca::out<"frequency", cca::over<cca::frequency, stride>>,
+                                        cca::out<"feedback", leg>> {
+    return {centre, amplitude, phase, frequency, feedback};
+  }
+  Eigen::Vector2d centre{0.1, -0.8}, feedback{0.1, -0.8};
+  double amplitude = 1, phase = 0, frequency = 1.5;
+};
+struct held_swing : cca::graph<cca::rate<1000>,
+                               cca::node<"hands", hands>,
+                               cca::node<"swing", swing>,
+                               cca::wire<"hands.centre", "swing.centre">,
+                               cca::wire<"hands.amplitude", "swing.amplitude">,
+                               cca::wire<"hands.phase", "swing.phase">,
+                               cca::wire<"hands.frequency", "swing.frequency">,
+                               cca::wire<"hands.feedback", "swing.feedback">,
+                               cca::observe<"swing.*">> {};
+
+}  // namespace
+
+TEST_CASE("an input of a generator that is NaN or infinite does what its header says") {
+  cca::controller<held_swing> healthy;
+  using learner = cca::dmp_rhythmic_module<leg, stride, 25>::learner;
+  healthy.get<"swing">().get<"module">().get<"pattern">().learning.hand_over(taught<learner>(
+      [](double f) -> Eigen::Vector2d { return 60 * Eigen::Vector2d(std::sin(f), std::cos(f)); }));
+  healthy.load();
+  healthy.start();
+  healthy.run(cca::for_beats<700>{});
+  const auto before = laws::told(healthy);
+  struct expected {
+    void (*set)(hands&, double);
+    bool oscillator_stands, pattern_stands, pattern_says_so, lost;
+  };
+  const std::array cases{
+      expected{[](hands& h, double x) { h.centre[1] = x; }, false, true, true, false},
+      expected{[](hands& h, double x) { h.phase = x; }, false, true, true, false},
+      expected{[](hands& h, double x) { h.frequency = x; }, true, true, true, false},
+      expected{[](hands& h, double x) { h.amplitude = x; }, true, false, false, false},
+      expected{[](hands& h, double x) { h.feedback[0] = x; }, false, false, false, true},
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    for (const double broken : {std::nan(""), cca::infinity, -cca::infinity}) {
+      CAPTURE(i);
+      CAPTURE(broken);
+      auto c = healthy;
+      cases[i].set(c.get<"hands">(), broken);
+      for (int k = 0; k < 50; ++k) {
+        c.step();
+        const auto now = laws::told(c);
+        const auto stands = [&](const char* path) { return now.at(path) == before.at(path); };
+        for (const auto& [path, values] : now)
+          if (path != "swing.module.shift.shifted")
+            for (const double x : values) CHECK_MESSAGE(std::isfinite(x), path);
+        CHECK(stands("swing.module.oscillator.phase") == cases[i].oscillator_stands);
+        CHECK((now.at("swing.module.oscillator.status")[0] == cca::status_of(cca::ode_status::unreadable)) ==
+              cases[i].oscillator_stands);
+        CHECK(stands("swing.module.pattern.command") == cases[i].pattern_stands);
+        CHECK((now.at("swing.status.ode")[0] == cca::status_of(cca::ode_status::unreadable)) ==
+              cases[i].pattern_says_so);
+        CHECK((now.at("swing.criterion.error")[0] == 1e12) == cases[i].lost);
+        CHECK((now.at("swing.status.component")[0] == cca::status_of(diverged)) == cases[i].lost);
+      }
+      CHECK(c.state() == cca::state::started);  // no fault
+    }
 }
 
 namespace {

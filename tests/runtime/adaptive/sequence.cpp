@@ -80,6 +80,35 @@ TEST_CASE("each condition does what its name says, on the named axis") {
   CHECK(!r.s.in<"low">());
 }
 
+TEST_CASE("a number that is NaN fulfils no comparison, ends the hold, and is not kept") {
+  struct plan
+      : cca::steps<cca::step<"rest">,
+                   cca::step<"high", cca::above<"s.a", 2.0>, cca::held_for<3>, cca::or_after<9, "rest">>,
+                   cca::step<"not_low", cca::no<cca::below<"s.a", 1.0>>>> {};
+  running<plan> r;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  r.now.a = {3, 0};
+  CHECK_EQ(r.step(3), "rest");
+  r.now.a = {none, 0};
+  CHECK_EQ(r.step(), "rest");  // the hold of three beats ends here
+  r.now.a = {3, 0};
+  CHECK_EQ(r.step(3), "rest");
+  CHECK_EQ(r.step(), "high");
+  r.now.a = {0, 0};
+  CHECK_EQ(r.step(3), "high");
+  r.now.a = {none, 0};
+  CHECK_EQ(r.step(), "not_low");  // `no` holds, since `below` does not
+  r = {};
+  r.now.a = {none, 0};
+  CHECK_EQ(r.step(9), "rest");
+  CHECK(!r.s.timed_out());
+  CHECK_EQ(r.step(), "rest");
+  CHECK(r.s.timed_out());  // timeouts go on
+  r.now.a = {cca::infinity, 0};
+  CHECK_EQ(r.step(3), "rest");
+  CHECK_EQ(r.step(), "high");
+}
+
 TEST_CASE("a condition must hold without a break, and again for the next step") {
   running<on_end> r;
   CHECK_EQ(r.s.beats(motor_test::at(7)), 0);  // no step has begun

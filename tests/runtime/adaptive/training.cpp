@@ -1,5 +1,7 @@
 // The states of a training: which change is legal in which state, which examples it keeps, what it refuses.
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <utility>
@@ -141,6 +143,19 @@ TEST_CASE("before learning and after forgetting everything is outside the traine
   CHECK(s.region({0, 1}, easy) == cca::trained_region::outside);
   CHECK_EQ(s.example_count(), 0);
   CHECK(s.get().function.weights == rule::learned().function.weights);
+}
+
+TEST_CASE("an input that is not finite is outside of the trained region, whatever the settings") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double with_payload = std::bit_cast<double>(std::bit_cast<std::uint64_t>(none) + 1);
+  const rule::settings easy(1.0, 0.0);
+  const side s = in_state(trained);
+  REQUIRE(s.region({0, 1}, easy) == cca::trained_region::inside);
+  for (const double broken : {none, -none, with_payload, infinite, -infinite}) {
+    CAPTURE(broken);
+    CHECK(s.region({broken, 1}, easy) == cca::trained_region::outside);
+    CHECK(s.region({0, broken}, easy) == cca::trained_region::outside);
+  }
 }
 
 TEST_CASE("a value that is not finite is not saved, and nothing is loaded during learning") {

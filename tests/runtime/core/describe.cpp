@@ -55,6 +55,17 @@ struct broken : cca::graph<cca::rate<100>,
                            cca::node<"adder", adder>,
                            cca::wire<"counter.nothing", "adder.x">> {};
 
+// A user's strategy without add_name.
+struct nameless {
+  template <class Inputs>
+  static constexpr bool fires(cca::beat now, const Inputs&) {
+    return now.index() % 7 == 3;
+  }
+};
+struct own_strategies : cca::graph<cca::rate<100>,
+                                   cca::node<"alone", counter, nameless>,
+                                   cca::node<"within", counter, cca::any_of<nameless, cca::timeout<9>>>> {};
+
 template <cca::fixed_string Name>
 struct named : cca::space<cca::number, cca::axes<cca::x>> {};
 struct quoting {
@@ -94,6 +105,15 @@ TEST_SUITE("describe") {
   TEST_CASE("mermaid") {
     test::check_picture<shown>(picture);
     CHECK_EQ(cca::describe<lonely>::mermaid(), "flowchart LR\n  n0[\"counter<br/><i>0.5 Hz</i>\"]\n");
+  }
+
+  TEST_CASE("a strategy without add_name has the name of its type") {
+    CHECK_EQ(cca::describe<own_strategies>::mermaid(),
+             "flowchart LR\n"
+             "  n0[\"alone<br/><i>nameless</i>\"]\n"
+             "  n1[\"within<br/><i>any_of&lt;nameless, timeout&lt;9&gt;&gt;</i>\"]\n");
+    const std::string dot = cca::describe<own_strategies>::dot();
+    CHECK_NE(dot.find("n1 [label=\"within\\nany_of<nameless, timeout<9>>\"]"), dot.npos);
   }
 
   TEST_CASE("dot, accepted by graphviz") {

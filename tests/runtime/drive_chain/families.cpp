@@ -1,6 +1,7 @@
 // One robot with several families of drives: moteus on CAN FD, ODrive, CiA 402 with its SYNC, MIT. Eight
 // plain motors are its mechanics.
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -132,6 +133,18 @@ public:
         return false;
     return true;
   }
+  // One bit for each enabled drive.
+  unsigned enabled() const {
+    unsigned bits = 0, bit = 1;
+    std::apply([&](const auto&... drive) { ((bits |= drive.enabled() ? bit : 0u, bit <<= 1), ...); },
+               far.drives);
+    return bits;
+  }
+  template <class F>
+  void of_drive(std::size_t which, F f) {
+    std::size_t i = 0;
+    std::apply([&](auto&... drive) { ((i++ == which ? f(drive) : void()), ...); }, far.drives);
+  }
   bool all_there() const {
     for (std::size_t i = 0; i < count; ++i)
       if (std::abs(motors[i].now.position - start_at(i) - step) > 0.03) return false;
@@ -228,6 +241,66 @@ TEST_SUITE("families of drives") {
     check(std::index_sequence<4>(), 0x2310);
     check(std::index_sequence<5>(), 0x2310);
     check(std::index_sequence<6>(), 2);
+  }
+
+  TEST_CASE("pressed, the emergency stop lets no drive of any family be enabled, nor does a start") {
+    for (std::size_t missing = 0; missing < count; ++missing) {
+      CAPTURE(missing);
+      lab l;
+      l.of_drive(missing, [](auto& d) { d.go_silent(true); });
+      l.stop().press();
+      l.controller.start();
+      for (int k = 0; k < 900; ++k) {
+        l.beats(1);
+        REQUIRE(l.enabled() == 0);
+        REQUIRE(l.all_give_way());
+      }
+      CHECK(l.synchronizer().refusal() == hw::safety_rule::pressed);
+      l.controller.stop();
+      l.controller.start();  // does not release the button
+      l.of_drive(missing, [](auto& d) { d.go_silent(false); });
+      for (int k = 0; k < 200; ++k) {
+        l.beats(1);
+        REQUIRE(l.enabled() == 0);
+      }
+      if (missing % 3 != 0) continue;
+      l.stop().release();
+      l.beats(100);
+      CHECK(l.enabled() == 0);  // nor does the release alone enable anything
+      l.controller.stop();
+      l.controller.start();
+      l.beats(1500);
+      CHECK(l.stop().mode() == hw::motion_mode::run);
+      CHECK(l.all_there());
+    }
+  }
+
+  // Of each family one drive at least holds its position when the button is pressed: the start waits for the
+  // missing one.
+  TEST_CASE("pressed while drives are being enabled, those that are already enabled are disabled") {
+    unsigned were_enabled = 0;
+    for (std::size_t missing = 0; missing < count; ++missing) {
+      CAPTURE(missing);
+      lab l;
+      l.of_drive(missing, [](auto& d) { d.go_silent(true); });
+      l.controller.start();
+      l.beats(300);
+      REQUIRE(l.synchronizer().phase() == hw::motion_phase::enabling);
+      were_enabled |= l.enabled();
+      CHECK(std::popcount(l.enabled()) >= 7);
+      l.stop().press();
+      l.beats(10);
+      CHECK(l.enabled() == 0);
+      CHECK(l.all_give_way());
+      l.of_drive(missing, [](auto& d) { d.go_silent(false); });
+      for (int k = 0; k < 900; ++k) {
+        l.beats(1);
+        REQUIRE(l.enabled() == 0);
+        REQUIRE(l.all_give_way());
+      }
+      CHECK(l.synchronizer().refusal() == hw::safety_rule::pressed);
+    }
+    CHECK(were_enabled == 0xFF);
   }
 
   TEST_CASE("a drive that no longer reports its velocity trips after three answers, and all give way") {

@@ -77,6 +77,22 @@ TEST_CASE("mapping/inverse_kinematics.hpp") {
   }
 }
 TEST_CASE("mapping/adaptive_mapping.hpp") {
+  // A hyperbolic tangent answers infinity with 1; the mapping with NaN, as for NaN.
+  cca::adaptive_mapping<learned_space, learned_space, machine, 50> learns;
+  std::vector<cca::example<machine::model>> examples;
+  for (int i = 0; i < 100; ++i) examples.push_back({{0.1 * i, std::sin(i)}, {std::cos(i), 0.2 * i}});
+  learns.learning.collect();
+  learns.learning.rest();
+  learns.learning.hand_over(machine::batch(examples, {}));
+  learns.p.settings.margin = cca::infinity;  // every input that is a number counts as trained
+  for (const double x : {0.5, std::nan(""), cca::infinity, -cca::infinity}) {
+    CAPTURE(x);
+    const auto [output, module] =
+        learns.process(cca::in<"input", learned_space>(Eigen::Vector2d(x, 0.1), 0, true), {}, {});
+    CHECK(output.vector().array().isNaN().all() == !std::isfinite(x));
+    CHECK(module.vector()[1] ==
+          cca::status_of(std::isfinite(x) ? cca::trained_region::inside : cca::trained_region::outside));
+  }
   laws::finite<learned<cca::adaptive_mapping<learned_space, learned_space, machine, 50>>>();
   laws::finite<learned<cca::adaptive_transformation<learned_space, machine, 50>>>();
   laws::finite<learned<cca::adaptive_mapping<learned_space, learned_space, fitted, 50>>>();

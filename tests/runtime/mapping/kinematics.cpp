@@ -191,6 +191,7 @@ TEST_SUITE("kinematics") {
       const std::size_t allocated = laws::allocations() - before;
       CHECK(allocated == 0);
       CHECK(within_limits<chain>(found.q));
+      CHECK(found.status != cca::reaching::nearest);  // that would say "out of reach"
       if (found.status != cca::reaching::reached) ++missed;
       else CHECK(apart<tip>(laws::map(there, found.q), target) < 2e-8);
     }

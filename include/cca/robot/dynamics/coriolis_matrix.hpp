@@ -7,6 +7,8 @@
 //
 // If only the torques are needed, take the first: it is linear in the number of joints. With a base that
 // moves, take `inverse_dynamics` with accelerations of zero. Nothing allocates.
+// Numbers that are NaN or infinite make results that are not finite. Nothing is kept, and no status says so:
+// check them before (input_status.hpp).
 // Sources: torques: Newton-Euler (body_dynamics.hpp). Matrix: Echeandia and Wensing, Numerical Methods to
 // Compute the Coriolis Matrix and Christoffel Symbols for Rigid-Body Systems, J. Computational and Nonlinear
 // Dynamics 16(9), 2021, algorithm 1, here with B = integral of P^T dP/dt over the mass, where P v is the

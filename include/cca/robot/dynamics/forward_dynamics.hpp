@@ -12,6 +12,8 @@
 // It is the inverse of `inverse_dynamics`. A wrench f on the end of a part adds J^T f to the torques.
 // Precondition: each coordinate moves mass, also alone (a weightless last link can't be accelerated by a
 // finite torque); else the results are not finite.
+// Numbers that are NaN or infinite make results that are not finite. Nothing is kept, and no status says so:
+// check them before (input_status.hpp).
 // Sources: articulated body algorithm, Featherstone, Rigid Body Dynamics Algorithms, 2008, section 7.3;
 // floating base: section 9.4. A body with coupled joints, where the algorithm does not apply, takes the mass
 // matrix instead (section 6.1). Cost: linear in the number of joints; nothing allocates.

@@ -8,6 +8,8 @@
 //
 // Kinetic energy = dq^T M dq / 2; M is symmetric. It is positive definite if each coordinate moves mass.
 // Coordinates that drive several joints are summed (virtual work).
+// An angle that is NaN or infinite makes entries that are not finite. Nothing is kept, and no status says so:
+// check it before (input_status.hpp).
 // Source: composite rigid body algorithm, Featherstone, Rigid Body Dynamics Algorithms, 2008, section 6.2;
 // floating base: section 9.3. Checked against Orocos KDL on random bodies. Nothing allocates. Cost: linear in
 // the number of links, plus six products for each pair of a link and a link on its way to the base.

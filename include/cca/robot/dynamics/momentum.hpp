@@ -12,6 +12,9 @@
 // d/dt (M dq) = torques + change - gravity torques + external torques: the momentum observer uses that.
 // `change` is also the derivative of the kinetic energy with respect to q.
 //
+// Numbers that are NaN or infinite make results that are not finite. Nothing is kept, and no status says so:
+// check them before (input_status.hpp).
+//
 // The matrices of Coriolis and mass are not needed: with the momentum h of all links behind a joint, its
 // motion s, and v of the link, momentum = s h and change = (v x s) h. Cost: linear in the number of joints;
 // nothing allocates. Sources: De Luca and Mattone, Sensorless Robot Collision Detection and Hybrid

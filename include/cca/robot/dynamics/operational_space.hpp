@@ -15,10 +15,12 @@
 // direction counts as such if its mobility is below 1e-10 of what its row would have without the others.
 // Near that the inertia is large, as in the real arm; where a direction begins or ends to count, the results
 // jump.
-// Source: Khatib, A unified approach for motion and force control of robot manipulators: The operational
-// space formulation, IEEE J. Robotics and Automation 3(1), 1987: the kinetic energy matrix of the end, and
-// for redundant arms the dynamically consistent inverse. Cost: a Cholesky decomposition of the mass matrix,
-// about n^2 products for each row; nothing allocates.
+// If the mass matrix or the rows are NaN or infinite, `inverse` and what uses it are not finite; `inertia` is
+// finite and wrong, since such directions count as those in which the end can't move. No status says so:
+// check the angles before (input_status.hpp). Source: Khatib, A unified approach for motion and force control
+// of robot manipulators: The operational space formulation, IEEE J. Robotics and Automation 3(1), 1987: the
+// kinetic energy matrix of the end, and for redundant arms the dynamically consistent inverse. Cost: a
+// Cholesky decomposition of the mass matrix, about n^2 products for each row; nothing allocates.
 #pragma once
 
 #include <cca/robot/dynamics/positive_matrix.hpp>

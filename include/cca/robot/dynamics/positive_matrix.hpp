@@ -2,7 +2,8 @@
 // does not include them).
 //
 // `positive_matrix` is a Cholesky decomposition of a positive definite matrix; of another one its results are
-// not finite. `generalised_inverse` is for positive semidefinite ones, always finite.
+// not finite. `generalised_inverse` is for positive semidefinite ones, always finite: rows and columns with
+// NaN or infinity, and those that come after them, may be zero.
 // Cost: n^3 / 6 products for the decomposition, n^2 for a solution; nothing allocates.
 // Source: Golub and Van Loan, Matrix Computations, 2013, section 4.2; Goodnight, A Tutorial on the SWEEP
 // Operator, The American Statistician 33(3), 1979.

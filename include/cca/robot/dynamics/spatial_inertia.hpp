@@ -4,6 +4,7 @@
 // the moment about the base's origin, then the force. In one common frame the inertia of a composite body is
 // the sum of those of its links, with no transform between links: Featherstone, Rigid Body Dynamics
 // Algorithms, 2008, chapter 2 and section 6.3. Units: SI.
+// NaN and infinity make results that are not finite; nothing is kept.
 #pragma once
 
 #include <array>

@@ -49,7 +49,7 @@ template <class Type> concept Cia402Motor = requires {
 
 template <Cia402Motor Motor, std::uint8_t Node, cia402_mode Mode>
 struct cia402 {
-  static_assert(Node >= 1 && Node <= 127, "cca::hardware::cia402: a node is 1 to 127");
+  static_assert(Node >= 1 && Node <= 127, "drive.bad_number: a node of CANopen is 1 to 127");
   static constexpr std::uint8_t node = Node;
   static constexpr bool by_position = Mode == cia402_mode::position;
   static constexpr double counts_a_radian = Motor::counts / detail::radians_in_turn,

@@ -84,8 +84,8 @@ template <MitRanges Ranges,
 struct mit_drive {
   static_assert(
       Number <= (Firmware == mit_firmware::damiao ? 15 : 255) && Master <= 0x7FF,
-      "cca::hardware::mit_drive: the drive's number is at most 255 (Damiao: 15), since it stands in "
-      "the first byte of its replies; Master is an 11-bit id");
+      "drive.bad_number: the number of an MIT drive is at most 255 (Damiao: 15), since it stands in the "
+      "first byte of its replies; Master is an 11-bit id");
   using wire = mit_wire<Ranges>;
 
   static constexpr std::string_view name = Ranges::name;

@@ -46,7 +46,7 @@ template <MoteusMotor Motor, std::uint8_t Servo, std::uint8_t Source = 0, std::u
 struct moteus {
   static_assert(Prefix <= 0x1FFF, "cca::hardware::moteus: can.prefix has 13 bits");
   static_assert(Servo >= 1 && Servo <= 127 && Source <= 127 && Servo != Source,
-                "cca::hardware::moteus: a servo's number is 1 to 127, and not the one that we send from");
+                "drive.bad_number: a moteus has a number from 1 to 127, and not the one that we send from");
   using motor = Motor;
   static constexpr double run_on = [] {
     if constexpr (requires { Motor::run_on; }) return static_cast<double>(Motor::run_on);

@@ -89,9 +89,10 @@ template <std::uint32_t Node,
           odrive_firmware Firmware = odrive_firmware::v0_6,
           std::int64_t EstimatesPeriod = 10'000'000>
 struct odrive {
-  static_assert(Node <= 0xFFFFFF, "cca::hardware::odrive: a node is at most 0xFFFFFF");
+  static_assert(Node <= 0xFFFFFF, "drive.bad_number: a node of an ODrive is at most 0xFFFFFF");
   static_assert(detail::is_odrive_node(Node, Firmware),
-                "cca::hardware::odrive: with firmware 0.6 node 63 (0x3F) means `not addressed`; use another");
+                "drive.bad_number: node 63 (0x3F) of an ODrive with firmware 0.6 means `not addressed`: it "
+                "would hear nothing; use another");
   static constexpr std::uint32_t node = Node;
   static constexpr odrive_firmware firmware = Firmware;
   static constexpr std::int64_t report_period = EstimatesPeriod;  // ns, between two encoder estimates

@@ -55,7 +55,7 @@ constexpr std::int64_t nearest_integer(double number, int bits, bool& cut) {
 
 // A finite double as a float; beyond the range it is the range's end.
 constexpr float to_float(double number, bool& cut) {
-  constexpr double most = std::numeric_limits<float>::max();
+  constexpr double most = static_cast<double>(std::numeric_limits<float>::max());
   if (number > most) return cut = true, std::numeric_limits<float>::max();
   if (number < -most) return cut = true, -std::numeric_limits<float>::max();
   return static_cast<float>(number);

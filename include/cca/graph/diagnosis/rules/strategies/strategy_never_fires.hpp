@@ -28,22 +28,30 @@ struct strategy_never_fires {
                  "make it "
                  "cca::timed";
     } else {
-      const ref<strategy_info> excluded = part_that_excludes_itself(strategy);
-      if (strategy.excludes_itself) {
-        m.say()
-            << " never fires: the clocks under its cca::all_of have no beat in common; change a period or a "
-               "phase";
-        return;
-      }
-      m.say() << " has ";
-      excluded->add_name(m.say());
-      m.say()
-          << " in its strategy, which never fires: its clocks have no beat in common; change a period or a "
-             "phase, or remove it";
+      tell_excluded(m, strategy);
     }
   }
 
 private:
+  // A strategy without parts is a user's own, whose reasons are its own, too.
+  static constexpr void tell_excluded(auto& m, const strategy_info& strategy) {
+    const ref<strategy_info> excluded = part_that_excludes_itself(strategy);
+    const bool by_clocks = excluded->part_count > 0;
+    if (strategy.excludes_itself && by_clocks) {
+      m.say()
+          << " never fires: the clocks under its cca::all_of have no beat in common; change a period or a "
+             "phase";
+      return;
+    }
+    m.say() << (strategy.excludes_itself ? " never fires: no beat can satisfy " : " has ");
+    excluded->add_name(m.say());
+    if (strategy.excludes_itself) m.say() << "; choose another strategy";
+    else if (by_clocks)
+      m.say()
+          << " in its strategy, which never fires: its clocks have no beat in common; change a period or a "
+             "phase, or remove it";
+    else m.say() << " in its strategy, which no beat can satisfy: remove it";
+  }
   static constexpr ref<strategy_info> part_with_mistake(const strategy_info& strategy) {
     return find_part(strategy, [](const strategy_info& s) { return !s.mistake.empty(); });
   }
