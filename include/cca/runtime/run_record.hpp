@@ -56,6 +56,11 @@ struct end_of_run {
   }
 };
 
+struct nothing_between {
+  template <class Controller>
+  constexpr void operator()(Controller&) const {}
+};
+
 // Between two beats: true, the run goes on.
 template <class Between, class Controller>
 bool goes_on_after(Between& between, Controller& c) {

@@ -26,16 +26,9 @@
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
+#include <cca/runtime/transports/transport.hpp>
 
 namespace cca {
-namespace detail {
-
-struct nothing_between {
-  template <class Deployed>
-  constexpr void operator()(Deployed&) const {}
-};
-
-}  // namespace detail
 
 // A deployment that breaks a rule gives one error, which is the message.
 template <class D>
@@ -66,12 +59,18 @@ public:
 
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
-  template <class Transport>
-  deployed(const only& environments, const Transport& transport)
+  template <class T>
+  deployed(const only& environments, const T& transport)
       : here(detail::chosen_environments<D>(environments)) {
-    auto medium = transport.template open<D>(here);
-    shared = {medium, medium->exchanged()};
-    others = std::move(medium);
+    static_assert(Transport<T, D>,
+                  "deployment.no_transport: the second argument of cca::deployed is no transport: write "
+                  "cca::shared_memory(\"/name\"), cca::dds::domain(number), or an object that meets the "
+                  "concept cca::Transport (docs/transports.md: An own transport)");
+    if constexpr (Transport<T, D>) {
+      auto medium = transport.template open<D>(here);
+      shared = {medium, medium->exchanged()};
+      others = std::move(medium);
+    }
   }
   deployed(deployed&&) = default;  // between two runs
   deployed& operator=(deployed&&) = default;
