@@ -69,6 +69,7 @@ constexpr auto tell_mind = [](const auto& c) { return mind_of(c); };
 
 template <class Meeting, class D = two>
 cca::deployed<D> opened(const char* environment, const std::string& name) {
+  static_assert(cca::Transport<decltype(Meeting::transport(name)), D>);
   return cca::deployed<D>(cca::only{environment}, Meeting::transport(name));
 }
 

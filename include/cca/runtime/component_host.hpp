@@ -6,6 +6,9 @@
 //   visit(f, self)                 f(number, component) for each, in declaration order
 //   visit_firings(node, f, self)   f(last_firing) for each call of it whose clock is known only at run time
 //   forget_runs()                  sets the counts of the runs to zero
+//   next_beat_of(node)             the next beat of the loop that runs it
+//
+// Threads: as of `Self`; period() and step_of() may be called by any thread at any time.
 #pragma once
 
 #include <string>

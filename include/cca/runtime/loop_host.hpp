@@ -62,6 +62,7 @@ protected:
     Self::visit(call_on_fault{}, self());
     now = after(transition::fail, now);
   }
+  std::int64_t next_beat_of(int) const { return k; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
 
   using host::now, host::reason;

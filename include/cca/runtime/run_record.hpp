@@ -56,10 +56,16 @@ struct end_of_run {
   }
 };
 
+struct nothing_between {
+  template <class Controller>
+  constexpr void operator()(Controller&) const {}
+};
+
 // Between two beats: true, the run goes on.
 template <class Between, class Controller>
 bool goes_on_after(Between& between, Controller& c) {
-  if constexpr (std::same_as<decltype(between(c)), bool>) return between(c);
+  if constexpr (requires { between.goes_on(c); }) return between.goes_on(c);  // cca::live_access
+  else if constexpr (std::same_as<decltype(between(c)), bool>) return between(c);
   else return between(c), true;
 }
 

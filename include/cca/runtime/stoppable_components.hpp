@@ -81,7 +81,7 @@ protected:
         [&](last_firing& one) {
           one.is_stopped = false;
           one.is_first = true;
-          one.last = self().beat_index() - 1;
+          one.last = self().next_beat_of(node) - 1;
         },
         self());
   }

@@ -1,8 +1,6 @@
 // Other threads look at a controller that runs, and ask it for changes.
 #include <doctest/doctest.h>
 
-#include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -11,30 +9,11 @@
 #include <cca/config.hpp>
 #include <cca/runtime/live/live_access.hpp>
 
-#include "counting.hpp"
+#include "live_rig.hpp"
 
-using namespace core_test;
-using namespace std::chrono_literals;
+using namespace live_test;
 
 namespace {
-
-struct pair : cca::space<cca::number, cca::axes<cca::x, cca::y>> {};
-
-// Both coordinates are equal, whoever looks.
-struct source {
-  struct parameters {
-    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0, 100>, slope), (bool, locked));
-  };
-  parameters p{1, false};
-  auto process(cca::beat) -> cca::out<"y", pair> {
-    value += p.slope;
-    return Eigen::Vector2d(value, value);
-  }
-  std::string_view refusal_of(const parameters& to) const {
-    return p.locked && to.locked ? "slope: it is locked" : "";
-  }
-  double value = 0;
-};
 
 struct watched_graph : cca::graph<cca::rate<1000>,
                                   cca::node<"source", source, cca::stoppable<cca::timed<1>>>,
@@ -49,32 +28,6 @@ played started_one() {
   return c;
 }
 
-std::string refusal(auto f) {
-  try {
-    f();
-  } catch (const cca::refused& e) { return e.what(); }
-  return "nothing";
-}
-
-// The loop in this thread, `other` in another one; it ends the run.
-template <class F>
-void beside(played& c, cca::live_access<played>& live, F other) {
-  std::thread window([&] {
-    other();
-    live.end_run();
-  });
-  c.run(cca::for_<20>{}, cca::at_speed(5), live);
-  window.join();
-}
-void wait_until(auto holds) {
-  bool has_come = holds();
-  for (int i = 0; i < 5000 && !has_come; ++i) {
-    std::this_thread::sleep_for(1ms);
-    has_come = holds();
-  }
-  CHECK(has_come);
-}
-
 }  // namespace
 
 TEST_SUITE("live access") {
@@ -82,7 +35,7 @@ TEST_SUITE("live access") {
     auto c = started_one();
     cca::live_access live(c);
     CHECK_FALSE(live.newest("source.y"));
-    beside(c, live, [&] {
+    beside(c, live, cca::at_speed(5), [&] {
       wait_until([&] { return live.newest("source.y").has_value(); });
       std::int64_t last = -1;
       for (int i = 0; i < 2000; ++i) {
@@ -105,10 +58,10 @@ TEST_SUITE("live access") {
   TEST_CASE("requests of another thread are taken between two beats") {
     auto c = started_one();
     cca::live_access live(c);
-    beside(c, live, [&] {
+    beside(c, live, cca::at_speed(5), [&] {
       wait_until([&] { return live.set("source.slope", 2.0); });
       wait_until([&] { return live.is_taken(); });
-      wait_until([&] { return live.set<"other">({3.0, false}); });
+      wait_until([&] { return live.set<"other">({3.0, false, 3.0}); });
       wait_until([&] { return live.stop("source"); });
       wait_until([&] { return live.is_taken(); });
       const auto first = live.newest("source.y")->values[0];
@@ -146,7 +99,7 @@ TEST_SUITE("live access") {
     cca::live_access live(c);
     CHECK_EQ(refusal([&] { live.set("source.slope", 200.0); }),
              "cca::controller: set: source.slope: 200 is out of range, expected 0 to 100");
-    CHECK_EQ(refusal([&] { live.set<"source">({-1.0, false}); }),
+    CHECK_EQ(refusal([&] { live.set<"source">({-1.0, false, 1.0}); }),
              "source.slope: -1 is out of range, expected 0 to 100");
     CHECK_EQ(refusal([&] { live.stop("other"); }),
              "cca::controller: `other` can't be stopped on its own: write cca::stoppable<...> around the "
@@ -162,7 +115,7 @@ TEST_SUITE("live access") {
   TEST_CASE("a component may refuse when the request is taken") {
     auto c = started_one();
     cca::live_access live(c);
-    CHECK(live.set<"source">({7.0, true}));
+    CHECK(live.set<"source">({7.0, true, 7.0}));
     c.run(cca::for_beats<1>{}, cca::as_fast_as_possible{}, live);
     CHECK_EQ(live.refused_by(), "");
     CHECK(live.set("source.slope", 8.0));
@@ -184,14 +137,14 @@ TEST_SUITE("live access") {
              file + ":2: source.slope: 400 is out of range, expected 0 to 100");
     CHECK_EQ(c.get<"other">().p.slope, 9.0);
 
-    c.set<"source">({4.0, true});
+    c.set<"source">({4.0, true, 4.0});
     std::ofstream(file) << "[source]\nslope = 5\n[other]\nslope = 1\n";
     CHECK_EQ(refusal([&] { c.load(file); }), file + ": source.slope: it is locked");
     CHECK_EQ(c.get<"other">().p.slope, 9.0);
 
-    c.set<"source">({4.0, false});
+    c.set<"source">({4.0, false, 4.0});
     cca::live_access live(c);
-    beside(c, live, [&] {
+    beside(c, live, cca::at_speed(5), [&] {
       wait_until([&] { return live.load(file); });
       wait_until([&] { return live.is_taken(); });
     });

@@ -4,11 +4,13 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 #include "robot_and_mind.hpp"
@@ -84,6 +86,20 @@ int in_poor_process(F f) {
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
+// Memory of this process that is never paged out.
+long locked_kilobytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmLck:")) return std::stol(line.substr(6));
+  return -1;
+}
+// Whether the system lets this process do so, and really does it: under a sanitizer it does nothing.
+bool is_memory_lockable() {
+  const bool is_locked = ::mlockall(MCL_CURRENT) == 0 && locked_kilobytes() > 0;
+  ::munlockall();
+  return is_locked;
+}
+
 }  // namespace
 
 TEST_SUITE("realtime") {
@@ -96,6 +112,9 @@ TEST_SUITE("realtime") {
                if (!has(refusal, "rtprio 7")) return 4;
                if (!has(refusal, "setcap")) return 5;
                if (!has(refusal, "realtime_if_allowed")) return 6;
+               if (::mlockall(MCL_CURRENT) == 0) return 0;  // nothing is refused: a sanitizer does nothing
+               if (!has(refusal, "its memory can't be locked") || !has(refusal, "memlock unlimited"))
+                 return 7;
                return 0;
              }),
              0);
@@ -129,6 +148,18 @@ TEST_SUITE("realtime") {
     if (!refusal.empty()) MESSAGE("NOT TESTED HERE, this machine allows no real time: " << refusal);
     CHECK((refusal.empty() || has(refusal, "limits.conf") || has(refusal, "cca::on_core")));
     CHECK_EQ(scheduling_here(), before);
+  }
+
+  TEST_CASE("where it is allowed, the memory of the process is locked, and stays so") {
+    ::munlockall();  // a run before this one may have locked it
+    if (!is_memory_lockable()) {
+      MESSAGE("NOT TESTED HERE, this machine allows no locked memory: " << refusal_of_run<urgent>());
+      return;
+    }
+    REQUIRE_EQ(locked_kilobytes(), 0);
+    CHECK_FALSE(has(refusal_of_run<urgent>(), "memory can't be locked"));
+    CHECK_GT(locked_kilobytes(), 0);
+    ::munlockall();
   }
 
   TEST_CASE("a core that the machine does not have") {

@@ -47,13 +47,14 @@ public:
 
   void work() override {
     typename decltype(ring)::sample one;
-    for (std::uint64_t expected = next; ring.take(next, std::numeric_limits<std::int64_t>::max(), one);
-         expected = next) {
+    std::uint64_t expected = next;
+    for (; ring.take(next, std::numeric_limits<std::int64_t>::max(), one); expected = next) {
       const auto lost = static_cast<std::int64_t>(next - 1 - expected);
       const bool went = dds_write(writer.get(), message.make(one.vector.data(), stamp_of(one.origin))) >= 0;
       sent_count.fetch_add(went, std::memory_order_relaxed);
       dropped_count.fetch_add(lost + !went, std::memory_order_relaxed);
     }
+    dropped_count.fetch_add(static_cast<std::int64_t>(next - expected), std::memory_order_relaxed);
   }
 
 private:

@@ -6,7 +6,13 @@
 //
 // As fast as possible, `between` sees all environments at rest after each beat. At wall-clock speed it runs
 // between two beats of the first environment, while the others go on: then it may touch components of the
-// first, and nothing of the others but the counts. Errors: deployment.*. Example: docs/environments.md.
+// first, and nothing of the others but the counts.
+//
+// Threads: late(), overruns(), lost_periods() and figures() may be called by any thread at any time. All
+// other member functions, those of the bases too (get, set, parameter, load, save, start, stop, resume,
+// state, fault), are for one thread at a time: between two runs any thread, while it runs the thread that
+// called `run`, in `between`, as far as said above. cca::live_access gives other threads the rest. Errors:
+// deployment.*. Example: docs/environments.md.
 #pragma once
 
 #include <algorithm>
@@ -24,18 +30,12 @@
 #include <cca/runtime/environments/figures_of_runs.hpp>
 #include <cca/runtime/environments/meeting.hpp>
 #include <cca/runtime/environments/only.hpp>
+#include <cca/runtime/environments/placed_components.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
+#include <cca/runtime/transports/transport.hpp>
 
 namespace cca {
-namespace detail {
-
-struct nothing_between {
-  template <class Deployed>
-  constexpr void operator()(Deployed&) const {}
-};
-
-}  // namespace detail
 
 // A deployment that breaks a rule gives one error, which is the message.
 template <class D>
@@ -52,26 +52,38 @@ public:
 template <class D>
   requires Deployment<D> && well_formed<D>
 class deployed<D> : public detail::component_host<deployed<D>, D>,
-                    public detail::figures_of_runs<deployed<D>, D> {
+                    public detail::figures_of_runs<deployed<D>, D>,
+                    detail::placed_components<D> {
   using host = detail::component_host<deployed<D>, D>;
+  using placed = detail::placed_components<D>;
   friend host;
+  friend placed;
+  friend detail::live_components;
   friend detail::stoppable_components<deployed<D>, D>;
   friend detail::figures_of_runs<deployed<D>, D>;
 
 public:
-  using host::period;
+  using host::period;  // any thread, at any time
+
+  // ---- one thread at a time, between two runs ----
 
   // All environments in this process.
   deployed() : shared(std::make_shared<detail::exchange<D>>()) { here.fill(true); }
 
   // Some of them; other processes run the rest. `transport`: cca::shared_memory. Refused: an environment that
   // the deployment doesn't have, or that another process runs, and a process of another deployment.
-  template <class Transport>
-  deployed(const only& environments, const Transport& transport)
-      : here(detail::chosen_environments<D>(environments)) {
-    auto medium = transport.template open<D>(here);
-    shared = {medium, medium->exchanged()};
-    others = std::move(medium);
+  template <class T>
+  deployed(const only& environments, const T& transport) {
+    here = detail::chosen_environments<D>(environments);
+    static_assert(Transport<T, D>,
+                  "deployment.no_transport: the second argument of cca::deployed is no transport: write "
+                  "cca::shared_memory(\"/name\"), cca::dds::domain(number), or an object that meets the "
+                  "concept cca::Transport (docs/transports.md: An own transport)");
+    if constexpr (Transport<T, D>) {
+      auto medium = transport.template open<D>(here);
+      shared = {medium, medium->exchanged()};
+      others = std::move(medium);
+    }
   }
   deployed(deployed&&) = default;  // between two runs
   deployed& operator=(deployed&&) = default;
@@ -99,7 +111,9 @@ public:
     return now;
   }
 
-  using host::start, host::stop;  // one component
+  // One component, by its path: also while it runs, in the thread of the environment that runs it, between
+  // two of its beats: in `between` one of the first environment, or, as fast as possible, any.
+  using host::start, host::stop;
 
   // As of a controller. Where other processes run environments, their run ends with stop() too.
   void start() {
@@ -111,71 +125,21 @@ public:
     tell_stopped(true);
   }
 
-  // The next beat.
+  // The next beat. While it runs: in `between`.
   std::int64_t beat_index() const noexcept { return k; }
 
-  // As of a controller.
+  // As of a controller. While it runs: in `between`, as fast as possible.
   template <class F>
   void observed(F f) const {
-    [&]<int... Output>(std::integer_sequence<int, Output...>) {
-      const int all[] = {0, (observe<Output>(f), 0)...};
-      (void)all;
-    }(detail::chosen<detail::counts_of<D>.output_count, detail::is_watched<D>>{});
+    placed::observe_here(k, f);
   }
 
 private:
-  template <int Node>
-  static constexpr int environment_of = detail::plan_of<D>.nodes[Node].environment;
-
-  template <int Node>
-  auto& component() {
-    refuse_if_elsewhere(Node);
-    return component_of<Node>(*this);
+  // Where its environment is, if that looks at it now; else all are at rest.
+  std::int64_t next_beat_of(int node) const {
+    const std::int64_t own = looked_at[placed::environment_at(node)];
+    return own > 0 ? own : k;
   }
-  template <int Node>
-  const auto& component() const {
-    refuse_if_elsewhere(Node);
-    return component_of<Node>(*this);
-  }
-  bool is_here(int node) const {
-    return here[detail::array_size(detail::plan_of<D>.nodes[detail::array_size(node)].environment)];
-  }
-  void refuse_if_elsewhere(int node) const {
-    if (!is_here(node))
-      throw refused("cca::deployed: `" + detail::path_of_node<D>(node) + "` runs in environment `" +
-                    std::string(detail::name_of_environment<D>(
-                        detail::array_size(detail::plan_of<D>.nodes[detail::array_size(node)].environment))) +
-                    "`, which another process runs");
-  }
-  template <int Node, class Deployed>
-  static auto& component_of(Deployed& self) {
-    constexpr int e = environment_of<Node>;
-    return detail::component_at<detail::part<D, e>, Node>(self.loops.template at<e>().state);
-  }
-  // f(number, component) for each, in declaration order.
-  template <class F, class Deployed>
-  static void visit(F f, Deployed& self) {
-    [&]<int... Node>(std::integer_sequence<int, Node...>) {
-      const int all[] = {0, (f(Node, component_of<Node>(self)), 0)...};
-      (void)all;
-    }(std::make_integer_sequence<int, detail::counts_of<D>.node_count>{});
-  }
-
-  template <class F, class Deployed>
-  static void visit_firings(int node, F f, Deployed& self) {
-    self.refuse_if_elsewhere(node);
-    self.loops.for_each([&]<int E>(auto& loop) {
-      if (detail::plan_of<D>.nodes[detail::array_size(node)].environment == E)
-        detail::visit_firings<detail::part<D, E>>(loop.state, node, f);
-    });
-  }
-
-  template <int Output, class F>
-  void observe(F& f) const {
-    constexpr int e = environment_of<detail::call_of<D, detail::output_of<D, Output>.call>.node>;
-    if (here[e]) detail::observe_newest<detail::part<D, e>, Output>(loops.template at<e>().state, k, f);
-  }
-
   void forget_runs() {
     runs.overruns = runs.lost_periods = 0;
     for (std::size_t e = 0; e < here.size(); ++e)
@@ -222,24 +186,40 @@ private:
         if (E != first_here()) return;
         const auto after_beat = [&] {
           last_seen = k = first.k;
+          look_after<E>(between);
           return detail::goes_on_after(between, *this);
         };
-        run_environments<E>(first, terms, pace, after_beat);
+        run_environments<E>(first, terms, pace, between, after_beat);
       });
     }
+    loops.for_each([&]<int E>(auto&) {
+      if (here[E]) look_after<E>(between);
+    });
     if (now == cca::state::faulted && last_seen < k) detail::goes_on_after(between, *this);
     return true;
   }
 
+  // In the thread of an environment, after its beat: what looks at each of them (cca::live_access).
+  template <int E, class Between>
+  void look_after([[maybe_unused]] Between& between) {
+    if constexpr (requires { between.template after_beat<E>(*this); }) {
+      looked_at[E] = loops.template at<E>().k;
+      between.template after_beat<E>(*this);
+      looked_at[E] = 0;
+    }
+  }
+
   // `first` in this thread, the others in threads of their own.
-  template <int E, class Loop, class Pace, class AfterBeat>
-  void run_environments(Loop& first, const detail::terms_of_run& terms, Pace& pace, AfterBeat after_beat) {
+  template <int E, class Loop, class Pace, class Between, class AfterBeat>
+  void run_environments(
+      Loop& first, const detail::terms_of_run& terms, Pace& pace, Between& between, AfterBeat after_beat) {
     const detail::thread_setup setup(detail::wish_of_environment<D, E>);
     report<E>(setup.refusal());
     const detail::environment_threads<D> followers(
         loops, [&first] { first.stop(); }, [&](int e) { return e != E && here[detail::array_size(e)]; },
         terms.end, terms.is_exact,
-        [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); });
+        [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); },
+        [this, &between]<int Other>() { this->template look_after<Other>(between); });
     if constexpr (E > 0) {
       if (terms.is_exact) first.follow_exactly(terms.end, after_beat);
       else first.follow(terms.end, after_beat);
@@ -260,7 +240,7 @@ private:
   // All environments continue with the same beat.
   void finish(detail::meeting<D>& together, const detail::terms_of_run& terms) {
     loops.for_each([&]<int E>(auto& loop) {
-      if (here[E]) k = std::max(k, loop.k);
+      if (here[E]) k = std::max(k, loop.done);
     });
     k = together.end(k);
     const auto& first = *std::ranges::min_element(shared->environments, {}, [](const auto& e) {
@@ -280,14 +260,16 @@ private:
   }
 
   using host::idle, host::move, host::now, host::reason;
+  using placed::component, placed::component_of, placed::visit, placed::visit_firings;
+  using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in;
+  using placed::loops, placed::here;
 
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
 
-  detail::environment_loops<D> loops;
-  detail::environments_here<D> here{};
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
   std::int64_t k = 0;
+  std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
   std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};
 };

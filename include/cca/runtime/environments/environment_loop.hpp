@@ -33,7 +33,8 @@ class alignas(64) environment_loop {
 
 public:
   controller_state<graph> state;
-  std::int64_t k = 0;  // the next beat
+  std::int64_t k = 0;     // the next beat; asleep, the next in which something can fire
+  std::int64_t done = 0;  // behind the last beat that has run
 
   // Before a run, while all environments rest. `ahead`: of the others, as fast as possible.
   void prepare(
@@ -132,7 +133,7 @@ public:
       state.repeat_leaving(skipped);
       if (state.is_exact) repeat_firings(skipped);
     }
-    k = next;
+    k = done = next;
   }
 
   // Once, in the beat of a fault: instead of what would still have come.
@@ -161,7 +162,7 @@ private:
     beat_of_graph<graph>::run(state, outcome, k);
     if constexpr (counts_of<graph>.may_fault)
       if (outcome.fault) state_fault(state.fault_rank, outcome.fault, outcome.node);
-    ++k;
+    done = ++k;
   }
 
   void run_timed_beat() noexcept {

@@ -25,25 +25,27 @@ template <class D>
 class environment_threads {
 public:
   // `stop_all()` ends the run, `runs(E)`: in a thread. report.template operator()<E>(text): what the system
-  // refused to the thread of environment E; it may throw, then nothing has run.
-  template <class Runs, class Report>
+  // refused to the thread of environment E; it may throw, then nothing has run. after_beat.template
+  // operator()<E>(): in that thread, between two beats.
+  template <class Runs, class Report, class AfterBeat>
   environment_threads(environment_loops<D>& loops,
                       std::function<void()> stop_all,
                       Runs runs,
                       std::int64_t end,
                       bool is_exact,
-                      Report report)
+                      Report report,
+                      AfterBeat after_beat)
       : stop(std::move(stop_all)),
         ready(std::ranges::count_if(std::views::iota(0, environment_count<D>), runs)) {
     try {
       loops.for_each([&]<int E>(auto& loop) {
         if (!runs(E)) return;
-        threads[E] = std::thread([this, &loop, end, is_exact] {
+        threads[E] = std::thread([this, &loop, end, is_exact, after_beat] {
           const thread_setup setup(wish_of_environment<D, E>);
           refusals[E] = setup.refusal();
           ready.count_down();
           begins.wait(false);
-          constexpr auto goes_on = [] { return true; };
+          const auto goes_on = [&] { return after_beat.template operator()<E>(), true; };
           if (is_exact) loop.follow_exactly(end, goes_on);
           else loop.follow(end, goes_on);
           loop.handle_fault();

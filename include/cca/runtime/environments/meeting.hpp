@@ -61,6 +61,7 @@ public:
       run = std::max(run, before + 1);
     }
     agreed.is_exact = shared.environments[0].is_exact;
+    agreed.end = no_position / exchange<D>::calls_and_one - 1;  // its position is still a number
     for (const auto& e : shared.environments) {
       agreed.beat = std::max<std::int64_t>(agreed.beat, e.beat);
       agreed.all_meet = agreed.all_meet || e.all_meet;

@@ -2,6 +2,7 @@
 // goes on filling the ring; a reader that is too slow finds that the oldest are lost.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
@@ -41,48 +42,64 @@ public:
     else
       for (int c = 0; c < Size; ++c) s.coordinate(c).store(double(v[c]), std::memory_order_release);
     s.state.store(2 * number + 2, std::memory_order_release);
-    count.store(number + 1, std::memory_order_relaxed);
+    count.store(number + 1, std::memory_order_release);
   }
 
-  // A reader's: sample number `next`, or the oldest that is left where that is lost, if it was published
-  // before beat `k`. False: there is none.
-  bool take(std::uint64_t& next, std::int64_t k, sample& to) const noexcept {
-    for (;;) {
+  // ---- a reader's ----
+  //
+  // No writer holds it up: it tries again where samples are lost or overwritten while it reads, but at most
+  // `most_attempts` times. Then it gives up, which is as if no further sample had come: its input keeps what
+  // it has, and the next call begins with the oldest sample that was left.
+
+  static constexpr int capacity = Capacity, most_attempts = 8;
+
+  // Sample number `next`, or the oldest that is left where that is lost, if it was published before beat `k`.
+  // False: there is none, or it has given up. `to` has the members of `sample`.
+  template <class Sample>
+  bool take(std::uint64_t& next, std::int64_t k, Sample& to) const noexcept {
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
       slot& s = slots[index(next)];
-      const std::uint64_t before = s.state.load(std::memory_order_acquire);
-      if (before < 2 * next + 2) return false;
-      if (before == 2 * next + 2) {
+      std::uint64_t state = s.state.load(std::memory_order_acquire);
+      if (state < 2 * next + 2) return false;
+      if (state == 2 * next + 2) {
         to.published_in = s.published_in.load(std::memory_order_acquire);
         to.origin = s.origin.load(std::memory_order_acquire);
         for (int c = 0; c < Size; ++c) to.vector[c] = s.coordinate(c).load(std::memory_order_acquire);
-        if (s.state.load(std::memory_order_relaxed) == before) {
+        state = s.state.load(std::memory_order_relaxed);
+        if (state == 2 * next + 2) {
           if (to.published_in >= k) return false;
           return ++next, true;
         }
       }
-      next = before / 2 - Capacity + 2;  // the oldest that is surely not being written
+      next = oldest_left(state);
     }
+    return false;
   }
 
   // ---- a reader's, as fast as possible ----
 
-  // One more than the number of the newest sample published before beat `k`; searches from `next` on. The
-  // writer may overwrite older samples meanwhile.
-  std::uint64_t end_before(std::uint64_t next, std::int64_t k) const noexcept {
-    for (;;) {
+  // One more than the number of the newest sample published before beat `k`; searches from `from` on. The
+  // writer may overwrite older samples meanwhile. `from`: there is none, or it has given up.
+  std::uint64_t end_before(const std::uint64_t from, std::int64_t k) const noexcept {
+    std::uint64_t next = from;
+    for (int attempt = 0; attempt < most_attempts;) {
       const slot& s = slots[index(next)];
-      const std::uint64_t state = s.state.load(std::memory_order_acquire);
+      std::uint64_t state = s.state.load(std::memory_order_acquire);
       if (state < 2 * next + 2) return next;
-      if (state > 2 * next + 2) {
-        next = state / 2 - Capacity + 2;
-        continue;
+      if (state == 2 * next + 2) {
+        const std::int64_t published_in = s.published_in.load(std::memory_order_acquire);
+        state = s.state.load(std::memory_order_relaxed);
+        if (state == 2 * next + 2) {
+          if (published_in >= k) return next;
+          ++next;
+          if (published_in == k - 1) return next;  // a component publishes at most once in a beat
+          continue;
+        }
       }
-      const std::int64_t published_in = s.published_in.load(std::memory_order_acquire);
-      if (s.state.load(std::memory_order_relaxed) != state) continue;
-      if (published_in >= k) return next;
-      ++next;
-      if (published_in == k - 1) return next;  // a component publishes at most once in a beat
+      next = oldest_left(state);
+      ++attempt;
     }
+    return from;
   }
   // f(coordinates, origin, beat) sees sample number `n` where the writer left it. It must be one of the last
   // before `end_before`, as many as the largest delay and one more: those the writer leaves alone.
@@ -95,11 +112,12 @@ public:
   // Whether sample number `next`, or one behind it, was published in beat `k` or later. All that the reader
   // needs is in the ring then, and it fetches nothing else from the writer's core.
   bool has(std::uint64_t next, std::int64_t k) const noexcept {
-    for (;; ++next) {
+    for (const std::uint64_t end = next + Capacity; next < end; ++next) {
       const slot& s = slots[index(next)];
       if (s.state.load(std::memory_order_acquire) != 2 * next + 2) return false;
       if (s.published_in.load(std::memory_order_acquire) >= k) return true;
     }
+    return false;
   }
 
   // The writer's: its last sample once more, as of beat k, unless it is of that beat.
@@ -114,6 +132,11 @@ public:
 private:
   static std::size_t index(std::uint64_t number) {
     return static_cast<std::size_t>(number) & (array_size(Capacity) - 1);
+  }
+  // The oldest sample that is surely not being written, seen from a slot that has a newer one. The slot alone
+  // does not tell how far the writer is; its count is on a cache line that readers fetch only here.
+  std::uint64_t oldest_left(std::uint64_t state) const noexcept {
+    return std::max(count.load(std::memory_order_acquire), state / 2) - Capacity + 2;
   }
   // On a line of its own: small samples need one transfer between two cores.
   struct alignas(64) slot {

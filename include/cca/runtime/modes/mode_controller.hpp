@@ -10,6 +10,10 @@
 // last one lacked; in a controller that is not started no hook runs. A component that is stopped on its own
 // stays so in the next mode, unless it comes. Errors: modes.*; `cca::refused`: a name of no mode, a switch
 // after a fault, and to stop or start one component that the active mode lacks. Cost: docs/modes.md.
+//
+// Threads: all member functions, those of the bases too (run, step, get, set, load, save, resume, state), are
+// for one thread at a time. While it runs that is the thread that called `run`, in `between`. Other threads
+// use cca::live_access.
 #pragma once
 
 #include <string>
@@ -30,6 +34,8 @@ class controller<M> : public detail::loop_host<controller<M>, M> {
   static constexpr const auto& all = detail::modes_of<M>::value;
 
 public:
+  // ---- the thread that runs the beats, between two of them ----
+
   using host::start;  // one component
   using host::stop;
 
@@ -44,22 +50,14 @@ public:
 
   template <fixed_string Mode>
   void switch_to() {
-    constexpr int next = all.number_of(Mode.view());
-    static_assert(next >= 0,
-                  "modes.unknown_mode: the set of modes has no mode of the name that switch_to names (the "
-                  "compiler says both): name one of its modes");
-    change_to(next);
+    change_to(mode_named<Mode>());
   }
-  void switch_to(std::string_view mode) {
-    const int next = all.number_of(mode);
-    if (next < 0) throw refused("cca::controller: switch_to: " + unknown_mode(mode));
-    change_to(next);
-  }
+  void switch_to(std::string_view mode) { change_to(number_of(mode)); }
 
   // The active one.
   std::string_view mode() const noexcept { return all.modes[active].name; }
 
-  // As of a controller of the active mode.
+  // As of a controller of the active mode, with the samples of the last beat.
   template <class F>
   void observed(F f) const {
     with_mode(active, [&]<int I>() { detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f); });
@@ -69,6 +67,7 @@ private:
   friend detail::component_host<controller, M>;
   friend detail::stoppable_components<controller, M>;
   friend host;
+  friend detail::live_components;
   template <int I>
   using part = detail::mode_part<M, I>;
 
@@ -112,6 +111,13 @@ private:
     [&]<int... I>(std::integer_sequence<int, I...>) {
       (void)((mode == I && (f.template operator()<I>(), true)) || ...);
     }(std::make_integer_sequence<int, detail::mode_count<M>>{});
+  }
+
+  // Of an output that more than one mode has, once for each.
+  template <class F>
+  void observed_in_any_mode(F f) const {
+    for (int m = 0; m < all.count; ++m)
+      with_mode(m, [&]<int I>() { detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f); });
   }
 
   void advance() noexcept {
@@ -158,6 +164,19 @@ private:
     with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, is_started); });
   }
 
+  template <fixed_string Mode>
+  static constexpr int mode_named() {
+    constexpr int number = all.number_of(Mode.view());
+    static_assert(number >= 0,
+                  "modes.unknown_mode: the set of modes has no mode of the name that switch_to names (the "
+                  "compiler says both): name one of its modes");
+    return number;
+  }
+  static int number_of(std::string_view mode) {
+    const int number = all.number_of(mode);
+    if (number < 0) throw refused("cca::controller: switch_to: " + unknown_mode(mode));
+    return number;
+  }
   static std::string unknown_mode(std::string_view wrong) {
     std::vector<std::string_view> names;
     for (int m = 0; m < all.count; ++m) names.push_back(all.modes[m].name);

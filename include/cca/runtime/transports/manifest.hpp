@@ -1,5 +1,5 @@
 // What two processes must have in common to run one deployment, as text: one fact a line. Numbers have all
-// their digits, so limits that differ in the last bit differ here.
+// their digits, so limits that differ in the last bit differ here. Transports use it before a run.
 #pragma once
 
 #include <algorithm>
@@ -105,3 +105,8 @@ inline std::string first_difference(std::string_view here, std::string_view ther
 }
 
 }  // namespace cca::detail
+
+namespace cca {
+using detail::first_difference;
+using detail::manifest_of;
+}  // namespace cca

@@ -1,0 +1,100 @@
+// The components of a deployment, each in the loop of its environment. `Self` is the deployment, which runs
+// the environments that are `here`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include <cca/base/refused.hpp>
+#include <cca/runtime/each_component.hpp>
+#include <cca/runtime/environments/environment_loops.hpp>
+#include <cca/runtime/observe.hpp>
+
+namespace cca::detail {
+
+struct live_components;  // of cca::live_access
+
+template <class D>
+class placed_components {
+protected:
+  template <int Node>
+  static constexpr int environment_of = plan_of<D>.nodes[Node].environment;
+  static std::size_t environment_at(int node) {
+    return array_size(plan_of<D>.nodes[array_size(node)].environment);
+  }
+
+  template <int Node>
+  auto& component() {
+    refuse_if_elsewhere(Node);
+    return component_of<Node>(*this);
+  }
+  template <int Node>
+  const auto& component() const {
+    refuse_if_elsewhere(Node);
+    return component_of<Node>(*this);
+  }
+  bool is_here(int node) const { return here[environment_at(node)]; }
+  void refuse_if_elsewhere(int node) const {
+    if (!is_here(node)) refuse_elsewhere(node);
+  }
+  [[noreturn]] static void refuse_elsewhere(int node) {
+    throw refused("cca::deployed: `" + path_of_node<D>(node) + "` runs in environment `" +
+                  std::string(name_of_environment<D>(environment_at(node))) +
+                  "`, which another process runs");
+  }
+  // Also one that another process runs.
+  template <int Node, class Placed>
+  static auto& component_of(Placed& self) {
+    constexpr int e = environment_of<Node>;
+    return component_at<part<D, e>, Node>(self.loops.template at<e>().state);
+  }
+  // f(number, component) for each, in declaration order.
+  template <class F, class Placed>
+  static void visit(F f, Placed& self) {
+    [&]<int... Node>(std::integer_sequence<int, Node...>) {
+      const int all[] = {0, (f(Node, component_of<Node>(self)), 0)...};
+      (void)all;
+    }(std::make_integer_sequence<int, counts_of<D>.node_count>{});
+  }
+  template <class F, class Placed>
+  static void visit_firings(int node, F f, Placed& self) {
+    self.refuse_if_elsewhere(node);
+    self.loops.for_each([&]<int E>(auto& loop) {
+      if (environment_at(node) == array_size(E)) detail::visit_firings<part<D, E>>(loop.state, node, f);
+    });
+  }
+
+  // f(observation) for each output that an `observe` names, before beat k, in declaration order.
+  template <class F>
+  void observe_here(std::int64_t k, F& f) const {
+    for_each_watched([&]<int Output, int E>() {
+      if (here[E]) observe_newest<part<D, E>, Output>(loops.template at<E>().state, k, f);
+    });
+  }
+  // Of one environment, between two of its beats.
+  template <int Environment, class F>
+  void observed_in(F& f) const {
+    for_each_watched([&]<int Output, int E>() {
+      if constexpr (E == Environment)
+        observe_newest<part<D, E>, Output>(loops.template at<E>().state, loops.template at<E>().k, f);
+    });
+  }
+
+  environment_loops<D> loops;
+  environments_here<D> here{};
+
+private:
+  template <class F>
+  static void for_each_watched(F f) {
+    [&]<int... Output>(std::integer_sequence<int, Output...>) {
+      const int all[] = {
+        0,
+        (f.template operator()<Output, environment_of<call_of<D, output_of<D, Output>.call>.node>>(), 0)...
+      };
+      (void)all;
+    }(chosen<counts_of<D>.output_count, is_watched<D>>{});
+  }
+};
+
+}  // namespace cca::detail

@@ -1,0 +1,90 @@
+// What cca::live_access sees of the three controllers: which loop runs a component, what a loop observes, and
+// which components may be changed now.
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include <cca/graph/modes.hpp>
+#include <cca/runtime/controller.hpp>
+
+namespace cca {
+template <class D>
+class deployed;
+}
+
+namespace cca::detail {
+
+// Of one loop: a graph, or a set of modes.
+template <class Controller>
+struct live_loops {
+  static constexpr int count = 1;
+  static constexpr int of_node(int) { return 0; }
+};
+template <class D>
+struct live_loops<deployed<D>> {
+  static constexpr int count = environment_count<D>;
+  static constexpr int of_node(int node) { return plan_of<D>.nodes[array_size(node)].environment; }
+};
+
+// A friend of each controller.
+struct live_components {
+  // The component, also where another process runs it: then nobody else uses this one.
+  template <int Node, class Controller>
+  static auto& at(Controller& c) {
+    if constexpr (requires { c.template component_of<Node>(c); }) return c.template component_of<Node>(c);
+    else return c.template component<Node>();
+  }
+  template <class Controller>
+  static bool is_here(const Controller& c, int node) {
+    return c.is_here(node);
+  }
+  template <class Controller>
+  static void refuse(int node) {
+    if constexpr (requires { Controller::refuse_elsewhere(node); }) Controller::refuse_elsewhere(node);
+  }
+
+  // f(observation) for each output that may ever be observed here.
+  template <class Controller, class F>
+  static void for_each_output(const Controller& c, F f) {
+    if constexpr (requires { c.observed_in_any_mode(f); }) c.observed_in_any_mode(f);
+    else c.observed(f);
+  }
+  // Of one loop, between two of its beats.
+  template <int Loop, class Controller, class F>
+  static void observe(const Controller& c, F f) {
+    if constexpr (requires { c.template observed_in<Loop>(f); }) c.template observed_in<Loop>(f);
+    else c.observed(f);
+  }
+
+  // ---- modes ----
+
+  template <class Controller>
+  static bool runs_now(const Controller& c, int node) {
+    if constexpr (requires { c.is_active(node); }) return c.is_active(node);
+    else return true;
+  }
+  template <class Controller>
+  static int mode_number(std::string_view name) {
+    return Controller::number_of(name);
+  }
+  template <class Controller, fixed_string Mode>
+  static constexpr int mode_number() {
+    return Controller::template mode_named<Mode>();
+  }
+  template <class Controller>
+  static std::string_view mode_name(int number) {
+    return Controller::all.modes[number].name;
+  }
+  template <class Controller>
+  static int active_mode(const Controller& c) {
+    if constexpr (requires { c.active; }) return c.active;
+    else return 0;
+  }
+  template <class Controller>
+  static void switch_to(Controller& c, int mode) {
+    c.move_to(mode);
+  }
+};
+
+}  // namespace cca::detail

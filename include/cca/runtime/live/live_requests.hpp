@@ -1,0 +1,167 @@
+// The part of cca::live_access that asks for changes. Any thread asks; a loop takes its part between two of
+// its beats.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <cca/runtime/live/known_parameters.hpp>
+#include <cca/runtime/live/live_mailbox.hpp>
+
+namespace cca::detail {
+
+template <class Controller, class Graph>
+class live_requests {
+  using shadows = known_parameters<Controller, Graph>;
+  using loops = live_loops<Controller>;
+
+public:
+  // ---- any thread; false: an earlier request has not been taken yet ----
+
+  // Other parameters of a component, as `controller::set`.
+  template <fixed_string Path, class Parameters = typename parameters_at<Graph, Path>::type>
+  bool set(const Parameters& parameters) {
+    if constexpr (can_set<Graph, Path>()) {
+      constexpr int target = node_at<Graph>(Path.view());
+      return request(asked::parameters, target, [&] {
+        apply_parameters(known.template of<target>(), parameters, Path.view(), shadows::step_of(Path.view()));
+      });
+    } else {
+      return false;
+    }
+  }
+  template <class Value>
+  bool set(std::string_view path, const Value& value) {
+    static_assert(HasConfig<shadows>, "cca::live_access: set(path, value) needs #include <cca/config.hpp>");
+    return request(asked::parameters, node_of_parameter(path),
+                   [&] { config_backend<shadows>::set(known, path, value); });
+  }
+  // All parameters that a file names: of each loop in one beat.
+  bool load(std::string_view file) {
+    static_assert(HasConfig<shadows>, "cca::live_access: load(file) needs #include <cca/config.hpp>");
+    return request(asked::parameters, all_nodes, [&] { config_backend<shadows>::load(known, file); });
+  }
+  // As they are known here. Empty: busy.
+  std::optional<std::string> parameter(std::string_view path) {
+    static_assert(HasConfig<shadows>, "cca::live_access: parameter(path) needs #include <cca/config.hpp>");
+    if (!mailbox.claim()) return {};
+    const given_back at_the_end{mailbox};
+    return config_backend<shadows>::template get<std::string>(known, path);
+  }
+
+  // A component with the strategy `stoppable`.
+  bool stop(std::string_view path) {
+    return request(asked::stop, stoppable_node_named<Graph>(path), [] {});
+  }
+  bool start(std::string_view path) {
+    return request(asked::start, stoppable_node_named<Graph>(path), [] {});
+  }
+
+  // Of a set of modes; another name is refused.
+  bool switch_to(std::string_view mode)
+    requires Modes<Graph>
+  {
+    return switch_to_number(live_components::mode_number<Controller>(mode));
+  }
+  template <fixed_string Mode>
+  bool switch_to()
+    requires Modes<Graph>
+  {
+    return switch_to_number(live_components::mode_number<Controller, Mode>());
+  }
+
+  // Whether the last request has been taken, and what refused it then; empty: nothing. A component refuses
+  // parameters (`refusal_of`), and to be stopped or started where the active mode lacks it; a mode is refused
+  // after a fault.
+  bool is_taken() const noexcept { return mailbox.is_empty(); }
+  std::string refused_by() const {
+    const int by = refusing.load(std::memory_order_acquire);
+    if constexpr (Modes<Graph>)
+      if (by <= first_mode) return std::string(live_components::mode_name<Controller>(first_mode - by));
+    return by < 0 ? std::string() : known.path(by);
+  }
+
+protected:
+  explicit live_requests(const Controller& c) : known(c) {
+    for (int node = 0; node < counts_of<Graph>.node_count; ++node)
+      if (live_components::is_here(c, node)) with_components[array_size(loops::of_node(node))] = true;
+  }
+
+  // A loop's, between two of its beats.
+  template <int Loop>
+  void take(Controller& c) {
+    mailbox.take(Loop, [&] {
+      if (const int by = do_what_is_asked<Loop>(c); by != nobody)
+        refusing.store(by, std::memory_order_release);
+    });
+  }
+
+private:
+  enum class asked { parameters, stop, start, mode };
+  static constexpr int all_nodes = -1, nobody = -1, first_mode = -2;  // -2 - n: mode n
+  using mailbox_type = live_mailbox<loops::count>;
+  struct given_back {
+    mailbox_type& mailbox;
+    bool is_posted = false;
+    ~given_back() {
+      if (!is_posted) mailbox.give_back();
+    }
+  };
+
+  template <class F>
+  bool request(asked about, int of, F prepare) {
+    if (of >= 0) known.check_is_here(of);
+    if (!mailbox.claim()) return false;
+    given_back unless_posted{mailbox};
+    prepare();  // may throw: then nothing is asked
+    what = about;
+    asked_node = of;
+    refusing.store(nobody, std::memory_order_relaxed);
+    typename mailbox_type::loops to = with_components;
+    if (of >= 0) {
+      to = {};
+      to[array_size(loops::of_node(of))] = true;
+    }
+    unless_posted.is_posted = true;
+    mailbox.post(to);
+    return true;
+  }
+  bool switch_to_number(int number)
+    requires Modes<Graph>
+  {
+    return request(asked::mode, all_nodes, [&] { asked_mode = number; });
+  }
+
+  // Of `gait.frequency` the node `gait`; `all_nodes` where the path leads into no component.
+  static int node_of_parameter(std::string_view path) {
+    for (auto end = path.size(); end != path.npos && end > 0; end = path.rfind('.', end - 1))
+      if (const int found = node_at<Graph>(path.substr(0, end)); found >= 0) return found;
+    return all_nodes;
+  }
+
+  template <int Loop>
+  int do_what_is_asked(Controller& c) {
+    if (what == asked::parameters) return known.template give_to<Loop>(c);
+    if constexpr (Modes<Graph>)
+      if (what == asked::mode) {
+        if (c.state() == state::faulted) return first_mode - asked_mode;
+        live_components::switch_to(c, asked_mode);
+        return nobody;
+      }
+    if (!live_components::runs_now(c, asked_node)) return asked_node;
+    if (what == asked::stop) c.stop(known.path(asked_node));
+    else c.start(known.path(asked_node));
+    return nobody;
+  }
+
+  shadows known;
+  typename mailbox_type::loops with_components{};  // here
+  mailbox_type mailbox;
+  asked what = asked::parameters;
+  int asked_node = all_nodes, asked_mode = 0;
+  std::atomic<int> refusing{nobody};
+};
+
+}  // namespace cca::detail
