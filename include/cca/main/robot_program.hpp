@@ -19,6 +19,7 @@
 #include <concepts>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ struct run_settings {
   std::vector<std::string> configs{};  // files with parameters, in this order
   std::vector<std::string> only{};     // the environments of this process; none: all
   bool quiet = false;                  // prints no figures
+  std::string record{};                // a file for a recording; empty: none (docs/recordings.md)
+  std::vector<std::string> record_scopes{};  // of the ports to record; none: all
+  std::map<std::string, std::string> notes{};  // for the recording: a seed, a version
 };
 
 template <class Architecture>

@@ -171,8 +171,11 @@ private:
   }
   void take(controller<Graph>& c) {
     int refused_here = -1;
-    if (what == asked::parameters) refused_here = known.give_to(c);
-    else if (what == asked::stop) c.stop(known.path(node));
+    if (what == asked::parameters) {
+      refused_here = known.give_to(c);
+      detail::tell_parameters(c);
+    }
+else if (what == asked::stop) c.stop(known.path(node));
     else c.start(known.path(node));
     refusing.store(refused_here, std::memory_order_release);
   }

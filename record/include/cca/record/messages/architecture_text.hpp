@@ -1,0 +1,44 @@
+// An architecture as text, one fact a line, and its hash: what a recording and the program that replays it
+// must have in common.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <sstream>
+#include <string>
+
+#include <cca/runtime/each_component.hpp>
+#include <cca/runtime/transports/manifest.hpp>
+
+namespace cca::recording::detail {
+
+template <class Graph>
+std::string architecture_text() {
+  using namespace cca::detail;
+  auto plan = plan_of<Graph>;
+  const flat_view g = plan.view();
+  std::ostringstream text;
+  text << g.period << " ns a beat\n";
+  for (int n = 0; n < g.node_count; ++n)
+    text << "node " << path_of_node<Graph>(n) << ": " << g.nodes[n].item->component->name() << ", strategy "
+         << g.nodes[n].item->strategy_key << '\n';
+  for (int o = 0; o < g.output_count; ++o) {
+    text << "output " << path_of_node<Graph>(g.calls[g.outputs[o].call].node) << '.'
+         << port_of(g, g.outputs[o]).name << " in ";
+    write_space(text, *port_of(g, g.outputs[o]).space);
+    text << '\n';
+  }
+  for (int i = 0; i < g.input_count; ++i)
+    if (const auto& in = g.inputs[i]; in.writer >= 0)
+      text << "wire to " << path_of_node<Graph>(g.calls[in.call].node) << '.' << port_of(g, in).name
+           << " from output " << in.writer << ", delayed " << in.delay << '\n';
+  return text.str();
+}
+
+inline std::string hash_of_architecture(const std::string& text) {
+  char digits[20];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(cca::detail::hash(text)));
+  return digits;
+}
+
+}  // namespace cca::recording::detail
