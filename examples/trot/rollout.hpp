@@ -38,10 +38,10 @@ inline std::size_t beats_in(double seconds) {
 // started.
 template <class Controller>  // of simulated_trot, or of a graph derived from it
 recording begin(Controller& controller,
-                       const cca::sim::terrain& ground,
-                       const cca::sim::disturbance& disturbance,
-                       double seconds,
-                       const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
+                const cca::sim::terrain& ground,
+                const cca::sim::disturbance& disturbance,
+                double seconds,
+                const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
   // The robot's posture, the ground and the disturbance: [put down]
   auto& simulator = controller.template get<"robot.simulator">();
   simulator.put_down(cca::sim::world(model, ground.with_friction(disturbance.friction),

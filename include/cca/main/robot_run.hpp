@@ -67,10 +67,10 @@ public:
     if (interrupted) tell("interrupted " + at(c));
     if (!program.settings.quiet) print_figures(figures_of(c));
     const int own = program.finish(c);
-    return has_faulted                                ? exit_code::fault
-           : interrupted                              ? interrupted.exit_code()
+    return has_faulted                               ? exit_code::fault
+           : interrupted                             ? interrupted.exit_code()
            : !lost.empty() && own == exit_code::done ? exit_code::error
-                                                      : own;
+                                                     : own;
   }
 
 private:
@@ -86,7 +86,8 @@ private:
   };
   using recorder_type = typename choose_recorder<controller_type, can_record>::type;
 
-  void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder, [[maybe_unused]] controller_type& c) {
+  void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
+                       [[maybe_unused]] controller_type& c) {
     const run_settings& s = program.settings;
     if (s.record.empty()) return;
     if constexpr (can_record) recorder.emplace(c, s.record, s.record_scopes, !s.speed);

@@ -174,8 +174,7 @@ private:
     if (what == asked::parameters) {
       refused_here = known.give_to(c);
       detail::tell_parameters(c);
-    }
-else if (what == asked::stop) c.stop(known.path(node));
+    } else if (what == asked::stop) c.stop(known.path(node));
     else c.start(known.path(node));
     refusing.store(refused_here, std::memory_order_release);
   }

@@ -20,7 +20,7 @@ namespace cca::detail {
 template <int Outputs>
 struct frame_layout {
   std::array<int, array_size(Outputs + 1)> at{};
-  std::array<int, array_size(Outputs + 1)> size{};  // coordinates
+  std::array<int, array_size(Outputs + 1)> size{};           // coordinates
   std::array<bool, array_size(Outputs + 1)> in_each_beat{};  // surely published
   int words = 0;
 };

@@ -19,7 +19,8 @@ template <int Words>  // of a frame
 class frame_ring {
 public:
   // At least so many frames.
-  explicit frame_ring(std::size_t least) : frames(std::bit_ceil(least)), memory(allocate((frames + 1) * Words)) {
+  explicit frame_ring(std::size_t least)
+      : frames(std::bit_ceil(least)), memory(allocate((frames + 1) * Words)) {
     find_room();
   }
 
@@ -51,9 +52,7 @@ public:
     const std::uint64_t n = taken.load(std::memory_order_relaxed);
     return n == put.load(std::memory_order_acquire) ? nullptr : memory.get() + (n & (frames - 1)) * Words;
   }
-  void take() noexcept {
-    taken.store(taken.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-  }
+  void take() noexcept { taken.store(taken.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
 private:
   [[gnu::noinline]] bool commit_last() noexcept {
@@ -68,8 +67,8 @@ private:
   };
   // Written once, so that no beat is the first to touch a page.
   static std::int64_t* allocate(std::size_t count) {
-    auto* const words = static_cast<std::int64_t*>(
-        ::operator new(count * sizeof(std::int64_t), std::align_val_t{64}));
+    auto* const words =
+        static_cast<std::int64_t*>(::operator new(count * sizeof(std::int64_t), std::align_val_t{64}));
     std::fill_n(words, count, std::int64_t{0});
     return words;
   }

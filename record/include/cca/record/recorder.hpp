@@ -37,9 +37,10 @@ namespace cca::recording {
 
 template <class Controller>
 class recorder {
-  static_assert(sizeof(Controller) == 0,
-                "cca::recording::recorder: it records the cca::controller of one graph, not a deployment or a set "
-                "of modes");
+  static_assert(
+      sizeof(Controller) == 0,
+      "cca::recording::recorder: it records the cca::controller of one graph, not a deployment or a set "
+      "of modes");
 };
 
 template <class Graph>
@@ -121,7 +122,8 @@ private:
 
   // ---- in the thread of the loop ----
 
-  void parameters_changed(const cca::detail::controller_state<Graph>& state, std::int64_t k) noexcept override {
+  void parameters_changed(const cca::detail::controller_state<Graph>& state,
+                          std::int64_t k) noexcept override {
     cca::detail::visit_components<Graph>(
         [&]<class C>(int node, const C& component) {
           if constexpr (HasParameters<C>) tell(node, component.p, k);
@@ -145,7 +147,8 @@ private:
     events.put({detail::event_kind::state, -1, k}, message.add(k).add(to_string(to)).view());
   }
   void failed(int node, const char* reason, std::int64_t k) noexcept override {
-    const std::string_view path = node < 0 ? std::string_view() : std::string_view(paths[cca::detail::array_size(node)]);
+    const std::string_view path =
+        node < 0 ? std::string_view() : std::string_view(paths[cca::detail::array_size(node)]);
     detail::cdr_writer message(scratch);
     message.add(k).add(path.substr(0, 200)).add(std::string_view(reason).substr(0, 250));
     events.put({detail::event_kind::fault, node, node < 0 ? k : k + 1}, message.view());
@@ -228,8 +231,8 @@ private:
   }
 
   settings how;
-  std::vector<const detail::schema*> types;              // of the parameters of each node, or null
-  std::vector<std::vector<unsigned char>> told;          // of each node
+  std::vector<const detail::schema*> types;      // of the parameters of each node, or null
+  std::vector<std::vector<unsigned char>> told;  // of each node
   std::vector<unsigned char> scratch, payload;
   std::vector<std::string> paths = [] {
     std::vector<std::string> all;

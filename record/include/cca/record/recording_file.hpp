@@ -63,11 +63,10 @@ public:
       : file(name, s.chunk_bytes, s.compression_level) {
     std::vector<std::string> unused = s.scopes;
     const std::string text = architecture_text<Graph>();
-    file.metadata("cca.architecture",
-                  {{"name", std::string(cca::detail::type_name<Graph>())},
-                   {"hash", hash_of_architecture(text)},
-                   {"text", text},
-                   {"ns_a_beat", std::to_string(period)}});
+    file.metadata("cca.architecture", {{"name", std::string(cca::detail::type_name<Graph>())},
+                                       {"hash", hash_of_architecture(text)},
+                                       {"text", text},
+                                       {"ns_a_beat", std::to_string(period)}});
     for (int o = 0; o < output_count; ++o) {
       const std::string path = path_of_port<Graph>(o);
       bool is_wanted = s.scopes.empty();
@@ -112,7 +111,8 @@ public:
   void write(const event& e, std::span<const unsigned char> payload) {
     switch (e.kind) {
       case event_kind::parameters:
-        return file.message(nodes[cca::detail::array_size(e.node)], time_of(e.beat), time_of(e.beat), payload);
+        return file.message(nodes[cca::detail::array_size(e.node)], time_of(e.beat), time_of(e.beat),
+                            payload);
       case event_kind::state:
         return file.message(state, time_of(e.beat), time_of(e.beat), payload);
       case event_kind::fault:
@@ -140,7 +140,8 @@ public:
 private:
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
   std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
-    return file.channel(topic_of(path), message_type(space.name), sample_schema(space), sample_metadata(space));
+    return file.channel(topic_of(path), message_type(space.name), sample_schema(space),
+                        sample_metadata(space));
   }
 
   mcap_writer file;

@@ -5,7 +5,7 @@
 //   for (mcap_message m; file.next(m);) ...
 //   if (!file.damage().empty()) ...            // where and why it ended early
 //
-// Any bytes may come: lengths are compared with what is there, and checksums are checked. Errors:
+// It reads what mcap_writer writes: messages stand in chunks. Any bytes may come: lengths are compared with what is there, and checksums are checked. Errors:
 // std::system_error if it can't be opened; cca::refused if it does not begin like an MCAP file.
 #pragma once
 
@@ -68,10 +68,6 @@ public:
         if (!read_definition(code, content)) return false;
       }
       if (is_over || !damaged.empty() || !read_record()) return false;
-      if (is_single) {
-        is_single = false;
-        return read_message(record, m);
-      }
     }
   }
 
@@ -112,7 +108,7 @@ private:
       case detail::op::chunk:
         return read_chunk();
       case detail::op::message:
-        return is_single = true;
+        return stop("a message outside of a chunk, without a checksum");
       case detail::op::metadata: {
         detail::byte_reader r(record);
         std::string name = r.text();
@@ -195,7 +191,7 @@ private:
   std::map<std::uint16_t, mcap_schema> all_schemas;
   std::vector<std::pair<std::string, detail::text_map>> all_metadata;
   std::string damaged;
-  bool is_over = false, is_single = false;
+  bool is_over = false;
 };
 
 }  // namespace cca::recording

@@ -33,7 +33,9 @@ namespace cca::recording {
 
 class mcap_writer {
 public:
-  explicit mcap_writer(const std::string& name, std::size_t bytes_of_chunk = 1 << 20, int compression_level = 1)
+  explicit mcap_writer(const std::string& name,
+                       std::size_t bytes_of_chunk = 1 << 20,
+                       int compression_level = 1)
       : called(name),
         file(::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
         most_in_chunk(bytes_of_chunk),
@@ -59,13 +61,20 @@ public:
                         const detail::text_map& metadata = {}) {
     detail::byte_writer both;
     const auto schema_id = static_cast<std::uint16_t>(++schemas);
-    add_record(both, detail::op::schema,
-               detail::byte_writer().add(schema_id).add(type).add(std::string_view("ros2msg")).add(schema).view());
+    add_record(
+        both, detail::op::schema,
+        detail::byte_writer().add(schema_id).add(type).add(std::string_view("ros2msg")).add(schema).view());
     summary_of_schemas.add(both.view());
     const auto id = static_cast<std::uint16_t>(counts.size() + 1);
     detail::byte_writer one;
     add_record(one, detail::op::channel,
-               detail::byte_writer().add(id).add(schema_id).add(topic).add(std::string_view("cdr")).add(metadata).view());
+               detail::byte_writer()
+                   .add(id)
+                   .add(schema_id)
+                   .add(topic)
+                   .add(std::string_view("cdr"))
+                   .add(metadata)
+                   .view());
     summary_of_channels.add(one.view());
     put(both.add(one.view()).view());
     counts.push_back(0);
@@ -242,7 +251,8 @@ private:
   detail::zstd_compressor compressor;
   std::uint64_t at = 0;
   detail::crc32 crc_of_data;
-  detail::byte_writer chunk, summary_of_schemas, summary_of_channels, summary_of_chunks, summary_of_metadata, ended;
+  detail::byte_writer chunk, summary_of_schemas, summary_of_channels, summary_of_chunks, summary_of_metadata,
+      ended;
   span_of_times in_chunk, in_file;
   std::vector<std::vector<std::pair<std::uint64_t, std::uint64_t>>> index;  // of the chunk: time and offset
   std::vector<std::uint64_t> counts;                                        // messages of each channel

@@ -15,8 +15,7 @@ namespace cca::recording::detail {
 
 class zstd_compressor {
 public:
-  explicit zstd_compressor(int compression_level)
-      : level(compression_level), context(ZSTD_createCCtx()) {}
+  explicit zstd_compressor(int compression_level) : level(compression_level), context(ZSTD_createCCtx()) {}
 
   // Valid until the next call.
   byte_view compress(byte_view from) {

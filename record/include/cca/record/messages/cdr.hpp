@@ -78,7 +78,8 @@ public:
 
 private:
   std::span<const unsigned char> block(std::size_t skipped, std::size_t size) {
-    if (bad || skipped > from.size() - at || size > from.size() - at - skipped) return bad = true, std::span<const unsigned char>{};
+    if (bad || skipped > from.size() - at || size > from.size() - at - skipped)
+      return bad = true, std::span<const unsigned char>{};
     at += skipped + size;
     return from.subspan(at - size, size);
   }

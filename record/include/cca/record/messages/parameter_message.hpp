@@ -1,6 +1,6 @@
 // The parameters of a component as a message: the beat from which on they hold, then each field in SI units.
-// A choice is its number, a text a string; fields of inner tables and elements of arrays are named `front_hip`
-// and `gains_2`.
+// A choice is its number, a text a string; fields of inner tables and elements of arrays are named
+// `front_hip` and `gains_2`.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,8 @@ inline void encode(const schema& type, const void* value, cdr_writer& to) {
       for (std::size_t i = 0; i < type.count; ++i) encode(*type.element, type.at(value, i), to);
       break;
     case kind::table:
-      for (std::size_t i = 0; i < type.count; ++i) encode(*type.members[i].type, type.members[i].of(value), to);
+      for (std::size_t i = 0; i < type.count; ++i)
+        encode(*type.members[i].type, type.members[i].of(value), to);
       break;
     case kind::unsupported:
       break;
@@ -115,7 +116,9 @@ inline void write_fields(const schema& type,
                          const std::string& name,
                          std::set<std::string>& taken,
                          std::ostream& to) {
-  const auto field = [&](const char* of) -> std::ostream& { return to << of << ' ' << field_name(name, taken); };
+  const auto field = [&](const char* of) -> std::ostream& {
+    return to << of << ' ' << field_name(name, taken);
+  };
   switch (type.what) {
     case kind::boolean:
       field("bool") << '\n';

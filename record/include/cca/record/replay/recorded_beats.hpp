@@ -23,8 +23,8 @@ struct recorded_sample {
 };
 struct recorded_event {
   event_kind kind{};
-  int node = -1;           // parameters
-  std::string text{};      // the state, or the reason of a fault
+  int node = -1;            // parameters
+  std::string text{};       // the state, or the reason of a fault
   std::string component{};  // of a fault
   std::vector<unsigned char> parameters{};
 };

@@ -43,8 +43,9 @@ struct signature_list<Result, cca::detail::list<Parameters...>> {
   using type = cca::detail::list<Result, Parameters...>;
 };
 template <class Function>
-using signature_of = typename signature_list<typename cca::detail::function_facts<Function>::result,
-                                             typename cca::detail::function_facts<Function>::parameters>::type;
+using signature_of =
+    typename signature_list<typename cca::detail::function_facts<Function>::result,
+                            typename cca::detail::function_facts<Function>::parameters>::type;
 
 template <class Robot, bool Senses = cca::detail::HasSense<Robot>>
 struct senses_again {};

@@ -8,12 +8,12 @@
 namespace cca::recording {
 
 struct replay_result {
-  std::int64_t beats = 0;        // that were compared
-  std::int64_t samples = 0;      // that were equal, bit for bit
-  std::string difference{};      // what differs, as a sentence; empty: nothing
+  std::int64_t beats = 0;           // that were compared
+  std::int64_t samples = 0;         // that were equal, bit for bit
+  std::string difference{};         // what differs, as a sentence; empty: nothing
   std::string component{}, port{};  // of the first difference, in the order of the beat
   std::int64_t beat = -1;
-  std::string ended_early{};     // why the recording could not be replayed to its end; empty: it could
+  std::string ended_early{};  // why the recording could not be replayed to its end; empty: it could
 
   // All of the recording was replayed, and every sample is the same.
   explicit operator bool() const { return difference.empty() && ended_early.empty(); }
