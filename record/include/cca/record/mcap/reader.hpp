@@ -5,8 +5,9 @@
 //   for (mcap_message m; file.next(m);) ...
 //   if (!file.damage().empty()) ...            // where and why it ended early
 //
-// It reads what mcap_writer writes: messages stand in chunks. Any bytes may come: lengths are compared with what is there, and checksums are checked. Errors:
-// std::system_error if it can't be opened; cca::refused if it does not begin like an MCAP file.
+// It reads what mcap_writer writes: messages stand in chunks. Any bytes may come: lengths are compared with
+// what is there, and checksums are checked. Errors: std::system_error if it can't be opened; cca::refused if
+// it does not begin like an MCAP file.
 #pragma once
 
 #include <cerrno>
