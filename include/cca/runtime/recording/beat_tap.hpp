@@ -17,9 +17,9 @@ namespace cca::detail {
 template <class Graph>
 struct controller_state;
 template <class Graph, int First>
-struct component_home;
+struct array_of_components;
 template <class Graph, int Array>
-struct sample_home;
+struct array_of_samples;
 
 template <class Graph>
 class beat_tap {
@@ -81,12 +81,12 @@ struct controller_state<probed<Graph>> : controller_state<Graph> {
 };
 
 template <class Graph, int First>
-struct component_home<probed<Graph>, First> {
-  using type = typename component_home<Graph, First>::type;
+struct array_of_components<probed<Graph>, First> {
+  using type = typename array_of_components<Graph, First>::type;
 };
 template <class Graph, int Array>
-struct sample_home<probed<Graph>, Array> {
-  using type = typename sample_home<Graph, Array>::type;
+struct array_of_samples<probed<Graph>, Array> {
+  using type = typename array_of_samples<Graph, Array>::type;
 };
 
 }  // namespace cca::detail
