@@ -33,9 +33,9 @@ public:
   byte_writer& add(std::string_view text) {
     return add(static_cast<std::uint32_t>(text.size())).add_raw(text.data(), text.size());
   }
-  byte_writer& add(const text_map& all) {
+  byte_writer& add(const text_map& map) {
     byte_writer entries;
-    for (const auto& [key, value] : all) entries.add(key).add(value);
+    for (const auto& [key, value] : map) entries.add(key).add(value);
     return add(static_cast<std::uint32_t>(entries.size())).add(entries.view());
   }
   byte_writer& add(byte_view bytes) { return add_raw(bytes.data(), bytes.size()); }
