@@ -19,9 +19,14 @@ std::string architecture_text() {
   const flat_view g = plan.view();
   std::ostringstream text;
   text << g.period << " ns a beat\n";
-  for (int n = 0; n < g.node_count; ++n)
-    text << "node " << path_of_node<Graph>(n) << ": " << g.nodes[n].item->component->name() << ", strategy "
-         << g.nodes[n].item->strategy_key << '\n';
+  // Clocks and no keys of strategies, which each compiler spells in its own way.
+  for (int n = 0; n < g.node_count; ++n) {
+    const auto& fires = g.calls[g.nodes[n].first_call].fires;
+    text << "node " << path_of_node<Graph>(n) << ": " << g.nodes[n].item->component->name();
+    if (fires.dynamic()) text << ", fires by what arrives\n";
+    else if (fires.never()) text << ", never fires\n";
+    else text << ", fires every " << fires.period << " beats from " << fires.first << '\n';
+  }
   for (int o = 0; o < g.output_count; ++o) {
     text << "output " << path_of_node<Graph>(g.calls[g.outputs[o].call].node) << '.'
          << port_of(g, g.outputs[o]).name << " in ";
