@@ -8,7 +8,7 @@
 #include <string>
 
 #include <cca/runtime/each_component.hpp>
-#include <cca/runtime/transports/manifest.hpp>
+#include <cca/space/space_schema.hpp>
 
 namespace cca::recording::detail {
 
@@ -19,19 +19,19 @@ std::string architecture_text() {
   const flat_view g = plan.view();
   std::ostringstream text;
   text << g.period << " ns a beat\n";
-  // Clocks and no keys of strategies, which each compiler spells in its own way.
+  // Clocks and no names of types, which each compiler spells in its own way.
   for (int n = 0; n < g.node_count; ++n) {
     const auto& fires = g.calls[g.nodes[n].first_call].fires;
-    text << "node " << path_of_node<Graph>(n) << ": " << g.nodes[n].item->component->name();
+    text << "node " << path_of_node<Graph>(n);
     if (fires.dynamic()) text << ", fires by what arrives\n";
     else if (fires.never()) text << ", never fires\n";
     else text << ", fires every " << fires.period << " beats from " << fires.first << '\n';
   }
   for (int o = 0; o < g.output_count; ++o) {
+    const space_schema space(*port_of(g, g.outputs[o]).space);
     text << "output " << path_of_node<Graph>(g.calls[g.outputs[o].call].node) << '.'
-         << port_of(g, g.outputs[o]).name << " in ";
-    write_space(text, *port_of(g, g.outputs[o]).space);
-    text << '\n';
+         << port_of(g, g.outputs[o]).name << ": " << space.field_count() << " numbers, space " << space.hash()
+         << '\n';
   }
   for (int i = 0; i < g.input_count; ++i)
     if (const auto& in = g.inputs[i]; in.writer >= 0)
