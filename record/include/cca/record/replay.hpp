@@ -159,6 +159,8 @@ private:
     }
     feed();
     c.step();
+    result.fault =
+        c.state() == state::faulted ? "`" + c.fault_path() + "`: " + std::string(c.fault().reason()) : "";
     compare();
     k = c.beat_index();
     forget_beat();

@@ -13,6 +13,7 @@ struct replay_result {
   std::string difference{};         // what differs, as a sentence; empty: nothing
   std::string component{}, port{};  // of the first difference, in the order of the beat
   std::int64_t beat = -1;
+  std::string fault{};  // of the replayed controller in the last beat, as "`guard`: too fast"; empty: none
   std::string ended_early{};  // why the recording could not be replayed to its end; empty: it could
 
   // All of the recording was replayed, and every sample is the same.
