@@ -43,6 +43,7 @@ TEST_CASE("a replay gives every sample and the fault bit for bit") {
   INFO(result);
   CHECK(result);
   CHECK(result.beats > 3000);
+  CHECK(result.fault == "`counter`: too many steps");
   CHECK(result.samples > 2 * result.beats);  // filter and leg seldom or fed; swing and limits in each beat
 }
 
@@ -115,6 +116,29 @@ TEST_CASE("a copy of a controller is not recorded") {
   CHECK(c.recorded_into() != nullptr);
   const controller copy = c;
   CHECK(copy.recorded_into() == nullptr);
+}
+
+TEST_CASE("the recording of a controller ends when another one is assigned to it") {
+  const temporary_file file("assigned");
+  controller c;
+  cca::recording::recorder recording(c, file.name);
+  c.load();
+  c.start();
+  c.run(cca::for_beats<10>{});
+  controller& itself = c;
+  c = itself;
+  CHECK(c.recorded_into() != nullptr);
+  c = controller();
+  CHECK(c.recorded_into() == nullptr);
+  c.load();
+  c.start();
+  c.run(cca::for_beats<5>{});
+  recording.close();
+  CHECK(recording.problem() == "");
+  const auto result = cca::recording::replay<graph>(file.name);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 10);
 }
 
 TEST_CASE("beats that do not fit are counted and marked") {

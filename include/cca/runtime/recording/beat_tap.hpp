@@ -56,13 +56,17 @@ protected:
   frame_ring<frame_layout_of<Graph>.words> ring;
 };
 
-// A copy of a controller is not recorded.
+// A copy of a controller is not recorded. The recording of a controller ends when another one is assigned to
+// it.
 template <class Graph>
 class tap_pointer {
 public:
   tap_pointer() = default;
   tap_pointer(const tap_pointer&) {}
-  tap_pointer& operator=(const tap_pointer&) { return *this; }
+  tap_pointer& operator=(const tap_pointer& other) {
+    if (this != &other && tap) std::exchange(tap, nullptr)->controller_is_gone();
+    return *this;
+  }
   ~tap_pointer() {
     if (tap) tap->controller_is_gone();
   }

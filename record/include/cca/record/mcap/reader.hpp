@@ -50,7 +50,7 @@ public:
     std::fseek(file.get(), 0, SEEK_END);
     const long end = std::ftell(file.get());
     size = end < 0 ? 0 : static_cast<std::uint64_t>(end);
-    std::rewind(file.get());
+    std::fseek(file.get(), 0, SEEK_SET);
     std::vector<unsigned char> start(detail::magic.size());
     if (!read(start) || !std::equal(start.begin(), start.end(), detail::magic.begin()))
       throw refused(name + " is not an MCAP file");
