@@ -94,11 +94,23 @@ void offer_standard_options(command_line& line, Program& p) {
                                         "reaches the others on this machine, by a name as /trot");
   }
   if constexpr (HasRecorder<typename Program::controller_type>) {
-    if (!line.has("--record")) line.text("--record FILE", s.record, "records all ports into FILE.mcap");
+    if (!line.has("--record"))
+      line.text(
+          "--record FILE",
+          [&s](const std::string& text) {
+            if (text.empty()) throw command_line_error("--record: expected the name of a file");
+            s.record = text;
+          },
+          "records all ports into this MCAP file");
     if (!line.has("--record-only"))
       line.text(
-          "--record-only S,T", [&s](const std::string& text) { s.record_scopes = split_words(text); },
-          "records the ports under these scopes, as dmp or dmp.phase");
+          "--record-only S,T",
+          [&s](const std::string& text) {
+            s.record_scopes = split_words(text);
+            if (std::ranges::find(s.record_scopes, "") != s.record_scopes.end())
+              throw command_line_error("--record-only " + text + ": expected scopes, as dmp,limits.safe");
+          },
+          "records only the ports under these scopes, as dmp or dmp.phase");
   }
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
