@@ -1,4 +1,4 @@
-# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware and cca::dds. All of them are headers only.
+# The targets: cca::cca (the core), cca::config, cca::main, cca::robots, cca::sim, cca::hardware, cca::dds and cca::record. All of them are headers only.
 
 include(GNUInstallDirs)
 
@@ -21,8 +21,8 @@ function(cca_add_headers name root)
 endfunction()
 
 foreach(component IN LISTS CCA_COMPONENTS)
-  if(NOT component MATCHES "^(config|main|sim|hardware|dds)$")
-    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware and dds")
+  if(NOT component MATCHES "^(config|main|sim|hardware|dds|record)$")
+    message(FATAL_ERROR "CCA_COMPONENTS: there is no component '${component}', only config, main, sim, hardware, dds and record")
   endif()
 endforeach()
 if("main" IN_LIST CCA_COMPONENTS AND NOT "config" IN_LIST CCA_COMPONENTS)
@@ -95,4 +95,14 @@ if("dds" IN_LIST CCA_COMPONENTS)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
   cca_add_headers(dds ${include} ${headers})
   target_link_libraries(cca_dds INTERFACE cca CycloneDDS::ddsc Threads::Threads)
+endif()
+
+if("record" IN_LIST CCA_COMPONENTS)
+  list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+  find_package(ZSTD REQUIRED)
+  find_package(Threads REQUIRED)
+  set(include ${PROJECT_SOURCE_DIR}/record/include)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
+  cca_add_headers(record ${include} ${headers})
+  target_link_libraries(cca_record INTERFACE cca ZSTD::ZSTD Threads::Threads)
 endif()

@@ -8,6 +8,10 @@
 #include <cca/cca.hpp>
 #include <cca/main.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>  // offers --record
+#endif
+
 #include "../trot/report/csv.hpp"
 #include "../trot/report/file.hpp"
 #include "../trot/report/progress.hpp"
@@ -19,7 +23,9 @@
 
 namespace {
 
-struct program : cca::robot_program<skills::simulated> {
+struct simulated : skills::simulated, cca::recordable {};
+
+struct program : cca::robot_program<simulated> {
   program() {
     purpose = "a simulated Oncilla trots, stops, reaches for a ball and trots on";
     settings.speed.reset();  // as fast as possible
@@ -34,14 +40,15 @@ struct program : cca::robot_program<skills::simulated> {
   void prepare(controller_type& c) override { skills::name_shape(c, o.shape); }
 
   void loaded(controller_type& c) override {
+    if (o.run.seed) settings.notes["seed"] = std::to_string(*o.run.seed);
     run.emplace(o.run);
-    skills::simulated_stage stage{c};
+    skills::simulated_stage<controller_type> stage{c};
     run->begin(stage);
     bar = trot::progress_bar("skills", !settings.quiet);
   }
 
   bool between(controller_type& c) override {
-    skills::simulated_stage stage{c};
+    skills::simulated_stage<controller_type> stage{c};
     if (csv || svg) record(stage.world(), c.beat_index());
     if (c.beat_index() % 20 == 0) {
       const auto& steps = c.get<"sequencer">().steps;

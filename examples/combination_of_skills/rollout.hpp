@@ -71,13 +71,14 @@ private:
   double began = 0;  // s, when the beat began
 };
 
+template <class Controller>  // of `simulated`, or of a graph derived from it
 struct simulated_stage {
-  combined& controller;
-  const cca::sim::world& world() const { return controller.get<"robot.simulator">().world(); }
+  Controller& controller;
+  const cca::sim::world& world() const { return controller.template get<"robot.simulator">().world(); }
   void put_down(cca::sim::world&& w, const cca::sim::disturbance& d) {
-    controller.get<"robot.simulator">().put_down(std::move(w), d);
+    controller.template get<"robot.simulator">().put_down(std::move(w), d);
   }
-  void disturb(const cca::sim::disturbance& d) { controller.get<"robot.simulator">().disturb(d); }
+  void disturb(const cca::sim::disturbance& d) { controller.template get<"robot.simulator">().disturb(d); }
   void step() { controller.step(); }
 };
 
@@ -98,7 +99,7 @@ result act(Stage& stage, const circumstances& c, Between between) {
 
 template <class Between>
 result roll_out(combined& controller, const circumstances& c, Between between) {
-  simulated_stage stage{controller};
+  simulated_stage<combined> stage{controller};
   return act(stage, c, between);
 }
 

@@ -23,10 +23,11 @@ struct skills_in_memory : in_memory<skills_on_drives> {
 // Before the parameters are loaded: names the shape of the trot, and switches the balance reflex off, unless
 // a file sets it. It turns the trunk's rate of turn into a knee angle, and the delay of the buses is enough
 // to make the standing robot tremble.
-inline void prepare(cca::controller<skills_on_drives>& controller, const std::string& shape) {
-  auto reflex = controller.get<"balance">().p;
+template <class Controller>  // of skills_on_drives, or of a graph derived from it
+void prepare(Controller& controller, const std::string& shape) {
+  auto reflex = controller.template get<"balance">().p;
   reflex.time = 0;
-  controller.set<"balance">(reflex);
+  controller.template set<"balance">(reflex);
   skills::name_shape(controller, shape);
 }
 inline void load(skills_in_memory& run, const std::string& shape, const std::optional<std::string>& config) {

@@ -1,5 +1,6 @@
 // The Combination of Skills on drives: the Oncilla trots, stops, reaches for a ball and trots on, over five
-// buses in memory. The options are those of combination_of_skills without recordings; --help lists them.
+// buses in memory. The options are those of combination_of_skills without its CSV file and picture; --help
+// lists them.
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -8,6 +9,10 @@
 #include <cca/cca.hpp>
 #include <cca/main.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>  // offers --record
+#endif
+
 #include "../combination_of_skills/command_line.hpp"
 #include "../combination_of_skills/summary.hpp"
 #include "../trot/report/file.hpp"
@@ -15,7 +20,9 @@
 
 namespace {
 
-struct program : cca::robot_program<hil::skills_on_drives> {
+struct on_drives : hil::skills_on_drives, cca::recordable {};
+
+struct program : cca::robot_program<on_drives> {
   program() {
     purpose = "a simulated Oncilla on virtual drives trots, stops, reaches for a ball and trots on";
     settings.speed.reset();  // as fast as possible
@@ -28,6 +35,7 @@ struct program : cca::robot_program<hil::skills_on_drives> {
     hil::prepare(c, o.shape);
   }
   void loaded(controller_type& c) override {
+    if (o.run.seed) settings.notes["seed"] = std::to_string(*o.run.seed);
     run.emplace(o.run);
     stage on{c, buses};
     run->begin(on);

@@ -13,6 +13,10 @@
 #include <cca/main.hpp>
 #include <cca/ros2.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>  // offers --record
+#endif
+
 // [ros2]
 struct hip : cca::dimension<"hip"> {
   static constexpr auto limits = cca::limits{cca::angle{-0.5, 0.5}, cca::velocity{-4, 4}};
@@ -55,7 +59,9 @@ struct commanded_leg
 
 namespace {
 
-struct program : cca::robot_program<commanded_leg> {
+struct recorded_leg : commanded_leg, cca::recordable {};
+
+struct program : cca::robot_program<recorded_leg> {
   program() { purpose = "a leg that a ROS 2 system commands and watches"; }
 
   int finish(controller_type& c) override {

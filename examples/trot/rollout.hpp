@@ -36,15 +36,16 @@ inline std::size_t beats_in(double seconds) {
 
 // Puts the robot down for a run of this time, and begins to record it. The controller must be loaded and not
 // started.
-inline recording begin(trotting& controller,
-                       const cca::sim::terrain& ground,
-                       const cca::sim::disturbance& disturbance,
-                       double seconds,
-                       const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
+template <class Controller>  // of simulated_trot, or of a graph derived from it
+recording begin(Controller& controller,
+                const cca::sim::terrain& ground,
+                const cca::sim::disturbance& disturbance,
+                double seconds,
+                const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
   // The robot's posture, the ground and the disturbance: [put down]
-  auto& simulator = controller.get<"robot.simulator">();
+  auto& simulator = controller.template get<"robot.simulator">();
   simulator.put_down(cca::sim::world(model, ground.with_friction(disturbance.friction),
-                                     put_down(controller.get<"gait">().p, disturbance)),
+                                     put_down(controller.template get<"gait">().p, disturbance)),
                      disturbance);
   // [put down end]
   recording run;

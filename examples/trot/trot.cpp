@@ -17,6 +17,10 @@
 #include <cca/cca.hpp>
 #include <cca/main.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>  // offers --record
+#endif
+
 #include "report/command_line.hpp"
 #include "report/csv.hpp"
 #include "idle_robot.hpp"
@@ -48,7 +52,9 @@ double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
-struct program : cca::robot_program<trot::simulated_trot> {
+struct simulated_trot : trot::simulated_trot, cca::recordable {};
+
+struct program : cca::robot_program<simulated_trot> {
   program() : bar("trot") {
     purpose = "a simulated Oncilla trots";
     settings.seconds = 20;
@@ -64,6 +70,8 @@ struct program : cca::robot_program<trot::simulated_trot> {
       c.set<"throttle">(wanted);
     }
     const double seconds = *settings.seconds;
+    if (o.seed) settings.notes["seed"] = std::to_string(*o.seed);
+    settings.notes["ground"] = o.ground.name();
     recorded = trot::begin(
         c, o.ground,
         o.seed ? cca::sim::disturbance::from_seed(*o.seed, seconds) : cca::sim::disturbance::none(), seconds);

@@ -37,6 +37,8 @@ int robot_main(int count, char** words) {
     command_line line(program.purpose);
     program.options(line);
     detail::offer_standard_options(line, program);
+    for (int word = 0; word < count; ++word)
+      program.settings.notes["command_line"].append(word > 0 ? " " : "").append(words[word]);
     return run_program(count, words, line, [&] {
       detail::refuse_contradictions(line, program);
       return run_robot(program, program_name(count, words));

@@ -11,6 +11,7 @@
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/main.hpp>
+#include <cca/record.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 #include <cca/sim/world.hpp>
 
@@ -34,7 +35,8 @@ struct moving : cca::graph<cca::node<"goal", goal>,
                            cca::node<"limits", cca::limiter<hip_angle>>,
                            cca::node<"joint", joint>,
                            cca::wire<"goal.angle", "limits.command">,
-                           cca::wire<"limits.safe", "joint.command">> {};
+                           cca::wire<"limits.safe", "joint.command">>,
+                cca::recordable {};
 
 struct alone : cca::deployment<moving, cca::environment<"all", cca::other_nodes>> {};
 
@@ -44,6 +46,7 @@ int main(int count, char** words) {
   if (count > 1) return cca::robot_main<moving>(count, words);
   std::ofstream("moving.toml") << "[goal]\nangle = 0.25\n";
   cca::controller<moving> c;
+  cca::recording::recorder recording(c, "moving.mcap");
   c.load("moving.toml");
   c.start();
   c.run(cca::for_beats<10>{});

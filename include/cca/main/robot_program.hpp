@@ -19,6 +19,7 @@
 #include <concepts>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,11 +38,14 @@ namespace cca {
 
 // How a program runs its robot. A program sets its defaults, the command line has the last word.
 struct run_settings {
-  std::optional<double> seconds{};     // of virtual time; none: until a signal
-  std::optional<double> speed = 1;     // times the wall clock; none: as fast as possible
-  std::vector<std::string> configs{};  // files with parameters, in this order
-  std::vector<std::string> only{};     // the environments of this process; none: all
-  bool quiet = false;                  // prints no figures
+  std::optional<double> seconds{};             // of virtual time; none: until a signal
+  std::optional<double> speed = 1;             // times the wall clock; none: as fast as possible
+  std::vector<std::string> configs{};          // files with parameters, in this order
+  std::vector<std::string> only{};             // the environments of this process; none: all
+  bool quiet = false;                          // prints no figures
+  std::string record{};                        // a file for a recording; empty: none (docs/recordings.md)
+  std::vector<std::string> record_scopes{};    // of the ports to record; none: all
+  std::map<std::string, std::string> notes{};  // for the recording: a seed, a version
 };
 
 template <class Architecture>

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
+#include <cca/runtime/recording/program_recorder.hpp>
 
 namespace cca::detail {
 
@@ -36,9 +38,13 @@ public:
     controller_type& c = *made;
     const interruption interrupted;
     program.prepare(c);
+    std::optional<recorder_type> recorder;
+    begin_recording(recorder, c);
     if (program.settings.configs.empty()) c.load();
     for (const std::string& file : program.settings.configs) c.load(file);
     program.loaded(c);
+    if constexpr (can_record)
+      if (recorder) recorder->note(program.settings.notes);
     is_to_stop = true;
     try {
       c.start();
@@ -54,15 +60,45 @@ public:
     const bool has_faulted = c.state() == state::faulted;
     const std::string fault = has_faulted ? fault_of(c) : "";
     stop(c);  // before anything is written: a robot does not wait for a terminal
+    const std::string lost = end_recording(recorder);
     if (has_faulted) tell(fault);
+    if (!lost.empty()) tell(lost);
     if (!ended_by_others.empty()) tell(ended_by_others);
     if (interrupted) tell("interrupted " + at(c));
     if (!program.settings.quiet) print_figures(figures_of(c));
     const int own = program.finish(c);
-    return has_faulted ? exit_code::fault : interrupted ? interrupted.exit_code() : own;
+    return has_faulted                               ? exit_code::fault
+           : interrupted                             ? interrupted.exit_code()
+           : !lost.empty() && own == exit_code::done ? exit_code::error
+                                                     : own;
   }
 
 private:
+  static constexpr bool can_record = HasRecorder<controller_type>;
+  struct no_recorder {};
+  template <class Controller, bool CanRecord>
+  struct choose_recorder {
+    using type = no_recorder;
+  };
+  template <class Controller>
+  struct choose_recorder<Controller, true> {
+    using type = program_recorder<Controller>;
+  };
+  using recorder_type = typename choose_recorder<controller_type, can_record>::type;
+
+  void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
+                       [[maybe_unused]] controller_type& c) {
+    const run_settings& s = program.settings;
+    if (s.record.empty()) return;
+    if constexpr (can_record) recorder.emplace(c, s.record, s.record_scopes, !s.speed);
+    else throw refused(called + ": this program can't record: see docs/recordings.md");
+  }
+  static std::string end_recording([[maybe_unused]] std::optional<recorder_type>& recorder) {
+    if constexpr (can_record)
+      if (recorder) return recorder->close();
+    return {};
+  }
+
   void run(controller_type& c, const interruption& interrupted) {
     const run_settings& s = program.settings;
     const for_some_beats length{

@@ -10,6 +10,7 @@
 
 #include <cca/main/command_line.hpp>
 #include <cca/main/robot_program.hpp>
+#include <cca/runtime/recording/program_recorder.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>
 
 namespace cca::detail {
@@ -52,17 +53,24 @@ inline void offer_pace(command_line& line, run_settings& s) {
       "fast, wall-clock, or a factor: 0.5 is half as fast (" + present + ")");
 }
 
+inline std::vector<std::string> split_words(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    all.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return all;
+}
+
 inline void take_names(const std::string& text,
                        const std::vector<std::string>& existing,
                        std::vector<std::string>& into) {
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    const std::string name = text.substr(from, to - from);
+  for (const std::string& name : split_words(text)) {
     if (std::ranges::find(existing, name) == existing.end())
       throw command_line_error("--only " + text + ": there is no environment `" + name + "`, only " +
                                joined_words(existing, ", "));
     into.push_back(name);
-    from = to + 1;
   }
 }
 
@@ -85,11 +93,32 @@ void offer_standard_options(command_line& line, Program& p) {
     p.template transport<shared_memory>(line, "--shared-memory NAME",
                                         "reaches the others on this machine, by a name as /trot");
   }
+  if constexpr (HasRecorder<typename Program::controller_type>) {
+    if (!line.has("--record"))
+      line.text(
+          "--record FILE",
+          [&s](const std::string& text) {
+            if (text.empty()) throw command_line_error("--record: expected the name of a file");
+            s.record = text;
+          },
+          "records all ports into this MCAP file");
+    if (!line.has("--record-only"))
+      line.text(
+          "--record-only S,T",
+          [&s](const std::string& text) {
+            s.record_scopes = split_words(text);
+            if (std::ranges::find(s.record_scopes, "") != s.record_scopes.end())
+              throw command_line_error("--record-only " + text + ": expected scopes, as dmp,limits.safe");
+          },
+          "records only the ports under these scopes, as dmp or dmp.phase");
+  }
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 
 template <class Program>
 void refuse_contradictions(const command_line& line, const Program& p) {
+  if (p.settings.record.empty() && !p.settings.record_scopes.empty())
+    throw command_line_error("--record-only: say by --record into which file");
   if constexpr (Deployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();
     const auto& only = p.settings.only;

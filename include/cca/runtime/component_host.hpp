@@ -32,6 +32,7 @@ public:
   // Takes the parameters as they are: the defaults, or what has been set.
   void load() {
     check(transition::load, "load()");
+    tell_parameters(self());  // before the hooks, which may read them
     visit([]<class C>(int node, C& component) {
       if constexpr (HasParameters<C>)
         check_parameters(component.p, path_of_node<Graph>(node), detail::step_of<Graph>(node));
@@ -41,6 +42,7 @@ public:
       if constexpr (OnLoad<C>) component.on_load();
     });
     move(transition::load, "load()");
+    tell_parameters(self());
   }
 
   // Reads parameters from a file; all or nothing. While it is started, between two beats, it does no more
@@ -49,6 +51,7 @@ public:
     static_assert(HasConfig<Self>, "cca::controller: load(file) needs #include <cca/config.hpp>");
     config_backend<Self>::load(self(), file);
     if (is_legal(transition::load, now)) load();
+    else tell_parameters(self());
   }
 
   void save() {
@@ -127,6 +130,7 @@ public:
   void set(const Parameters& parameters) {
     if constexpr (can_set<Graph, Path>())
       apply_parameters(get<Path>(), parameters, Path.view(), step_of(Path.view()));
+    tell_parameters(self());
   }
 
   // The time between two firings of the component with this path, in s; one beat if its clock is known only
@@ -165,6 +169,13 @@ protected:
   void move(transition what, const char* call) {
     check(what, call);
     now = after(what, now);
+    tell_state();
+  }
+
+  // To a recorder, if the graph has one.
+  void tell_state() {
+    if constexpr (requires(Self& s) { s.recorded_into(); })
+      if (auto* const tap = self().recorded_into()) tap->moved(now, self().beat_index());
   }
 
   beat_outcome reason{};

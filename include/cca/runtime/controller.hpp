@@ -8,9 +8,13 @@
 // included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
+#include <type_traits>
+
+#include <cca/graph/recordable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
 #include <cca/runtime/one_beat.hpp>
+#include <cca/runtime/recording/beat_tap.hpp>
 #include <cca/runtime/refusal.hpp>
 
 namespace cca {
@@ -28,6 +32,24 @@ public:
   template <class F>
   void observed(F f) const {
     detail::observe_all<Graph>(state_of_all, k, f);
+  }
+
+  // For a recorder of a recordable graph: what it gives to be told of each beat; null: nobody records.
+  void record_into(detail::beat_tap<Graph>* tap) noexcept
+    requires(detail::Recordable<Graph>)
+  {
+    state_of_all.tap.set(tap);
+    if (tap) tap->parameters_changed(state_of_all, k);
+  }
+  detail::beat_tap<Graph>* recorded_into() const noexcept
+    requires(detail::Recordable<Graph>)
+  {
+    return state_of_all.tap.get();
+  }
+  // Tells a recorder that parameters were changed by other ways than `set` and `load`.
+  void parameters_changed() noexcept {
+    if constexpr (detail::Recordable<Graph>)
+      if (auto* const tap = recorded_into()) tap->parameters_changed(state_of_all, k);
   }
 
 private:
@@ -54,20 +76,47 @@ private:
   }
   static constexpr bool is_here(int) { return true; }
 
-  [[gnu::flatten]] void advance() noexcept {
+  // Of a recordable graph: either beat is a function of its own, so that neither pays for the other.
+  void advance() noexcept
+    requires(detail::Recordable<Graph>)
+  {
+    if (state_of_all.tap.get()) advance_recorded();
+    else advance_unseen();
+  }
+  [[gnu::flatten]] void advance() noexcept
+    requires(!detail::Recordable<Graph>)
+  {
     detail::beat_outcome beat_outcome;
     detail::beat_of_graph<Graph>::run(state_of_all, beat_outcome, k);
+    end_beat(beat_outcome);
+  }
+  [[gnu::noinline, gnu::flatten]] void advance_unseen() noexcept {
+    detail::beat_outcome beat_outcome;
+    detail::beat_of_graph<Graph>::run(state_of_all, beat_outcome, k);
+    end_beat(beat_outcome);
+  }
+  [[gnu::noinline, gnu::flatten]] void advance_recorded() noexcept {
+    detail::beat_outcome beat_outcome;
+    state_of_all.frame = state_of_all.tap.get()->begin(k);
+    detail::beat_of_graph<detail::probed<Graph>>::run(state_of_all, beat_outcome, k);
+    state_of_all.tap.get()->end();
+    end_beat(beat_outcome);
+  }
+  CCA_INLINE void end_beat([[maybe_unused]] const detail::beat_outcome& outcome) noexcept {
     ++k;
     if constexpr (detail::counts_of<Graph>.may_fault)
-      if (beat_outcome.fault) {
+      if (outcome.fault) {
         detail::repeat_outputs<Graph>(state_of_all, k - 1);
-        host::fail(beat_outcome);
+        host::fail(outcome);
       }
   }
 
   using host::k;
 
-  detail::controller_state<Graph> state_of_all;
+  std::conditional_t<detail::Recordable<Graph>,
+                     detail::controller_state<detail::probed<Graph>>,
+                     detail::controller_state<Graph>>
+      state_of_all;
 };
 
 }  // namespace cca

@@ -44,6 +44,7 @@ public:
         if (!goes_on_after(between, self())) break;
       }
     }
+    if (now == cca::state::started) this->tell_state();
     return now;
   }
 
@@ -61,6 +62,11 @@ protected:
     reason = outcome;
     Self::visit(call_on_fault{}, self());
     now = after(transition::fail, now);
+    if constexpr (requires(Self& s) { s.recorded_into(); })
+      if (auto* const tap = self().recorded_into()) {
+        tap->failed(outcome.node, outcome.fault, outcome.node < 0 ? k : k - 1);
+        tap->moved(now, k);
+      }
   }
   std::int64_t next_beat_of(int) const { return k; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }

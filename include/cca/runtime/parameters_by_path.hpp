@@ -21,6 +21,12 @@ template <class Controller>
 struct config_backend;
 template <class Controller> concept HasConfig = requires { sizeof(config_backend<Controller>); };
 
+// To a recorder, if the controller has one.
+template <class Controller>
+void tell_parameters(Controller& c) {
+  if constexpr (requires { c.parameters_changed(); }) c.parameters_changed();
+}
+
 template <class Controller>
 class parameters_by_path {
 public:
@@ -28,6 +34,7 @@ public:
   void set(std::string_view path, const Value& value) {
     static_assert(HasConfig<Controller>, "cca::controller: set(path, value) needs #include <cca/config.hpp>");
     config_backend<Controller>::set(static_cast<Controller&>(*this), path, value);
+    tell_parameters(static_cast<Controller&>(*this));
   }
   template <class Type = std::string>
   Type parameter(std::string_view path) const {

@@ -6,7 +6,9 @@
 
 #include <utility>
 
+#include <cca/graph/recordable.hpp>
 #include <cca/runtime/inputs.hpp>
+#include <cca/runtime/recording/tell_recorder.hpp>
 
 namespace cca::detail {
 
@@ -63,6 +65,8 @@ CCA_INLINE void publish(const beat_context<Graph>& b,
     if constexpr (out.leaves) b.state.template send<output>(coordinates, returned.origin(), b.k);
     constexpr int queue = queue_from<Graph>(out.first_reader);
     if constexpr (queue >= 0) put_into_queues<Graph, queue>(b, coordinates, returned.origin());
+    if constexpr (is_probed<Graph>)
+      tell_recorder<Graph>(b.state.frame, at.first_output + Port, coordinates, returned.origin());
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <cca/runtime/live/known_parameters.hpp>
 #include <cca/runtime/live/live_mailbox.hpp>
+#include <cca/runtime/parameters_by_path.hpp>
 
 namespace cca::detail {
 
@@ -143,7 +144,11 @@ private:
 
   template <int Loop>
   int do_what_is_asked(Controller& c) {
-    if (what == asked::parameters) return known.template give_to<Loop>(c);
+    if (what == asked::parameters) {
+      const int by = known.template give_to<Loop>(c);
+      tell_parameters(c);
+      return by;
+    }
     if constexpr (Modes<Graph>)
       if (what == asked::mode) {
         if (c.state() == state::faulted) return first_mode - asked_mode;

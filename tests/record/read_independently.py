@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Records the trot and reads the file with @mcap/core: a million messages, whole and cut at random places.
+
+usage: read_independently.py FOLDER for node_modules PROGRAM arguments...     (the file is added as --record FILE)
+"""
+import json
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def install(folder):
+    for program in ("node", "npm"):
+        if not shutil.which(program):
+            sys.exit(f"{program} is missing: this test reads recordings with @mcap/core; ./bootstrap installs it")
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("package.json", "package-lock.json"):
+        shutil.copy(HERE / name, folder)
+    if not (folder / "node_modules/@mcap/core").is_dir():
+        subprocess.run(["npm", "ci", "--no-audit", "--no-fund", "--ignore-scripts"], cwd=folder, check=True)
+
+
+def read(folder, file):
+    done = subprocess.run(["node", str(HERE / "read.mjs"), str(folder), str(file)], stdout=subprocess.PIPE, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    install(folder)
+    file = folder / "trot.mcap"
+    subprocess.run([*sys.argv[2:], "--record", str(file)], check=True)
+    indexed, streamed = read(folder, file)
+    problems = []
+
+    def expect(holds, what):
+        if not holds:
+            problems.append(what)
+
+    expect("error" not in indexed, f"the indexed reader: {indexed.get('error')}")
+    expect(streamed["ended"] is True, f"the stream reader: {streamed['ended']}")
+    if not problems:
+        count, last = indexed["count"], indexed["last"]
+        expect(indexed["messages"] == streamed["messages"] >= 1_000_000, f"{indexed['messages']} and {streamed['messages']} messages")
+        expect("/cca/lost" not in count, "beats were lost")
+        beats = count["/limits/safe"]
+        expect(count["/gait/angles"] == count["/cpg/phase"] == beats and abs(count["/posture/turn"] - beats / 10) <= 1, f"counts {count}")
+        expect(last["/limits/safe"]["beat"] == beats - 1 and 0 <= (beats - 1) * 1_000_000 - last["/limits/safe"]["origin"] < 10_000_000, f"last {last['/limits/safe']}")
+        expect(last["/cca/state"]["state"] == "loaded", f"the last state is {last['/cca/state']}")
+        expect("frequency" in last["/cca/parameters/cpg"], f"parameters {last['/cca/parameters/cpg']}")
+    whole = file.read_bytes()
+    numbers = random.Random(1)
+    for _ in range(5):
+        size = numbers.randrange(len(whole) // 4, len(whole) - 100_000)
+        file.write_bytes(whole[:size])
+        _, streamed = read(folder, file)
+        share = streamed["messages"] / indexed.get("messages", 1)
+        expect(size / len(whole) - 0.05 < share < 1, f"cut at {size} of {len(whole)} bytes: {streamed}")
+    file.unlink()
+    sys.exit("\n".join(problems) or 0)
+
+
+if __name__ == "__main__":
+    main()
