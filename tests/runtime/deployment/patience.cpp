@@ -1,7 +1,7 @@
 // Who waits leaves its core to those for whom it waits, also in real time.
 #include <doctest/doctest.h>
 
-#include <cca/runtime/environments/patience.hpp>
+#include <cca/runtime/environments/waiting/patience.hpp>
 
 #include <atomic>
 #include <cstdint>

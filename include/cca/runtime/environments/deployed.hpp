@@ -33,7 +33,7 @@
 #include <cca/runtime/environments/placed_components.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
-#include <cca/runtime/transports/transport.hpp>
+#include <cca/runtime/environments/transport.hpp>
 
 namespace cca {
 

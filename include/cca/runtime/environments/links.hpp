@@ -9,7 +9,7 @@
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/fault_order.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
-#include <cca/runtime/environments/patience.hpp>
+#include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
 
 namespace cca::detail {

@@ -8,7 +8,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
-#include <cca/runtime/environments/patience.hpp>
+#include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
 
 namespace cca::detail {

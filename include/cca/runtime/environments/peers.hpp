@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <cca/runtime/environments/bell.hpp>
+#include <cca/runtime/environments/waiting/bell.hpp>
 
 namespace cca::detail {
 

@@ -15,8 +15,7 @@
 //   enabling    clears errors, sets the mode, waits for a measured position, commands that one, and asks for
 //               closed loop
 //   watchdog    a setting (axis.config.enable_watchdog, watchdog_timeout), off by default. Set points and
-//               state requests feed it (0.5: each frame to its node). When it runs out, the axis goes idle,
-//               with an error
+//               state requests feed it (0.5: each frame to its node). When it runs out: idle, and an error
 // It does not ask by remote frames, since many adapters don't pass them: let the drive send cyclically
 // (config.can.*_rate_ms).
 //
