@@ -28,18 +28,32 @@ namespace oncilla = cca::robots::oncilla;
 using lab_wire = hw::memory_bus<3, 16>;
 using wire_end = lab_wire::end_type;
 
-// The controller's end of a bus; it notes what the controller sends.
+// A send queue that takes nothing while a test says so.
+struct refusing {
+  bool now = false;
+  std::uint64_t frames = 0;
+  hw::bus_counters counted{};
+};
+
+// The controller's end of a bus; it notes what the controller sends, or tries to send.
 struct lab_end {
   wire_end end;
   std::vector<hw::can_frame>* sent;
+  refusing* refused;
 
   hw::send_result send(std::span<const hw::can_frame> frames) noexcept {
     sent->insert(sent->end(), frames.begin(), frames.end());
-    return end.send(frames);
+    if (!refused->now || frames.empty()) return end.send(frames);
+    refused->frames += frames.size();
+    return {.sent = 0, .outcome = hw::send_outcome::full};
   }
   std::size_t receive(std::span<hw::received_frame> into) noexcept { return end.receive(into); }
   hw::bus_state state() const noexcept { return end.state(); }
-  const hw::bus_counters& counters() const noexcept { return end.counters(); }
+  const hw::bus_counters& counters() const noexcept {
+    refused->counted = end.counters();
+    refused->counted.dropped_full += refused->frames;
+    return refused->counted;
+  }
   std::uint64_t in_flight() const noexcept { return end.in_flight(); }
 };
 static_assert(hw::CanBus<lab_end>);
@@ -51,7 +65,7 @@ public:
   static constexpr std::size_t count = Joints::count, buses = 5;
 
   explicit robot_lab(bool one_shot = true)
-      : wires{made(one_shot, 1), made(one_shot, 2), made(one_shot, 3), made(one_shot, 4), made(one_shot, 5)} {
+      : wires{made(one_shot, 0), made(one_shot, 1), made(one_shot, 2), made(one_shot, 3), made(one_shot, 4)} {
     for (std::size_t i = 0; i < count; ++i) put(i, (Joints::angle[i].lower + Joints::angle[i].upper) / 2);
     controller.template get<"robot.synchronizer">().connect(near[0], near[1], near[2], near[3], near[4]);
     far.connect(ends[0], ends[1], ends[2], ends[3], ends[4]);
@@ -117,6 +131,14 @@ public:
   }
 
   std::array<std::vector<hw::can_frame>, buses> sent{};  // by the controller, in this beat, on each bus
+  std::array<refusing, buses> refused{};                 // whether the controller's end takes frames
+  // What happens to each bus; a test may write it while the lab runs. It begins with nothing.
+  static constexpr hw::bus_fault no_trouble{.from = 0, .until = 0};
+  std::array<std::array<hw::bus_fault, 3>, buses> troubles = [] {
+    std::array<std::array<hw::bus_fault, 3>, buses> all;
+    for (auto& of_bus : all) of_bus.fill(no_trouble);
+    return all;
+  }();
   std::array<lab_wire, buses> wires;
   cca::controller<Architecture> controller{};
   hw::virtual_robot<wire_end, Virtual, Board, Joints> far{};
@@ -132,18 +154,18 @@ protected:
   virtual void heard(std::size_t, const hw::can_frame&) {}
 
 private:
-  static lab_wire made(bool one_shot, std::uint64_t seed) {
-    return lab_wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = seed});
+  lab_wire made(bool one_shot, std::size_t bus) const {
+    return lab_wire({.rates = {1'000'000}, .one_shot = one_shot, .seed = bus + 1, .script = troubles[bus]});
   }
   static constexpr bool is_pulled(std::size_t i) { return Joints::torque[i].lower >= 0; }
   void go_to(std::int64_t time) {
     for (auto& w : wires) w.advance(time);
   }
-  std::array<lab_end, buses> near{{{wires[0].end(0), &sent[0]},
-                                   {wires[1].end(0), &sent[1]},
-                                   {wires[2].end(0), &sent[2]},
-                                   {wires[3].end(0), &sent[3]},
-                                   {wires[4].end(0), &sent[4]}}};
+  std::array<lab_end, buses> near{{{wires[0].end(0), &sent[0], &refused[0]},
+                                   {wires[1].end(0), &sent[1], &refused[1]},
+                                   {wires[2].end(0), &sent[2], &refused[2]},
+                                   {wires[3].end(0), &sent[3], &refused[3]},
+                                   {wires[4].end(0), &sent[4], &refused[4]}}};
   std::array<wire_end, buses> ends{wires[0].end(1), wires[1].end(1), wires[2].end(1), wires[3].end(1),
                                    wires[4].end(1)};
   std::array<double, count> rest{};

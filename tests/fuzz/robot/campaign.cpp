@@ -1,6 +1,7 @@
-// A random campaign for the whole robot: random frames, faults of drives and board, beats that don't happen,
-// commands, parameters, stops and starts from any pose; one robot on Damiao drives, one with all families.
-// Each frame that the controller sends is judged (judge.hpp).
+// A random campaign for the whole robot: random frames, faults of drives, board and buses (frames lost, late
+// or twice, refused by the send queue, bus off, link down), beats that don't happen, commands, parameters,
+// stops and starts from any pose; one robot on Damiao drives, one with all families. Each frame that the
+// controller sends is judged (judge.hpp).
 //
 //   cca_fuzz_robot --seconds 60 --seed 1
 //
@@ -59,7 +60,7 @@ using families_lab =
     laws::robot_lab<families::joints, families::board, on_all_families, families::virtual_drive>;
 
 struct totals {
-  std::uint64_t lives = 0, beats = 0, frames = 0, motions = 0;
+  std::uint64_t lives = 0, beats = 0, frames = 0, motions = 0, from_outside = 0, bus_faults = 0, refused = 0;
 };
 
 template <class Lab>
@@ -86,7 +87,9 @@ public:
       const auto after = lab.synchronizer().phase();
       const bool moves = stepped && before >= hw::motion_phase::enabling && after >= hw::motion_phase::begins;
       const bool closed = pressed || !stepped || after == hw::motion_phase::stopped;
-      if (runs) judged.begin_beat(closed, moves, after == hw::motion_phase::enabling, lab.stop().mode());
+      if (runs)
+        judged.begin_beat(closed, moves, after == hw::motion_phase::enabling, lab.stop().mode(),
+                          lab.controller.template get<"robot.rate">().p.approach);
       sum.motions += moves && lab.stop().mode() == hw::motion_mode::run;
       for (std::size_t b = 0; b < Lab::buses; ++b)
         for (const hw::can_frame& f : lab.sent[b]) judged.look(b, f, lab.synchronizer(), latched);
@@ -94,6 +97,9 @@ public:
       ++sum.beats;
     }
     sum.frames += judged.frames;
+    sum.from_outside += judged.motions_from_outside;
+    sum.bus_faults += bus_faults;
+    for (const auto& of_bus : lab.refused) sum.refused += of_bus.frames;
     ++sum.lives;
     return judged.verdict;
   }
@@ -112,7 +118,7 @@ private:
 
   void pose() {
     for (std::size_t i = 0; i < Lab::count; ++i) {
-      const double beyond = chance(0.05) ? 0.6 : 0;
+      const double beyond = chance(0.1) ? (chance(0.2) ? 0.6 : 0.3) : 0;  // 0.5 is tolerated
       lab.put(i, any(joints::angle[i].lower - beyond, joints::angle[i].upper + beyond));
     }
     for (double& a : lab.abducted) a = any(-0.3, 0.3);
@@ -127,6 +133,8 @@ private:
   void mend() {
     std::apply([](auto&... drive) { (drive.clear(), ...); }, lab.far.drives);
     lab.far.board_silent = false;
+    for (auto& of_bus : lab.refused) of_bus.now = false;
+    for (auto& of_bus : lab.troubles) of_bus.fill(Lab::no_trouble);
     lab.controller.template get<"whim">().broken = false;
     lab.speed_scale.fill(1);
   }
@@ -140,6 +148,9 @@ private:
     if (chance(0.01)) wanted.angles[static_cast<Eigen::Index>(below(8))] = wild();
     if (chance(0.01)) wanted.abduction[static_cast<Eigen::Index>(below(4))] = wild() / 5;
     if (chance(0.004)) disturb();
+    if (chance(0.002)) trouble_a_bus();
+    if (chance(0.0005)) lab.refused[below(Lab::buses)].now = true, ++bus_faults;
+    if (chance(0.1)) lab.refused[below(Lab::buses)].now = false;
     if (chance(0.001)) of_one_drive([&](auto& d) { d.go_silent(true); });
     if (chance(0.0007)) of_one_drive([&](auto& d) { d.fail(static_cast<std::uint32_t>(1 + below(48))); });
     if (chance(0.0005)) of_one_drive([&](auto& d) { d.reboot(lab.now, 20'000'000); });
@@ -179,6 +190,20 @@ private:
     } catch (const cca::refused&) {  // it moves
     }
   }
+  // For 1 to 40 ms: frames are lost, late or come twice; or an end is passive, off or without a link.
+  void trouble_a_bus() {
+    using enum hw::bus_trouble;
+    constexpr hw::bus_trouble all[] = {lose, lose, delay, duplicate, passive, bus_off, link_down};
+    const std::size_t ends[] = {0, 1, hw::every_end};
+    lab.troubles[below(Lab::buses)][below(3)] = {
+        .what = all[below(7)],
+        .from = lab.now,
+        .until = lab.now + 1'000'000 * static_cast<std::int64_t>(1 + below(40)),
+        .end = ends[below(3)],
+        .chance = any(0.05, 1),
+        .delay = static_cast<std::int64_t>(below(5'000'000))};
+    ++bus_faults;
+  }
   // A frame of another node: an id that is in use, or any; any bytes.
   void disturb() {
     hw::can_frame f;
@@ -206,6 +231,7 @@ private:
   fuzz::judge<joints, Board> judged{};
   std::array<double, 8> latched{};
   int stalled = 0;
+  std::uint64_t bus_faults = 0;
   bool pressed = false;
 };
 
@@ -223,11 +249,16 @@ int judge_lives(std::uint64_t seconds, std::uint64_t seed) {
       return tell("all families", bad);
     ++seed;
   } while (std::chrono::steady_clock::now() < end);
+  using number = unsigned long long;
+  std::printf("%llu lives, %llu beats (%llu of them in motion), %llu frames judged: all were allowed\n",
+              static_cast<number>(all.lives), static_cast<number>(all.beats),
+              static_cast<number>(all.motions), static_cast<number>(all.frames));
   std::printf(
-      "%llu lives, %llu beats (%llu of them in motion), %llu frames judged: none should not have been sent\n",
-      static_cast<unsigned long long>(all.lives), static_cast<unsigned long long>(all.beats),
-      static_cast<unsigned long long>(all.motions), static_cast<unsigned long long>(all.frames));
-  return all.motions > 0 ? 0 : 1;
+      "%llu motions of a joint from outside of its range, %llu faults of a bus, %llu frames refused\n",
+      static_cast<number>(all.from_outside), static_cast<number>(all.bus_faults),
+      static_cast<number>(all.refused));
+  // A campaign in which nothing moves, or no bus fails, judges nothing.
+  return all.motions > 0 && all.from_outside > 0 && all.bus_faults > 0 && all.refused > 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -2,14 +2,16 @@
 //
 //   closed   the emergency stop is pressed, or the controller is stopped, faulted or not started: no frame
 //            moves anything, none enables a drive, no abduction servo moves
-//   limits   numbers are finite. A position that a drive shall follow is within the range of its axis; after
-//            a start from outside, between there and the range. The torque of a drive that takes it, at the
+//   limits   numbers are finite. A position that a drive shall follow is within the range of its axis. Only
+//            a motion that begins outside may be there: it never leads farther out, and it comes in no faster
+//            than `approach`; a soft stop holds it there. The torque of a drive that takes it, at the
 //            measured angle and speed, is within the limits of the axis
 //   speed    the first position of a motion is where the joint is measured; from then on it moves at most as
 //            fast as the axis may, in each beat of 1 ms. Not judged in a soft stop, which holds the position
 //            that was measured when it began
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -73,14 +75,15 @@ std::optional<request> read(const hw::can_frame& f) {
 template <class Joints, class Board>
 class judge {
 public:
-  std::uint64_t frames = 0;
+  std::uint64_t frames = 0, motions_from_outside = 0;
   std::string verdict{};  // the first frame that should not have been sent
 
   // In each beat that takes place, before its frames. `running`: the robot moves by the controller's set
-  // points.
-  void begin_beat(bool closed, bool running, bool enabling, hw::motion_mode mode) {
+  // points. `approach`: the parameter of the rate guard, rad/s.
+  void begin_beat(bool closed, bool running, bool enabling, hw::motion_mode mode, double approach) {
     now_closed = closed;
     if (!running) known = {}, since = {};
+    for (double& way : may_come_in) way += 0.5 * approach * 1e-3;  // outside it moves with half of it
     for (int& beats : since) ++beats;
     now_running = running, now_enabling = enabling, follows_commands = mode == hw::motion_mode::run;
   }
@@ -152,15 +155,12 @@ private:
       if (follows_commands && is_stiff && !holds && !gave_way[i] &&
           !(std::abs(c.position - from) <= step * since[i]))
         fail(name, "a position jumps", c, angle);
+      const hw::joint_bounds range{J::angle.lower - offset, J::angle.upper - offset};
+      const bool begins = !known[i] || gave_way[i];
       known[i] = c.position;
       since[i] = 0;
       gave_way[i] = false;
-      const hw::joint_bounds range{J::angle.lower - offset, J::angle.upper - offset};
-      if (range.holds(c.position)) outside[i] = false;
-      else if (holds) outside[i] = true;
-      if (is_stiff && !outside[i] &&
-          !hw::joint_bounds{range.lower - 0.002, range.upper + 0.002}.holds(c.position))
-        fail(name, "a position is outside of the range", c, angle);
+      judge_range(name, i, range, begins && holds, is_stiff, c, angle);
     }
     if constexpr (by_stiffness || !by_position) {
       const double law =
@@ -172,9 +172,50 @@ private:
     }
   }
 
+  // Rounded by frames and by what is measured: 2 mrad.
+  void judge_range(std::string_view name,
+                   std::size_t i,
+                   hw::joint_bounds range,
+                   bool begins,
+                   bool is_stiff,
+                   const hw::drive_command& c,
+                   double angle) {
+    constexpr double rounding = 2e-3, far = 0.05;  // far: the joint moves on while no frame gets through
+    if (!follows_commands && outside[i] && is_stiff &&
+        !hw::joint_bounds{std::min(*outside[i], angle) - far, std::max(*outside[i], angle) + far}.holds(
+            c.position))
+      fail(name, "a soft stop outside of the range does not hold the joint where it is", c, angle);
+    if (range.holds(c.position)) {
+      outside[i].reset();
+      return;
+    }
+    if (!follows_commands) {  // a soft stop: where the joint is, or on its way from there
+      if (is_stiff && !hw::joint_bounds{std::min(range.lower, angle) - 2 * rounding,
+                                        std::max(range.upper, angle) + 2 * rounding}
+                           .holds(c.position))
+        fail(name, "a soft stop leads farther out", c, angle);
+      outside[i] = came_from[i] = c.position, may_come_in[i] = 0;
+      return;
+    }
+    if (begins) outside[i] = came_from[i] = c.position, may_come_in[i] = 0, ++motions_from_outside;
+    const double reached = outside[i].value_or(range.nearest(c.position));
+    if (is_stiff && !hw::joint_bounds{std::min(range.lower, reached) - rounding,
+                                      std::max(range.upper, reached) + rounding}
+                         .holds(c.position))
+      fail(name, outside[i] ? "a position leads farther out" : "a position is outside of the range", c,
+           angle);
+    if (outside[i] && is_stiff && !(std::abs(c.position - came_from[i]) <= may_come_in[i] + 2 * rounding))
+      fail(name, "a joint comes into its range faster than `approach`", c, angle);
+    if (outside[i]) outside[i] = c.position;
+  }
+
   std::array<std::optional<double>, 8> known{};  // the last position that a drive was to follow
   std::array<int, 8> since{};                    // and how many beats ago that was: a frame may be dropped
-  std::array<bool, 8> outside{}, gave_way{};
+  std::array<bool, 8> gave_way{};
+  // Of a motion that began outside of its range: its last position, until that is within; where it began; how
+  // far it may have come since.
+  std::array<std::optional<double>, 8> outside{};
+  std::array<double, 8> came_from{}, may_come_in{};
   std::array<double, 4> spread{};
   bool follows_commands = false, now_closed = true, now_running = false, now_enabling = false;
 };

@@ -277,6 +277,29 @@ TEST_SUITE("starting") {
     l.run();
   }
 
+  TEST_CASE("a soft stop while a joint comes in from outside holds it where it is") {
+    for (const double outside : {0.1, 0.3, 0.45}) {
+      CAPTURE(outside);
+      lab l;
+      l.put(0, damiao::joints::angle[0].upper + outside);
+      l.controller.start();
+      while (l.phase() != hw::motion_phase::running) l.beat();
+      l.beats(20);
+      const double where = l.motors[0].now.position;
+      REQUIRE(where > damiao::joints::angle[0].upper);
+      l.stop().stop_softly();
+      double fastest = 0;
+      for (int k = 0; k < 90; ++k) {
+        l.beat();
+        REQUIRE(l.stop().mode() == hw::motion_mode::soft);
+        if (k > 10) fastest = std::max(fastest, std::abs(l.motors[0].now.velocity));
+        if (l.command[0].stiffness > 0.2) CHECK(std::abs(l.command[0].position - where) < 0.03);
+      }
+      CHECK(fastest < 1);
+      CHECK(std::abs(l.motors[0].now.position - where) < 0.05);
+    }
+  }
+
   TEST_CASE("a joint that is a little outside enters its range no faster than `approach`") {
     for (const double outside : {0.1, 0.3, 0.45})
       for (const double load : {0.0, 1.0, -1.0}) {

@@ -9,7 +9,8 @@
 //                 and damping make has no rate: it must follow a joint that is pushed. joint_servos feed no
 //                 torque forward, so with them, as in `oncilla`, `torque_rate` bounds nothing
 //   limit_guard   a joint that begins outside of its range enters it from where it is: until then its range
-//                 reaches to its last set point, and torque that brakes passes. Position, velocity, stiffness
+//                 reaches to its last set point, and torque that brakes passes; in a soft stop to
+//                 where it is. Position, velocity, stiffness
 //                 and damping stay within their limits. The torque that the drive will make, at the present
 //                 angle and speed, stays within the torque limits: else stiffness, damping and torque are
 //                 scaled down by one factor. Beyond an end of the range only torque that leads back passes;
@@ -111,7 +112,9 @@ public:
       };
       const joint_bounds range = Joints::angle[i];
       if (q.phase == motion_phase::begins && q.known()) entered[i] = q.angle;
-      if (q.phase < motion_phase::begins || s.mode() != motion_mode::run) entered[i] = range.lower;
+      // A soft stop holds the joint where it is, outside too: the end of the range would be a jump.
+      if (q.phase < motion_phase::begins || s.mode() != motion_mode::run)
+        entered[i] = s.mode() == motion_mode::soft && q.known() ? q.angle : range.lower;
       const bool entering = !range.holds(entered[i]);
       keep(s.position,
            entering ? joint_bounds{std::min(range.lower, entered[i]), std::max(range.upper, entered[i])}
