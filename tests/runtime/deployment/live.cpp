@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -66,6 +67,7 @@ void both_paces(auto test) {
 TEST_SUITE("live access to a deployment") {
   TEST_CASE("another thread sees whole samples of each environment, and the newest") {
     both_paces([](auto pace) {
+      constexpr bool is_exact = std::is_same_v<decltype(pace), cca::as_fast_as_possible>;
       started_one c;
       played& d = c;
       cca::live_access live(d);
@@ -79,7 +81,8 @@ TEST_SUITE("live access to a deployment") {
             if (!seen) continue;
             CHECK_EQ(seen->values.size(), 2);
             CHECK_EQ(seen->values[0], seen->values[1]);
-            CHECK_GE(seen->origin, last);
+            // On a clock an input may be late: before its first sample an output is as old as its beat.
+            if (is_exact || path == std::string_view("robot.y")) CHECK_GE(seen->origin, last);
             last = seen->origin;
           }
         }
