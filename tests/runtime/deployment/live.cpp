@@ -70,7 +70,7 @@ TEST_SUITE("live access to a deployment") {
       constexpr bool is_exact = std::is_same_v<decltype(pace), cca::as_fast_as_possible>;
       started_one c;
       played& d = c;
-      cca::live_access live(d);
+      cca::live_access<played> live(d);
       CHECK_FALSE(live.newest("thinker.y"));
       beside(d, live, pace, [&] {
         for (const char* const path : {"robot.y", "thinker.y", "planner.y"}) {
@@ -120,7 +120,7 @@ TEST_SUITE("live access to a deployment") {
     both_paces([](auto pace) {
       started_one c;
       played& d = c;
-      cca::live_access live(d);
+      cca::live_access<played> live(d);
       beside(d, live, pace, [&] {
         insist(live, [&] { return live.set("robot.slope", 2.0); });
         insist(live, [&] { return live.set<"thinker">({3.0, false, 3.0}); });
@@ -150,7 +150,7 @@ TEST_SUITE("live access to a deployment") {
   TEST_CASE("a component that is started begins anew, by the beats of its environment") {
     started_one c;
     played& d = c;
-    cca::live_access live(d);
+    cca::live_access<played> live(d);
     d.run(cca::for_beats<10>{}, cca::as_fast_as_possible{}, live);
     CHECK(live.stop("thinker"));
     d.run(cca::for_beats<10>{}, cca::as_fast_as_possible{}, live);
@@ -167,7 +167,7 @@ TEST_SUITE("live access to a deployment") {
     both_paces([&](auto pace) {
       started_one c;
       played& d = c;
-      cca::live_access live(d);
+      cca::live_access<played> live(d);
       beside(d, live, pace, [&] {
         wait_until([&] { return live.load(file); });
         wait_until([&] { return live.beat_index() > 100; });
@@ -185,7 +185,7 @@ TEST_SUITE("live access to a deployment") {
   TEST_CASE("what is wrong is refused in the thread that asks; a component may refuse later") {
     started_one c;
     played& d = c;
-    cca::live_access live(d);
+    cca::live_access<played> live(d);
     CHECK_EQ(refusal([&] { live.set("thinker.slope", 200.0); }),
              "cca::controller: set: thinker.slope: 200 is out of range, expected 0 to 100");
     CHECK_EQ(refusal([&] { live.stop("planner"); }),
@@ -214,7 +214,7 @@ TEST_SUITE("live access to a deployment") {
     const std::string name = "/cca_live_" + std::to_string(::getpid());
     played d(cca::only{"body"}, cca::shared_memory(name));
     d.load();
-    cca::live_access live(d);
+    cca::live_access<played> live(d);
     const std::string elsewhere =
         "cca::deployed: `thinker` runs in environment `mind`, which another process runs";
     CHECK_EQ(refusal([&] { live.set("thinker.slope", 2.0); }), elsewhere);
@@ -232,7 +232,7 @@ TEST_SUITE("live access to a deployment") {
   TEST_CASE("who only looks changes no result") {
     started_one c;
     played& d = c;
-    cca::live_access live(d);
+    cca::live_access<played> live(d);
     d.run(cca::for_beats<500>{}, cca::as_fast_as_possible{}, live);
     cca::controller<watched_graph> one;
     one.load();
@@ -253,7 +253,7 @@ TEST_SUITE("live access to a deployment") {
     both_paces([](auto pace) {
       started_one c;
       played& d = c;
-      cca::live_access live(d);
+      cca::live_access<played> live(d);
       const busy_cores load(2);
       std::atomic<int> torn{0}, taken{0}, running{4};
       std::vector<std::thread> windows;
