@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <cca/dds/deployment_facts.hpp>
+#include <cca/runtime/environments/waiting/bell.hpp>
 #include <cca/runtime/pace.hpp>
 
 namespace cca::dds::detail {
