@@ -26,8 +26,8 @@ struct leaving_output {
 
 struct environment_facts {
   std::string_view name;
-  bool samples_tell =
-      false;  // what it has sent tells how far it is: it can't fault, and its clocks are known
+  // What it has sent tells how far it is: it can't fault, and its clocks are known.
+  bool samples_tell = false;
 };
 
 struct deployment_facts {

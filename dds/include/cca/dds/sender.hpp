@@ -2,8 +2,7 @@
 // numbers.
 //
 // It sleeps until an environment rings: when a beat begins and when it is done. Every millisecond it looks at
-// what changes between runs. A status goes out after the samples that it counts, and at least
-// every 100 ms.
+// what changes between runs. A status goes out after the samples that it counts, and at least every 100 ms.
 #pragma once
 
 #include <algorithm>
