@@ -13,6 +13,7 @@
 
 #include <cca/dds/receiver.hpp>
 #include <cca/dds/sender.hpp>
+#include <cca/runtime/environments/peers.hpp>
 
 namespace cca::dds::detail {
 
