@@ -1,0 +1,10 @@
+# cca_label_programs(): the tests of this folder that are not checks of the sources run whole programs. Call it last.
+function(cca_label_programs)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test IN LISTS tests)
+    get_property(labels TEST ${test} PROPERTY LABELS)
+    if(NOT "repository" IN_LIST labels)
+      set_property(TEST ${test} APPEND PROPERTY LABELS program)
+    endif()
+  endforeach()
+endfunction()
