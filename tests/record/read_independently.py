@@ -50,6 +50,8 @@ def main():
         beats = count["/limits/safe"]
         expect(count["/gait/angles"] == count["/cpg/phase"] == beats and abs(count["/posture/turn"] - beats / 10) <= 1, f"counts {count}")
         expect(last["/limits/safe"]["beat"] == beats - 1 and 0 <= (beats - 1) * 1_000_000 - last["/limits/safe"]["origin"] < 10_000_000, f"last {last['/limits/safe']}")
+        joints = last["/ros2/limits/safe"]
+        expect(len(joints["name"]) == len(joints["position"]) == 8 and joints["name"][0] == "left_front_hip", f"JointState {joints}")
         expect(last["/cca/state"]["state"] == "loaded", f"the last state is {last['/cca/state']}")
         expect("frequency" in last["/cca/parameters/cpg"], f"parameters {last['/cca/parameters/cpg']}")
     whole = file.read_bytes()

@@ -1,9 +1,9 @@
 // What a recording of a graph contains, and how it is written: frames and events become messages.
 //
 //   /<path of the port>           a sample (messages/sample_message.hpp)
-//   /cca/parameters/<component>   its parameters, at the start and where they change
-//   /cca/state                    the life-cycle
-//   /cca/fault                    component and reason
+//   /ros2/<path of the port>      a message of ROS 2 where one fits, for viewers
+//   (messages/viewer_message.hpp) /cca/parameters/<component>   its parameters, at the start and where they
+//   change /cca/state                    the life-cycle /cca/fault                    component and reason
 //   /cca/lost                     beats that did not fit into the ring
 //
 // and metadata: `cca.architecture`, and the notes of the program.
@@ -11,9 +11,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <cca/base/array_size.hpp>
@@ -23,13 +25,15 @@
 #include <cca/record/messages/architecture_text.hpp>
 #include <cca/record/messages/parameter_message.hpp>
 #include <cca/record/messages/sample_message.hpp>
+#include <cca/record/messages/viewer_message.hpp>
 #include <cca/record/settings.hpp>
 #include <cca/runtime/recording/frame_layout.hpp>
 
 namespace cca::recording::detail {
 
 inline constexpr std::string_view state_topic = "/cca/state", fault_topic = "/cca/fault",
-                                  lost_topic = "/cca/lost", parameter_topics = "/cca/parameters/";
+                                  lost_topic = "/cca/lost", parameter_topics = "/cca/parameters/",
+                                  viewer_topics = "/ros2";
 
 // "dmp", "dmp.status", "dmp.*" or "*".
 inline bool is_in_scope(std::string_view path, std::string_view scope) {
@@ -76,6 +80,7 @@ public:
           std::erase(unused, scope);
         }
       ports.push_back(is_wanted ? port_channel(path, space_of_port<Graph>(o)) : std::uint16_t{0});
+      if (is_wanted && s.viewer_hz > 0) add_view(o, path);
     }
     if (!unused.empty()) throw refused("cca::record: there is no port under `" + unused.front() + "`");
     for (int n = 0; n < static_cast<int>(parameters.size()); ++n) {
@@ -87,6 +92,7 @@ public:
     }
     state = file.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n");
     fault = file.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n");
+    view_period = s.viewer_hz > 0 ? static_cast<std::int64_t>(1e9 / s.viewer_hz) : 0;
     lost = file.channel(lost_topic, "cca/msg/lost", "int64 beat  # the first that is missing\nint64 beats\n");
   }
 
@@ -105,6 +111,16 @@ public:
       message.add_raw(frame + layout.at[at], 8u * static_cast<std::size_t>(layout.size[at]));
       file.message(ports[at], time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
                    message.view());
+    }
+    for (view& v : views) {
+      const std::int64_t origin = frame[1 + v.output];
+      if (origin == never || k * period < v.next) continue;
+      v.next = k * period + view_period;
+      double sample[most_coordinates];
+      std::memcpy(sample, frame + layout.at[cca::detail::array_size(v.output)],
+                  8u * static_cast<std::size_t>(layout.size[cca::detail::array_size(v.output)]));
+      file.message(v.channel, time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
+                   v.message.made_of(sample, origin));
     }
   }
 
@@ -144,8 +160,30 @@ private:
                         sample_metadata(space));
   }
 
+  // What a viewer draws of an output, at most `viewer_hz` times a second.
+  struct view {
+    int output;
+    std::uint16_t channel;
+    viewer_message message;
+    std::int64_t next = 0;  // ns
+  };
+  static constexpr int most_coordinates = [] {
+    int most = 1;
+    for (const int size : layout.size) most = size > most ? size : most;
+    return most;
+  }();
+  void add_view(int output, const std::string& path) {
+    viewer_message view_of(space_of_port<Graph>(output));
+    if (!view_of.fits()) return;
+    const std::uint16_t channel =
+        file.channel(std::string(viewer_topics) + topic_of(path), view_of.type(), view_of.schema());
+    views.push_back({output, channel, std::move(view_of)});
+  }
+
   mcap_writer file;
   std::vector<std::uint16_t> ports, nodes;  // channels; 0: not recorded
+  std::vector<view> views;
+  std::int64_t view_period = 0;
   std::uint16_t state = 0, fault = 0, lost = 0;
   std::int64_t next_beat = -1;
   byte_writer message;

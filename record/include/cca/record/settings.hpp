@@ -15,6 +15,7 @@ struct settings {
   bool waits = false;
   double buffered_seconds = 4;  // of beats, at least 1024 of them, at most 64 MiB
   double flush_seconds = 1;     // what is older than this is in the file
+  double viewer_hz = 50;        // messages of ROS 2 for viewers, of each port that one fits; 0: none
   std::size_t chunk_bytes = 1 << 20;
   int compression_level = 1;  // of zstd
 };
