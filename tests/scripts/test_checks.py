@@ -3,6 +3,7 @@ import pathlib
 import tempfile
 import unittest
 
+import compilers
 import components
 import finite
 import includes
@@ -43,6 +44,30 @@ class Components(Tree):
         self.assertEqual(len(self.found("| `a<S>` | `motor/a.hpp` | x |", code)), 1)  # no page
         self.assertEqual(self.found(row, f"namespace detail {{\n{code}}}  // namespace detail\nusing a = int;"), [])
         self.assertEqual(len(self.found(row, code, folder="adaptive")), 1)  # has no row
+
+class Compilers(Tree):
+    def found(self, where, code, page=""):
+        self.write(compilers.PAGE, page)
+        self.write(where, code)
+        return list(compilers.problems(self.root))
+
+    def test_all(self):
+        attribute = "[[gnu::always_inline]] void f();\n"
+        named = "`include/cca/motor/a.hpp`"
+        self.assertEqual(self.found("include/cca/motor/a.hpp", attribute, named), [])
+        self.assertEqual(self.found("include/cca/motor/a.hpp", "// A list (docs/compilers.md).\n", named), [])
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", "int a;\n", named)), 1)  # nothing there that the page explains
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", attribute)), 1)  # the page does not name it
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", "// See docs/compilers.md.\n")), 1)
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", "// g++ 12 needs it.\n")), 1)
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", "int a;  // Clang needs it.\n")), 1)
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", "#if defined(__clang__)\n")), 1)
+        self.assertEqual(len(self.found("include/cca/motor/a.hpp", "// clang-format off\n")), 0)
+        self.found("include/cca/motor/a.hpp", "int a;\n")
+        self.assertEqual(self.found("include/cca/runtime/b.hpp", attribute), [])
+        self.assertEqual(self.found("include/cca/base/compiler.hpp", "// g++\n#if defined(__clang__)\n"), [])
+        self.assertEqual(len(self.found("hardware/include/cca/hardware/c.hpp", attribute)), 1)
+
 
 class Includes(Tree):
     def found(self, name, *targets, more=""):

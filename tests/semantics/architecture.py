@@ -26,17 +26,17 @@ class Port:
         return f'cca::{self.kind}<"{self.name}", {space}>'
 
 
-class Leaf:
+class Node:
     """A component, or a resource node. Its strategy is a tuple of the words that the text has."""
 
     def __init__(self, name, number):
         self.name, self.number = name, number
         self.resource = False
         self.ports = {"sense": ([], []), "process": ([], []), "act": ([], [])}  # inputs, outputs
-        self.halves = ["process"]
+        self.functions = ["process"]
         self.strategy = ("default",)
         self.publishes, self.origin, self.fault_at = 100, 0, -1
-        self.fault_half, self.fault_first = None, False
+        self.fault_function, self.fault_first = None, False
         self.hears, self.hears_policy = None, ("latest",)  # the child of its own graph that an observer listens to
         self.skeleton = None  # of the library's: its kind, and what its function depends on
         self.root = None    # the node from whose samples alone it makes its own, each as it comes
@@ -44,10 +44,10 @@ class Leaf:
         self.rests = None   # the beats before which somebody stops it and starts it again
 
     def inputs(self):
-        return [(half, port) for half in self.halves for port in self.ports[half][0]]
+        return [(function, port) for function in self.functions for port in self.ports[function][0]]
 
     def outputs(self):
-        return [(half, port) for half in self.halves for port in self.ports[half][1]]
+        return [(function, port) for function in self.functions for port in self.ports[function][1]]
 
 
 class Wire:
@@ -61,7 +61,7 @@ class Wire:
 
 
 class Graph:
-    """A type. Children are (name, Leaf or Graph); wires (from, to, Wire); exposes {outer: inner}."""
+    """A type. Children are (name, Node or Graph); wires (from, to, Wire); exposes {outer: inner}."""
 
     def __init__(self, name):
         self.name = name
@@ -96,17 +96,17 @@ class Architecture:
         self.make_rates()
         self.make_policies()
         self.make_habits()
-        self.groups = Skeletons(self, Leaf, Port, Wire).groups
+        self.groups = Skeletons(self, Node, Port, Wire).groups
         self.nest()
 
     def chance(self, percent):
         return self.rng.randrange(100) < percent
 
-    def place_somewhere(self, leaf):
+    def place_somewhere(self, node):
         """In an environment, most often in the same as its neighbours in the order."""
         if self.environments > 1:
             self.here = self.rng.randrange(self.environments) if self.chance(40) else getattr(self, "here", 0)
-            leaf.environment = self.here
+            node.environment = self.here
 
     def over(self, writer, reader, policy):
         """The policy of a wire, which between two environments is delayed."""
@@ -123,23 +123,23 @@ class Architecture:
         rng = self.rng
         n = min(3 + int(rng.expovariate(1 / 6)), 21)
         resources = rng.choice([0, 0, 1, 1, 2, 3]) if n > 3 else rng.choice([0, 0, 1])
-        self.nodes = [Leaf(f"c{i}", i) for i in range(n)]
-        for leaf in self.nodes:
-            self.place_somewhere(leaf)
-        if self.environments > 1 and len({leaf.environment for leaf in self.nodes}) == 1:
+        self.nodes = [Node(f"c{i}", i) for i in range(n)]
+        for node in self.nodes:
+            self.place_somewhere(node)
+        if self.environments > 1 and len({node.environment for node in self.nodes}) == 1:
             self.nodes[-1].environment = 1 - min(1, self.nodes[0].environment)
-        for leaf in rng.sample(self.nodes, min(resources, n - 2)):
-            leaf.resource = True
-            leaf.halves = rng.choice([["sense", "act"], ["sense", "act"], ["sense"], ["act"]])
-        self.components = [leaf for leaf in self.nodes if not leaf.resource]
+        for node in rng.sample(self.nodes, min(resources, n - 2)):
+            node.resource = True
+            node.functions = rng.choice([["sense", "act"], ["sense", "act"], ["sense"], ["act"]])
+        self.components = [node for node in self.nodes if not node.resource]
         rng.shuffle(self.components)  # an order in which wires without delay may go
-        for leaf in self.nodes:
-            for half in leaf.halves:
-                if half == "act":
+        for node in self.nodes:
+            for function in node.functions:
+                if function == "act":
                     continue
-                for i in range(rng.choice([1, 1, 1, 1, 2, 2, 3]) if half == "sense" or self.chance(90) else 0):
+                for i in range(rng.choice([1, 1, 1, 1, 2, 2, 3]) if function == "sense" or self.chance(90) else 0):
                     kind = "maybe" if self.chance(25) else "out"
-                    leaf.ports[half][1].append(Port(f"y{i}", kind, self.any_space()))
+                    node.ports[function][1].append(Port(f"y{i}", kind, self.any_space()))
 
     def any_space(self):
         return self.rng.choice(["num1", "num1", "num1", "num2", "num2", "num3", "ang1", "ang2"])
@@ -149,61 +149,61 @@ class Architecture:
     def make_wires(self):
         rng = self.rng
         self.wires = []
-        everywhere = [(leaf, port) for leaf in self.nodes for _, port in leaf.outputs()]
-        before = [(leaf, port) for leaf in self.nodes if leaf.resource for _, port in leaf.outputs()]
-        for leaf in self.components:
+        everywhere = [(node, port) for node in self.nodes for _, port in node.outputs()]
+        before = [(node, port) for node in self.nodes if node.resource for _, port in node.outputs()]
+        for node in self.components:
             if not (self.chance(18) or (not before and self.chance(60))):
-                at_hand = [one for one in before if one[0].environment == leaf.environment]
+                at_hand = [one for one in before if one[0].environment == node.environment]
                 if at_hand and self.chance(22):
-                    self.make_join(leaf, at_hand)
+                    self.make_join(node, at_hand)
                 else:
                     for i in range(rng.choice([1, 1, 1, 2, 2, 3])):
-                        self.make_input(leaf, "process", f"x{i}", at_hand if self.environments > 1 and at_hand and self.chance(50) else before, everywhere)
-            leaf.root = self.root_of(leaf) if self.chance(60) else None
-            before += [(leaf, port) for _, port in leaf.outputs()]
-        for leaf in self.nodes:
-            if "act" in leaf.halves:
+                        self.make_input(node, "process", f"x{i}", at_hand if self.environments > 1 and at_hand and self.chance(50) else before, everywhere)
+            node.root = self.root_of(node) if self.chance(60) else None
+            before += [(node, port) for _, port in node.outputs()]
+        for node in self.nodes:
+            if "act" in node.functions:
                 for i in range(rng.choice([1, 1, 2, 3])):
                     numbers = [(w, p) for w, p in before if p.space[0] == "n"]
-                    self.make_input(leaf, "act", f"u{i}", numbers, [(w, p) for w, p in everywhere if p.space[0] == "n"], "num1")
+                    self.make_input(node, "act", f"u{i}", numbers, [(w, p) for w, p in everywhere if p.space[0] == "n"], "num1")
         # A resource node's sense may hear another one's, its act another one's act: in the order of declaration or against it.
-        devices = [leaf for leaf in self.nodes if leaf.resource]
+        devices = [node for node in self.nodes if node.resource]
         rng.shuffle(devices)
         for a, b in zip(devices, devices[1:]):
-            if "sense" in a.halves and "sense" in b.halves and a.ports["sense"][1] and self.chance(40):
+            if "sense" in a.functions and "sense" in b.functions and a.ports["sense"][1] and self.chance(40):
                 out = rng.choice(a.ports["sense"][1])
                 port = Port("s0", "in", out.space)
                 b.ports["sense"][0].append(port)
                 self.wires.append(Wire(a, out, b, port, self.over(a, b, ("latest",))))
                 self.count("wires from sense to sense")
-            if "act" in a.halves and "act" in b.halves and self.chance(40):
+            if "act" in a.functions and "act" in b.functions and self.chance(40):
                 out, port = Port("v0", "out", "num1"), Port("w0", "in", "num1")
                 a.ports["act"][1].append(out)
                 b.ports["act"][0].append(port)
                 self.wires.append(Wire(a, out, b, port, self.over(a, b, ("latest",))))
                 self.count("wires from act to act")
 
-    def make_input(self, leaf, half, name, before, everywhere, spare="num1"):
+    def make_input(self, node, function, name, before, everywhere, spare="num1"):
         rng = self.rng
         kind = "optional_in" if self.chance(20) else "in"
         if kind == "optional_in" and self.chance(40) or not everywhere:
-            leaf.ports[half][0].append(Port(name, "optional_in", spare if half == "act" else self.any_space()))
+            node.ports[function][0].append(Port(name, "optional_in", spare if function == "act" else self.any_space()))
             return
         roll = rng.randrange(100)
         if roll < 22 or not before:
             policy = ("delayed", rng.choice([1, 1, 1, 2, 3, 5]))
-            if half == "process" and self.chance(30) and leaf.outputs():
-                writer, out = leaf, leaf.outputs()[0][1]  # its own loop
+            if function == "process" and self.chance(30) and node.outputs():
+                writer, out = node, node.outputs()[0][1]  # its own loop
             else:
                 writer, out = rng.choice(everywhere)
         else:
             writer, out = rng.choice(before)
             policy = ("queue", rng.choice([1, 2, 2, 3, 4, 8]), rng.choice(["drop_oldest", "drop_newest", "reject"])) if roll < 40 else ("latest",)
         port = Port(name, kind, out.space)
-        leaf.ports[half][0].append(port)
-        self.wires.append(Wire(writer, out, leaf, port, self.over(writer, leaf, policy)))
+        node.ports[function][0].append(port)
+        self.wires.append(Wire(writer, out, node, port, self.over(writer, node, policy)))
 
-    def make_join(self, leaf, before):
+    def make_join(self, node, before):
         """Inputs that stem from one node's samples, so that they can share an origin."""
         start = self.rng.choice(before)[0]
         start = start.root or start
@@ -212,14 +212,14 @@ class Architecture:
             writer, out = self.rng.choice(alike)
             policy = ("queue", self.rng.choice([1, 2, 4]), "drop_oldest") if self.chance(20) else ("latest",)
             port = Port(f"x{i}", "in", out.space)
-            leaf.ports["process"][0].append(port)
-            self.wires.append(Wire(writer, out, leaf, port, policy))
+            node.ports["process"][0].append(port)
+            self.wires.append(Wire(writer, out, node, port, policy))
 
-    def wires_to(self, leaf):
-        return [wire for wire in self.wires if wire.reader is leaf]
+    def wires_to(self, node):
+        return [wire for wire in self.wires if wire.reader is node]
 
-    def root_of(self, leaf):
-        wires = self.wires_to(leaf)
+    def root_of(self, node):
+        wires = self.wires_to(node)
         roots = {id(wire.writer.root or wire.writer) for wire in wires}
         if not wires or len(roots) != 1 or any(wire.delayed() for wire in wires):
             return None
@@ -254,39 +254,39 @@ class Architecture:
         return ("restless", "moderate")[choice],
 
     def make_strategies(self):
-        for leaf in self.nodes:
-            names = [wire.into.name for wire in self.wires_to(leaf)]
-            if leaf.resource:
-                leaf.strategy = self.rng.choice([("default",)] * 5 + [("full_speed",), self.timed(), self.timed(), ("inactive",) if self.chance(20) else ("default",)])
+        for node in self.nodes:
+            names = [wire.into.name for wire in self.wires_to(node)]
+            if node.resource:
+                node.strategy = self.rng.choice([("default",)] * 5 + [("full_speed",), self.timed(), self.timed(), ("inactive",) if self.chance(20) else ("default",)])
             elif names:
-                leaf.strategy = self.with_inputs(leaf, names)
+                node.strategy = self.with_inputs(node, names)
             else:
                 plain = [self.timed(), self.timed(), self.timed(), ("full_speed",), ("timeout", self.rng.randrange(1, 6)),
                          self.user([]), ("any_of", (self.timed(), self.timed()))]
-                if not leaf.inputs():
+                if not node.inputs():
                     plain += [("default",)] * 4
                 if self.chance(4):
                     plain = [("inactive",)]
-                leaf.strategy = self.rng.choice(plain)
+                node.strategy = self.rng.choice(plain)
         self.wake()
         self.let_rest()
 
     def let_rest(self):
         """Some can be stopped. In one loop somebody stops them for a while, in environments nobody does."""
         rng = random.Random(f"{self.seed} rests")
-        for leaf in self.nodes:
-            if leaf.resource or leaf.root or leaf.strategy[0] in ("default", "inactive") or rng.randrange(100) >= 9:
+        for node in self.nodes:
+            if node.resource or node.root or node.strategy[0] in ("default", "inactive") or rng.randrange(100) >= 9:
                 continue
-            leaf.strategy = ("stoppable", leaf.strategy)
+            node.strategy = ("stoppable", node.strategy)
             if self.environments == 1 and rng.randrange(100) < 80:
                 first = rng.randrange(1, 60)
-                leaf.rests = first, first + rng.randrange(1, 40)
+                node.rests = first, first + rng.randrange(1, 40)
 
-    def with_inputs(self, leaf, names):
+    def with_inputs(self, node, names):
         rng = self.rng
-        if leaf.root and (self.chance(50) or len(names) == 1):
+        if node.root and (self.chance(50) or len(names) == 1):
             return rng.choice([("default",), self.event(names)])
-        if self.root_of(leaf) and (leaf.root or self.chance(60)):
+        if self.root_of(node) and (node.root or self.chance(60)):
             return rng.choice([("coordinated",)] * 4 + [("any_of", (("coordinated",), ("timeout", rng.randrange(3, 9))))])
         roll = rng.randrange(100)
         if roll < 16:
@@ -317,7 +317,7 @@ class Architecture:
 
     def wake(self):
         """What all_of or coordinated stands on must be able to fire, or the strategy never does: nothing asleep feeds it."""
-        needy = [leaf for leaf in self.nodes if self.mentions(leaf.strategy, ("all_of", "coordinated"))]
+        needy = [node for node in self.nodes if self.mentions(node.strategy, ("all_of", "coordinated"))]
         feeding = set(map(id, needy))
         grown = True
         while grown:
@@ -326,9 +326,9 @@ class Architecture:
                 if id(wire.reader) in feeding and id(wire.writer) not in feeding:
                     feeding.add(id(wire.writer))
                     grown = True
-        for leaf in self.nodes:
-            if id(leaf) in feeding and leaf.strategy == ("inactive",):
-                leaf.strategy = ("timed", 2, 0)
+        for node in self.nodes:
+            if id(node) in feeding and node.strategy == ("inactive",):
+                node.strategy = ("timed", 2, 0)
 
     def mentions(self, strategy, words):
         return strategy[0] in words or any(isinstance(part, tuple) and part and isinstance(part[0], tuple)
@@ -340,45 +340,45 @@ class Architecture:
         mode = self.seed % 3
         if mode == 2:
             return  # nobody looks: samples that nobody keeps
-        outputs = [(leaf, port) for leaf in self.nodes for half, port in leaf.outputs() if half != "act"]
+        outputs = [(node, port) for node in self.nodes for function, port in node.outputs() if function != "act"]
         if mode == 1:
             outputs = [one for one in outputs if self.chance(35)]
         for first in range(0, min(len(outputs), 24), 6):
-            watcher = Leaf(f"w{first // 6}", 100 + first)
+            watcher = Node(f"w{first // 6}", 100 + first)
             watcher.strategy = self.rng.choice([("full_speed",), ("full_speed",), ("timed", 1, 0)])
             self.place_somewhere(watcher)
-            for i, (leaf, out) in enumerate(outputs[first:first + 6]):
+            for i, (node, out) in enumerate(outputs[first:first + 6]):
                 port = Port(f"x{i}", "in", out.space)
                 watcher.ports["process"][0].append(port)
-                self.wires.append(Wire(leaf, out, watcher, port, self.over(leaf, watcher, ("latest",))))
+                self.wires.append(Wire(node, out, watcher, port, self.over(node, watcher, ("latest",))))
             self.nodes.insert(self.rng.randrange(len(self.nodes) + 1), watcher)
 
     # ---- rates, only where the Rules let them ----
 
-    def clock(self, leaf, seen=()):
+    def clock(self, node, seen=()):
         """(period, phase) in beats where it is beyond doubt, None elsewhere."""
-        strategy = leaf.strategy
+        strategy = node.strategy
         if strategy[0] == "timed":
             return strategy[1], strategy[2] % strategy[1]
-        if strategy[0] == "full_speed" or (strategy[0] == "default" and (leaf.resource or not leaf.inputs())):
+        if strategy[0] == "full_speed" or (strategy[0] == "default" and (node.resource or not node.inputs())):
             return 1, 0
-        if strategy[0] in ("default", "restless", "moderate") and leaf not in seen:
-            wires = self.wires_to(leaf)
+        if strategy[0] in ("default", "restless", "moderate") and node not in seen:
+            wires = self.wires_to(node)
             if any(wire.policy != ("latest",) or wire.out.kind == "maybe" for wire in wires):
                 return None
-            clocks = {self.clock(wire.writer, seen + (leaf,)) for wire in wires}
+            clocks = {self.clock(wire.writer, seen + (node,)) for wire in wires}
             return clocks.pop() if len(clocks) == 1 else None
         return None
 
     def make_rates(self):
         rng = self.rng
         self.states_rate = True
-        for leaf in self.nodes:
-            for half, port in leaf.outputs():
-                n = self.clock(leaf)
-                if leaf.strategy[0] in ("timed", "full_speed", "default") and n and port.kind == "out" and self.base % n[0] == 0 and self.chance(35):
+        for node in self.nodes:
+            for function, port in node.outputs():
+                n = self.clock(node)
+                if node.strategy[0] in ("timed", "full_speed", "default") and n and port.kind == "out" and self.base % n[0] == 0 and self.chance(35):
                     port.rate = self.base // n[0]
-                    if port.rate == self.base and half != "act":
+                    if port.rate == self.base and function != "act":
                         self.states_rate = self.states_rate and self.chance(50)
         for wire in self.wires:
             if wire.out.rate:
@@ -386,7 +386,7 @@ class Architecture:
             elif self.base % 2 == 0 and self.chance(6):
                 wire.into.rate = self.base // 2  # of two rates only one is stated: it doesn't count
             wire.into.alias = self.chance(25)
-        self.count("rated ports", sum(port.rate is not None for leaf in self.nodes for _, port in leaf.inputs() + leaf.outputs()))
+        self.count("rated ports", sum(port.rate is not None for node in self.nodes for _, port in node.inputs() + node.outputs()))
         self.count("rate from the spaces", not self.states_rate)
 
     # ---- policies that may be left out, and queues that may be full ----
@@ -410,31 +410,31 @@ class Architecture:
                 if self.chance(30):
                     wire.initial = wire.initial[:1] * len(wire.initial)
 
-    def exact(self, leaf):
-        return leaf.strategy[0] in ("timed", "full_speed") or (leaf.strategy[0] == "default" and (leaf.resource or not leaf.inputs()))
+    def exact(self, node):
+        return node.strategy[0] in ("timed", "full_speed") or (node.strategy[0] == "default" and (node.resource or not node.inputs()))
 
     def make_habits(self):
-        for leaf in self.nodes:
-            if any(port.kind == "maybe" for _, port in leaf.outputs()):
-                leaf.publishes = self.rng.choice([10, 30, 60, 60, 90])
-            if leaf.outputs() and self.chance(12) and not leaf.root:
-                leaf.origin = self.rng.choice([1, 2])
+        for node in self.nodes:
+            if any(port.kind == "maybe" for _, port in node.outputs()):
+                node.publishes = self.rng.choice([10, 30, 60, 60, 90])
+            if node.outputs() and self.chance(12) and not node.root:
+                node.origin = self.rng.choice([1, 2])
             if self.chance(2):
-                leaf.fault_at = self.rng.choice([0, 3, 60, 140, 180])
-                leaf.fault_half = self.rng.choice(leaf.halves)
-                leaf.fault_first = self.chance(30)
+                node.fault_at = self.rng.choice([0, 3, 60, 140, 180])
+                node.fault_function = self.rng.choice(node.functions)
+                node.fault_first = self.chance(30)
             elif self.chance(3):
-                leaf.fault_half = self.rng.choice(leaf.halves)  # it may, but never does
+                node.fault_function = self.rng.choice(node.functions)  # it may, but never does
 
     # ---- nesting ----
 
     def nest(self):
         rng = self.rng
-        grouped = [leaf for group in self.groups for leaf in group.leaves]
-        order = [leaf for leaf in self.nodes if leaf not in grouped] + self.groups
+        grouped = [node for group in self.groups for node in group.nodes]
+        order = [node for node in self.nodes if node not in grouped] + self.groups
         rng.shuffle(order)
         self.types = []
-        self.where = {}  # leaf -> the graphs around it, outermost first, with their names in them
+        self.where = {}  # node -> the graphs around it, outermost first, with their names in them
         self.top = self.make_graph(order, 0, [])
         for wire in self.wires:
             self.place(wire)
@@ -460,9 +460,9 @@ class Architecture:
                 inner, name = Graph(""), f"z{len(self.where)}"
                 inner.group = order[i]
                 graph.children.append((name, inner))
-                for leaf in inner.group.leaves:
-                    inner.children.append((leaf.name, leaf))
-                    self.where[leaf] = around + [(graph, name), (inner, leaf.name)]
+                for node in inner.group.nodes:
+                    inner.children.append((node.name, node))
+                    self.where[node] = around + [(graph, name), (inner, node.name)]
                 i += 1
             else:
                 graph.children.append((order[i].name, order[i]))
@@ -489,7 +489,7 @@ class Architecture:
     def use_twice(self):
         """The same graph type as another node, fed by the same writers."""
         for name, child in list(self.top.children):
-            if isinstance(child, Graph) and self.chance(30) and len(self.leaves(child)) < 9:
+            if isinstance(child, Graph) and self.chance(30) and len(self.nodes_of(child)) < 9:
                 twin = name + "b"
                 at = self.rng.randrange(len(self.top.children) + 1)
                 self.top.children.insert(at, (twin, child))
@@ -498,10 +498,10 @@ class Architecture:
                         self.top.wires.append((a, twin + b[len(name):], wire))
                 self.count("graphs used twice")
 
-    def leaves(self, graph):
+    def nodes_of(self, graph):
         found = []
         for _, child in graph.children:
-            found += self.leaves(child) if isinstance(child, Graph) else [child]
+            found += self.nodes_of(child) if isinstance(child, Graph) else [child]
         return found
 
     def add_observers(self, graph, depth):
@@ -510,17 +510,17 @@ class Architecture:
                 self.add_observers(child, depth + 1)
         if not self.chance(12):
             return
-        ends = [(name, child) for name, child in graph.children if not isinstance(child, Leaf) or not child.resource and not child.hears]
+        ends = [(name, child) for name, child in graph.children if not isinstance(child, Node) or not child.resource and not child.hears]
         ends = [(name, child) for name, child in ends
-                if not any(leaf.resource for leaf in (self.leaves(child) if isinstance(child, Graph) else [child]))
-                and any(leaf.outputs() for leaf in (self.leaves(child) if isinstance(child, Graph) else [child]))]
+                if not any(node.resource for node in (self.nodes_of(child) if isinstance(child, Graph) else [child]))
+                and any(node.outputs() for node in (self.nodes_of(child) if isinstance(child, Graph) else [child]))]
         if ends and not any(name.startswith("o") for name, _ in graph.children):
-            observer = Leaf("o", 200 + depth)
+            observer = Node("o", 200 + depth)
             observer.hears = self.rng.choice(ends)
             observer.hears_policy = self.rng.choice([("latest",), ("latest",), ("delayed", 1), ("delayed", 3)])
             self.place_somewhere(observer)
             name, child = observer.hears
-            heard = {leaf.environment for leaf in (self.leaves(child) if isinstance(child, Graph) else [child])}
+            heard = {node.environment for node in (self.nodes_of(child) if isinstance(child, Graph) else [child])}
             if heard != {observer.environment}:
                 observer.hears_policy = ("delayed", self.rng.choice([1, 2, 4]))
                 self.count("observers across environments")

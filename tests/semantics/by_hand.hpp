@@ -15,16 +15,16 @@ struct axis : cca::dimension<"axis"> {};
 struct value : cca::space<cca::number, cca::axes<axis>> {};
 
 // What a reader sees in one firing.
-struct sight {
+struct seen_input {
   std::int64_t beat;
   double value;
   std::int64_t origin;
   bool fresh;
-  friend bool operator==(const sight&, const sight&) = default;
+  friend bool operator==(const seen_input&, const seen_input&) = default;
 };
-using sights = std::vector<sight>;
+using seen_inputs = std::vector<seen_input>;
 
-inline std::ostream& operator<<(std::ostream& to, const sights& all) {
+inline std::ostream& operator<<(std::ostream& to, const seen_inputs& all) {
   to << '{';
   for (const auto& s : all) {
     to << "{" << s.beat << ", " << s.value << ", ";
@@ -51,14 +51,14 @@ struct sometimes {
 
 // Records what it sees.
 struct look {
-  sights log;
+  seen_inputs log;
   void process(cca::in<"x", value> x, cca::beat now) {
     log.push_back({now.index(), x[axis{}], x.origin(), x.fresh()});
   }
 };
 
 struct look_at_two {
-  sights x, z;
+  seen_inputs x, z;
   void process(cca::in<"x", value> a, cca::in<"z", value> b, cca::beat now) {
     x.push_back({now.index(), a[axis{}], a.origin(), a.fresh()});
     z.push_back({now.index(), b[axis{}], b.origin(), b.fresh()});
@@ -86,7 +86,7 @@ cca::controller<Graph> after(int beats) {
 }
 
 // The beats in which a reader fired.
-inline std::vector<std::int64_t> beats_of(const sights& all) {
+inline std::vector<std::int64_t> beats_of(const seen_inputs& all) {
   std::vector<std::int64_t> beats;
   for (const auto& s : all) beats.push_back(s.beat);
   return beats;

@@ -92,7 +92,7 @@ TEST_SUITE("semantics by hand: time and beats") {
     CHECK(order == "abcABabcAB");
   }
 
-  TEST_CASE("the schedule: again and again the first declared whose predecessors have all had their turn") {
+  TEST_CASE("the schedule: again and again the first declared whose predecessors have all been called") {
     // d waits for a, c for b: b is the first that is ready; then c, declared before a; then a, then d. The
     // delayed wire doesn't count.
     struct g : cca::graph<ms1, cca::node<"d", writes_name<'d'>, cca::timed<1>>,
@@ -126,7 +126,7 @@ TEST_SUITE("semantics by hand: time and beats") {
     CHECK(order == "qabcp");
   }
 
-  TEST_CASE("an inactive resource node has no turn, a slow one its own") {
+  TEST_CASE("an inactive resource node is not called, a slow one in its own beats") {
     struct g : cca::graph<ms1, cca::node<"a", body<'a', 'A'>, cca::inactive>,
                           cca::node<"b", body<'b', 'B'>, cca::timed<2, 1>>,
                           cca::node<"c", body<'c', 'C'>, cca::full_speed>, cca::node<"d", body<'d', 'D'>>> {};

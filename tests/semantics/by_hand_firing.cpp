@@ -131,7 +131,7 @@ TEST_SUITE("semantics by hand: when a component fires") {
     CHECK(beats_of(after<g>(9).get<"r">().log) == beats{1, 4, 7});
     struct d : cca::graph<ms1, cca::node<"s", count, cca::timed<3, 1>>, cca::node<"r", look>,
                           cca::wire<"s.y", "r.x", cca::delayed<2>>> {};
-    CHECK(after<d>(9).get<"r">().log == sights{{3, 1, ms, true}, {6, 4, 4 * ms, true}});
+    CHECK(after<d>(9).get<"r">().log == seen_inputs{{3, 1, ms, true}, {6, 4, 4 * ms, true}});
   }
 
   TEST_CASE("moderate: every input is fresh") {
@@ -160,7 +160,8 @@ TEST_SUITE("semantics by hand: when a component fires") {
                           cca::node<"r", look, cca::any_of<cca::moderate, cca::timeout<4>>>,
                           cca::wire<"s.y", "r.x", cca::latest>> {};
     CHECK(after<g>(15).get<"r">().log ==
-          sights{{4, 0, never, false}, {6, 6, 6 * ms, true}, {10, 6, 6 * ms, false}, {14, 6, 6 * ms, false}});
+          seen_inputs{
+              {4, 0, never, false}, {6, 6, 6 * ms, true}, {10, 6, 6 * ms, false}, {14, 6, 6 * ms, false}});
   }
 
   TEST_CASE("port_triggered: any named input is fresh") {
@@ -190,7 +191,7 @@ TEST_SUITE("semantics by hand: when a component fires") {
   TEST_CASE("a strategy of the user's own sees of a queue what a firing would") {
     struct g : cca::graph<ms1, cca::node<"s", count>, cca::node<"r", look, above_two>,
                           cca::wire<"s.y", "r.x", cca::queue<2, cca::drop_newest>>> {};
-    CHECK(after<g>(8).get<"r">().log == sights{{6, 0, 0, true}, {7, 1, ms, true}});
+    CHECK(after<g>(8).get<"r">().log == seen_inputs{{6, 0, 0, true}, {7, 1, ms, true}});
   }
 }
 
@@ -203,7 +204,7 @@ TEST_SUITE("semantics by hand: coordinated") {
 
   TEST_CASE("all of one time of origin, and later than what it saw before") {
     const auto c = after<two_ways>(6);
-    CHECK(c.get<"r">().x == sights{{1, 1, ms, true}, {3, 3, 3 * ms, true}, {5, 5, 5 * ms, true}});
+    CHECK(c.get<"r">().x == seen_inputs{{1, 1, ms, true}, {3, 3, 3 * ms, true}, {5, 5, 5 * ms, true}});
     CHECK(c.get<"r">().z == c.get<"r">().x);
   }
 
@@ -224,18 +225,18 @@ TEST_SUITE("semantics by hand: coordinated") {
                           cca::wire<"s.y", "m.x", cca::latest>, cca::wire<"s.y", "r.x", cca::latest>,
                           cca::wire<"m.y", "r.z", cca::latest>> {};
     const auto c = after<g>(10);
-    CHECK(c.get<"r">().x == sights{{0, 0, 0, true},
-                                   {2, 2, 2 * ms, true},
-                                   {3, 3, 3 * ms, true},
-                                   {6, 6, 6 * ms, true},
-                                   {8, 8, 8 * ms, true},
-                                   {9, 9, 9 * ms, true}});
-    CHECK(c.get<"r">().z == sights{{0, 0, 0, true},
-                                   {2, 0, 0, false},
-                                   {3, 3, 3 * ms, true},
-                                   {6, 6, 6 * ms, true},
-                                   {8, 6, 6 * ms, false},
-                                   {9, 9, 9 * ms, true}});
+    CHECK(c.get<"r">().x == seen_inputs{{0, 0, 0, true},
+                                        {2, 2, 2 * ms, true},
+                                        {3, 3, 3 * ms, true},
+                                        {6, 6, 6 * ms, true},
+                                        {8, 8, 8 * ms, true},
+                                        {9, 9, 9 * ms, true}});
+    CHECK(c.get<"r">().z == seen_inputs{{0, 0, 0, true},
+                                        {2, 0, 0, false},
+                                        {3, 3, 3 * ms, true},
+                                        {6, 6, 6 * ms, true},
+                                        {8, 6, 6 * ms, false},
+                                        {9, 9, 9 * ms, true}});
   }
 
   TEST_CASE("a queue shows its oldest waiting sample") {
@@ -256,7 +257,7 @@ TEST_SUITE("semantics by hand: coordinated") {
                           cca::wire<"m.y", "r.z", cca::latest>> {};
     const auto c = after<g>(6);
     CHECK(c.get<"r">().x ==
-          sights{{2, 0, 0, true}, {3, 1, ms, true}, {4, 2, 2 * ms, true}, {5, 3, 3 * ms, true}});
+          seen_inputs{{2, 0, 0, true}, {3, 1, ms, true}, {4, 2, 2 * ms, true}, {5, 3, 3 * ms, true}});
     CHECK(c.get<"r">().z == c.get<"r">().x);
   }
 }

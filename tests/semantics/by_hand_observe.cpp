@@ -71,14 +71,14 @@ TEST_SUITE("semantics by hand: listening to a scope") {
                           cca::wire<"s.y", "r.x", cca::latest, cca::initial<0.625>>> {};
     const auto c = after<g>(3);
     CHECK(c.get<"r">().log ==
-          sights{{0, 0.625, never, false}, {1, 0.625, never, false}, {2, 2, 2 * ms, true}});
+          seen_inputs{{0, 0.625, never, false}, {1, 0.625, never, false}, {2, 2, 2 * ms, true}});
     CHECK(c.get<"o">().log == std::vector<std::vector<heard>>{{{"s.y", 0, never, false}},
                                                               {{"s.y", 0, never, false}},
                                                               {{"s.y", 2, 2 * ms, true}}});
   }
 
   TEST_CASE("it is an input: fresh if anything under the scope is, and it counts for the origin") {
-    const sights expected{{0, 0, 0, true}, {1, 1, 0, true}, {2, 3, ms, true}, {4, 8, 4 * ms, true}};
+    const seen_inputs expected{{0, 0, 0, true}, {1, 1, 0, true}, {2, 3, ms, true}, {4, 8, 4 * ms, true}};
     CHECK(after<listens<cca::observe<"in.*">, cca::restless>>(6).get<"r">().log == expected);
     CHECK(after<listens<cca::observe<"in.*">, cca::moderate>>(6).get<"r">().log == expected);
   }
@@ -100,8 +100,8 @@ TEST_SUITE("semantics by hand: interfaces") {
                           cca::node<"rb", look>, cca::node<"ra", look>, cca::node<"s", count>,
                           cca::node<"t", ten>, cca::wire<"s.y", "m.x">, cca::wire<"t.y", "m.z">> {};
     const auto c = after<g>(3);
-    CHECK(c.get<"ra">().log == sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 2, 2 * ms, true}});
-    CHECK(c.get<"rb">().log == sights{{0, 10, 0, true}, {2, 12, 2 * ms, true}});
+    CHECK(c.get<"ra">().log == seen_inputs{{0, 0, 0, true}, {1, 1, ms, true}, {2, 2, 2 * ms, true}});
+    CHECK(c.get<"rb">().log == seen_inputs{{0, 10, 0, true}, {2, 12, 2 * ms, true}});
   }
 
   TEST_CASE("an output filled by axis; a maybe that is filled is published") {
@@ -158,8 +158,8 @@ TEST_SUITE("semantics by hand: interfaces") {
                           cca::wire<"b.from", "rb.x">> {};
     const auto c = after<g>(4);
     CHECK(c.get<"ra">().log ==
-          sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 3, 2 * ms, true}, {3, 6, 3 * ms, true}});
+          seen_inputs{{0, 0, 0, true}, {1, 1, ms, true}, {2, 3, 2 * ms, true}, {3, 6, 3 * ms, true}});
     CHECK(c.get<"rb">().log ==
-          sights{{0, 0, 0, true}, {1, 1, ms, true}, {2, 4, 2 * ms, true}, {3, 10, 3 * ms, true}});
+          seen_inputs{{0, 0, 0, true}, {1, 1, ms, true}, {2, 4, 2 * ms, true}, {3, 10, 3 * ms, true}});
   }
 }

@@ -18,7 +18,7 @@ struct ear {
   }
 };
 
-std::vector<std::int64_t> origins(const sights& all) {
+std::vector<std::int64_t> origins(const seen_inputs& all) {
   std::vector<std::int64_t> found;
   for (const auto& s : all) found.push_back(s.origin);
   return found;

@@ -23,14 +23,14 @@ public:
       counts["nodes three graphs deep"] += std::count(n.path.begin(), n.path.end(), '.') >= 3;
       counts["resource nodes"] += n.resource;
     }
-    for (const turn& t : i.g.turns) {
+    for (const call& t : i.g.calls) {
       const node& n = i.g.nodes[t.node];
-      if (t.firings > 0) add(n.when, t.which == half::process ? "" : " (resource node)");
+      if (t.firings > 0) add(n.when, t.which == function::process ? "" : " (resource node)");
       counts["components that were stopped and fired again"] +=
           n.start_in != never && n.start_in < i.k && !t.is_new;
       if (!n.skeleton.empty() && t.firings > 1) ++counts["skeleton: " + n.skeleton];
       if (n.when.is == strategy::inactive && t.firings == 0) ++counts["inactive, never fired"];
-      counts["halves of resource nodes that fired"] += t.which != half::process && t.firings > 0;
+      counts["halves of resource nodes that fired"] += t.which != function::process && t.firings > 0;
       counts["components with several outputs that fired"] += t.outputs.size() > 1 && t.firings > 0;
       for (const input& in : t.inputs) add(in, t, i);
       for (const output& out : t.outputs)
@@ -43,13 +43,13 @@ public:
     for (const firing& f : i.firings) {
       component_fault = component_fault || f.fault;
       if (f.fault)
-        ++counts[f.which == half::sense ? "faults in sense"
-                 : f.which == half::act ? "faults in act"
-                                        : "faults in process"];
-      counts["on_fault calls"] += f.which == half::on_fault;
-      for (const told& t : f.outputs)
+        ++counts[f.which == function::sense ? "faults in sense"
+                 : f.which == function::act ? "faults in act"
+                                            : "faults in process"];
+      counts["on_fault calls"] += f.which == function::on_fault;
+      for (const recorded_output& t : f.outputs)
         counts["samples with an origin of the component's own"] += t.sets_origin;
-      for (const seen& s : f.inputs) ++samples, counts["samples seen fresh"] += s.fresh;
+      for (const recorded_input& s : f.inputs) ++samples, counts["samples seen fresh"] += s.fresh;
       samples += static_cast<long>(f.outputs.size());
       ++firings;
     }
@@ -160,7 +160,7 @@ private:
     for (const strategy& part : s.parts) add(part, where);
   }
 
-  void add(const input& in, const turn& t, const interpreter& i) {
+  void add(const input& in, const call& t, const interpreter& i) {
     if (!in.wired) {
       counts["optional_in, not wired"] += in.reads > 0;
       return;
@@ -171,7 +171,7 @@ private:
     counts["samples kept for a later beat"] += in.reads > in.fresh_reads;
     if (in.is == policy::latest) ++counts["latest"];
     if (in.is == policy::delayed) ++counts[in.delay == 1 ? "delayed<1>" : "delayed<N>"];
-    counts["delayed, its own writer"] += in.is == policy::delayed && i.g.turns[in.writer].node == t.node;
+    counts["delayed, its own writer"] += in.is == policy::delayed && i.g.calls[in.writer].node == t.node;
     if (in.is != policy::queue) return;
     constexpr const char* names[] = {"queue, drop_oldest", "queue, drop_newest", "queue, reject"};
     const std::string name = names[static_cast<int>(in.full)];

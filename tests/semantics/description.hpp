@@ -64,12 +64,12 @@ public:
     else if (word == "habit") set_habit(from);
     else if (word == "rests") from >> g.nodes.back().stop_in >> g.nodes.back().start_in;
     else if (word == "skeleton") set_skeleton(from);
-    else if (word == "sense") add_turn(half::sense);
-    else if (word == "process") add_turn(half::process);
-    else if (word == "act") add_turn(half::act);
+    else if (word == "sense") add_call(function::sense);
+    else if (word == "process") add_call(function::process);
+    else if (word == "act") add_call(function::act);
     else if (word == "in" || word == "optional" || word == "heard") add_input(from, word == "optional");
     else if (word == "out" || word == "maybe") add_output(from, word == "maybe");
-    else if (word == "fault") g.turns.back().may_fault = true;
+    else if (word == "fault") g.calls.back().may_fault = true;
     else if (word == "wire") add_wire(from);
     else if (word == "feature") add_feature(from);
     else throw std::runtime_error("description: '" + text + "'");
@@ -98,32 +98,32 @@ private:
     n.does = skeleton(n.skeleton, from);
   }
 
-  void add_turn(half which) {
-    turn& t = g.turns.emplace_back();
+  void add_call(function which) {
+    call& t = g.calls.emplace_back();
     t.node = static_cast<int>(g.nodes.size()) - 1;
     t.which = which;
   }
 
   void add_input(std::istream& from, bool optional) {
-    input& in = g.turns.back().inputs.emplace_back();
+    input& in = g.calls.back().inputs.emplace_back();
     in.optional = optional;
     from >> in.name >> in.width;
     in.initial.resize(in.width);
   }
 
   void add_output(std::istream& from, bool is_maybe) {
-    output& out = g.turns.back().outputs.emplace_back();
+    output& out = g.calls.back().outputs.emplace_back();
     out.is_maybe = is_maybe;
     from >> out.name >> out.width;
   }
 
-  // A port by its path: turn and place in it. Names of ports may have dots too (an observer names what it
+  // A port by its path: call and place in it. Names of ports may have dots too (an observer names what it
   // hears by path).
   template <class Ports>
   std::pair<int, int> find(const std::string& path, Ports ports) const {
-    for (std::size_t t = 0; t < g.turns.size(); ++t)
-      for (std::size_t i = 0; i < (g.turns[t].*ports).size(); ++i)
-        if (g.nodes[g.turns[t].node].path + "." + (g.turns[t].*ports)[i].name == path)
+    for (std::size_t t = 0; t < g.calls.size(); ++t)
+      for (std::size_t i = 0; i < (g.calls[t].*ports).size(); ++i)
+        if (g.nodes[g.calls[t].node].path + "." + (g.calls[t].*ports)[i].name == path)
           return {static_cast<int>(t), static_cast<int>(i)};
     throw std::runtime_error("description: no port '" + path + "'");
   }
@@ -139,11 +139,11 @@ private:
   void add_wire(std::istream& from) {
     std::string writer, reader, word;
     from >> writer >> reader >> word;
-    const auto [t, i] = find(reader, &turn::inputs);
-    input& in = g.turns[t].inputs[i];
+    const auto [t, i] = find(reader, &call::inputs);
+    input& in = g.calls[t].inputs[i];
     if (in.wired) throw std::runtime_error("description: two writers of '" + reader + "'");
     in.wired = true;
-    std::tie(in.writer, in.port) = find(writer, &turn::outputs);
+    std::tie(in.writer, in.port) = find(writer, &call::outputs);
     if (word == "delayed") {
       in.is = policy::delayed;
       from >> in.delay;

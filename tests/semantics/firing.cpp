@@ -57,14 +57,14 @@ std::uint64_t digest(const firing& f) {
   add(static_cast<std::uint64_t>(f.beat));
   add(static_cast<std::uint64_t>(f.time));
   add_number(f.dt);
-  for (const seen& s : f.inputs) {
+  for (const recorded_input& s : f.inputs) {
     for (const char letter : s.name) add(static_cast<unsigned char>(letter));
     add_all(s.value);
     add(static_cast<std::uint64_t>(s.origin));
     add(s.fresh);
     add(s.wired);
   }
-  for (const told& t : f.outputs) {
+  for (const recorded_output& t : f.outputs) {
     add_all(t.value);
     add(t.is_maybe);
     add(t.published);
@@ -78,7 +78,7 @@ std::uint64_t digest(const firing& f) {
 log merged(log all) {
   const auto key = [&](std::size_t i) {
     const firing& f = all[i];
-    return std::tuple(f.which == half::on_fault, f.beat, f.which, f.id, i);
+    return std::tuple(f.which == function::on_fault, f.beat, f.which, f.id, i);
   };
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -102,7 +102,9 @@ void add_output(firing& f, int size, bool is_maybe) {
   f.outputs.push_back({std::vector<double>(static_cast<std::size_t>(size)), is_maybe});
 }
 
-void copy_value(const told& from, double* to) { std::copy(from.value.begin(), from.value.end(), to); }
+void copy_value(const recorded_output& from, double* to) {
+  std::copy(from.value.begin(), from.value.end(), to);
+}
 
 void respond(const habit& h, memory& m, firing& f) {
   // Every figure that the component is told changes every value from here on. Folded into -8 to 8, so that

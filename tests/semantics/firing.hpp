@@ -14,14 +14,14 @@ namespace semantics {
 
 inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::lowest();
 
-struct seen {
+struct recorded_input {
   std::string name;
   std::vector<double> value;
   std::int64_t origin = never;
   bool fresh = false, wired = false;
 };
 
-struct told {
+struct recorded_output {
   std::vector<double> value;
   bool is_maybe = false;
   bool published = true;
@@ -29,15 +29,15 @@ struct told {
   std::int64_t origin = never;  // only if the component sets it
 };
 
-enum class half : std::uint8_t { sense, process, act, on_fault };
+enum class function : std::uint8_t { sense, process, act, on_fault };
 
 struct firing {
   int id = 0;
-  half which = half::process;
+  function which = function::process;
   std::int64_t beat = 0, time = 0;
   double dt = 0;
-  std::vector<seen> inputs;
-  std::vector<told> outputs;
+  std::vector<recorded_input> inputs;
+  std::vector<recorded_output> outputs;
   bool may_fault = false, fault = false;
 };
 
@@ -52,7 +52,7 @@ void add_input(firing& f,
                bool fresh,
                bool wired);
 void add_output(firing& f, int size, bool is_maybe);
-void copy_value(const told& from, double* to);
+void copy_value(const recorded_output& from, double* to);
 
 // What distinguishes a test component from the others. It is a structural type, so it can be a template
 // argument.
@@ -74,7 +74,7 @@ struct memory {
 void respond(const habit& h, memory& m, firing& f);
 
 // What a worker on a thread makes of its part, the n-th time.
-inline double practised(double x, int n) { return 0.5 * x + n % 5; }
+inline double worker_result(double x, int n) { return 0.5 * x + n % 5; }
 
 // Components write here: each thread has its own. A thread that has none gets one when it records first.
 inline thread_local log* recording = nullptr;

@@ -35,11 +35,11 @@ public:
       if (g.nodes[n].stop_in == k) g.nodes[n].is_stopped = true;
       if (g.nodes[n].start_in == k) start(static_cast<int>(n));
     }
-    for (const half which : {half::sense, half::process, half::act}) {
-      std::vector<bool> had_turn(g.turns.size(), false);
-      for (int next = next_turn(which, had_turn); next >= 0; next = next_turn(which, had_turn)) {
-        had_turn[next] = true;
-        turn& t = g.turns[next];
+    for (const function which : {function::sense, function::process, function::act}) {
+      std::vector<bool> was_called(g.calls.size(), false);
+      for (int next = next_call(which, was_called); next >= 0; next = next_call(which, was_called)) {
+        was_called[next] = true;
+        call& t = g.calls[next];
         if (fires(when(t), t)) fire(t);
         if (faulted) return on_fault();
       }
@@ -50,29 +50,29 @@ public:
   // Nothing that has arrived is fresh.
   virtual void start(int started) {
     g.nodes[started].is_stopped = false;
-    for (turn& t : g.turns)
+    for (call& t : g.calls)
       if (t.node == started) {
         t.last_fired = k - 1;
         t.is_new = true;
       }
   }
 
-  // The first declared whose predecessors, over wires without delay, have all had their turn.
-  virtual int next_turn(half which, const std::vector<bool>& had_turn) const {
-    for (std::size_t i = 0; i < g.turns.size(); ++i) {
-      if (g.turns[i].which != which || had_turn[i]) continue;
+  // The first declared whose predecessors, over wires without delay, have all been called.
+  virtual int next_call(function which, const std::vector<bool>& was_called) const {
+    for (std::size_t i = 0; i < g.calls.size(); ++i) {
+      if (g.calls[i].which != which || was_called[i]) continue;
       bool ready = true;
-      for (const input& in : g.turns[i].inputs) {
+      for (const input& in : g.calls[i].inputs) {
         if (!in.wired || in.is == policy::delayed) continue;
         const auto writer = in.writer;
-        if (g.turns[writer].which == which && !had_turn[writer]) ready = false;
+        if (g.calls[writer].which == which && !was_called[writer]) ready = false;
       }
       if (ready) return static_cast<int>(i);
     }
     return -1;
   }
 
-  void fire(turn& t) {
+  void fire(call& t) {
     firing f;
     f.id = g.nodes[t.node].id;
     f.which = t.which;
@@ -80,23 +80,24 @@ public:
     f.time = time();
     f.dt = dt(t);
     f.may_fault = t.may_fault;
-    std::vector<sight> sights;
+    std::vector<seen_input> seen_inputs;
     for (input& in : t.inputs) {
-      sights.push_back(look(t, in));
+      seen_inputs.push_back(look(t, in));
       take(in);
       ++in.reads;
-      in.fresh_reads += sights.back().fresh;
-      f.inputs.push_back({in.name, sights.back().value, sights.back().origin, sights.back().fresh, in.wired});
+      in.fresh_reads += seen_inputs.back().fresh;
+      f.inputs.push_back(
+          {in.name, seen_inputs.back().value, seen_inputs.back().origin, seen_inputs.back().fresh, in.wired});
     }
     for (const output& out : t.outputs) f.outputs.push_back({std::vector<double>(out.width), out.is_maybe});
 
     does(g.nodes[t.node], f);
     if (g.nodes[t.node].skeleton.empty()) firings.push_back(f);
 
-    const std::int64_t from = origin(t, sights);
+    const std::int64_t from = origin(t, seen_inputs);
     t.last_fired = k;
     t.is_new = false;
-    t.oldest_seen = oldest(t, sights);
+    t.oldest_seen = oldest(t, seen_inputs);
     ++t.firings;
     if (f.fault) faulted = true;
     for (std::size_t i = 0; i < t.outputs.size() && !faulted; ++i)
@@ -106,18 +107,18 @@ public:
   virtual void does(node& n, firing& f) { n.does(f); }
 
   // Seconds since it last fired; the first time N beats for timed<N>, else one.
-  virtual double dt(const turn& t) const {
+  virtual double dt(const call& t) const {
     const strategy own = when(t);
     const strategy s = own.is == strategy::stoppable ? own.parts[0] : own;
     const std::int64_t beats = !t.is_new ? k - t.last_fired : s.is == strategy::timed ? s.n : 1;
     return static_cast<double>(beats * g.period) / 1e9;
   }
 
-  void publish(turn& writer, std::size_t port, const publication& p) {
+  void publish(call& writer, std::size_t port, const publication& p) {
     writer.outputs[port].history.push_back(p);
-    for (turn& t : g.turns)
+    for (call& t : g.calls)
       for (input& in : t.inputs)
-        if (in.wired && in.is == policy::queue && &g.turns[in.writer] == &writer &&
+        if (in.wired && in.is == policy::queue && &g.calls[in.writer] == &writer &&
             in.port == static_cast<int>(port))
           push(in, p);
   }
@@ -125,7 +126,7 @@ public:
   // ---- what an input sees ----
 
   const std::vector<publication>& history(const input& in) const {
-    return g.turns[in.writer].outputs[in.port].history;
+    return g.calls[in.writer].outputs[in.port].history;
   }
 
   // A sample published in beat j arrives in beat j, or, delayed<N>, when beat j + N begins.
@@ -162,8 +163,8 @@ public:
     in.waiting.pop_front();
   }
 
-  virtual sight look(const turn& t, const input& in) const {
-    sight s;
+  virtual seen_input look(const call& t, const input& in) const {
+    seen_input s;
     s.value = in.initial;
     if (!in.wired) return s;
     const publication* p = in.is == policy::queue ? head(in) : newest(in);
@@ -174,7 +175,7 @@ public:
 
   // ---- fresh ----
 
-  virtual bool fresh(const turn& t, const input& in) const {
+  virtual bool fresh(const call& t, const input& in) const {
     if (!in.wired) return false;
     if (in.is == policy::queue) return !in.waiting.empty();
     for (const publication& p : history(in))
@@ -184,15 +185,15 @@ public:
 
   // ---- when a component fires ----
 
-  virtual strategy when(const turn& t) const {
+  virtual strategy when(const call& t) const {
     const strategy& s = g.nodes[t.node].when;
     if (s.is != strategy::by_default) return s;
     strategy d;
-    d.is = t.which == half::process && !t.inputs.empty() ? strategy::restless : strategy::timed;
+    d.is = t.which == function::process && !t.inputs.empty() ? strategy::restless : strategy::timed;
     return d;
   }
 
-  virtual bool fires(const strategy& s, const turn& t) const {
+  virtual bool fires(const strategy& s, const call& t) const {
     switch (s.is) {
       case strategy::by_default:
         return false;  // see `when`
@@ -236,11 +237,11 @@ public:
 
   // Every input holds a sample that arrived, all of one time of origin, later than the oldest seen at the
   // last firing.
-  virtual bool coordinated(const turn& t) const {
+  virtual bool coordinated(const call& t) const {
     std::optional<std::int64_t> shared;
     for (const input& in : t.inputs) {
       if (!in.wired) continue;
-      const sight s = look(t, in);
+      const seen_input s = look(t, in);
       if (!s.arrived) return false;
       if (shared && *shared != s.origin) return false;
       shared = s.origin;
@@ -249,24 +250,24 @@ public:
   }
 
   // An initial value is older than any sample.
-  virtual std::int64_t oldest(const turn& t, const std::vector<sight>& sights) const {
+  virtual std::int64_t oldest(const call& t, const std::vector<seen_input>& seen_inputs) const {
     std::optional<std::int64_t> found;
-    for (std::size_t i = 0; i < sights.size(); ++i)
-      if (t.inputs[i].wired) found = found ? std::min(*found, sights[i].origin) : sights[i].origin;
+    for (std::size_t i = 0; i < seen_inputs.size(); ++i)
+      if (t.inputs[i].wired) found = found ? std::min(*found, seen_inputs[i].origin) : seen_inputs[i].origin;
     return found.value_or(never);
   }
 
-  const input& named(const turn& t, const std::string& name) const {
+  const input& named(const call& t, const std::string& name) const {
     return *std::find_if(t.inputs.begin(), t.inputs.end(), [&](const input& in) { return in.name == name; });
   }
 
   // The strategies of the user's own in probe.hpp: they look at the beat, and at freshness, origin and value
   // of an input.
-  bool user_fires(const strategy& s, const turn& t) const {
+  bool user_fires(const strategy& s, const call& t) const {
     const std::string& kind = s.names[0];
     if (kind == "on_beats") return k % s.n == s.phase || k % 7 == 0;
     if (kind == "patient") return dt(t) * 1e6 > static_cast<double>(s.n);
-    const sight x = look(t, named(t, s.names[1]));
+    const seen_input x = look(t, named(t, s.names[1]));
     if (kind == "above") return x.value[0] > static_cast<double>(s.n) * 0.25;
     if (kind == "older") return x.origin == never || time() - x.origin > s.n;
     return x.fresh && k % 2 == 1;  // fresh_on_odd
@@ -274,23 +275,23 @@ public:
 
   // ---- time of origin ----
 
-  virtual std::int64_t origin(const turn& t, const std::vector<sight>& sights) const {
-    if (t.which == half::sense) return time();
+  virtual std::int64_t origin(const call& t, const std::vector<seen_input>& seen_inputs) const {
+    if (t.which == function::sense) return time();
     std::optional<std::int64_t> found;
-    for (std::size_t i = 0; i < sights.size(); ++i)
-      if (counts(t, t.inputs[i], sights[i]))
-        found = found ? std::min(*found, sights[i].origin) : sights[i].origin;
+    for (std::size_t i = 0; i < seen_inputs.size(); ++i)
+      if (counts(t, t.inputs[i], seen_inputs[i]))
+        found = found ? std::min(*found, seen_inputs[i].origin) : seen_inputs[i].origin;
     return found.value_or(time());
   }
 
   // Unless the component sets it.
-  virtual std::int64_t stamp(const told& t, std::int64_t from) const {
+  virtual std::int64_t stamp(const recorded_output& t, std::int64_t from) const {
     return t.sets_origin ? t.origin : from;
   }
 
-  virtual bool counts(const turn& t, const input& in, const sight& s) const {
+  virtual bool counts(const call& t, const input& in, const seen_input& s) const {
     if (!in.wired || !s.arrived) return false;
-    return in.is != policy::delayed || !feeds(t.node, g.turns[in.writer].node);
+    return in.is != policy::delayed || !feeds(t.node, g.calls[in.writer].node);
   }
 
   // Over any wires; a node feeds itself only if a wire leads back to it. A resource node is one node.
@@ -298,10 +299,10 @@ public:
     std::vector<bool> reached(g.nodes.size(), false);
     for (bool grown = true; grown;) {
       grown = false;
-      for (const turn& t : g.turns)
+      for (const call& t : g.calls)
         for (const input& in : t.inputs) {
           if (!in.wired || reached[t.node]) continue;
-          const int writer = g.turns[in.writer].node;
+          const int writer = g.calls[in.writer].node;
           if (writer != from && !reached[writer]) continue;
           reached[t.node] = grown = true;
         }
@@ -316,7 +317,7 @@ public:
       if (!n.resource) continue;
       firing f;
       f.id = n.id;
-      f.which = half::on_fault;
+      f.which = function::on_fault;
       firings.push_back(f);
     }
   }

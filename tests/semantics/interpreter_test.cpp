@@ -17,8 +17,8 @@ interpreter made(const std::string& text, int beats) {
     n.id = id++;
     n.does = [](firing& f) {
       double sum = f.inputs.empty() ? static_cast<double>(f.beat) : 0.0;
-      for (const seen& s : f.inputs) sum += s.value[0];
-      for (told& t : f.outputs) t.value[0] = sum;
+      for (const recorded_input& s : f.inputs) sum += s.value[0];
+      for (recorded_output& t : f.outputs) t.value[0] = sum;
     };
   }
   for (int k = 0; k < beats; ++k) i.beat();
@@ -28,7 +28,7 @@ interpreter made(const std::string& text, int beats) {
 std::vector<std::int64_t> fired(const interpreter& i, int id) {
   std::vector<std::int64_t> beats;
   for (const firing& f : i.firings)
-    if (f.id == id && f.which != half::on_fault) beats.push_back(f.beat);
+    if (f.id == id && f.which != function::on_fault) beats.push_back(f.beat);
   return beats;
 }
 
@@ -94,7 +94,7 @@ TEST_SUITE("interpreter") {
     const interpreter i = made(source + late + sink + "queue 2 reject", 10);
     CHECK(i.faulted);
     CHECK(i.k ==
-          3);  // 0 and 1 wait, 0 is taken in beat 1, 2 waits, 3 comes before the reader has its turn: full
+          3);  // 0 and 1 wait, 0 is taken in beat 1, 2 waits, 3 comes before the reader is called: full
   }
   TEST_CASE("coordinated") {
     // s -> a -> r.x and s -> r.z, but a fires every second beat only.
@@ -120,12 +120,12 @@ TEST_SUITE("interpreter") {
     const interpreter i = made(text, 3);
     std::string order;
     for (const firing& f : i.firings)
-      order += f.which == half::sense ? 's' : f.which == half::process ? 'p' : 'a';
+      order += f.which == function::sense ? 's' : f.which == function::process ? 'p' : 'a';
     CHECK(order == "saspaspa");
     CHECK(i.firings[4].inputs[0].origin ==
           10);  // the delayed wire closes a loop: it doesn't count, so it's the beat's time
   }
-  TEST_CASE("the turn order: first declared whose predecessors have had their turn") {
+  TEST_CASE("the call order: first declared whose predecessors have been called") {
     const std::string text =
         "component d timed 1 0\nprocess\nin x 1\ncomponent c timed 1 0\nprocess\nin x 1\ncomponent b timed 1 "
         "0\nprocess\nout y "

@@ -19,14 +19,14 @@ using base = interpreter;
 
 struct last_declared_first : base {
   using base::base;
-  int next_turn(half which, const std::vector<bool>& had) const override {
-    for (std::size_t i = g.turns.size(); i-- > 0;) {
-      if (g.turns[i].which != which || had[i]) continue;
+  int next_call(function which, const std::vector<bool>& had) const override {
+    for (std::size_t i = g.calls.size(); i-- > 0;) {
+      if (g.calls[i].which != which || had[i]) continue;
       bool ready = true;
-      for (const input& in : g.turns[i].inputs) {
+      for (const input& in : g.calls[i].inputs) {
         if (!in.wired || in.is == policy::delayed) continue;
         const auto writer = in.writer;
-        if (g.turns[writer].which == which && !had[writer]) ready = false;
+        if (g.calls[writer].which == which && !had[writer]) ready = false;
       }
       if (ready) return static_cast<int>(i);
     }
@@ -36,30 +36,30 @@ struct last_declared_first : base {
 
 struct declared_order : base {
   using base::base;
-  int next_turn(half which, const std::vector<bool>& had) const override {
-    for (std::size_t i = 0; i < g.turns.size(); ++i)
-      if (g.turns[i].which == which && !had[i]) return static_cast<int>(i);
+  int next_call(function which, const std::vector<bool>& had) const override {
+    for (std::size_t i = 0; i < g.calls.size(); ++i)
+      if (g.calls[i].which == which && !had[i]) return static_cast<int>(i);
     return -1;
   }
 };
 
 struct first_dt_is_one_beat : base {
   using base::base;
-  double dt(const turn& t) const override {
+  double dt(const call& t) const override {
     return t.last_fired == never ? static_cast<double>(g.period) / 1e9 : base::dt(t);
   }
 };
 
 struct dt_is_always_one_beat : base {
   using base::base;
-  double dt(const turn&) const override { return static_cast<double>(g.period) / 1e9; }
+  double dt(const call&) const override { return static_cast<double>(g.period) / 1e9; }
 };
 
 // ---- stopped and started ----
 
 struct fires_although_stopped : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override {
+  bool fires(const strategy& s, const call& t) const override {
     return base::fires(s.is == strategy::stoppable ? s.parts[0] : s, t);
   }
 };
@@ -68,9 +68,9 @@ struct fresh_after_the_start : base {
   using base::base;
   void start(int node) override {
     std::vector<std::int64_t> fired;
-    for (const turn& t : g.turns) fired.push_back(t.last_fired);
+    for (const call& t : g.calls) fired.push_back(t.last_fired);
     base::start(node);
-    for (std::size_t i = 0; i < fired.size(); ++i) g.turns[i].last_fired = fired[i];
+    for (std::size_t i = 0; i < fired.size(); ++i) g.calls[i].last_fired = fired[i];
   }
 };
 
@@ -78,9 +78,9 @@ struct dt_counts_the_rest : base {
   using base::base;
   void start(int node) override {
     std::vector<bool> is_new;
-    for (const turn& t : g.turns) is_new.push_back(t.is_new);
+    for (const call& t : g.calls) is_new.push_back(t.is_new);
     base::start(node);
-    for (std::size_t i = 0; i < is_new.size(); ++i) g.turns[i].is_new = is_new[i];
+    for (std::size_t i = 0; i < is_new.size(); ++i) g.calls[i].is_new = is_new[i];
   }
 };
 
@@ -165,8 +165,8 @@ struct queue_takes_all : base {
 
 struct fresh_also_in_the_beat_of_the_last_firing : base {
   using base::base;
-  bool fresh(const turn& t, const input& in) const override {
-    turn earlier = t;
+  bool fresh(const call& t, const input& in) const override {
+    call earlier = t;
     if (t.last_fired != never) --earlier.last_fired;
     return base::fresh(earlier, in);
   }
@@ -174,7 +174,7 @@ struct fresh_also_in_the_beat_of_the_last_firing : base {
 
 struct fresh_when_published : base {
   using base::base;
-  bool fresh(const turn& t, const input& in) const override {
+  bool fresh(const call& t, const input& in) const override {
     if (!in.wired || in.is != policy::delayed) return base::fresh(t, in);
     return base::newest(in) && base::newest(in)->beat > t.last_fired;
   }
@@ -182,14 +182,14 @@ struct fresh_when_published : base {
 
 struct initial_is_fresh : base {
   using base::base;
-  bool fresh(const turn& t, const input& in) const override {
+  bool fresh(const call& t, const input& in) const override {
     return base::fresh(t, in) || (in.wired && t.last_fired == never);
   }
 };
 
 struct queue_fresh_after_taking : base {
   using base::base;
-  bool fresh(const turn& t, const input& in) const override {
+  bool fresh(const call& t, const input& in) const override {
     return in.is == policy::queue ? in.waiting.size() > 1 : base::fresh(t, in);
   }
 };
@@ -199,7 +199,7 @@ struct queue_fresh_after_taking : base {
 template <strategy::kind From, strategy::kind To>
 struct mixed_up : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override {
+  bool fires(const strategy& s, const call& t) const override {
     strategy other = s;
     if (s.is == From) other.is = To;
     return base::fires(other, t);
@@ -208,7 +208,7 @@ struct mixed_up : base {
 
 struct no_phase : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override {
+  bool fires(const strategy& s, const call& t) const override {
     strategy other = s;
     other.phase = s.is == strategy::user ? s.phase : 0;
     return base::fires(other, t);
@@ -217,7 +217,7 @@ struct no_phase : base {
 
 struct default_is_moderate : base {
   using base::base;
-  strategy when(const turn& t) const override {
+  strategy when(const call& t) const override {
     strategy s = base::when(t);
     if (g.nodes[t.node].when.is == strategy::by_default && s.is == strategy::restless)
       s.is = strategy::moderate;
@@ -227,7 +227,7 @@ struct default_is_moderate : base {
 
 struct moderate_waits_for_the_unwired : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override {
+  bool fires(const strategy& s, const call& t) const override {
     if (s.is == strategy::moderate)
       for (const input& in : t.inputs)
         if (!in.wired) return false;
@@ -237,14 +237,14 @@ struct moderate_waits_for_the_unwired : base {
 
 struct timeout_has_run_out_at_the_start : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override {
+  bool fires(const strategy& s, const call& t) const override {
     return (s.is == strategy::timeout && t.last_fired == never) || base::fires(s, t);
   }
 };
 
 struct any_port_triggers : base {
   using base::base;
-  bool fires(const strategy& s, const turn& t) const override {
+  bool fires(const strategy& s, const call& t) const override {
     strategy other = s;
     if (s.is == strategy::port_triggered) other.is = strategy::restless;
     return base::fires(other, t);
@@ -253,11 +253,11 @@ struct any_port_triggers : base {
 
 struct coordinated_takes_initial_values : base {
   using base::base;
-  bool coordinated(const turn& t) const override {
+  bool coordinated(const call& t) const override {
     std::optional<std::int64_t> shared;
     for (const input& in : t.inputs) {
       if (!in.wired) continue;
-      const sight s = look(t, in);
+      const seen_input s = look(t, in);
       if (!s.arrived) continue;
       if (shared && *shared != s.origin) return false;
       shared = s.origin;
@@ -268,8 +268,8 @@ struct coordinated_takes_initial_values : base {
 
 struct coordinated_again_and_again : base {
   using base::base;
-  bool coordinated(const turn& t) const override {
-    turn forgetful = t;
+  bool coordinated(const call& t) const override {
+    call forgetful = t;
     forgetful.oldest_seen = never;
     return base::coordinated(forgetful);
   }
@@ -277,17 +277,17 @@ struct coordinated_again_and_again : base {
 
 struct coordinated_is_later_than_the_newest_seen : base {
   using base::base;
-  std::int64_t oldest(const turn& t, const std::vector<sight>& sights) const override {
+  std::int64_t oldest(const call& t, const std::vector<seen_input>& seen_inputs) const override {
     std::int64_t found = never;
-    for (std::size_t i = 0; i < sights.size(); ++i)
-      if (t.inputs[i].wired) found = std::max(found, sights[i].origin);
+    for (std::size_t i = 0; i < seen_inputs.size(); ++i)
+      if (t.inputs[i].wired) found = std::max(found, seen_inputs[i].origin);
     return found;
   }
 };
 
 struct coordinated_looks_at_the_first_only : base {
   using base::base;
-  bool coordinated(const turn& t) const override {
+  bool coordinated(const call& t) const override {
     for (const input& in : t.inputs)
       if (in.wired) return look(t, in).arrived && look(t, in).origin > t.oldest_seen;
     return false;
@@ -298,39 +298,41 @@ struct coordinated_looks_at_the_first_only : base {
 
 struct origin_is_the_newest : base {
   using base::base;
-  std::int64_t origin(const turn& t, const std::vector<sight>& sights) const override {
+  std::int64_t origin(const call& t, const std::vector<seen_input>& seen_inputs) const override {
     std::optional<std::int64_t> found;
-    for (std::size_t i = 0; i < sights.size() && t.which != half::sense; ++i)
-      if (counts(t, t.inputs[i], sights[i]))
-        found = found ? std::max(*found, sights[i].origin) : sights[i].origin;
+    for (std::size_t i = 0; i < seen_inputs.size() && t.which != function::sense; ++i)
+      if (counts(t, t.inputs[i], seen_inputs[i]))
+        found = found ? std::max(*found, seen_inputs[i].origin) : seen_inputs[i].origin;
     return found.value_or(time());
   }
 };
 
 struct sense_has_an_origin_like_others : base {
   using base::base;
-  std::int64_t origin(const turn& t, const std::vector<sight>& sights) const override {
-    turn other;
+  std::int64_t origin(const call& t, const std::vector<seen_input>& seen_inputs) const override {
+    call other;
     other.node = t.node;
     other.inputs = t.inputs;
-    other.which = half::process;
-    return base::origin(other, sights);
+    other.which = function::process;
+    return base::origin(other, seen_inputs);
   }
 };
 
 struct set_origin_is_lost : base {
   using base::base;
-  std::int64_t stamp(const told&, std::int64_t from) const override { return from; }
+  std::int64_t stamp(const recorded_output&, std::int64_t from) const override { return from; }
 };
 
 struct loops_count : base {
   using base::base;
-  bool counts(const turn&, const input& in, const sight& s) const override { return in.wired && s.arrived; }
+  bool counts(const call&, const input& in, const seen_input& s) const override {
+    return in.wired && s.arrived;
+  }
 };
 
 struct nothing_delayed_counts : base {
   using base::base;
-  bool counts(const turn&, const input& in, const sight& s) const override {
+  bool counts(const call&, const input& in, const seen_input& s) const override {
     return in.wired && s.arrived && in.is != policy::delayed;
   }
 };
@@ -338,9 +340,9 @@ struct nothing_delayed_counts : base {
 struct only_direct_loops : base {
   using base::base;
   bool feeds(int from, int to) const override {
-    for (const turn& t : g.turns)
+    for (const call& t : g.calls)
       for (const input& in : t.inputs)
-        if (t.node == to && in.wired && g.turns[in.writer].node == from) return true;
+        if (t.node == to && in.wired && g.calls[in.writer].node == from) return true;
     return false;
   }
 };
@@ -349,7 +351,7 @@ struct only_loops_without_delay : base {
   using base::base;
   bool feeds(int from, int to) const override {
     interpreter other(g);
-    for (turn& t : other.g.turns)
+    for (call& t : other.g.calls)
       for (input& in : t.inputs)
         if (in.is == policy::delayed && t.node != from) in.wired = false;
     return other.interpreter::feeds(from, to);
@@ -361,16 +363,16 @@ struct no_loop_through_a_resource_node : base {
   bool feeds(int from, int to) const override {
     if (g.nodes[from].resource || g.nodes[to].resource) return false;
     interpreter other(g);
-    for (turn& t : other.g.turns)
-      if (t.which != half::process) t.inputs.clear();
+    for (call& t : other.g.calls)
+      if (t.which != function::process) t.inputs.clear();
     return other.interpreter::feeds(from, to);
   }
 };
 
 struct initial_values_count : base {
   using base::base;
-  bool counts(const turn& t, const input& in, const sight& s) const override {
-    sight as_if = s;
+  bool counts(const call& t, const input& in, const seen_input& s) const override {
+    seen_input as_if = s;
     as_if.arrived = true;
     return base::counts(t, in, as_if);
   }
@@ -424,7 +426,7 @@ void the_other_way_round(firing& f) {
   else std::swap(f.outputs.front().value, f.outputs.back().value);
 }
 void of_all_inputs(firing& f) {
-  for (told& t : f.outputs) t.sets_origin = false;
+  for (recorded_output& t : f.outputs) t.sets_origin = false;
 }
 
 }  // namespace
@@ -432,7 +434,7 @@ void of_all_inputs(firing& f) {
 
 const std::vector<mutant> all_mutants{
     {"the last declared of those that are ready comes first", mutants::made<mutants::last_declared_first>},
-    {"turns in the order of declaration", mutants::made<mutants::declared_order>},
+    {"calls in the order of declaration", mutants::made<mutants::declared_order>},
     {"the first dt is one beat", mutants::made<mutants::first_dt_is_one_beat>},
     {"dt is always one beat", mutants::made<mutants::dt_is_always_one_beat>},
     {"a component fires although it is stopped", mutants::made<mutants::fires_although_stopped>},

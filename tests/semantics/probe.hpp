@@ -88,7 +88,7 @@ void note(firing& f, const cca::observe<Scope, Policy>& all) {
     add_input(f, one.path, one.values.data(), static_cast<int>(one.values.size()), one.origin, one.fresh,
               true);
   std::sort(f.inputs.begin() + before, f.inputs.end(),
-            [](const seen& a, const seen& b) { return a.name < b.name; });
+            [](const recorded_input& a, const recorded_input& b) { return a.name < b.name; });
 }
 
 template <cca::fixed_string Name, class Space>
@@ -102,21 +102,22 @@ void add_blank(firing& f, const cca::maybe<Name, Space>*) {
 inline void add_blank(firing&, const cca::fault*) {}
 
 template <class Port>
-Port spoken(const Port*, const firing& f, std::size_t& next) {
-  const told& t = f.outputs[next++];
+Port port_of(const Port*, const firing& f, std::size_t& next) {
+  const recorded_output& t = f.outputs[next++];
   Port port;
   if (t.published) copy_value(t, port.vector().data());
   if (t.sets_origin) port.with_origin(t.origin);
   return port;
 }
-inline cca::fault spoken(const cca::fault*, const firing& f, std::size_t&) {
+inline cca::fault port_of(const cca::fault*, const firing& f, std::size_t&) {
   return f.fault ? cca::fault{"as planned"} : cca::fault{};
 }
 
 // Not inlined: the loop around it is under test, and recording would be most of the optimiser's work.
 template <class... Results, class... Inputs>
-[[gnu::noinline]] auto answer(const habit& h, half which, memory& m, cca::beat now, const Inputs&... inputs)
-    -> typename result<Results...>::type {
+[[gnu::noinline]] auto answer(
+    const habit& h, function which, memory& m, cca::beat now, const Inputs&... inputs) ->
+    typename result<Results...>::type {
   firing f;
   f.id = h.id;
   f.which = which;
@@ -130,7 +131,7 @@ template <class... Results, class... Inputs>
   record(f);
   [[maybe_unused]] std::size_t next = 0;
   if constexpr (sizeof...(Results) > 0)
-    return typename result<Results...>::type{spoken(static_cast<const Results*>(nullptr), f, next)...};
+    return typename result<Results...>::type{port_of(static_cast<const Results*>(nullptr), f, next)...};
 }
 
 }  // namespace detail
@@ -142,7 +143,7 @@ template <habit H, class... Inputs, class... Outputs>
 struct probe<H, reads<Inputs...>, tells<Outputs...>> {
   memory m;
   auto process(Inputs... inputs, cca::beat now) -> typename detail::result<Outputs...>::type {
-    return detail::answer<Outputs...>(H, half::process, m, now, inputs...);
+    return detail::answer<Outputs...>(H, function::process, m, now, inputs...);
   }
 };
 
@@ -154,7 +155,7 @@ struct with_on_fault {
   void on_fault() {
     firing f;
     f.id = H.id;
-    f.which = half::on_fault;
+    f.which = function::on_fault;
     record(f);
   }
 };
@@ -168,24 +169,24 @@ struct device;
 template <habit H, class... SI, class... SO, class... AI, class... AO>
 struct device<H, reads<SI...>, tells<SO...>, reads<AI...>, tells<AO...>> : detail::with_on_fault<H> {
   auto sense(SI... inputs, cca::beat now) -> typename detail::result<SO...>::type {
-    return detail::answer<SO...>(H, half::sense, this->m, now, inputs...);
+    return detail::answer<SO...>(H, function::sense, this->m, now, inputs...);
   }
   auto act(AI... inputs, cca::beat now) -> typename detail::result<AO...>::type {
-    return detail::answer<AO...>(H, half::act, this->m, now, inputs...);
+    return detail::answer<AO...>(H, function::act, this->m, now, inputs...);
   }
 };
 
 template <habit H, class... SI, class... SO>
 struct device<H, reads<SI...>, tells<SO...>, void, void> : detail::with_on_fault<H> {
   auto sense(SI... inputs, cca::beat now) -> typename detail::result<SO...>::type {
-    return detail::answer<SO...>(H, half::sense, this->m, now, inputs...);
+    return detail::answer<SO...>(H, function::sense, this->m, now, inputs...);
   }
 };
 
 template <habit H, class... AI, class... AO>
 struct device<H, void, void, reads<AI...>, tells<AO...>> : detail::with_on_fault<H> {
   auto act(AI... inputs, cca::beat now) -> typename detail::result<AO...>::type {
-    return detail::answer<AO...>(H, half::act, this->m, now, inputs...);
+    return detail::answer<AO...>(H, function::act, this->m, now, inputs...);
   }
 };
 

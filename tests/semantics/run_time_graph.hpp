@@ -1,4 +1,4 @@
-// A graph at run time, already flat: vectors of nodes, their turns, the histories of their outputs, and what
+// A graph at run time, already flat: vectors of nodes, their calls, the histories of their outputs, and what
 // an input sees.
 #pragma once
 
@@ -63,7 +63,7 @@ struct input {
   int width = 1;
   bool optional = false;
   bool wired = false;
-  int writer = -1, port = -1;  // turn and output at the other end
+  int writer = -1, port = -1;  // call and output at the other end
   policy is = policy::latest;
   std::int64_t delay = 0;
   std::size_t capacity = 0;
@@ -75,10 +75,10 @@ struct input {
   int dropped = 0, reads = 0, fresh_reads = 0;  // for the count of what was exercised
 };
 
-// One call in a beat: of a component, or of one half of a resource node.
-struct turn {
+// One call in a beat: of a component, or of one function of a resource node.
+struct call {
   int node = -1;
-  half which = half::process;
+  function which = function::process;
   std::vector<input> inputs;
   std::vector<output> outputs;
   bool may_fault = false;
@@ -104,12 +104,12 @@ struct graph {
   std::string name;
   std::int64_t period = 1;              // T, in nanoseconds
   std::vector<node> nodes;              // as declared, depth first
-  std::vector<turn> turns;              // as declared
+  std::vector<call> calls;              // as declared
   std::map<std::string, int> features;  // counted by who made the graph
 };
 
 // An input as its component sees it.
-struct sight {
+struct seen_input {
   std::vector<double> value;
   std::int64_t origin = never;  // of an initial value: never
   bool arrived = false;         // a sample, no initial value

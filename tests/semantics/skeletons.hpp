@@ -22,14 +22,14 @@ struct value {
   std::int64_t origin = never;
 };
 
-inline value of(const seen& s) { return {s.value, s.origin}; }
+inline value of(const recorded_input& s) { return {s.value, s.origin}; }
 
-inline void tell(told& t, const value& v) {
+inline void tell(recorded_output& t, const value& v) {
   t.value = v.x;
   t.sets_origin = v.origin != never;
   t.origin = v.origin;
 }
-inline void tell(told& t, double number) { t.value = {number}; }
+inline void tell(recorded_output& t, double number) { t.value = {number}; }
 
 // On a line; a part of weight 0 leaves no trace.
 inline value between(const value& a, const value& b, double t) {
@@ -42,7 +42,7 @@ inline value between(const value& a, const value& b, double t) {
 }
 
 // Blends each part with the mean of the parts before it, by its share of the weights so far.
-inline value mean(const std::vector<double>& weights, const std::vector<seen>& inputs) {
+inline value mean(const std::vector<double>& weights, const std::vector<recorded_input>& inputs) {
   value v = of(inputs[0]);
   double sum = weights[0];
   for (std::size_t i = 1; i < weights.size(); ++i) {
@@ -177,7 +177,7 @@ struct on_threads {
     if (!made.empty()) tell(f.outputs[0], made.front()), made.pop_front();
     if (f.inputs[0].fresh) {
       value v = of(f.inputs[0]);
-      for (double& x : v.x) x = practised(x, tasks);
+      for (double& x : v.x) x = worker_result(x, tasks);
       made.push_back(v), ++tasks;
     }
     tell(f.outputs[1], static_cast<double>(made.size()));
@@ -188,12 +188,12 @@ struct on_threads {
 // The first coordinates go to the first output, and so on: a splitter, and what shares tasks out to a farm.
 inline void apart(firing& f) {
   std::size_t next = 0;
-  for (told& t : f.outputs)
+  for (recorded_output& t : f.outputs)
     for (double& x : t.value) x = f.inputs[0].value[next++];
 }
 inline void together(firing& f) {
   std::size_t next = 0;
-  for (const seen& s : f.inputs)
+  for (const recorded_input& s : f.inputs)
     for (const double x : s.value) f.outputs[0].value[next++] = x;
 }
 

@@ -4,7 +4,7 @@ The text is made from the nested form: what `expose` does is worked out here by 
 """
 import random
 
-from architecture import DIMENSIONS, Graph, Leaf
+from architecture import DIMENSIONS, Graph, Node
 from skeletons import group_cpp, skeleton_cpp
 
 
@@ -12,8 +12,8 @@ from skeletons import group_cpp, skeleton_cpp
 
 
 def flat(made):
-    """Paths of leaves in order of declaration, and wires between paths of ports, worked out from the nested form."""
-    leaves, wires = [], []
+    """Paths of nodes in order of declaration, and wires between paths of ports, worked out from the nested form."""
+    nodes, wires = [], []
 
     def resolve(graph, path, name):
         child_name, port = name.split(".")
@@ -23,7 +23,7 @@ def flat(made):
         return path + name
 
     def outputs_of(path, child):
-        if isinstance(child, Leaf):
+        if isinstance(child, Node):
             return [(f"{path}.{port.name}", port) for _, port in child.outputs()]
         return [one for name, inner in child.children for one in outputs_of(f"{path}.{name}", inner)]
 
@@ -38,12 +38,12 @@ def flat(made):
                         heard.append((from_, port))
                         wires.append((from_, f"{path}{name}.{from_}", child.hears_policy))
                     heard.sort(key=lambda one: one[0])
-                leaves.append((path + name, child, heard))
+                nodes.append((path + name, child, heard))
         for a, b, wire in graph.wires:
             wires.append((resolve(graph, path, a), resolve(graph, path, b), wire))
 
     walk(made.top, "")
-    return leaves, wires
+    return nodes, wires
 
 
 def words(strategy):
@@ -60,20 +60,20 @@ def words(strategy):
 def text(made):
     lines = [f"architecture {made.seed}", f"period {made.period}"]
     lines += [f"feature {n} {name}" for name, n in sorted(made.features.items()) if n]
-    leaves, wires = flat(made)
+    nodes, wires = flat(made)
     if made.environments > 1:
         lines += [f"feature {n} {name}" for name, n in crossings(made).items() if n]
-    for path, leaf, heard in leaves:
-        lines.append(f"{'resource' if leaf.resource else 'component'} {path} {words(leaf.strategy)}")
-        lines += [f"rests {leaf.rests[0]} {leaf.rests[1]}"] if leaf.rests else []
-        lines.append("skeleton " + " ".join(map(str, leaf.skeleton)) if leaf.skeleton else
-                     f"habit {leaf.number} {leaf.publishes} {leaf.origin} {leaf.fault_at}")
-        for half in leaf.halves:
-            lines.append(half)
-            lines += [f"{'optional' if port.kind == 'optional_in' else 'in'} {port.name} {DIMENSIONS[port.space]}" for port in leaf.ports[half][0]]
+    for path, node, heard in nodes:
+        lines.append(f"{'resource' if node.resource else 'component'} {path} {words(node.strategy)}")
+        lines += [f"rests {node.rests[0]} {node.rests[1]}"] if node.rests else []
+        lines.append("skeleton " + " ".join(map(str, node.skeleton)) if node.skeleton else
+                     f"habit {node.number} {node.publishes} {node.origin} {node.fault_at}")
+        for function in node.functions:
+            lines.append(function)
+            lines += [f"{'optional' if port.kind == 'optional_in' else 'in'} {port.name} {DIMENSIONS[port.space]}" for port in node.ports[function][0]]
             lines += [f"heard {name} {DIMENSIONS[port.space]}" for name, port in heard]
-            lines += [f"{port.kind} {port.name} {DIMENSIONS[port.space]}" for port in leaf.ports[half][1]]
-            lines += ["fault"] if leaf.fault_half == half else []
+            lines += [f"{port.kind} {port.name} {DIMENSIONS[port.space]}" for port in node.ports[function][1]]
+            lines += ["fault"] if node.fault_function == function else []
     for a, b, wire in wires:
         observed = isinstance(wire, tuple)
         line = f"wire {a} {b} " + " ".join(map(str, wire if observed else wire.policy))
@@ -85,7 +85,7 @@ def text(made):
 
 def crossings(made):
     across = [wire for wire in made.wires if wire.writer.environment != wire.reader.environment]
-    return {"environments": len({leaf.environment for leaf in made.nodes}),
+    return {"environments": len({node.environment for node in made.nodes}),
             "wires between environments": len(across),
             "wires between environments, longer than a beat": sum(wire.policy[1] > 1 for wire in across)}
 
@@ -112,33 +112,33 @@ def strategy_cpp(strategy):
     return f"cca::{kind}"
 
 
-def half_cpp(leaf, half):
-    if half not in leaf.halves:
+def function_cpp(node, function):
+    if function not in node.functions:
         return "void, void"
-    inputs, outputs = ([port.cpp() for port in ports] for ports in leaf.ports[half])
-    if leaf.hears:
-        delay = f", cca::delayed<{leaf.hears_policy[1]}>" if leaf.hears_policy[0] == "delayed" else ""
-        inputs.append(f'cca::observe<"{leaf.hears[0]}.*"{delay}>')
-    if leaf.fault_half == half:
-        outputs.insert(0 if leaf.fault_first else len(outputs), "cca::fault")
+    inputs, outputs = ([port.cpp() for port in ports] for ports in node.ports[function])
+    if node.hears:
+        delay = f", cca::delayed<{node.hears_policy[1]}>" if node.hears_policy[0] == "delayed" else ""
+        inputs.append(f'cca::observe<"{node.hears[0]}.*"{delay}>')
+    if node.fault_function == function:
+        outputs.insert(0 if node.fault_first else len(outputs), "cca::fault")
     return f"reads<{', '.join(inputs)}>, tells<{', '.join(outputs)}>"
 
 
-def leaf_cpp(leaf):
-    if leaf.skeleton:
-        return skeleton_cpp(leaf.skeleton, leaf)
-    habit = f"habit{{{leaf.number}, {leaf.publishes}, {leaf.origin}, {leaf.fault_at}}}"
-    if not leaf.resource:
-        return f"probe<{habit}, {half_cpp(leaf, 'process')}>"
-    return f"device<{habit}, {half_cpp(leaf, 'sense')}, {half_cpp(leaf, 'act')}>"
+def node_cpp(node):
+    if node.skeleton:
+        return skeleton_cpp(node.skeleton, node)
+    habit = f"habit{{{node.number}, {node.publishes}, {node.origin}, {node.fault_at}}}"
+    if not node.resource:
+        return f"probe<{habit}, {function_cpp(node, 'process')}>"
+    return f"device<{habit}, {function_cpp(node, 'sense')}, {function_cpp(node, 'act')}>"
 
 
 def graph_cpp(graph, rng):
     nodes, others = [], []
     for name, child in graph.children:
-        kind = leaf_cpp(child) if isinstance(child, Leaf) else group_cpp(child.group, leaf_cpp) if child.group else child.name
+        kind = node_cpp(child) if isinstance(child, Node) else group_cpp(child.group, node_cpp) if child.group else child.name
         strategy = ""
-        if isinstance(child, Leaf) and child.strategy != ("default",):
+        if isinstance(child, Node) and child.strategy != ("default",):
             strategy = ", " + strategy_cpp(child.strategy)
         nodes.append(f'cca::node<"{name}", {kind}{strategy}>')
     for a, b, wire in graph.wires:
@@ -169,10 +169,10 @@ def placed(made, rng):
 
     def walk(graph, path):
         for name, child in graph.children:
-            if isinstance(child, Leaf):
+            if isinstance(child, Node):
                 named[child.environment].append(path + name)
                 continue
-            inside = {leaf.environment for leaf in made.leaves(child)}
+            inside = {node.environment for node in made.nodes_of(child)}
             if len(inside) == 1 and rng.randrange(2):
                 named[inside.pop()].append(path + name)
             else:
@@ -207,9 +207,9 @@ def code(made, over_dds=False):
         as_long.append(f"template <>\nconstexpr int cca::detail::calls_in_part<{top}> = {1 + made.seed % 4};")
     if as_long:
         lines += [f"\n{closed}", *as_long, f"namespace architecture_{made.seed} {{"]
-    leaves = flat(made)[0]
-    crews = [path for path, leaf, _ in leaves if leaf.skeleton and leaf.skeleton[0] == "on_threads"]
-    resting = [(path, leaf.rests) for path, leaf, _ in leaves if leaf.rests]
+    nodes = flat(made)[0]
+    crews = [path for path, node, _ in nodes if node.skeleton and node.skeleton[0] == "on_threads"]
+    resting = [(path, node.rests) for path, node, _ in nodes if node.rests]
     around = crews or resting
     if around:
         waits = " ".join(f'c.template get<"{path}">().wait();' for path in crews)

@@ -44,7 +44,7 @@ struct locally_weighted_regression {
     learned() : function(), evidence(local::Zero()), seen(local::Zero()) {}
   };
 
-  // always_inline: without it clang leaves a call in the beat.
+  // always_inline: a call in the beat otherwise (docs/compilers.md).
   [[gnu::always_inline]] static bool inside(const learned& known, const input& x, const settings& s) {
     return model::activations(x).dot(known.seen) >= s.least_seen;
   }

@@ -37,8 +37,8 @@ public:
   const state& get() const { return x; }
   void set(const state& to) { x = to; }
 
-  // True if it advanced by dt, else by less. always_inline, here and below: without it clang calls each step
-  // and keeps the state in memory.
+  // True if it advanced by dt, else by less. always_inline, here and below: otherwise each step is a call and
+  // the state stays in memory (docs/compilers.md).
   [[gnu::always_inline]] bool advance(const input& u, const parameters& p, double dt) {
     if constexpr (requires { Model::fastest(x, u, p); }) {
       const double parts = Model::fastest(x, u, p) * dt / longest_step;

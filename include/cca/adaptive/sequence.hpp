@@ -38,53 +38,52 @@
 
 namespace cca {
 
-// always_inline, here and below: without it clang leaves a call for each condition.
 template <fixed_string Path, auto State, int Axis = 0>
 struct is {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return heard.template value<Path, Axis>() == static_cast<double>(State);
   }
 };
 template <fixed_string Path, double Bound>
 struct below {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return heard.template value<Path>() < Bound;
   }
 };
 template <fixed_string Path, double Bound>
 struct above {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return heard.template value<Path>() > Bound;
   }
 };
 template <std::int64_t Beats>
 struct after {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return heard.beats() >= Beats;
   }
 };
 template <class... Conditions>
 struct all {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return (Conditions::holds(heard) && ...);
   }
 };
 template <class... Conditions>
 struct any {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return (Conditions::holds(heard) || ...);
   }
 };
 template <class Condition>
 struct no {
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(const Heard& heard) {
+  static bool holds(const Heard& heard) {
     return !Condition::holds(heard);
   }
 };
@@ -175,7 +174,7 @@ struct steps {
   }();
 
   template <class Heard>
-  [[gnu::always_inline]] static bool holds(int step, const Heard& heard) {
+  static bool holds(int step, const Heard& heard) {
     int i = 0;
     bool found = false;
     (void)((i++ == step ? (found = detail::step_facts<Steps>::condition::holds(heard), true) : false) || ...);
@@ -199,7 +198,7 @@ class sequence {
 public:
   // Call it once in a beat. Each of `told` is an `observe<...>`.
   template <class... Told>
-  [[gnu::always_inline]] void update(beat now, const Told&... told) {
+  void update(beat now, const Told&... told) {
     static_assert(
         Plan::well_named(),
         "cca::steps: two steps have the same name, or then<...> or or_after<...> names an unknown step");
@@ -238,7 +237,7 @@ private:
 
     std::int64_t beats() const { return running; }
     template <fixed_string Path, int Axis = 0>
-    [[gnu::always_inline]] double value() const {
+    double value() const {
       const place at = of.find(Path.view(), told);
       return at.scope < 0 ? std::numeric_limits<double>::quiet_NaN()
                           : told[static_cast<std::size_t>(at.scope)][static_cast<std::size_t>(at.position)]
@@ -253,7 +252,7 @@ private:
 
   // The place of a path among the observations. It is searched once; the key is the address of its text,
   // which is a constant of the program.
-  [[gnu::always_inline]] place find(std::string_view path, scopes_told told) {
+  place find(std::string_view path, scopes_told told) {
     for (const auto& one : known)
       if (one.path == path.data()) [[likely]]
         return one;

@@ -98,7 +98,7 @@ public:
   output answer(const input& x) const { return model::answer(known.function, x); }
   const learned& get() const { return known; }
   learning state() const { return now; }
-  // always_inline, here and below: without it clang leaves calls in the beat.
+  // always_inline, here and below: calls in the beat otherwise (docs/compilers.md).
   [[gnu::always_inline]] bool in_trained_region(const input& x, const settings& s) const {
     return has_learned && detail::all_finite(x) && Rule::inside(known, x, s);
   }

@@ -7,7 +7,7 @@
 
 namespace cca::detail {
 
-// n, which is never negative: clang then needs no sign in `n % 64`.
+// n, which is never negative, so that `n % 64` needs no sign.
 CCA_INLINE constexpr std::int64_t non_negative(std::int64_t n) {
   CCA_ASSUME(n >= 0);
   return n;

@@ -1,8 +1,9 @@
-// Refuses, in a sentence, a language or a compiler in which cca can't be compiled. Without it the compiler
-// would print thousands of lines, or crash.
+// How the compilers differ, but for what makes a beat fast: that is in inlining.hpp. No other header asks
+// which compiler it is; docs/compilers.md lists every workaround, with what was measured.
 //
-// #error alone does not stop a compiler; a missing file does.
-// Errors: compiler.too_old.
+// First it refuses, in a sentence, a language or a compiler in which cca can't be compiled. Without it the
+// compiler would print thousands of lines, or crash. #error alone does not stop a compiler; a missing file
+// does. Errors: compiler.too_old.
 #pragma once
 
 #if __cplusplus < 202002L
@@ -18,3 +19,28 @@
 #error "compiler.too_old: cca needs g++ 12 or later; g++ 12 is tested"
 #include <cca/base/the_error_above_says_what_cca_needs>
 #endif
+
+namespace cca::detail {
+
+// A text in a template argument: clang prints its first 35 letters, g++ prints all of it.
+#if defined(__clang__)
+inline constexpr bool prints_whole_texts = false;
+#else
+inline constexpr bool prints_whole_texts = true;
+#endif
+
+// nth_type<List>::at<I>: a type of a list. clang has a builtin for it, g++ 12 has not.
+template <class List>
+struct nth_type;
+#if defined(__has_builtin) && __has_builtin(__type_pack_element)
+inline constexpr bool has_nth_type = true;
+template <template <class...> class List, class... Types>
+struct nth_type<List<Types...>> {
+  template <int I>
+  using at = __type_pack_element<I, Types...>;
+};
+#else
+inline constexpr bool has_nth_type = false;
+#endif
+
+}  // namespace cca::detail

@@ -19,12 +19,8 @@ template <class Type> concept NameableEnum = std::is_enum_v<Type> && requires { 
 
 template <class Enum, Enum... Values>
 constexpr std::string_view spelled_values() {
-#if defined(__clang__)
-  constexpr std::string_view whole = __PRETTY_FUNCTION__, before = "Values = <";
-#else
-  constexpr std::string_view whole = __PRETTY_FUNCTION__, before = "Values = {";
-#endif
-  constexpr auto from = whole.find(before) + before.size();
+  constexpr std::string_view whole = __PRETTY_FUNCTION__, before = "Values = ";
+  constexpr auto from = whole.find(before) + before.size() + 1;  // after `{` or `<`
   return whole.substr(from, whole.find_last_of(">}") - from);
 }
 

@@ -14,9 +14,37 @@
 // call_simplified<f>(...) calls a function that many calls of a beat share. clang gets it as a pointer that
 // it resolves while it inlines: by then it has simplified the function, once for all its calls. With a direct
 // call a graph of 1,000 nodes takes clang twice the time (docs/performance.md).
+//
+// copies_in_pieces   g++ with AVX, see copy_block.hpp. g++ copies what memcpy copies in pieces of 16 bytes. A
+//                    loop that it has vectorised stores 32 bytes at a time, so it can't see that both are the
+//                    same numbers, and keeps the copy: a graph of 22 nodes with samples of eight axes took
+//                    302 instructions per beat instead of 221 (docs/decisions/0017). Pieces of 32 bytes
+//                    match. Without AVX its vectors have 16 bytes, and memcpy matches. clang drops either
+//                    copy.
+//
+// Eigen reads two macros, so eigen.hpp includes this header before it:
+// EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT: since C++17 `new` aligns as the type asks, so Eigen's check of an
+// array's alignment never fires. Without NDEBUG it makes the constructor of each vector too large for g++ 12
+// to inline, and a beat would be full of calls.
+// EIGEN_STRONG_INLINE: Eigen forces inlining only on MSVC. Without it clang simplifies the parts of an
+// expression first and loads a factor and the pointer beside it as one packet; the expression and the port
+// then stay in memory.
+//
+// Attributes that both compilers know are written where they are needed; docs/compilers.md says why each is:
+// [[gnu::always_inline]]  a function that clang would call, of components and their equations
+// [[gnu::flatten]]        a beat: everything that it calls is inlined
+// [[gnu::noinline]]       what a beat seldom needs, so that it takes no registers from the rest
 #pragma once
 
 #include <cca/base/compiler.hpp>
+
+#ifndef EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
+#define EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
+#endif
+
+#if defined(__clang__) && !defined(EIGEN_STRONG_INLINE)
+#define EIGEN_STRONG_INLINE __attribute__((always_inline)) inline
+#endif
 
 #if defined(__clang__)
 #define CCA_INLINE [[gnu::always_inline]] inline
@@ -31,6 +59,12 @@
 #endif
 
 namespace cca::detail {
+
+#if defined(__AVX__) && !defined(__clang__)
+inline constexpr bool copies_in_pieces = true;
+#else
+inline constexpr bool copies_in_pieces = false;
+#endif
 
 #if defined(__clang__)
 template <class Function, class... Arguments>

@@ -1,6 +1,5 @@
-// A pointer to a constant, or nothing, which remembers whether it points without comparing addresses. With
-// -fsanitize=undefined, g++ 12 can't compare the address of an inline variable with null in a constant
-// expression (GCC bug 71962).
+// A pointer to a constant, or nothing, which remembers whether it points without comparing addresses: under
+// -fsanitize=undefined such a comparison may be refused in a constant expression (docs/compilers.md).
 #pragma once
 
 #include <cca/base/compiler.hpp>

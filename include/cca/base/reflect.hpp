@@ -21,8 +21,8 @@ namespace cca::detail {
 
 template <class Type> concept Reflected = boost::hana::Struct<Type>::value;
 
-// A copy of Hana's text, which isn't `inline`: with the address sanitizer g++ 12 can't link inline data that
-// points to it.
+// A copy of Hana's text, which isn't `inline`: inline data that points to it can't always be linked
+// (docs/compilers.md).
 template <class Name>
 inline constexpr auto field_name = [] {
   constexpr std::string_view name = Name::c_str();

@@ -14,13 +14,13 @@ CCA_INLINE constexpr void unrolled_over(F& f, std::integer_sequence<int, Index..
   CCA_INLINE_CALL(f(std::integral_constant<int, Index>{}), ...);
 }
 
-// f(integral_constant 0), f(integral_constant 1), ...: without this clang calls f if it is large.
+// f(integral_constant 0), f(integral_constant 1), ...: inlined even if f is large.
 template <int Count, class F>
 CCA_INLINE constexpr void unrolled(F f) {
   unrolled_over(f, std::make_integer_sequence<int, Count>{});
 }
 
-// f(0), f(1), ..., in a loop that clang does not unroll. For code that rarely runs: unrolled it would take
+// f(0), f(1), ..., in a loop that stays a loop. For code that rarely runs: unrolled it would take
 // registers from the rest of the beat.
 template <int Count, class F>
 CCA_INLINE constexpr void rolled(F f) {

@@ -26,7 +26,7 @@ template <class Type>
 inline constexpr bool is_space =
     Space<Type>;  // asked as a concept, both compilers would add what it is made of
 
-// A function and not a struct, of which clang would no longer know the members.
+// A function: of a struct with the same assertion the members would be unknown after it fails.
 template <class Type>
 constexpr auto space_or_refused() {
   static_assert(is_space<Type>,
@@ -54,8 +54,8 @@ public:
 
   constexpr bool fresh() const { return arrived; }
 
-  // For the beat: the sample as its writer left it. One block: with a copy number by number g++ kept the
-  // copy.
+  // For the beat: the sample as its writer left it. One block, because a copy number by number is not
+  // optimised away.
   void show(const typename in::vector_type& stored, std::int64_t origin, bool is_fresh) {
     if constexpr (detail::is_large<typename in::space>) this->refer_to(stored);
     else detail::copy_block<in::space::size>(this->value.data(), stored.data());

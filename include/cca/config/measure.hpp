@@ -30,8 +30,7 @@ inline measured measure(std::string_view text, const unit* units) {
     return from == part.npos ? std::string_view{}
                              : part.substr(from, part.find_last_not_of(" \t") - from + 1);
   };
-  // With append: g++ 12 at -O3 warns of an overlap in `"..." + std::string` that isn't there (GCC bug
-  // 105651).
+  // With append: `"..." + std::string` gives a false warning (docs/compilers.md).
   const std::string quoted = std::string("\"").append(text).append("\"");
   std::string_view rest = trimmed(text);
   if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include <cca/graph/diagnosis/as_written.hpp>
+#include <cca/graph/diagnosis/printed.hpp>
 #include <cca/graph/layout/types.hpp>
 
 namespace cca {
@@ -87,57 +88,12 @@ consteval diagnosis_value make_diagnosis() {
   else return {broken_by<Graph>(), report_of<Graph>.where.view(), report_of<Graph>.message.view()};
 }
 
-// Never defined: the compiler prints it, and with it the message. g++ prints text in a template argument
-// whole; clang cuts it after 35 letters, so there the message is broken between words into lines of at
-// most 35.
-template <auto... Text>
-struct refused_graph;
-
-#if defined(__clang__)
-struct line {
-  char text[36]{};
-};
-
-struct broken_lines {
-  std::array<line, 96> lines{};
-  std::size_t count = 0;
-};
-
-constexpr broken_lines in_lines(std::string_view whole) {
-  constexpr std::size_t width = 35;
-  broken_lines broken;
-  while (!whole.empty() && broken.count < broken.lines.size()) {
-    std::size_t size = whole.size();
-    if (size > width) {
-      size = whole.rfind(' ', width);
-      if (size == whole.npos || size == 0) size = width;
-    }
-    auto& letters = broken.lines[broken.count++].text;
-    for (std::size_t i = 0; i < width; ++i) letters[i] = i < size ? whole[i] : ' ';
-    letters[width] = '\0';
-    whole.remove_prefix(size);
-    if (!whole.empty() && whole.front() == ' ') whole.remove_prefix(1);
-  }
-  return broken;
-}
-
 template <class Graph>
-inline constexpr broken_lines lines_of = in_lines(report_of<Graph>.message.view());
-template <class Graph, std::size_t... Line>
-auto refusal_of(std::index_sequence<Line...>) -> refused_graph<line(lines_of<Graph>.lines[Line])...>;
-template <class Graph>
-using refusal = decltype(refusal_of<Graph>(std::make_index_sequence<lines_of<Graph>.count>{}));
-#else
-template <std::size_t Size>
-struct message {
-  char text[Size + 1]{};
-  constexpr explicit message(std::string_view whole) {
-    for (std::size_t i = 0; i < Size; ++i) text[i] = whole[i];
-  }
+struct said_of_graph {
+  static constexpr std::string_view view() { return report_of<Graph>.message.view(); }
 };
 template <class Graph>
-using refusal = refused_graph<message<report_of<Graph>.message.size>(report_of<Graph>.message.view())>;
-#endif
+using refusal = printed<said_of_graph<Graph>>;
 
 }  // namespace detail
 

@@ -28,7 +28,8 @@ struct rigid {
   matrix3 turn = matrix3::Identity();
   Eigen::Matrix<double, 3, 1> at = Eigen::Matrix<double, 3, 1>::Zero();
 
-  // always_inline, here and below: a chain is constant, and only inlined does clang see that.
+  // always_inline, here and below: a chain is constant, which is seen only where it is inlined
+  // (docs/compilers.md).
   [[gnu::always_inline]] rigid operator*(const placement& p) const {
     return {turn * rotation::matrix(detail::as_vector(p.rotation)),
             turn * detail::as_vector(p.translation) + at};

@@ -105,8 +105,8 @@ struct mapping_by : Function {
   }
 };
 
-// The checks stand in functions that the components name. If an assertion failed inside the class, clang
-// would report more errors than the one mistake.
+// The checks stand in functions that the components name: an assertion that fails inside the class brings
+// errors of its own with it.
 template <class From, class To, class Function>
 constexpr auto check_mapping() {
   static_assert(Takes<Function, From>,

@@ -78,7 +78,8 @@ struct plane_leg {
     double hip = 0, knee = 0, square = std::numeric_limits<double>::infinity(), change = 0;
   };
 
-  // always_inline, here and below: a leg is constant, and only inlined does clang see that.
+  // always_inline, here and below: a leg is constant, which is seen only where it is inlined
+  // (docs/compilers.md).
   [[gnu::always_inline]] answer solve(double x, double z, double hip_before, double knee_before) const {
     search one{*this, x, z, hip_before, knee_before};
     const double cosine = (x * x + z * z - a * a - b * b) / (2 * a * b);

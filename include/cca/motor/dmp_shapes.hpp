@@ -43,7 +43,7 @@ struct rhythmic_shape : detail::dmp_shape<S, N> {
   using typename detail::dmp_shape<S, N>::parameters;
   using input = Eigen::Matrix<double, 2, 1>;
 
-  // always_inline: without it clang leaves a call in the beat.
+  // always_inline: a call in the beat otherwise (docs/compilers.md).
   [[gnu::always_inline]] static cca::activations<N> activations(const input& x) {
     return rhythmic_activations<N>(x[0]);
   }

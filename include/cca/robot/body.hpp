@@ -162,7 +162,7 @@ struct body {
   using axes = typename detail::joined_axes<typename Parts::chain::axes...>::type;
 };
 
-// Short, because clang prints all of it where a rule is broken.
+// Short: all of it is printed where a rule is broken.
 template <class Type> concept Body = requires {
   typename Type::parts;
   typename Type::attached;

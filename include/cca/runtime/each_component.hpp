@@ -48,7 +48,7 @@ void visit_firings([[maybe_unused]] State& state, [[maybe_unused]] int node, [[m
       if (one.node == node && one.firing >= 0) f(state.firings[one.firing]);
 }
 
-// Whether a component is so. A list and no fold: clang nests at most 256 operands.
+// Whether a component is so. A list, since a fold has at most 256 operands (docs/compilers.md).
 template <class Graph, class Question>
 inline constexpr bool any_component = []<int... First>(std::integer_sequence<int, First...>) {
   constexpr bool each[] = {Question::template holds<typename node_types<Graph, First>::component>..., false};

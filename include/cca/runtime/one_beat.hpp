@@ -12,7 +12,8 @@
 
 namespace cca::detail {
 
-// Marked unlikely: otherwise g++ treats the code after several checks as cold and optimises it for size.
+// Marked unlikely: otherwise the code after several checks is taken for cold and optimised for size
+// (docs/compilers.md).
 CCA_INLINE bool goes_on(const beat_outcome& outcome) {
   if (outcome.fault) [[unlikely]]
     return false;
@@ -28,7 +29,7 @@ struct calls_of_beat<Graph,
                      std::integer_sequence<int, Rank...>,
                      std::integer_sequence<int, BeatArray...>> {
   // Each array of samples is a variable of its own: in one struct a loop over one of them would keep all of
-  // them in memory on g++.
+  // them in memory (docs/compilers.md).
   CCA_INLINE static void run(controller_state<Graph>& state, beat_outcome& outcome, std::int64_t k) {
     run_calls({state, outcome, k, stored_array<Graph, BeatArray>()...});
   }
@@ -36,8 +37,9 @@ struct calls_of_beat<Graph,
 private:
   static constexpr int call_at(int rank) { return plan_of<Graph>.order[static_cast<std::size_t>(rank)]; }
 
-  // Until one faults. Where a beat can end early the calls are one chain of conditions, so that g++ sees that
-  // no later call reads what an earlier one did not write. In a deployment, also until a fault elsewhere.
+  // Until one faults. Where a beat can end early the calls are one chain of conditions: it shows the compiler
+  // that no later call reads what an earlier one did not write. In a deployment, also until a fault
+  // elsewhere.
   CCA_INLINE static void run_calls([[maybe_unused]] const beat_context<Graph>& b) {
     if constexpr (requires { b.state.template is_due<0>(b.k); })
       (void)((b.state.template is_due<First + Rank>(b.k) &&

@@ -21,8 +21,6 @@ struct kept_component {
                 "cca::controller: a component starts from its default values, so it needs a constructor "
                 "without arguments; what differs between nodes is "
                 "a template argument or one of its `parameters`");
-  // A constructor of our own: g++ 12 crashes on some components where an aggregate initialises them.
-  kept_component() : component() {}
   [[no_unique_address]] Component component;
 };
 

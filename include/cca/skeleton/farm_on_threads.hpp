@@ -159,8 +159,7 @@ private:
   }
 
   // True if there is a whole to publish: every part has arrived and, with in_order, is new.
-  // always_inline: without it clang leaves a call in the beat.
-  [[gnu::always_inline]] bool take() noexcept {
+  bool take() noexcept {
     if (!at_work) return false;
     if constexpr (ordered) {
       for (std::size_t i = 0; i < count; ++i)

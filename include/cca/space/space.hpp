@@ -124,9 +124,10 @@ struct with_domain : space<Domain, typename Whole::axes, typename Whole::rate> {
 
 namespace detail {
 
-// The coordinates of the space's zero: an input holds it until its first sample arrives.
+// The coordinates of the space's zero: an input holds it until its first sample arrives. Inline, because
+// inline data points to it (docs/compilers.md).
 template <class Space>
-constexpr auto zero_of = [] {
+inline constexpr auto zero_of = [] {
   std::array<double, static_cast<std::size_t>(Space::size)> zero{};
   for (int i = 0; i < Space::size; ++i)
     zero[static_cast<std::size_t>(i)] = Space::domain::zero(i, Space::axes::count);

@@ -21,18 +21,11 @@ struct watched_graph : cca::graph<cca::rate<1000>,
                                   cca::observe<"source.y">> {};
 using played = cca::controller<watched_graph>;
 
-played started_one() {
-  played c;
-  c.load();
-  c.start();
-  return c;
-}
-
 }  // namespace
 
 TEST_SUITE("live access") {
   TEST_CASE("another thread sees whole samples, and the newest") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK_FALSE(live.newest("source.y"));
     beside(c, live, cca::at_speed(5), [&] {
@@ -56,7 +49,7 @@ TEST_SUITE("live access") {
   }
 
   TEST_CASE("requests of another thread are taken between two beats") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     beside(c, live, cca::at_speed(5), [&] {
       wait_until([&] { return live.set("source.slope", 2.0); });
@@ -95,7 +88,7 @@ TEST_SUITE("live access") {
   }
 
   TEST_CASE("what is wrong is refused in the thread that asks, and nothing changes") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK_EQ(refusal([&] { live.set("source.slope", 200.0); }),
              "cca::controller: set: source.slope: 200 is out of range, expected 0 to 100");
@@ -113,7 +106,7 @@ TEST_SUITE("live access") {
   }
 
   TEST_CASE("a component may refuse when the request is taken") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK(live.set<"source">({7.0, true, 7.0}));
     c.run(cca::for_beats<1>{}, cca::as_fast_as_possible{}, live);
@@ -128,7 +121,7 @@ TEST_SUITE("live access") {
   TEST_CASE("a file is loaded while the controller runs, from its own thread and from another one") {
     const std::string file = "live_access.toml";
     std::ofstream(file) << "[source]\nslope = 4\n[other]\nslope = 9\n";
-    auto c = started_one();
+    auto c = started<played>();
     c.load(file);
     CHECK_EQ(c.state(), cca::state::started);
     CHECK_EQ(c.get<"other">().p.slope, 9.0);

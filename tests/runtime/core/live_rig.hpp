@@ -76,6 +76,14 @@ void beside(Controller& c, cca::live_access<Controller>& live, Pace pace, F othe
   window.join();
 }
 
+template <class Controller>
+Controller started() {
+  Controller c;
+  c.load();
+  c.start();
+  return c;
+}
+
 // Threads that keep the cores busy.
 class busy_cores {
 public:

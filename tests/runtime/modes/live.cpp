@@ -40,12 +40,6 @@ struct stand : cca::graph<cca::rate<1000>,
 struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>> {};
 using played = cca::controller<legs>;
 
-played started_one() {
-  played c;
-  c.load();
-  c.start();
-  return c;
-}
 void step(played& c, cca::live_access<played>& live) {
   c.run(cca::for_beats<1>{}, cca::as_fast_as_possible{}, live);
 }
@@ -74,7 +68,7 @@ TEST_SUITE("live access to modes") {
   }
 
   TEST_CASE("outputs of all modes: of one that is not active the last sample stays") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK_EQ(live.mode(), "walk");
     CHECK_FALSE(live.newest("stance.y"));
@@ -98,7 +92,7 @@ TEST_SUITE("live access to modes") {
   }
 
   TEST_CASE("parameters of all modes, active or not") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK(live.set("stance.slope", 5.0));
     CHECK_FALSE(live.switch_to("stand"));  // the first has not been taken
@@ -114,7 +108,7 @@ TEST_SUITE("live access to modes") {
   }
 
   TEST_CASE("what is wrong is refused in the thread that asks") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK_EQ(refusal([&] { live.switch_to("stnd"); }),
              "cca::controller: switch_to: legs has no mode `stnd`; did you mean `stand`?");
@@ -123,7 +117,7 @@ TEST_SUITE("live access to modes") {
   }
 
   TEST_CASE("what the active mode lacks is not stopped, and says so later") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK(live.stop("stance"));
     step(c, live);
@@ -140,7 +134,7 @@ TEST_SUITE("live access to modes") {
   }
 
   TEST_CASE("after a fault no mode is switched to, and the loop does not throw") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     CHECK(live.switch_to("stand"));
     c.get<"trips">().tripped = true;
@@ -153,7 +147,7 @@ TEST_SUITE("live access to modes") {
   }
 
   TEST_CASE("windows in several threads that switch, set and look, on busy cores") {
-    auto c = started_one();
+    auto c = started<played>();
     cca::live_access live(c);
     const busy_cores load(2);
     std::atomic<int> torn{0}, taken{0}, running{4};

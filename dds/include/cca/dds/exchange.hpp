@@ -54,7 +54,9 @@ private:
   static deployment_facts facts_of(const cca::detail::environments_here<D>& here) {
     deployment_facts all;
     [&]<int... E>(std::integer_sequence<int, E...>) {
-      (all.environments.push_back({cca::detail::name_of_environment<D>(E), samples_tell<E>}), ...);
+      (all.environments.push_back(
+           {cca::detail::name_of_environment<D>(E), cca::detail::samples_tell<D, E, Output...>}),
+       ...);
     }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
     for (std::size_t e = 0; e < environment_count; ++e)
       if (here[e]) all.here |= std::uint64_t{1} << e;
@@ -64,13 +66,6 @@ private:
                   cca::detail::counts_of<D>.node_count};
     return all;
   }
-  template <int E>
-  static constexpr bool samples_tell =
-      !cca::detail::counts_of<cca::detail::part<D, E>>.may_fault &&
-      ((cca::detail::plan_of<D>.nodes[cca::detail::call_of<D, cca::detail::output_of<D, Output>.call>.node].environment !=
-            E ||
-        cca::detail::published_of<D, Output>.known()) &&
-       ...);
   template <int Number>
   static leaving_output facts_of_output() {
     constexpr const auto& port = cca::detail::output_port_of<D, Number>;

@@ -27,7 +27,8 @@ inline constexpr int most_parts = 16;      // into which the solver divides a st
 
 struct explicit_euler {
   static constexpr int order = 1;
-  // always_inline, here and below: without it clang calls each step and keeps the state in memory.
+  // always_inline, here and below: otherwise each step is a call and the state stays in memory
+  // (docs/compilers.md).
   template <Ode Model>
   [[gnu::always_inline]] static void step(ode_state<Model>& x,
                                           const ode_input<Model>& u,

@@ -30,23 +30,15 @@ consteval text unknown_path(std::uint64_t within, std::string_view path) {
 
 template <class Graph, std::uint64_t Within, fixed_string Path>
 inline constexpr text path_report = unknown_path<Graph>(Within, Path.view());
+template <class Graph, std::uint64_t Within, fixed_string Path>
+struct said_of_path {
+  static constexpr std::string_view view() { return path_report<Graph, Within, Path>.view(); }
+};
+template <class Graph, std::uint64_t Within, fixed_string Path>
+using path_refusal = printed<said_of_path<Graph, Within, Path>>;
 
-#if defined(__clang__)
-template <class Graph, std::uint64_t Within, fixed_string Path>
-inline constexpr broken_lines path_lines = in_lines(path_report<Graph, Within, Path>.view());
-template <class Graph, std::uint64_t Within, fixed_string Path, std::size_t... Line>
-auto path_refusal_of(std::index_sequence<Line...>)
-    -> refused_graph<line(path_lines<Graph, Within, Path>.lines[Line])...>;
-template <class Graph, std::uint64_t Within, fixed_string Path>
-using path_refusal = decltype(path_refusal_of<Graph, Within, Path>(
-    std::make_index_sequence<path_lines<Graph, Within, Path>.count>{}));
-#else
-template <class Graph, std::uint64_t Within, fixed_string Path>
-using path_refusal =
-    refused_graph<message<path_report<Graph, Within, Path>.size>(path_report<Graph, Within, Path>.view())>;
-#endif
-
-// A function of the message alone: g++ would print the names of aliases, and their arguments, before it.
+// A function of the message alone: else the compiler may print the names of aliases, and their arguments,
+// before it.
 template <class Refusal>
 constexpr void report_path() {
   static_assert(sizeof(Refusal) != 0);

@@ -247,7 +247,8 @@ struct layout_step {
       to.twin[c] = g.calls[c].elsewhere ? c : calls.first(key_of(g.calls[c], to.results[c].array), c);
   }
 
-  // g++ 12 gives some elements of an array zeros instead of their default values when a constant is made.
+  // Written out: in a constant some elements of an array get zeros instead of their default values
+  // (docs/compilers.md).
   constexpr void place_nowhere() {
     for (place& p : to.components) p = {-1, 0};
     for (place& p : to.results) p = {-1, 0};

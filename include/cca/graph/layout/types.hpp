@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include <cca/base/compiler.hpp>
 #include <cca/graph/layout/layout.hpp>
 
 namespace cca::detail {
@@ -14,22 +15,14 @@ struct box {
 };
 
 // Item I of a graph. Keyed on the graph, not on the list of its items, which is long.
-#if defined(__has_builtin) && __has_builtin(__type_pack_element)
-template <class List>
-struct types_in;
-template <class... Types>
-struct types_in<list<Types...>> {
-  template <int I>
-  using at = __type_pack_element<I, Types...>;
-};
-template <class Graph, int I>
+template <class Graph, int I, bool Directly = has_nth_type>
 struct nth_item {
-  using type = typename types_in<typename Graph::cca_items>::template at<I>;
+  using type = typename nth_type<typename Graph::cca_items>::template at<I>;
 };
-#else
-// Without the builtin: a tree of blocks of sixteen, built once a graph, searched by overload resolution
-// within a block. `pick` is called by its full name on a pointer: to look it up by argument would complete
-// every item's type.
+
+// Where the compiler can't find it directly (base/compiler.hpp): a tree of blocks of sixteen, built once a
+// graph, searched by overload resolution within a block. `pick` is called by its full name on a pointer: to
+// look it up by argument would complete every item's type.
 template <int I, class Type>
 struct indexed {};
 template <class Indices, class... Types>
@@ -104,8 +97,7 @@ struct entry<Graph, Level, I, false>
               nullptr))) {};
 
 template <class Graph, int I>
-struct nth_item : entry<Graph, 0, I, is_top<Graph, 0, I>> {};
-#endif
+struct nth_item<Graph, I, false> : entry<Graph, 0, I, is_top<Graph, 0, I>> {};
 
 // Where a node stands among the items of a graph: the item, and its number within that item's own graph.
 struct node_place {

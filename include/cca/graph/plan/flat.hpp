@@ -152,6 +152,9 @@ constexpr const port_info& port_of(const flat_view& g, const input& i) {
 constexpr const port_info& port_of(const flat_view& g, const output& o) {
   return g.calls[o.call].function->outputs[o.port];
 }
+constexpr int delay_of(const flat_view& g, const link& l) {
+  return port_of(g, g.inputs[l.input]).observed_delay;
+}
 constexpr const item_info& item_of_call(const flat_view& g, const call& t) { return *g.nodes[t.node].item; }
 constexpr int scope_of_call(const flat_view& g, const call& t) { return g.nodes[t.node].scope; }
 

@@ -34,7 +34,7 @@ struct dmp_rhythmic_ode {
     return std::max(p.stiffness / 2, 1.0) / u[D + 1];
   }
 
-  // always_inline: without it clang calls it four times in each step of rk4.
+  // always_inline: otherwise four calls in each step of rk4 (docs/compilers.md).
   [[gnu::always_inline]] static state derivative(const state& s, const input& u, const parameters& p) {
     const vector y = s.template head<D>(), z = s.template segment<D>(D);
     const activations<N> near = rhythmic_activations<N>(s[2 * D]);

@@ -50,6 +50,16 @@ struct leaves_by_clock {
   }
 };
 
+// Whoever has all samples of an environment's outputs up to a beat knows that it has done the beat: they are
+// published by known clocks, and it can't fault behind them. `Output`: those whose samples are seen.
+template <class D, int E, int... Output>
+inline constexpr bool samples_tell = [] {
+  auto plan = plan_of<D>;
+  const flat_view g = plan.view();
+  return !counts_of<part<D, E>>.may_fault &&
+         ((environment_of(g, g.outputs[Output].call) != E || published(g, g.outputs[Output]).known()) && ...);
+}();
+
 // The outputs that an environment reads from others.
 template <class Part>
 struct arrives {

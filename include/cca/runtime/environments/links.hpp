@@ -191,12 +191,6 @@ private:
     return has_come_to<X>(exchange<D>::position_of(beats));
   }
 
-  // The samples of X alone show that all of them are here: they are published by known clocks, and X can't
-  // fault behind them.
-  template <int X>
-  static constexpr bool samples_tell =
-      !counts_of<part<D, X>>.may_fault &&
-      ((environment_of_output<Arriving> != X || published_of<D, Arriving>.known()) && ...);
   template <int X, int Output>
   bool is_here(std::int64_t k) const noexcept {
     if constexpr (environment_of_output<Output> != X) return true;
@@ -207,7 +201,7 @@ private:
   // All samples of X up to beat k.
   template <int X>
   bool are_here(std::int64_t k) noexcept {
-    if constexpr (samples_tell<X>)
+    if constexpr (samples_tell<D, X, Arriving...>)
       if ((is_here<X, Arriving>(k) && ...)) return true;
     return has_done<X>(k + 1);
   }

@@ -13,11 +13,12 @@
 // in its own thread, at any pace; what no beat has taken is taken when the run ends.
 //
 // Any thread may call any member function but the call operator, after_beat and goes_on, which are the
-// loops'. A request is checked in the thread that makes it: what is wrong with it is `cca::refused` there,
-// with the messages of the controller. `false`: an earlier request has not been taken yet. Parameters are
-// known as of the time when this was made and as they were set here, so set them here alone while it is in
-// use. Cost: what is observed is copied once, and one atomic number is read. set and load of a path or file
-// need <cca/config.hpp>. Example: tests/runtime/core/live.cpp; docs/controller.md, docs/environments.md.
+// loops'. A request is checked in the thread that makes it. If it can't be done, `cca::refused` is thrown in
+// that thread, with the message that the controller would give. `false`: an earlier request has not been
+// taken yet. Parameters are those of the time when this was made, and what was set through it since then:
+// while it is in use, set them through it alone. Cost: what is observed is copied once, and one atomic number
+// is read. set and load of a path or file need <cca/config.hpp>. Example: tests/runtime/core/live.cpp;
+// docs/controller.md, docs/environments.md.
 #pragma once
 
 #include <atomic>

@@ -29,7 +29,7 @@ struct live_loops<deployed<D>> {
 
 // A friend of each controller.
 struct live_components {
-  // The component, also where another process runs it: then nobody else uses this one.
+  // The component. Where another process runs it, this process has one that no loop uses.
   template <int Node, class Controller>
   static auto& at(Controller& c) {
     if constexpr (requires { c.template component_of<Node>(c); }) return c.template component_of<Node>(c);

@@ -50,8 +50,8 @@ struct is_seldom {
   static constexpr bool holds(std::size_t o) { return !frame_layout_of<Graph>.in_each_beat[o]; }
 };
 
-// Marks outputs as not published. A list and no loop, which g++ would not unroll; no fold, since clang nests
-// at most 256 operands.
+// Marks outputs as not published. A list: a loop would not be unrolled, and a fold has at most 256 operands
+// (docs/compilers.md).
 template <class Outputs>
 struct forget;
 template <int... Output>

@@ -4,7 +4,7 @@
 
 #include <cca/graph/diagnosis/check.hpp>
 #include <cca/graph/plan/deployment/environments.hpp>
-#include <cca/graph/plan/steps/feedback.hpp>
+#include <cca/graph/plan/flat.hpp>
 #include <cca/graph/plan/names.hpp>
 
 namespace cca::detail {

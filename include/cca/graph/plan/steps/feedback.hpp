@@ -76,10 +76,6 @@ struct loop_search {
   }
 };
 
-constexpr int delay_of(const flat_view& g, const link& l) {
-  return port_of(g, g.inputs[l.input]).observed_delay;
-}
-
 constexpr bool has_delays(const flat_view& g) {
   for (int i = 0; i < g.input_count; ++i)
     if (g.inputs[i].delay > 0) return true;

@@ -8,7 +8,7 @@
 //   arriving  its writer runs in another environment: the last ones that came
 #pragma once
 
-#include <cca/graph/plan/steps/feedback.hpp>
+#include <cca/graph/plan/flat.hpp>
 #include <cca/graph/plan/long_beats.hpp>
 
 namespace cca::detail {

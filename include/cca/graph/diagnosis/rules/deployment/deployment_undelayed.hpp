@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
-#include <cca/graph/plan/steps/feedback.hpp>
 
 namespace cca::detail {
 
