@@ -72,10 +72,10 @@ public:
     if (!program.settings.quiet) print_figures(figures_of(c)), print_summary(tracer);
     const int own = program.finish(c);
     const bool is_all_written = lost.empty() && untraced.empty();
-    return has_faulted                                ? exit_code::fault
-           : interrupted                              ? interrupted.exit_code()
+    return has_faulted                                 ? exit_code::fault
+           : interrupted                               ? interrupted.exit_code()
            : !is_all_written && own == exit_code::done ? exit_code::error
-                                                      : own;
+                                                       : own;
   }
 
 private:
@@ -93,7 +93,8 @@ private:
   using recorder_type = typename choose_recorder<controller_type, can_record>::type;
 
   static constexpr bool can_trace = Traceable<typename Program::architecture>;
-  using tracer_type = typename std::conditional_t<can_trace, box<cca::tracer<controller_type>>, box<no_tracer>>::type;
+  using tracer_type =
+      typename std::conditional_t<can_trace, box<cca::tracer<controller_type>>, box<no_tracer>>::type;
 
   void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
                        [[maybe_unused]] controller_type& c) {

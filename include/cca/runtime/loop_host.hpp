@@ -84,8 +84,7 @@ private:
 
   template <class Pace>
   cca::fault wait(Pace& pace, std::int64_t time) {
-    if constexpr (requires(Self& s) { s.traced_into(); })
-      return runs.wait(pace, time, self().traced_into());
+    if constexpr (requires(Self& s) { s.traced_into(); }) return runs.wait(pace, time, self().traced_into());
     else return runs.wait(pace, time);
   }
 

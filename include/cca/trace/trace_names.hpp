@@ -18,7 +18,7 @@ struct trace_names {
     std::string_view phase;  // process, sense or act
   };
   std::string track;
-  std::vector<call> calls;                     // by the number of the call
+  std::vector<call> calls;                     // by the number of the call; empty: there is none
   std::vector<std::string> components;         // by number
   std::vector<std::string_view> environments;  // of the deployment
   std::vector<std::string_view> modes;         // of the set

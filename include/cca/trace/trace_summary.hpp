@@ -49,10 +49,13 @@ struct trace_summary {
 
 namespace detail {
 
-inline void print_durations(std::ostream& to, int width, std::string_view name, const trace_summary::durations& d) {
-  to << std::left << std::setw(width) << name << std::right << std::setw(10) << d.all.count()
-     << std::setw(10) << d.mean() / 1000 << std::setw(10) << static_cast<double>(d.all.quantile(0.99)) / 1000
-     << std::setw(10) << static_cast<double>(d.all.most()) / 1000;
+inline void print_durations(std::ostream& to,
+                            int width,
+                            std::string_view name,
+                            const trace_summary::durations& d) {
+  to << std::left << std::setw(width) << name << std::right << std::setw(10) << d.all.count() << std::setw(10)
+     << d.mean() / 1000 << std::setw(10) << static_cast<double>(d.all.quantile(0.99)) / 1000 << std::setw(10)
+     << static_cast<double>(d.all.most()) / 1000;
 }
 
 inline std::string name_of_row(const trace_summary::component& one) {
@@ -63,7 +66,9 @@ inline void print_components(std::ostream& to, int width, const trace_summary::e
   std::vector<const trace_summary::component*> rows;
   for (const auto& one : e.components)
     if (one.firings.all.count() > 0) rows.push_back(&one);
-  std::ranges::stable_sort(rows, std::ranges::greater(), [](const auto* one) { return one->firings.sum; });
+  std::ranges::sort(rows, [](const auto* a, const auto* b) {
+    return a->firings.sum != b->firings.sum ? a->firings.sum > b->firings.sum : a < b;
+  });
   for (const auto* one : rows) {
     print_durations(to, width, "  " + name_of_row(*one), one->firings);
     to << std::setw(10) << 100 * e.share(*one) << " %\n";

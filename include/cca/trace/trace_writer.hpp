@@ -75,12 +75,13 @@ private:
         : names(std::move(n)), track(room), from(&of) {
       seen.name = names.track;
       row_of_call.reserve(names.calls.size());
-      for (const auto& one : names.calls) row_of_call.push_back(row_of(one));
+      for (const auto& one : names.calls) row_of_call.push_back(one.path.empty() ? 0 : row_of(one));
     }
     // Modes share rows.
     std::size_t row_of(const trace_names::call& wanted) {
       for (std::size_t row = 0; row < seen.components.size(); ++row)
-        if (seen.components[row].path == wanted.path && seen.components[row].phase == wanted.phase) return row;
+        if (seen.components[row].path == wanted.path && seen.components[row].phase == wanted.phase)
+          return row;
       seen.components.push_back({wanted.path, wanted.phase, {}});
       return seen.components.size() - 1;
     }
@@ -187,7 +188,8 @@ private:
         arguments.add_member("from", from.names.environments[array_size(e.what)]);
         return to.write_moment("late sample", "late", number, e.begin, arguments.view());
       case trace_kind::fault:
-        arguments.add_member("component", e.what < 0 ? std::string_view() : from.names.components[array_size(e.what)]);
+        arguments.add_member("component",
+                             e.what < 0 ? std::string_view() : from.names.components[array_size(e.what)]);
         (arguments << ',').add_member("reason", std::string_view(e.reason));
         return to.write_moment("fault", "fault", number, e.begin, arguments.view());
       case trace_kind::mode:

@@ -13,7 +13,8 @@
 //
 // Errors: std::system_error if the file can't be opened, cca::refused if it is traced already. If writing
 // fails later, the loop goes on, and `problem()` says what happened. Threads: all of it for one thread, while
-// no beat runs. A cca::deployed must not be moved meanwhile. Cost: docs/traces.md. Test: tests/runtime/trace/.
+// no beat runs. A cca::deployed must not be moved meanwhile. Cost: docs/traces.md. Test:
+// tests/runtime/trace/.
 #pragma once
 
 #include <algorithm>
@@ -32,9 +33,9 @@
 namespace cca {
 
 struct trace_settings {
-  std::string name{};                       // of the program; empty: that of the graph
-  std::size_t buffered_events = 1 << 16;    // of each environment, at least: 2 MB
-  bool waits = false;                       // the loop may wait for the file: nothing is on a clock
+  std::string name{};                     // of the program; empty: that of the graph
+  std::size_t buffered_events = 1 << 16;  // of each environment, at least: 2 MB
+  bool waits = false;                     // the loop may wait for the file: nothing is on a clock
 };
 
 template <class D>

@@ -8,15 +8,15 @@
 namespace cca::detail {
 
 enum class trace_kind : std::int32_t {
-  firing,     // what: the number of the call
-  beat,       // value: its number
-  wait,       // in a beat, for other environments
-  lost,       // value: beats that did not fit
-  overrun,    // value: periods without a beat
-  late,       // what: the environment whose samples had not come
-  fault,      // what: the component, or -1; reason
-  state,      // what: the new state
-  mode        // what: the new mode
+  firing,   // what: the number of the call
+  beat,     // value: its number
+  wait,     // in a beat, for other environments
+  lost,     // value: beats that did not fit
+  overrun,  // value: periods without a beat
+  late,     // what: the environment whose samples had not come
+  fault,    // what: the component, or -1; reason
+  state,    // what: the new state
+  mode      // what: the new mode
 };
 
 // The number of a call: of `sense` or `process` of a node, or of its `act`.

@@ -51,7 +51,9 @@ public:
     lost_in_a_row = 0;
   }
   // A call is over. The time since the call before is its own.
-  [[gnu::noinline]] void fired(std::int32_t call) noexcept { put_part(first_name + call, trace_kind::firing); }
+  [[gnu::noinline]] void fired(std::int32_t call) noexcept {
+    put_part(first_name + call, trace_kind::firing);
+  }
   // What took the time since then is no call: samples that arrive.
   [[gnu::noinline]] void pass() noexcept { last = monotonic_clock::now(); }
   // The same, where it waited for another environment.
@@ -137,7 +139,7 @@ private:
   std::unique_ptr<std::int64_t[]> frame;
   bool waits = false, is_kept = false, is_detached = false;
   std::int32_t first_name = 0;
-  std::uint64_t at = 0;                   // the next event
+  std::uint64_t at = 0;  // the next event
   std::int64_t beat = 0, begun = 0, last = 0;
   std::int64_t lost_in_a_row = 0, lost_since = 0;
   std::atomic<bool> is_abandoned{false};
