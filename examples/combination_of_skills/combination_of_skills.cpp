@@ -23,7 +23,7 @@
 
 namespace {
 
-struct simulated : skills::simulated, cca::recordable {};
+struct simulated : skills::simulated, cca::recordable, cca::traceable {};
 
 struct program : cca::robot_program<simulated> {
   program() {

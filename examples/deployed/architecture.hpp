@@ -101,7 +101,8 @@ struct split
                                       "stiffness_limits">>,
           cca::environment<"mind", cca::nodes<"sequencer", "orders", "inverse_kinematics", "heading">>,
           cca::environment<"reflexes", cca::other_nodes>,
-          cca::tolerate<100'000>> {};  // no robot falls on anybody: a simulation goes on
+          cca::tolerate<100'000>>,  // no robot falls on anybody: a simulation goes on
+      cca::traceable {};
 // [deployment end]
 
 }  // namespace deployed

@@ -46,6 +46,9 @@ struct options {
         "--form F", [this](std::size_t i) { form = form_names[i]; }, form_names,
         "only threads, shared_memory or dds, beside the loop (every form)");
     line.text("--summary FILE", summary, "the figures as JSON: a list of forms");
+    line.text("--trace FILE", run.trace,
+              "writes when each component fires, for ui.perfetto.dev: of each form and\n"
+              "process a file, as FILE.threads.wall_clock.json");
     line.text("--only E", only,
               "one environment in this process; others run the rest. It reaches them by\n"
               "--form: shared_memory or dds (shared_memory)");
@@ -60,6 +63,7 @@ int run_forms(options o) {
     if (interrupted) return;
     forms.emplace_back(std::move(one), loop);
     print(forms.back());
+    std::fputs(forms.back().what.traced.c_str(), stdout);
   };
   deployed::print_heading();
   const deployed::outcome loop = deployed::run_loop(o.run, interrupted);

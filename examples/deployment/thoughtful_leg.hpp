@@ -61,5 +61,6 @@ struct thoughtful_leg : cca::graph<cca::rate<1000>,
 struct split : cca::deployment<thoughtful_leg,
                                cca::environment<"robot", cca::nodes<"leg", "reflex", "limits">>,
                                cca::environment<"mind", cca::other_nodes>,
-                               cca::tolerate<100>> {};
+                               cca::tolerate<100>>,
+               cca::traceable {};  // offers --trace
 // [deployment end]

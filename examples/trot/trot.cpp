@@ -52,7 +52,7 @@ double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
-struct simulated_trot : trot::simulated_trot, cca::recordable {};
+struct simulated_trot : trot::simulated_trot, cca::recordable, cca::traceable {};
 
 struct program : cca::robot_program<simulated_trot> {
   program() : bar("trot") {

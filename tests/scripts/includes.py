@@ -3,7 +3,7 @@
 
 usage: includes.py [ROOT of the repository]
 
-A folder of the core includes only from the folders to its left in FOLDERS. `runtime`, `config` and `main` stand apart, and
+A folder of the core includes only from the folders to its left in FOLDERS. `runtime`, `config`, `trace` and `main` stand apart, and
 nothing in the core includes them. In runtime/ and hardware/ a folder includes only from those before it in ROOMS. No two
 headers of include/cca have the same name, and macros stand in base/ and runtime/ only. Outside of the core, robots, sim, hardware, dds and record include only from the parts in OUTSIDE. Other
 libraries are included from one place each. The tests, examples and pages that a header's comments name exist.
@@ -17,15 +17,15 @@ MOST_LINES = 300
 MOST_HEADERS = 20  # in a folder
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"],
-         "main": ["base", "component", "graph", "runtime", "config"]}
+         "trace": ["base", "component", "graph", "runtime"], "main": ["base", "component", "graph", "runtime", "config", "trace"]}
 # Headers directly in cca/, and the folders that each may include from.
-TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"]} | {
+TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"], "trace.hpp": ["graph", "trace"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}
 OUTSIDE = {"robots": ["robots"], "sim": ["sim", "robots"], "hardware": ["hardware", "robots"], "dds": ["dds"], "record": ["record"]}  # and from the core
 ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "hardware/include": "hardware", "dds/include": "dds", "record/include": "record"}
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 # Folders of parts: each includes only from those before it. "." is what stands directly in the part's folder.
-ROOMS = {"runtime": ["recording", ".", "live", "modes", "environments", "transports"],
+ROOMS = {"runtime": ["tracing", "recording", ".", "live", "modes", "environments", "transports"],
          "hardware": ["bus", "drives", "safety", "robot", "virtual_drives"]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 

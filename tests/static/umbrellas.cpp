@@ -7,3 +7,4 @@
 #include <cca/mapping.hpp>
 #include <cca/motor.hpp>
 #include <cca/robot.hpp>
+#include <cca/trace.hpp>

@@ -21,6 +21,7 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/trace/tracer.hpp>
 
 namespace cca::detail {
 
@@ -40,6 +41,8 @@ public:
     program.prepare(c);
     std::optional<recorder_type> recorder;
     begin_recording(recorder, c);
+    std::optional<tracer_type> tracer;
+    begin_trace(tracer, c);
     if (program.settings.configs.empty()) c.load();
     for (const std::string& file : program.settings.configs) c.load(file);
     program.loaded(c);
@@ -60,22 +63,25 @@ public:
     const bool has_faulted = c.state() == state::faulted;
     const std::string fault = has_faulted ? fault_of(c) : "";
     stop(c);  // before anything is written: a robot does not wait for a terminal
-    const std::string lost = end_recording(recorder);
+    const std::string lost = end_recording(recorder), untraced = end_trace(tracer);
     if (has_faulted) tell(fault);
     if (!lost.empty()) tell(lost);
+    if (!untraced.empty()) tell(untraced);
     if (!ended_by_others.empty()) tell(ended_by_others);
     if (interrupted) tell("interrupted " + at(c));
-    if (!program.settings.quiet) print_figures(figures_of(c));
+    if (!program.settings.quiet) print_figures(figures_of(c)), print_summary(tracer);
     const int own = program.finish(c);
-    return has_faulted                               ? exit_code::fault
-           : interrupted                             ? interrupted.exit_code()
-           : !lost.empty() && own == exit_code::done ? exit_code::error
-                                                     : own;
+    const bool is_all_written = lost.empty() && untraced.empty();
+    return has_faulted                                 ? exit_code::fault
+           : interrupted                               ? interrupted.exit_code()
+           : !is_all_written && own == exit_code::done ? exit_code::error
+                                                       : own;
   }
 
 private:
   static constexpr bool can_record = HasRecorder<controller_type>;
   struct no_recorder {};
+  struct no_tracer {};
   template <class Controller, bool CanRecord>
   struct choose_recorder {
     using type = no_recorder;
@@ -85,6 +91,10 @@ private:
     using type = program_recorder<Controller>;
   };
   using recorder_type = typename choose_recorder<controller_type, can_record>::type;
+
+  static constexpr bool can_trace = Traceable<typename Program::architecture>;
+  using tracer_type =
+      typename std::conditional_t<can_trace, box<cca::tracer<controller_type>>, box<no_tracer>>::type;
 
   void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
                        [[maybe_unused]] controller_type& c) {
@@ -97,6 +107,25 @@ private:
     if constexpr (can_record)
       if (recorder) return recorder->close();
     return {};
+  }
+
+  void begin_trace([[maybe_unused]] std::optional<tracer_type>& tracer, [[maybe_unused]] controller_type& c) {
+    const run_settings& s = program.settings;
+    if (s.trace.empty()) return;
+    if constexpr (can_trace) tracer.emplace(c, s.trace, trace_settings{.name = called, .waits = !s.speed});
+    else throw refused(called + ": this program can't be traced: see docs/traces.md");
+  }
+  static std::string end_trace([[maybe_unused]] std::optional<tracer_type>& tracer) {
+    if constexpr (can_trace)
+      if (tracer) {
+        tracer->close();
+        if (std::string why = tracer->problem(); !why.empty()) return "the trace is incomplete: " + why;
+      }
+    return {};
+  }
+  static void print_summary([[maybe_unused]] const std::optional<tracer_type>& tracer) {
+    if constexpr (can_trace)
+      if (tracer) std::cout << tracer->summary() << std::flush;
   }
 
   void run(controller_type& c, const interruption& interrupted) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cca/graph/traceable.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
@@ -112,6 +113,15 @@ void offer_standard_options(command_line& line, Program& p) {
           },
           "records only the ports under these scopes, as dmp or dmp.phase");
   }
+  if constexpr (Traceable<typename Program::architecture>)
+    if (!line.has("--trace"))
+      line.text(
+          "--trace FILE",
+          [&s](const std::string& text) {
+            if (text.empty()) throw command_line_error("--trace: expected the name of a file");
+            s.trace = text;
+          },
+          "writes when each component fires, for ui.perfetto.dev, and prints a summary");
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 

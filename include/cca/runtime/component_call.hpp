@@ -88,6 +88,8 @@ struct component_call_of<Graph,
         (publish<Graph, Call, output_of_result<Number>>(b, at, std::get<Number>(returned), oldest), ...);
       else publish<Graph, Call, 0>(b, at, returned, oldest);
     }
+    if (trace_track* const track = trace_of<Graph>(b.state)) [[unlikely]]
+      track->fired(trace_name(at.node, c.phase));
   }
 
 private:

@@ -172,8 +172,10 @@ protected:
     tell_state();
   }
 
-  // To a recorder, if the graph has one.
+  // To a recorder and a tracer, if the graph has them.
   void tell_state() {
+    if constexpr (requires(Self& s) { s.traced_into(); })
+      if (auto* const track = self().traced_into()) track->moved(now);
     if constexpr (requires(Self& s) { s.recorded_into(); })
       if (auto* const tap = self().recorded_into()) tap->moved(now, self().beat_index());
   }

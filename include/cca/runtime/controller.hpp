@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include <cca/graph/recordable.hpp>
+#include <cca/graph/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/loop_host.hpp>
 #include <cca/runtime/one_beat.hpp>
@@ -46,6 +47,18 @@ public:
   {
     return state_of_all.tap.get();
   }
+  // For a tracer of a traceable graph: f(number of the loop, whom it tells of its beats).
+  template <class F>
+  void for_each_trace(F f) noexcept
+    requires(detail::Traceable<Graph>)
+  {
+    f(0, state_of_all.trace);
+  }
+  detail::trace_track* traced_into() const noexcept
+    requires(detail::Traceable<Graph>)
+  {
+    return state_of_all.trace.get();
+  }
   // Tells a recorder that parameters were changed by other ways than `set` and `load`.
   void parameters_changed() noexcept {
     if constexpr (detail::Recordable<Graph>)
@@ -80,27 +93,47 @@ private:
   void advance() noexcept
     requires(detail::Recordable<Graph>)
   {
-    if (state_of_all.tap.get()) advance_recorded();
+    if (is_observed()) advance_observed();
     else advance_unseen();
   }
   [[gnu::flatten]] void advance() noexcept
     requires(!detail::Recordable<Graph>)
   {
-    detail::beat_outcome beat_outcome;
-    detail::beat_of_graph<Graph>::run(state_of_all, beat_outcome, k);
-    end_beat(beat_outcome);
+    run_beat<Graph>();
   }
-  [[gnu::noinline, gnu::flatten]] void advance_unseen() noexcept {
-    detail::beat_outcome beat_outcome;
-    detail::beat_of_graph<Graph>::run(state_of_all, beat_outcome, k);
-    end_beat(beat_outcome);
+  [[gnu::noinline, gnu::flatten]] void advance_unseen() noexcept { run_beat<Graph>(); }
+  [[gnu::noinline, gnu::flatten]] void advance_observed() noexcept { run_beat<detail::probed<Graph>>(); }
+
+  bool is_observed() const noexcept {
+    if constexpr (detail::Traceable<Graph>)
+      if (state_of_all.trace.get()) return true;
+    return state_of_all.tap.get() != nullptr;
   }
-  [[gnu::noinline, gnu::flatten]] void advance_recorded() noexcept {
-    detail::beat_outcome beat_outcome;
-    state_of_all.frame = state_of_all.tap.get()->begin(k);
-    detail::beat_of_graph<detail::probed<Graph>>::run(state_of_all, beat_outcome, k);
-    state_of_all.tap.get()->end();
-    end_beat(beat_outcome);
+
+  template <class Key>
+  CCA_INLINE void run_beat() noexcept {
+    detail::beat_outcome outcome;
+    if constexpr (detail::is_probed<Key>) begin_frame();
+    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
+      track->begin(k);
+    detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
+    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
+      track->end();
+    if constexpr (detail::is_probed<Key>) end_frame();
+    end_beat(outcome);
+  }
+  // Where it is only traced, the frame is one that nobody reads.
+  CCA_INLINE void begin_frame() noexcept {
+    auto* const tap = state_of_all.tap.get();
+    if constexpr (detail::Traceable<Graph>)
+      if (!tap) return void(state_of_all.frame = state_of_all.trace.get()->unread_frame());
+    state_of_all.frame = tap->begin(k);
+  }
+  CCA_INLINE void end_frame() noexcept {
+    auto* const tap = state_of_all.tap.get();
+    if constexpr (detail::Traceable<Graph>)
+      if (!tap) return;
+    tap->end();
   }
   CCA_INLINE void end_beat([[maybe_unused]] const detail::beat_outcome& outcome) noexcept {
     ++k;

@@ -39,7 +39,7 @@ public:
       const std::int64_t beats = duration.beats(period());
       runs.begin(pace, period());
       for (std::int64_t i = 0; i < beats && now == cca::state::running; ++i) {
-        if (const cca::fault late = runs.wait(pace, i * period())) fail({late.reason(), -1});
+        if (const cca::fault late = wait(pace, i * period())) fail({late.reason(), -1});
         else self().advance();
         if (!goes_on_after(between, self())) break;
       }
@@ -67,6 +67,11 @@ protected:
         tap->failed(outcome.node, outcome.fault, outcome.node < 0 ? k : k - 1);
         tap->moved(now, k);
       }
+    if constexpr (requires(Self& s) { s.traced_into(); })
+      if (auto* const track = self().traced_into()) {
+        track->failed(outcome.node, outcome.fault);
+        track->moved(now);
+      }
   }
   std::int64_t next_beat_of(int) const { return k; }
   void forget_runs() { runs.overruns = runs.lost_periods = 0; }
@@ -76,6 +81,12 @@ protected:
 
 private:
   Self& self() { return static_cast<Self&>(*this); }
+
+  template <class Pace>
+  cca::fault wait(Pace& pace, std::int64_t time) {
+    if constexpr (requires(Self& s) { s.traced_into(); }) return runs.wait(pace, time, self().traced_into());
+    else return runs.wait(pace, time);
+  }
 
   run_record runs{};
 };

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <limits>
 #include <string>
 
+#include <cca/base/monotonic_clock.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/fault.hpp>
 
@@ -43,20 +43,6 @@ struct as_fast_as_possible {
 };
 
 namespace detail {
-
-struct monotonic_clock {
-  static std::int64_t now() {
-    timespec t{};
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
-  }
-  static void sleep_until(std::int64_t time) {
-    timespec wake{};
-    wake.tv_sec = static_cast<std::time_t>(time / 1'000'000'000);
-    wake.tv_nsec = static_cast<long>(time % 1'000'000'000);
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {}
-  }
-};
 
 // Beats in step with a clock. A beat that is still running when the next should begin is an overrun. It is
 // counted, and the next beat begins at the next whole period: beats are never caught up, so no time of a beat

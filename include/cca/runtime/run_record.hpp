@@ -7,6 +7,7 @@
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/tracing/trace_track.hpp>
 
 namespace cca::detail {
 
@@ -42,6 +43,14 @@ struct run_record {
     } else {
       return {};
     }
+  }
+  // The same, and tells a trace of an overrun.
+  template <class Pace>
+  fault wait(Pace& pace, std::int64_t time, trace_track* track) {
+    const std::int64_t seen = overruns, periods = lost_periods;
+    const fault late = wait(pace, time);
+    if (track && overruns > seen) track->overrun(lost_periods - periods);
+    return late;
   }
 
 private:

@@ -10,6 +10,7 @@
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/arriving_samples.hpp>
 #include <cca/runtime/stored_samples.hpp>
+#include <cca/runtime/tracing/trace_link.hpp>
 
 namespace cca::detail {
 
@@ -146,7 +147,8 @@ struct state_of<Graph, std::integer_sequence<int, Component...>, std::integer_se
 template <class Graph>
 struct controller_state : state_of<Graph,
                                    chosen<counts_of<Graph>.node_count, is_first_of_type<Graph>>,
-                                   chosen<layout_of<Graph>.array_count, outlives_beat<Graph>>> {};
+                                   chosen<layout_of<Graph>.array_count, outlives_beat<Graph>>>,
+                          trace_link<Graph> {};
 
 template <class Part, class Whole>
 CCA_INLINE auto& part_of(Whole& whole) {

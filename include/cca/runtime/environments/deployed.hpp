@@ -108,6 +108,7 @@ public:
       is_stopped_elsewhere = !run_all(duration.beats(period()), pace, between);
     }
     if (is_stopped_elsewhere) stop();
+    else this->tell_state();
     return now;
   }
 
@@ -132,6 +133,25 @@ public:
   template <class F>
   void observed(F f) const {
     placed::observe_here(k, f);
+  }
+
+  // As of a controller: f(number of the environment, whom it tells of its beats) for those in this process.
+  template <class F>
+  void for_each_trace(F f) noexcept
+    requires(detail::Traceable<D>)
+  {
+    loops.for_each([&]<int E>(auto& loop) {
+      if (here[E]) f(E, loop.state.trace);
+    });
+  }
+  detail::trace_track* traced_into() const noexcept
+    requires(detail::Traceable<D>)
+  {
+    detail::trace_track* first = nullptr;
+    loops.for_each([&]<int E>(const auto& loop) {
+      if (here[E] && !first) first = loop.state.trace.get();
+    });
+    return first;
   }
 
 private:

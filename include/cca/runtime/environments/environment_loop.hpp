@@ -18,13 +18,17 @@
 
 namespace cca::detail {
 
+template <class D, int E>
+inline constexpr bool has_trace_hooks<part<D, E>> = Traceable<D>;
+
 // The state of a part has its links, which the beat finds by its context.
 template <class D, int E>
 struct controller_state<part<D, E>>
     : state_of<part<D, E>,
                chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
                chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
-      environment_links<D, E> {};
+      environment_links<D, E>,
+      trace_link<part<D, E>> {};
 
 template <class D, int E>
 class alignas(64) environment_loop {
@@ -88,15 +92,15 @@ public:
   void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
     const std::int64_t first = k;
     while (k < end) {
-      const cca::fault late = runs.wait(pace, (k - first) * period);
+      const cca::fault late = wait(runs, pace, (k - first) * period);
+      own().overruns.store(runs.overruns, std::memory_order_relaxed);
+      own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
       if (late) state_fault(0, late.reason(), -1);
       if (!goes_on()) return;
       own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
       own().begun.store(k, std::memory_order_release);
       state.ring();
-      own().overruns.store(runs.overruns, std::memory_order_relaxed);
-      own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
       run_timed_beat();
       announce();
       if (!after_beat()) stop();
@@ -111,7 +115,10 @@ public:
     for (; !is_asleep_until(end); is_running = true) {
       const bool is_overrun = is_running && begun() >= k;
       const std::int64_t beat = is_overrun ? begun() + 1 : k;
-      if (is_overrun) add(own().overruns, 1);
+      if (is_overrun) {
+        add(own().overruns, 1);
+        if (auto* const track = trace_of<graph>(state)) track->overrun(beat - k);
+      }
       if (beat >= end) return lose_until(end);
       if (!wait_for_beat(beat)) return;
       lose_until(newest_due(begun()));
@@ -152,14 +159,26 @@ private:
   bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
   void state_fault(int rank, std::string_view reason, int node) noexcept {
     own().fault.state(position(rank), reason, node);
+    if (auto* const track = trace_of<graph>(state)) track->failed(node, reason.data());
+  }
+  template <class Pace>
+  cca::fault wait(run_record& runs, Pace& pace, std::int64_t time) {
+    if constexpr (has_trace_hooks<graph>) return runs.wait(pace, time, state.trace.get());
+    else return runs.wait(pace, time);
   }
 
   [[gnu::flatten]] void run_beat() noexcept {
     if (!state.is_exact)
       if (const int lost = state.count_late(k); lost >= 0) return state_fault(0, lost_contact<D>(lost), -1);
+    if (auto* const track = trace_of<graph>(state)) [[unlikely]]
+      track->begin(k);
     state.receive(state, k);
+    if (auto* const track = trace_of<graph>(state)) [[unlikely]]
+      track->pass();
     beat_outcome outcome;
     beat_of_graph<graph>::run(state, outcome, k);
+    if (auto* const track = trace_of<graph>(state)) [[unlikely]]
+      track->end();
     if constexpr (counts_of<graph>.may_fault)
       if (outcome.fault) state_fault(state.fault_rank, outcome.fault, outcome.node);
     done = ++k;

@@ -64,8 +64,10 @@ public:
   // once more afterwards, when the counters of that environment are final.
   template <class F>
   void look_for(int environment, std::int64_t position, F has_come) noexcept {
-    if (others && others->is_gone(environment) && !has_come())
+    if (others && others->is_gone(environment) && !has_come()) {
       shared->environments[E].fault.state(position, lost_contact<D>(environment), -1);
+      if (auto* const track = traced_into()) track->failed(-1, lost_contact<D>(environment).data());
+    }
   }
   // For those without whom beat k may not begin.
   void look_for_missing(std::int64_t k, std::int64_t position) noexcept {
@@ -113,7 +115,11 @@ public:
   template <int Rank>
   CCA_INLINE bool is_due(std::int64_t k) noexcept {
     if constexpr (((needed<Other>(Rank) > (Rank == 0 ? 0 : needed<Other>(Rank - 1))) || ...))
-      if (is_exact) (wait_for<Other>(k, Rank), ...);
+      if (is_exact) {
+        (wait_for<Other>(k, Rank), ...);
+        if (auto* const track = traced_into()) [[unlikely]]
+          track->waited();
+      }
     if constexpr (((needed<Other>(Rank) > 0) || ...)) return !is_cut;
     else return true;
   }
@@ -134,6 +140,10 @@ public:
   }
 
 private:
+  CCA_INLINE trace_track* traced_into() const noexcept {
+    return trace_of<part<D, E>>(static_cast<const controller_state<part<D, E>>&>(*this));
+  }
+
   static constexpr const auto& order = fault_order_of<D, E>;
 
   template <int X>
@@ -232,7 +242,10 @@ private:
     if constexpr (least_delay(X, E) > 0) {
       std::int64_t& in_a_row = late_in_a_row[X];
       const bool is_late = !has_done<X>(k - least_delay(X, E) + 1);
-      if (is_late) add(shared->environments[E].late[X], 1);
+      if (is_late) {
+        add(shared->environments[E].late[X], 1);
+        if (auto* const track = traced_into()) track->late(X);
+      }
       in_a_row = is_late ? in_a_row + 1 : 0;
       if (in_a_row > environments_of<D>::tolerated) lost = X;
     }

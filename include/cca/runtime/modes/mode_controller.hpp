@@ -63,6 +63,19 @@ public:
     with_mode(active, [&]<int I>() { detail::observe_all<detail::mode_part<M, I>>(state_of_all, k, f); });
   }
 
+  // As of a controller of a graph.
+  template <class F>
+  void for_each_trace(F f) noexcept
+    requires(detail::Traceable<M>)
+  {
+    f(0, state_of_all.trace);
+  }
+  detail::trace_track* traced_into() const noexcept
+    requires(detail::Traceable<M>)
+  {
+    return state_of_all.trace.get();
+  }
+
 private:
   friend detail::component_host<controller, M>;
   friend detail::stoppable_components<controller, M>;
@@ -127,7 +140,11 @@ private:
   template <int I>
   [[gnu::flatten, gnu::noinline]] void advance_in() noexcept {
     detail::beat_outcome outcome;
+    if (auto* const track = detail::trace_of<part<I>>(state_of_all)) [[unlikely]]
+      track->begin(k, detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
     detail::beat_of_graph<part<I>>::run(state_of_all, outcome, k);
+    if (auto* const track = detail::trace_of<part<I>>(state_of_all)) [[unlikely]]
+      track->end();
     ++k;
     if constexpr (detail::counts_of<part<I>>.may_fault)
       if (outcome.fault) return fail_in<I>(outcome);
@@ -160,6 +177,7 @@ private:
     with_mode(active, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.leave(next, k, is_started); });
     const int last = active;
     active = next;
+    if (auto* const track = detail::trace_of<part<0>>(state_of_all)) track->switched(next);
     state_of_all.since = k;
     with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, is_started); });
   }

@@ -9,6 +9,9 @@
 
 namespace cca::detail {
 
+template <class M, int I>
+inline constexpr bool has_trace_hooks<mode_part<M, I>> = Traceable<M>;
+
 // One object is the state of every mode: each is derived from the one before, and the first from what all
 // share.
 template <class M, int I>

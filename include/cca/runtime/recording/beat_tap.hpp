@@ -9,6 +9,7 @@
 #include <cca/graph/recordable.hpp>
 #include <cca/runtime/recording/frame_layout.hpp>
 #include <cca/runtime/recording/frame_ring.hpp>
+#include <cca/runtime/tracing/trace_link.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::detail {
@@ -79,7 +80,7 @@ private:
 
 // The state of a recordable graph is that of the graph, and this.
 template <class Graph>
-struct controller_state<probed<Graph>> : controller_state<Graph> {
+struct controller_state<probed<Graph>> : controller_state<Graph>, trace_link<probed<Graph>> {
   tap_pointer<Graph> tap{};
   std::int64_t* frame = nullptr;  // of this beat
 };

@@ -121,6 +121,16 @@ struct mode_part {
   using cca_items = typename graph::cca_items;
 };
 
+// The number of its first node behind those of the modes before.
+template <class M, int I>
+inline constexpr int first_node_of_mode = [] {
+  int before = 0;
+  [&]<int... Before>(std::integer_sequence<int, Before...>) {
+    ((before += graph_size<typename modes_of<M>::template graph<Before>>.nodes), ...);
+  }(std::make_integer_sequence<int, I>{});
+  return before;
+}();
+
 template <class M, int I, int Node>
 struct node_types<mode_part<M, I>, Node> : node_types<typename mode_part<M, I>::graph, Node> {};
 

@@ -1,0 +1,29 @@
+// cca::traceable: a base of a graph, a deployment or a set of modes whose beats may be traced.
+//
+//   struct trot : cca::graph<...>, cca::traceable {};
+//
+// Behind each firing stands a test whether somebody traces (cca/trace.hpp). It costs two instructions. The
+// beat of a graph that is recordable too has them only while it is recorded or traced. The beat of any other
+// graph has no trace of it. docs/traces.md.
+#pragma once
+
+#include <concepts>
+
+#include <cca/graph/recordable.hpp>
+
+namespace cca {
+
+struct traceable {};
+
+namespace detail {
+
+template <class Graph> concept Traceable = std::derived_from<Graph, traceable>;
+
+// Whether the beat with this key tells a trace of its firings.
+template <class Graph>
+inline constexpr bool has_trace_hooks = Traceable<Graph> && !Recordable<Graph>;
+template <class Graph>
+inline constexpr bool has_trace_hooks<probed<Graph>> = Traceable<Graph>;
+
+}  // namespace detail
+}  // namespace cca
