@@ -132,10 +132,14 @@ std::string words_of(F f) {
 template <class Case>
 void repeats_a_recording(bool scaled, const typename Case::vector& other_goal, double bound) {
   auto m = laws::started_module<typename Case::module>();
-  m->p.scaled = scaled;
-  m->learning.collect();
-  m->demonstrate(recorded<Case>(201, 5e-3), 5e-3);
-  m->learning.hand_over(m->learning.begin_batch(m->p.settings)());
+  auto& module = *m;
+  module.p.scaled = scaled;
+  const auto movement = recorded<Case>(201, 5e-3);
+  // [recorded]
+  module.learning.collect();
+  module.demonstrate(movement, 5e-3);  // a sample every 5 ms
+  module.learning.hand_over(module.learning.begin_batch(module.p.settings)());
+  // [recorded end]
   CHECK(Case::worst(*m) < bound);
   m->on_start();
   double ode = 0;
