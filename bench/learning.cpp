@@ -101,19 +101,17 @@ void run(bool batch, int beats) {
   c->start();
   auto& module = c->template get<"module">();
   module.learning.collect();
-  for (int k = 0; k < 1000; ++k) c->step();
+  for (int k = 0; k < 300; ++k) c->step();  // few: one batch of the mixture takes long under callgrind
   module.learning.hand_over(module.learning.begin_batch(module.p.settings)());
   std::atomic<bool> done = false;
-  std::atomic<int> learned = 0;
+  std::atomic<bool> learning = false;
   std::thread learner;
   if (batch) {
     learner = std::thread([&, work = module.learning.begin_batch(module.p.settings)] {
-      while (!done) {
-        (void)work();
-        ++learned;
-      }
+      learning = true;
+      while (!done) (void)work();
     });
-    while (learned == 0) std::this_thread::yield();
+    while (!learning) std::this_thread::yield();
   }
   for (int k = 0; k < beats; ++k) one_beat(*c);
   done = true;

@@ -19,7 +19,7 @@
 // published but the status, then `unreadable`; beyond 1e12 it is cut, with `clamped`. It has no state.
 //
 // Errors: `cca::refused` for files. Cost: that of the network (network/feed_forward.hpp): at most 1.1 times
-// the instructions of its bare matrix products (docs/performance.md). Memory: its weights.
+// the instructions of its bare matrix products (docs/mappings.md). Memory: its weights.
 // Example: tests/runtime/mapping/policy.cpp; docs/mappings.md.
 #pragma once
 
@@ -35,6 +35,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/mapping/network/feed_forward.hpp>
+#include <cca/space/domain.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca {

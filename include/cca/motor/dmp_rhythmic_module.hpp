@@ -114,35 +114,35 @@ public:
                                    const optional_in<"demonstration", S>& demonstration,
                                    beat now) {
     constexpr int D = S::size;
-    detail::input_check inputs;
-    const vector centre = inputs(reference.vector());
+    detail::input_check read;
+    const vector centre = read(reference.vector());
     const double hertz =
-        inputs.number(turns ? turns[Axis{}] : p.frequency.value(), least_frequency, largest_input);
-    const double swing = std::max(0.0, inputs.number(size[Axis{}])), at_phase = inputs.number(phase[Axis{}]);
+        read.number(turns ? turns[Axis{}] : p.frequency.value(), least_frequency, largest_input);
+    const double swing = std::max(0.0, read.number(size[Axis{}])), at_phase = read.number(phase[Axis{}]);
     const double tau = 1 / (2 * std::numbers::pi * hertz);
     const typename ode::parameters at{function.weights, p.stiffness};
     typename ode::input u;
     u << centre, swing, tau;
     const bool can_begin = begun || (start ? detail::has_come(start) : reference.origin() != never);
-    if (!can_begin || inputs.unreadable()) {
+    if (!can_begin || read.unreadable()) {
       seen.interrupt();
       maybe<"velocity", velocity_of<S>> still;
       if (begun) still = vector(vector::Zero());
-      return give(status_of(inputs.get(), ode_state.get()), {at_phase, swing}, {}, still);
+      return give(status_of(read.get(), ode_state.get()), {at_phase, swing}, {}, still);
     }
     observe_demonstration(demonstration, {at_phase, swing}, centre, tau, now.dt(), p.stiffness, teach);
     typename ode::state x = solver.get();
     if (!begun) {
       x.setZero();
-      x.template head<D>() = start ? inputs(start.vector()) : centre;
+      x.template head<D>() = start ? read(start.vector()) : centre;
       begun = true;
     }
     // The input is the phase at the end of this step; the solver begins one step earlier.
     x[2 * D] = at_phase - now.dt() / tau;
     solver.set(x);
-    if (!solver.advance(u, at, now.dt())) inputs.note_clamped();
+    if (!solver.advance(u, at, now.dt())) read.note_clamped();
     const typename ode::state rate = solver.rate(u, at);
-    return give(status_of(inputs.get(), ode_state.update(rate.template head<2 * D>().norm(), p.settling)),
+    return give(status_of(read.get(), ode_state.update(rate.template head<2 * D>().norm(), p.settling)),
                 {at_phase, swing}, vector(solver.get().template head<D>()), vector(rate.template head<D>()));
   }
 

@@ -199,6 +199,16 @@ TEST_CASE("a demonstration of a discrete movement begins again with a restart, a
   CHECK(m->learning.examples().back().x[0] == doctest::Approx(std::exp(-5 * 0.498)));
 }
 
+TEST_CASE("a demonstration begins with its first finite sample") {
+  auto m = laws::started_module<leg_case::module>();
+  m->p.scaled = true;
+  m->learning.collect();
+  for (int k = 0; k < 1000; ++k)
+    (void)leg_case::process(*m, k, leg_case::truth(1), k < 3 ? shown::broken : shown::demonstration);
+  CHECK(m->learning.example_count() == 995);
+  for (const auto& one : m->learning.examples()) CHECK(std::abs(one.y[0]) < 1e3);
+}
+
 TEST_CASE("a movement that cannot be learned is refused, with what to do") {
   auto m = laws::started_module<leg_case::module>();
   const auto good = recorded<leg_case>(101, 1e-2);

@@ -170,6 +170,14 @@ TEST_CASE("whatever is learned, only steps that the plan allows now are taken") 
   CHECK(seen == std::set<int>{0, left, right});
 }
 
+TEST_CASE("a step that the plan does not allow is not entered, whoever chooses it") {
+  cca::sequence<plan> s;
+  const cca::observe<"s.*", cca::delayed<1>> nothing(nullptr, 0);
+  for (int k = 0; k < 6; ++k)
+    s.update_by(motor_test::at(k), [](int, std::span<const int>) { return plan::at<"rest">; }, nothing);
+  CHECK(s.in<"slow">());  // the first of those that may follow
+}
+
 TEST_CASE("a judgement is 1, 0 or -1 by the state, or follows the error; NaN of an error is lost") {
   struct one_way : cca::steps<cca::step<"a", cca::then<"b">>, cca::step<"b", cca::after<2>, cca::then<"a">>> {
   };

@@ -49,26 +49,6 @@ struct line {
 };
 using fitted = cca::recursive_least_squares<line>;
 
-// Its weights are drawn, not trained; before the first sample it says nothing.
-struct walk : cca::policy<cca::policy_inputs<cca::in<"angles", arm_angles>, cca::in<"foot", foot_in_trunk>>,
-                          cca::hidden_layers<6, 5>,
-                          cca::hyperbolic_tangent,
-                          learned_space> {};
-template <class Type, int Size>
-struct drawn : laws::finite_case<Type> {
-  static auto made() {
-    auto c = std::make_unique<Type>();
-    laws::numbers n(3);
-    for (double& w : c->weights.weights) w = Size * n.usual();
-    c->weights.gain.setConstant(Size);
-    return c;
-  }
-};
-struct bold : cca::policy<cca::policy_inputs<cca::in<"angles", arm_angles>, cca::in<"foot", foot_in_trunk>>,
-                          cca::hidden_layers<6, 5>,
-                          cca::rectifier,
-                          learned_space> {};
-
 template <class Type>
 struct learned : stateless<Type> {
   static constexpr bool forgets = false;
@@ -116,9 +96,4 @@ TEST_CASE("mapping/adaptive_mapping.hpp") {
   laws::finite<learned<cca::adaptive_mapping<learned_space, learned_space, machine, 50>>>();
   laws::finite<learned<cca::adaptive_transformation<learned_space, machine, 50>>>();
   laws::finite<learned<cca::adaptive_mapping<learned_space, learned_space, fitted, 50>>>();
-}
-TEST_CASE("mapping/policy.hpp") {
-  laws::finite<drawn<walk, 1>>();
-  laws::finite<drawn<bold, 1>>();
-  laws::stays_finite<drawn<bold, 1'000'000'000>>();
 }

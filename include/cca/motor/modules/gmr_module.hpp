@@ -94,17 +94,17 @@ public:
                                    const optional_in<"demonstration", S>& shown,
                                    beat now) {
     using scalar = typename model::input;
-    detail::input_check inputs;
-    const vector centre = inputs(reference.vector());
-    const scalar at = inputs(input.vector());
+    detail::input_check read;
+    const vector centre = read(reference.vector());
+    const scalar at = read(input.vector());
     const bool can_begin = begun || (start ? detail::has_come(start) : reference.origin() != never);
     maybe<"command", S> command;
     maybe<"velocity", velocity_of<S>> velocity;
     maybe<"spread", spread_of<S>> spread;
-    if (!can_begin || inputs.unreadable()) {
+    if (!can_begin || read.unreadable()) {
       seen.interrupt();
       if (begun) velocity = vector(vector::Zero());
-      return give(status_of(inputs.get(), ode_state.get()), at, command, velocity, spread);
+      return give(status_of(read.get(), ode_state.get()), at, command, velocity, spread);
     }
     const typename ode::parameters with{p.stiffness};
     if (!shown || !shown.fresh()) seen.interrupt();
@@ -112,21 +112,21 @@ public:
     const auto answer = regress<1, S::size, K>(
         function, function.priors, at, [](const scalar& x, const scalar& m) { return scalar(x - m); });
     // The mean of a mixture with large numbers far from its input; a finite one is always followed.
-    const vector attractor = inputs(vector(centre + answer.mean));
+    const vector attractor = read(vector(centre + answer.mean));
     if (!begun) {
       typename ode::state x = ode::state::Zero();
-      x.template head<S::size>() = start ? inputs(start.vector()) : attractor;
+      x.template head<S::size>() = start ? read(start.vector()) : attractor;
       solver.set(x);
       begun = true;
     }
-    if (!solver.advance(attractor, with, now.dt())) inputs.note_clamped();
+    if (!solver.advance(attractor, with, now.dt())) read.note_clamped();
     command = vector(solver.get().template head<S::size>());
     velocity = vector(solver.get().template tail<S::size>());
     vector deviation;
     for (int i = 0; i < S::size; ++i) deviation[i] = std::sqrt(std::max(0.0, answer.covariance(i, i)));
     spread = deviation;
     const double rate = solver.rate(attractor, with).norm();
-    return give(status_of(inputs.get(), ode_state.update(rate, p.settling)), at, command, velocity, spread);
+    return give(status_of(read.get(), ode_state.update(rate, p.settling)), at, command, velocity, spread);
   }
 
   // The next movement begins at "start".

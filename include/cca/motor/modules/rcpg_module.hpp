@@ -131,25 +131,25 @@ public:
                                    const optional_in<"demonstration", S>& shown,
                                    beat now) {
     if (!made) load(p);
-    detail::input_check inputs;
-    const output centre = inputs(reference.vector());
+    detail::input_check read;
+    const output centre = read(reference.vector());
     maybe<"command", S> command;
-    if (reference.origin() == never || inputs.unreadable())
-      return give(status_of(inputs.get(), ode_state.get()), network.get(), command);
+    if (reference.origin() == never || read.unreadable())
+      return give(status_of(read.get(), ode_state.get()), network.get(), command);
     const activity before = network.get();
     network.step(y, p.leak);
     const bool taught = teach.listens() && shown && shown.fresh() && detail::all_finite(shown.vector());
     if (taught) {
-      const output wanted = inputs(shown.vector()) - centre;
+      const output wanted = read(shown.vector()) - centre;
       if (in_a_row++ >= p.washout) teach(network.get(), wanted);
       for (int i = 0; i < S::size; ++i) y[i] = wanted[i] + p.noise * detail::random_number(bits);
     } else {
       in_a_row = 0;
-      y = inputs(model::answer(function, network.get()));
+      y = read(model::answer(function, network.get()));
     }
     command = taught ? output(shown.vector()) : output(centre + y);
     const double rate = (network.get() - before).norm() / now.dt();
-    return give(status_of(inputs.get(), ode_state.update(rate, p.settling)), network.get(), command);
+    return give(status_of(read.get(), ode_state.update(rate, p.settling)), network.get(), command);
   }
 
   template <class Parameters>
