@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, dynamics, modes, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, dynamics, learning, policies, modes, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -252,6 +252,37 @@ def dynamics(work):
     return rows
 
 
+def learning(work):
+    """A beat of each adaptive module while another thread learns a batch, and while nothing is learned."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "learning"
+        build(compiler, ["-O2"], HERE / "learning.cpp", program)
+        for name in run([str(program), "list"]).stdout.splitlines():
+            row = {"module": name, "compiler": compiler}
+            for state in ("resting", "batch"):
+                row[state] = instructions(program, name, state, lengths=(200, 1200), within=("*bench::one_beat*",))
+            rows.append(row)
+            print("learning", row, flush=True)
+    return rows
+
+
+def policies(work):
+    """A learned policy in a graph, beside the products of its matrices and the whole network by hand."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "policy"
+        build(compiler, ["-O2"], HERE / "policy.cpp", program)
+        run([str(program), "check"])
+        for name in run([str(program), "list"]).stdout.splitlines():
+            row = {"network": name, "compiler": compiler, "allocations": int(run([str(program), name, "allocations"]).stdout)}
+            for form in ("policy", "products", "by_hand"):
+                row[form] = instructions(program, name, form, lengths=(20, 120))
+            rows.append(row)
+            print("policies", row, flush=True)
+    return rows
+
+
 def compile_once(compiler, source):
     """User and system seconds, and megabytes."""
     child = subprocess.Popen([compiler, "-std=c++20", "-O2", *INCLUDES, "-c", str(source), "-o", "/dev/null"], stderr=subprocess.DEVNULL)
@@ -401,7 +432,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "dynamics": dynamics, "modes": modes, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "dynamics": dynamics, "learning": learning, "policies": policies, "modes": modes, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

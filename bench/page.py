@@ -186,6 +186,34 @@ The goal is a ratio of at most 0.7; the largest is {worst:.2f}.
 {measured(part)}"""
 
 
+def learning(part):
+    rows = [[r["module"], r["compiler"], number(r["resting"]), number(r["batch"]), number(r["batch"] - r["resting"])] for r in part["data"]]
+    return f"""## Learning beside the loop
+
+A beat of each adaptive module while nothing is learned, and while another thread learns a batch (`bench/learning.cpp`).
+Only the instructions of the loop are counted, with a source of all inputs and a demonstration on its wire.
+
+{table(["module", "compiler", "instructions per beat", "while a batch is learned", "difference"], rows)}
+{measured(part)}"""
+
+
+def policies(part):
+    rows = [[r["network"], r["compiler"], f"{number(r['policy'])} / {number(r['products'])} / {number(r['by_hand'])}",
+             f"**{r['policy'] / r['products']:.3f}**", f"{r['policy'] / r['by_hand']:.3f}", r["allocations"]] for r in part["data"]]
+    return f"""## Learned policies
+
+A beat of a graph with a policy of 48 observations on four wires and 12 outputs (`bench/policy.cpp`), beside two forms by hand:
+
+- products: y = W x + b for each layer, without activation, scales or limits
+- by hand: the whole network on Eigen vectors; a run checks that it gives the same numbers
+
+Each cell reads policy / products / by hand.
+The goal is at most 1.1 times the products.
+
+{table(["activation, hidden layers", "compiler", "instructions per beat", "policy : products", "policy : by hand", "allocations in 1000 beats"], rows)}
+{measured(part)}"""
+
+
 def drives(part):
     rows = [[r["compiler"], f"`{r['flags']}`", number(r["instructions"]), r["allocations"]] for r in part["data"]]
     return f"""## Eight drives
@@ -375,6 +403,10 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(drives(figures["drives"]))
     if "dynamics" in figures:
         parts.append(dynamics(figures["dynamics"]))
+    if "learning" in figures:
+        parts.append(learning(figures["learning"]))
+    if "policies" in figures:
+        parts.append(policies(figures["policies"]))
     if "modes" in figures:
         parts.append(modes(figures["modes"]))
     if "latency" in figures:

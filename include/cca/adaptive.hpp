@@ -7,6 +7,7 @@
 
 #include <cca/adaptive/adaptive_component.hpp>
 #include <cca/adaptive/assembly/adaptive_options.hpp>
+#include <cca/adaptive/module/adaptive_module.hpp>
 #include <cca/adaptive/component_status.hpp>
 #include <cca/adaptive/numerics/covered_region.hpp>
 #include <cca/adaptive/criterion.hpp>

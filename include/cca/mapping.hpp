@@ -13,8 +13,10 @@
 #include <cca/mapping/many_starts.hpp>
 #include <cca/mapping/mapping.hpp>
 #include <cca/mapping/mapping_chain.hpp>
+#include <cca/mapping/network/feed_forward.hpp>
 #include <cca/mapping/pantograph.hpp>
 #include <cca/mapping/placement.hpp>
+#include <cca/mapping/policy.hpp>
 #include <cca/mapping/reaching.hpp>
 #include <cca/mapping/rigid_motion.hpp>
 #include <cca/mapping/serial_chain.hpp>

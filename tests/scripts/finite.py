@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["adaptive", "mapping", "motor", "robot", "robot/dynamics"]
+FOLDERS = ["adaptive", "adaptive/module", "mapping", "mapping/network", "motor", "motor/modules", "robot", "robot/dynamics"]
 TESTS = "tests/runtime/finite"
 FUNCTION = "functions and data, no component"
 PART = "a graph of components that are tested by themselves"
@@ -21,6 +21,8 @@ WITHOUT = {
     "adaptive/learned_file.hpp": FUNCTION,
     "adaptive/learner.hpp": FUNCTION,
     "adaptive/locally_weighted_regression.hpp": "a learner: tested within dmp_rhythmic_module",
+    "adaptive/module/adaptive_module.hpp": "tested as the modules of motor/",
+    "adaptive/module/three_in_a_row.hpp": "tested within the modules of motor/",
     "adaptive/module_status.hpp": FUNCTION,
     "adaptive/ode.hpp": FUNCTION,
     "adaptive/ode_odeint.hpp": "an integrator",
@@ -41,6 +43,8 @@ WITHOUT = {
     "mapping/tip_task.hpp": FUNCTION,
     "motor/dmp_shapes.hpp": FUNCTION,
     "motor/gait.hpp": FUNCTION,
+    "mapping/network/feed_forward.hpp": "tested within policy",
+    "motor/modules/discrete_motion.hpp": "tested as dmp_discrete_module and dmp_pose_module",
     "motor/gaussian_mixture_learning.hpp": "learns between beats",
     "motor/spaces.hpp": FUNCTION,
     "robot/unreadable_fault.hpp": "reads a status and keeps a count",

@@ -4,9 +4,9 @@
 //   model rhythmic_shape over hip, knee with 25 functions
 //   learner locally_weighted_regression
 //   constant stiffness 25                                 a value that must be the same as during learning
-//   numbers function.weights 50
-//   0.1 0.2 ...                                           ten per line
-//   checksum 0f3a...                                      of everything above: FNV-1a, 64 bits
+//   input angles: joint_angles at 50 Hz                   of a policy: a port that it was made for
+//   (policy.hpp) numbers function.weights 50 0.1 0.2 ...                                           ten per
+//   line checksum 0f3a...                                      of everything above: FNV-1a, 64 bits
 //
 // Refused, with file, line, what was found and what was expected: another version, a damaged text, another
 // model, learner or constant, text that is no finite number. All or nothing: the values are read into a copy.
@@ -15,6 +15,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,12 @@ struct learned_header {
     double value;
   };
   std::vector<constant> constants{};
+  // What the numbers were learned for: "input angles", and lines that describe it.
+  struct port {
+    std::string name;
+    std::vector<std::string> lines;
+  };
+  std::vector<port> ports{};
 };
 
 namespace detail {
@@ -69,12 +76,13 @@ inline std::size_t number_count(const schema& type, const void* at) {
   return count;
 }
 
-inline std::string checksum_of(std::string_view text) {
+inline std::string hash_text(std::uint64_t hash) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string written;
-  for (int shift = 60; shift >= 0; shift -= 4) written.push_back(digits[hash(text) >> shift & 15]);
+  for (int shift = 60; shift >= 0; shift -= 4) written.push_back(digits[hash >> shift & 15]);
   return written;
 }
+inline std::string checksum_of(std::string_view text) { return hash_text(hash(text)); }
 
 inline double number_at(const schema& type, const void* at) {
   return type.number ? type.number(at) : static_cast<double>(type.integer(at));
@@ -85,6 +93,8 @@ inline std::string learned_text(const learned_header& header, const schema& type
   text.append("\nmodel ").append(header.model).append("\nlearner ").append(header.learner).append("\n");
   for (const auto& one : header.constants)
     text.append("constant ").append(one.name).append(" ").append(number_text(one.value)).append("\n");
+  for (const auto& port : header.ports)
+    for (const auto& line : port.lines) text.append(port.name).append(": ").append(line).append("\n");
   auto field = [&](const std::string& name, const schema& what, const void* at) {
     text.append("numbers ")
         .append(name)
@@ -159,11 +169,18 @@ inline void read_learned(std::string_view text,
   check_learned_frame(text, file);
   learned_reader lines(text, file);
   lines.line();
-  lines.expect("model", header.model, "the file belongs to another model");
-  lines.expect("learner", header.learner, "the file belongs to another learner");
+  lines.expect("model", header.model,
+               "the file belongs to another model; name the file of this one, or learn again");
+  lines.expect("learner", header.learner,
+               "the file belongs to another learner; name the file of this one, or learn again");
   for (const auto& one : header.constants)
     lines.expect("constant", std::string(one.name) + " " + number_text(one.value),
                  "it was learned with another value; set the old value, or learn again");
+  for (const auto& port : header.ports)
+    for (const auto& line : port.lines)
+      lines.expect(
+          port.name + ":", line,
+          "the file was made for another `" + port.name + "`; wire the one of the file, or learn again");
   auto field = [&](const std::string& name, const schema& what, const void* at) {
     const std::size_t count = number_count(what, at);
     lines.expect("numbers", name + " " + std::to_string(count), "the file has other fields");

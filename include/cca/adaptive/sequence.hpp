@@ -10,9 +10,11 @@
 //                          cca::held_for<200>, cca::or_after<3000, "trot">>> {};
 //
 // It begins with the first step. While a step runs, it waits for the condition of the next step: the
-// following one, or that of `then<"name">`. The last step stays unless it has `then`. `or_after<N, "name">`:
-// if the condition has not held within N beats of the running step, it goes to that step instead.
-// `held_for<N>`: the condition must hold for N consecutive beats.
+// following one, or that of `then<"name">`; with `then_one_of<"a", "b">` of these, and takes the first of
+// them whose condition holds, or the one that `update_by` chooses (learned_sequencer.hpp). The last step
+// stays unless it has `then` or `then_one_of`. `or_after<N, "name">`: if the condition has not held within N
+// beats of the running step, it goes to that step instead. `held_for<N>`: the condition must hold for N
+// consecutive beats.
 //
 // Conditions: is<"path", State, Axis = 0>, below<"path", value>, above<"path", value> (never hold for an
 // unknown path), after<N> beats of the running step, all<C...>, any<C...>, no<C>. A step without a condition
@@ -33,164 +35,11 @@
 #include <span>
 #include <string_view>
 
+#include <cca/adaptive/plan/steps.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 
 namespace cca {
-
-template <fixed_string Path, auto State, int Axis = 0>
-struct is {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return heard.template value<Path, Axis>() == static_cast<double>(State);
-  }
-};
-template <fixed_string Path, double Bound>
-struct below {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return heard.template value<Path>() < Bound;
-  }
-};
-template <fixed_string Path, double Bound>
-struct above {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return heard.template value<Path>() > Bound;
-  }
-};
-template <std::int64_t Beats>
-struct after {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return heard.beats() >= Beats;
-  }
-};
-template <class... Conditions>
-struct all {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return (Conditions::holds(heard) && ...);
-  }
-};
-template <class... Conditions>
-struct any {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return (Conditions::holds(heard) || ...);
-  }
-};
-template <class Condition>
-struct no {
-  template <class Heard>
-  static bool holds(const Heard& heard) {
-    return !Condition::holds(heard);
-  }
-};
-
-template <std::int64_t Beats>
-struct held_for {};
-template <std::int64_t Beats, fixed_string Name>
-struct or_after {};
-template <fixed_string Name>
-struct then {};
-
-template <fixed_string Name, class... Options>
-struct step {};
-
-namespace detail {
-
-struct step_info {
-  std::string_view name, next{}, otherwise{};
-  std::int64_t held = 0, limit = -1;  // beats; -1: no limit
-};
-
-template <class Option>
-struct step_option {
-  using condition = all<Option>;
-  static constexpr void set(step_info&) {}
-};
-template <std::int64_t Beats>
-struct step_option<held_for<Beats>> {
-  using condition = all<>;
-  static constexpr void set(step_info& one) { one.held = Beats; }
-};
-template <std::int64_t Beats, fixed_string Name>
-struct step_option<or_after<Beats, Name>> {
-  using condition = all<>;
-  static constexpr void set(step_info& one) { one.limit = Beats, one.otherwise = Name.view(); }
-};
-template <fixed_string Name>
-struct step_option<cca::then<Name>> {
-  using condition = all<>;
-  static constexpr void set(step_info& one) { one.next = Name.view(); }
-};
-
-template <class Step>
-struct step_facts;
-template <fixed_string Name, class... Options>
-struct step_facts<step<Name, Options...>> {
-  using condition = all<typename step_option<Options>::condition...>;
-  static constexpr step_info info = [] {
-    step_info one{Name.view()};
-    (step_option<Options>::set(one), ...);
-    return one;
-  }();
-};
-
-}  // namespace detail
-
-template <class... Steps>
-struct steps {
-  static constexpr int count = sizeof...(Steps);
-  static constexpr std::array<detail::step_info, sizeof...(Steps)> table{detail::step_facts<Steps>::info...};
-
-  // The number of the step of that name; -1 if there is none.
-  static constexpr int find(std::string_view name) {
-    for (int i = 0; i < count; ++i)
-      if (table[static_cast<std::size_t>(i)].name == name) return i;
-    return -1;
-  }
-  template <fixed_string Name>
-  static constexpr int at = [] {
-    static_assert(find(Name.view()) >= 0, "cca::steps: there is no step with this name");
-    return find(Name.view());
-  }();
-
-  // Where a step leads, by number: the next step (-1: none), and the step after a timeout (-1: none).
-  struct way {
-    int next, otherwise;
-  };
-  static constexpr std::array<way, sizeof...(Steps)> ways = [] {
-    std::array<way, sizeof...(Steps)> all{};
-    for (int i = 0; i < count; ++i) {
-      const auto& one = table[static_cast<std::size_t>(i)];
-      all[static_cast<std::size_t>(i)] = {!one.next.empty() ? find(one.next)
-                                          : i + 1 < count   ? i + 1
-                                                            : -1,
-                                          find(one.otherwise)};
-    }
-    return all;
-  }();
-
-  template <class Heard>
-  static bool holds(int step, const Heard& heard) {
-    int i = 0;
-    bool found = false;
-    (void)((i++ == step ? (found = detail::step_facts<Steps>::condition::holds(heard), true) : false) || ...);
-    return found;
-  }
-
-  static constexpr bool well_named() {
-    for (int i = 0; i < count; ++i) {
-      const auto& one = table[static_cast<std::size_t>(i)];
-      if (find(one.name) != i || (!one.next.empty() && find(one.next) < 0) ||
-          (!one.otherwise.empty() && find(one.otherwise) < 0))
-        return false;
-    }
-    return count > 0;
-  }
-};
 
 // The state of a sequence: a value, for your own component, or inside the component of sequencer.hpp.
 template <class Plan>
@@ -199,19 +48,26 @@ public:
   // Call it once in a beat. Each of `told` is an `observe<...>`.
   template <class... Told>
   void update(beat now, const Told&... told) {
+    update_by(now, [](int, std::span<const int> ready) { return ready[0]; }, told...);
+  }
+
+  // The same; among several steps whose conditions hold, `choose(running step, these)` names the next one.
+  // Another step than one of these is not entered: then it is the first of them.
+  template <class Choose, class... Told>
+  void update_by(beat now, const Choose& choose, const Told&... told) {
     static_assert(
         Plan::well_named(),
-        "cca::steps: two steps have the same name, or then<...> or or_after<...> names an unknown step");
+        "cca::steps: two steps have the same name, or then<...>, then_one_of<...> or or_after<...> names "
+        "an unknown step");
     if (began < 0) began = now.index();
     const std::array<std::span<const observation>, sizeof...(Told)> scopes{
         std::span<const observation>(told.begin(), told.end())...};
     const heard all{*this, scopes, now.index() - began};
+    if constexpr (Plan::has_choices) return update_among(now, all, choose);
     const int next = following();
     if (next < 0) return;
     const auto& wanted = Plan::table[static_cast<std::size_t>(next)];
-    if (!Plan::holds(next, all)) held_since = -1;
-    else if (held_since < 0) held_since = now.index();
-    if (held_since >= 0 && now.index() - held_since >= wanted.held) enter(next, now, false);
+    if (keeps_holding(0, next, now, all)) enter(next, now, false);
     else if (wanted.limit >= 0 && all.beats() >= wanted.limit)
       enter(Plan::ways[static_cast<std::size_t>(next)].otherwise, now, true);
   }
@@ -224,7 +80,7 @@ public:
   }
   std::int64_t beats(beat now) const { return began < 0 ? 0 : now.index() - began; }  // since the step began
   bool timed_out() const { return by_timeout; }  // the running step began by a timeout
-  bool finished() const { return following() < 0; }
+  bool finished() const { return Plan::next_of[static_cast<std::size_t>(current)].count == 0; }
   // A condition names a path that is not observed; known after its first evaluation.
   bool unheard() const { return missing; }
 
@@ -268,11 +124,40 @@ private:
     return found;
   }
 
+  // Whether the condition of a step has held long enough. `place`: that of the step among those that may
+  // follow.
+  bool keeps_holding(std::size_t place, int step, beat now, const heard& all) {
+    if (!Plan::holds(step, all)) held_since[place] = -1;
+    else if (held_since[place] < 0) held_since[place] = now.index();
+    return held_since[place] >= 0 &&
+           now.index() - held_since[place] >= Plan::table[static_cast<std::size_t>(step)].held;
+  }
+
+  template <class Choose>
+  void update_among(beat now, const heard& all, const Choose& choose) {
+    const auto& next = Plan::next_of[static_cast<std::size_t>(current)];
+    std::array<int, detail::most_choices> ready{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(next.count); ++i)
+      if (keeps_holding(i, next.steps[i], now, all)) ready[count++] = next.steps[i];
+    if (count > 0) {
+      const int chosen = choose(current, std::span<const int>(ready.data(), count));
+      for (std::size_t i = 0; i < count; ++i)
+        if (ready[i] == chosen) return enter(chosen, now, false);
+      return enter(ready[0], now, false);
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(next.count); ++i) {
+      const auto at = static_cast<std::size_t>(next.steps[i]);
+      if (Plan::table[at].limit >= 0 && all.beats() >= Plan::table[at].limit)
+        return enter(Plan::ways[at].otherwise, now, true);
+    }
+  }
+
   int following() const { return Plan::ways[static_cast<std::size_t>(current)].next; }
   void enter(int step, beat now, bool timeout) {
     current = step;
     began = now.index();
-    held_since = -1;
+    held_since.fill(-1);
     by_timeout = timeout;
   }
 
@@ -280,7 +165,13 @@ private:
   std::array<place, places> known{};
   int next_known = 0;
   int current = 0;
-  std::int64_t began = -1, held_since = -1;
+  std::int64_t began = -1;
+  // Of each step that may follow: since when its condition holds; -1: it does not.
+  std::array<std::int64_t, Plan::has_choices ? detail::most_choices : 1> held_since = [] {
+    decltype(held_since) none;
+    none.fill(-1);
+    return none;
+  }();
   bool by_timeout = false, missing = false;
 };
 

@@ -99,7 +99,8 @@ TEST_CASE("a file of another model, learner, version or constant is refused, wit
   CHECK(refusal_by<module>(file.path).empty());
   CHECK(refusal_by<module_of<9>>(file.path) ==
         file.path +
-            ":2: the file belongs to another model: found `model rhythmic_shape over hip, knee with 8 "
+            ":2: the file belongs to another model; name the file of this one, or learn again: found `model "
+            "rhythmic_shape over hip, knee with 8 "
             "functions`, expected `model rhythmic_shape over hip, knee with 9 functions`");
   CHECK(refusal_by<module>(file.path, 30) ==
         file.path +

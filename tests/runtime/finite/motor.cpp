@@ -20,7 +20,8 @@ struct torques : cca::space<cca::joint_torques, cca::axes<hip, knee>> {};
 struct hand_in_trunk : cca::space<cca::pose<trunk>, cca::axes<cca::x, cca::y, cca::z>> {};
 
 // It keeps what it learned.
-struct module : laws::finite_case<cca::dmp_rhythmic_module<leg, stride, 5>> {
+template <class Type>
+struct learns : laws::finite_case<Type> {
   static constexpr bool forgets = false;
 };
 // Without a state.
@@ -36,7 +37,9 @@ TEST_CASE("motor/vite.hpp") { laws::finite<laws::finite_case<cca::vite<leg>>>();
 TEST_CASE("motor/dmp_discrete.hpp") { laws::finite<laws::finite_case<cca::dmp_discrete<leg, 5>>>(); }
 TEST_CASE("motor/dmp_pose.hpp") { laws::finite<laws::finite_case<cca::dmp_pose<hand_in_trunk, hand, 3>>>(); }
 TEST_CASE("motor/dmp_rhythmic.hpp") { laws::finite<laws::finite_case<cca::dmp_rhythmic<leg, stride, 5>>>(); }
-TEST_CASE("motor/dmp_rhythmic_module.hpp") { laws::finite<module>(); }
+TEST_CASE("motor/dmp_rhythmic_module.hpp") {
+  laws::finite<learns<cca::dmp_rhythmic_module<leg, stride, 5>>>();
+}
 TEST_CASE("motor/generator.hpp") { laws::finite<shift>(); }
 TEST_CASE("motor/pid.hpp") { laws::finite<laws::finite_case<cca::pid<leg, torques>>>(); }
 TEST_CASE("motor/rcpg.hpp") {

@@ -47,6 +47,8 @@ struct dmp_discrete_ode {
     return p.scaled ? vector(g - y0) : vector(vector::Ones());
   }
 
+  static vector way(const vector& from, const vector& to) { return to - from; }
+
   // The transformation system has a double eigenvalue -az / 2.
   static double fastest(const state&, const input& u, const parameters& p) {
     return std::max({p.stiffness / 2, p.goal_rate, p.decay}) / u[2 * D];

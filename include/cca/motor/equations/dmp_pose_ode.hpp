@@ -58,6 +58,13 @@ struct dmp_pose_ode {
   static vector3 turn(const vector4& from, const vector4& to) {
     return rotation::log(rotation::product(to, rotation::inverse(from)));
   }
+  // From one pose to another: the difference of the positions, then the rotation vector.
+  static Eigen::Matrix<double, 6, 1> way(const pose& from, const pose& to) {
+    Eigen::Matrix<double, 6, 1> all;
+    all << to.template head<3>() - from.template head<3>(),
+        turn(from.template tail<4>(), to.template tail<4>());
+    return all;
+  }
   static vector4 turning(const vector3& angular, const vector4& q) {
     return 0.5 * rotation::product(vector4(angular[0], angular[1], angular[2], 0), q);
   }

@@ -22,6 +22,22 @@
 
 namespace cca {
 
+namespace detail {
+
+// SplitMix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
+inline std::uint64_t random_bits(std::uint64_t& bits) {
+  std::uint64_t z = bits += 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return z ^ (z >> 31);
+}
+// In [-1, 1), the same on every machine.
+inline double random_number(std::uint64_t& bits) {
+  return static_cast<double>(random_bits(bits) >> 11) * 0x1p-52 - 1;
+}
+
+}  // namespace detail
+
 struct reservoir_settings {
   std::uint64_t seed;
   double spectral_radius, feedback, bias;
@@ -39,11 +55,11 @@ public:
     std::uint64_t bits = s.seed;
     for (int i = 0; i < N; ++i) {
       for (int c = 0; c < Connections; ++c) {
-        from[at(i, c)] = static_cast<int>(drawn(bits) % N);
-        weight[at(i, c)] = uniform(bits);
+        from[at(i, c)] = static_cast<int>(detail::random_bits(bits) % N);
+        weight[at(i, c)] = detail::random_number(bits);
       }
-      for (int d = 0; d < D; ++d) back(i, d) = s.feedback * uniform(bits);
-      bias[i] = s.bias * uniform(bits);
+      for (int d = 0; d < D; ++d) back(i, d) = s.feedback * detail::random_number(bits);
+      bias[i] = s.bias * detail::random_number(bits);
     }
     const double scale = s.spectral_radius / radius();
     for (double& w : weight) w *= scale;
@@ -77,15 +93,6 @@ public:
 
 private:
   static constexpr std::size_t at(int i, int c) { return static_cast<std::size_t>(i * Connections + c); }
-
-  // SplitMix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-  static std::uint64_t drawn(std::uint64_t& bits) {
-    std::uint64_t z = bits += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-  }
-  static double uniform(std::uint64_t& bits) { return static_cast<double>(drawn(bits) >> 11) * 0x1p-52 - 1; }
 
   // The mean growth over many steps: with a complex pair of largest eigenvalues a vector turns, so the growth
   // of a single step varies.

@@ -1,0 +1,154 @@
+// The plan of a sequence as a type: steps by name, the condition of each, and which step may follow which
+// (sequence.hpp says what the options mean). A plan holds no numbers of a robot, so NaN does not reach it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <cca/adaptive/plan/conditions.hpp>
+
+namespace cca {
+
+template <std::int64_t Beats>
+struct held_for {};
+template <std::int64_t Beats, fixed_string Name>
+struct or_after {};
+template <fixed_string Name>
+struct then {};
+template <fixed_string... Names>
+struct then_one_of {};
+
+template <fixed_string Name, class... Options>
+struct step {};
+
+namespace detail {
+
+inline constexpr int most_choices = 8;
+
+struct step_info {
+  std::string_view name, next{}, otherwise{};
+  std::int64_t held = 0, limit = -1;  // beats; -1: no limit
+  std::array<std::string_view, most_choices> choices{};
+  int choice_count = 0;
+};
+
+template <class Option>
+struct step_option {
+  using condition = all<Option>;
+  static constexpr void set(step_info&) {}
+};
+template <std::int64_t Beats>
+struct step_option<held_for<Beats>> {
+  using condition = all<>;
+  static constexpr void set(step_info& one) { one.held = Beats; }
+};
+template <std::int64_t Beats, fixed_string Name>
+struct step_option<or_after<Beats, Name>> {
+  using condition = all<>;
+  static constexpr void set(step_info& one) { one.limit = Beats, one.otherwise = Name.view(); }
+};
+template <fixed_string Name>
+struct step_option<cca::then<Name>> {
+  using condition = all<>;
+  static constexpr void set(step_info& one) { one.next = Name.view(); }
+};
+
+template <fixed_string... Names>
+struct step_option<then_one_of<Names...>> {
+  static_assert(sizeof...(Names) >= 1 && sizeof...(Names) <= most_choices,
+                "cca::steps: a then_one_of<...> names one to eight steps");
+  using condition = all<>;
+  static constexpr void set(step_info& one) { ((one.choices[one.choice_count++] = Names.view()), ...); }
+};
+
+template <class Step>
+struct step_facts;
+template <fixed_string Name, class... Options>
+struct step_facts<step<Name, Options...>> {
+  using condition = all<typename step_option<Options>::condition...>;
+  static constexpr step_info info = [] {
+    step_info one{Name.view()};
+    (step_option<Options>::set(one), ...);
+    return one;
+  }();
+};
+
+}  // namespace detail
+
+template <class... Steps>
+struct steps {
+  static constexpr int count = sizeof...(Steps);
+  static constexpr std::array<detail::step_info, sizeof...(Steps)> table{detail::step_facts<Steps>::info...};
+
+  // The number of the step of that name; -1 if there is none.
+  static constexpr int find(std::string_view name) {
+    for (int i = 0; i < count; ++i)
+      if (table[static_cast<std::size_t>(i)].name == name) return i;
+    return -1;
+  }
+  template <fixed_string Name>
+  static constexpr int at = [] {
+    static_assert(find(Name.view()) >= 0, "cca::steps: there is no step with this name");
+    return find(Name.view());
+  }();
+
+  // Where a step leads, by number: the next step (-1: none), and the step after a timeout (-1: none).
+  struct way {
+    int next, otherwise;
+  };
+  static constexpr std::array<way, sizeof...(Steps)> ways = [] {
+    std::array<way, sizeof...(Steps)> all{};
+    for (int i = 0; i < count; ++i) {
+      const auto& one = table[static_cast<std::size_t>(i)];
+      all[static_cast<std::size_t>(i)] = {!one.next.empty() ? find(one.next)
+                                          : i + 1 < count   ? i + 1
+                                                            : -1,
+                                          find(one.otherwise)};
+    }
+    return all;
+  }();
+
+  // The steps that may follow each step, in the order in which the plan names them.
+  struct followers {
+    std::array<int, detail::most_choices> steps{};
+    int count = 0;
+  };
+  static constexpr std::array<followers, sizeof...(Steps)> next_of = [] {
+    std::array<followers, sizeof...(Steps)> all{};
+    for (std::size_t i = 0; i < sizeof...(Steps); ++i) {
+      for (int k = 0; k < table[i].choice_count; ++k)
+        all[i].steps[static_cast<std::size_t>(all[i].count++)] =
+            find(table[i].choices[static_cast<std::size_t>(k)]);
+      if (all[i].count == 0 && ways[i].next >= 0) all[i] = {{ways[i].next}, 1};
+    }
+    return all;
+  }();
+  static constexpr bool has_choices = [] {
+    for (const auto& one : table)
+      if (one.choice_count > 0) return true;
+    return false;
+  }();
+
+  template <class Heard>
+  static bool holds(int step, const Heard& heard) {
+    int i = 0;
+    bool found = false;
+    (void)((i++ == step ? (found = detail::step_facts<Steps>::condition::holds(heard), true) : false) || ...);
+    return found;
+  }
+
+  static constexpr bool well_named() {
+    for (int i = 0; i < count; ++i) {
+      const auto& one = table[static_cast<std::size_t>(i)];
+      if (find(one.name) != i || (!one.next.empty() && find(one.next) < 0) ||
+          (!one.otherwise.empty() && find(one.otherwise) < 0))
+        return false;
+      for (int k = 0; k < one.choice_count; ++k)
+        if (find(one.choices[static_cast<std::size_t>(k)]) < 0) return false;
+    }
+    return count > 0;
+  }
+};
+
+}  // namespace cca
