@@ -8,6 +8,12 @@
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/body_dynamics.hpp>
 #include <cca/robot/body_pose.hpp>
+#include <cca/robot/compliance/admittance.hpp>
+#include <cca/robot/compliance/cartesian_impedance.hpp>
+#include <cca/robot/compliance/contact_reaction.hpp>
+#include <cca/robot/compliance/hybrid_control.hpp>
+#include <cca/robot/compliance/joint_impedance.hpp>
+#include <cca/robot/compliance/passivity_guard.hpp>
 #include <cca/robot/dynamics/coriolis_matrix.hpp>
 #include <cca/robot/dynamics/forward_dynamics.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>

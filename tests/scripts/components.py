@@ -4,7 +4,7 @@
 usage: components.py [ROOT of the repository]
 
 Each row names types that its header declares, and a page that names the header as a user includes it. Each header of
-motor/, adaptive/, their parts, mapping/, robot/, robot/dynamics/ and skeleton/ that has a component, a type with a `process` outside of namespace detail,
+motor/, adaptive/, their parts, mapping/, robot/, robot/dynamics/, robot/compliance/ and skeleton/ that has a component, a type with a `process` outside of namespace detail,
 has a row.
 """
 import pathlib
@@ -12,7 +12,7 @@ import re
 import sys
 
 PAGE = "docs/components.md"
-FOLDERS = ("motor", "motor/modules", "adaptive", "adaptive/module", "adaptive/plan", "mapping", "robot", "robot/dynamics", "skeleton")
+FOLDERS = ("motor", "motor/modules", "adaptive", "adaptive/module", "adaptive/plan", "mapping", "robot", "robot/dynamics", "robot/compliance", "skeleton")
 PROCESS = re.compile(r"^\s+(?:\[\[.*?\]\] )?(?:auto|void|[\w:<>]+) process\(", re.M)
 
 

@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["adaptive", "adaptive/module", "mapping", "mapping/network", "motor", "motor/modules", "robot", "robot/dynamics"]
+FOLDERS = ["adaptive", "adaptive/module", "mapping", "mapping/network", "motor", "motor/modules", "robot", "robot/compliance", "robot/dynamics"]
 TESTS = "tests/runtime/finite"
 FUNCTION = "functions and data, no component"
 PART = "a graph of components that are tested by themselves"
@@ -52,6 +52,12 @@ WITHOUT = {
     "robot/body_components.hpp": "without a state: NaN passes",
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
+    "robot/compliance/cartesian_spring.hpp": FUNCTION,
+    "robot/compliance/compliance_spaces.hpp": FUNCTION,
+    "robot/compliance/damping_design.hpp": FUNCTION,
+    "robot/compliance/energy_tank.hpp": "tested within passivity_guard",
+    "robot/compliance/symmetric_eigen.hpp": FUNCTION,
+    "robot/compliance/tip_dynamics.hpp": FUNCTION,
     "robot/dynamics/coriolis_matrix.hpp": FUNCTION,
     "robot/dynamics/forward_dynamics.hpp": FUNCTION,
     "robot/dynamics/mass_matrix.hpp": FUNCTION,

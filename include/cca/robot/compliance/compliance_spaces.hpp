@@ -1,0 +1,86 @@
+// Spaces and states that the compliant components derive from the user's spaces. They have no rate, so they
+// fit any graph.
+//
+//   stiffness_along<Torques>, damping_along<Torques>   of the joints, over the axes of Torques
+//   stiffness_at<Tip, In>, damping_at<Tip, In>         of the origin of Tip, along the axes of In
+//   motion_of<Tip, In>, load_on<Tip, In>               twist and wrench of it
+//   pose_in<Frame>                                     a pose
+//   tip_of<Body, "part">                               the frame in which a part ends
+//   saturation_port                                    what was cut in this firing (enum saturation)
+//
+// NaN: names and functions, they keep nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+#include <cca/component/input_status.hpp>
+#include <cca/robot/body.hpp>
+#include <cca/space/domain.hpp>
+#include <cca/space/space.hpp>
+
+namespace cca {
+
+template <class Torques>
+struct stiffness_along : space<joint_stiffness, typename Torques::axes> {};
+template <class Torques>
+struct damping_along : space<joint_damping, typename Torques::axes> {};
+
+template <class Tip, class In>
+struct stiffness_at : space<cartesian_stiffness<Tip, In>, axes<x, y, z>> {};
+template <class Tip, class In>
+struct damping_at : space<cartesian_damping<Tip, In>, axes<x, y, z>> {};
+template <class Tip, class In>
+struct motion_of : space<twist<Tip, In>, axes<x, y, z>> {};
+template <class Tip, class In>
+struct load_on : space<wrench<Tip, In>, axes<x, y, z>> {};
+
+template <class Frame>
+struct pose_in : space<pose<Frame>, axes<x, y, z>> {};
+
+// Of two that happen, the larger number is published.
+enum class saturation : std::uint8_t {
+  none,
+  spring,  // the spring pulls with its largest torque or force, less than stiffness times displacement
+  motion,  // a displacement or a velocity is at its limit
+  torque   // a joint is at the limit of its torque: the compliance is not as designed
+};
+struct saturation_axis : dimension<"saturation"> {};
+struct saturation_port : space<status, axes<saturation_axis>> {};
+
+namespace detail {
+
+template <class Body, fixed_string Part>
+struct end_of_part {
+  static constexpr int index = part_index<Body>(Part.view());
+  static_assert(index >= 0, "cca: this body has no part with that name");
+  using frame = typename std::tuple_element_t<static_cast<std::size_t>(index < 0 ? 0 : index),
+                                              typename Body::parts>::chain::tip_frame;
+};
+
+// The worse of two statuses.
+constexpr input_status worse(input_status a, input_status b) { return a < b ? b : a; }
+
+// Of a stiffness or a damping: what is negative counts as 0.
+template <class Vector>
+Vector at_least_zero(input_check& inputs, const Vector& v) {
+  Vector x;
+  for (int i = 0; i < x.size(); ++i) x[i] = inputs.number(v[i], 0);
+  return x;
+}
+
+// Within the limits that the axes of Torques state; `cut` becomes true if a number was outside.
+template <class Torques>
+typename Torques::vector_type within_torque_limits(const typename Torques::vector_type& wanted, bool& cut) {
+  const typename Torques::vector_type within = sample<Torques>(wanted).clamped().vector();
+  cut = cut || (within.array() != wanted.array()).any();
+  return within;
+}
+
+}  // namespace detail
+
+template <class Body, fixed_string Part>
+using tip_of = typename detail::end_of_part<Body, Part>::frame;
+
+}  // namespace cca

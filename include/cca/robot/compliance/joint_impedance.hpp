@@ -1,0 +1,154 @@
+// Joint impedance: each joint is a spring and a damper about a reference, on top of gravity compensation.
+//
+//   cca::joint_impedance<Body, Angles, Velocities, Torques, Attitude>
+//     in  "reference"             Angles                     rad (prismatic joints: m)
+//     in  "angles"                Angles                     measured
+//     in  "velocities"            Velocities                 measured, rad/s
+//     in  "reference_velocities"  Velocities                 optional: the damper acts on the difference;
+//     else 0 in  "stiffness"             stiffness_along<Torques>   optional, N m/rad: else the parameter in
+//     "damping"               damping_along<Torques>     optional, N m s/rad: else the parameter in
+//     "feedforward"           Torques                    optional, N m: added in  "attitude" Attitude
+//     optional: orientation of the base, z up out "torques"               Torques                    N m,
+//     within the limits of its axes out "status"                input_status_port out "saturation"
+//     saturation_port
+//
+//   torques = spring + D (reference velocities - velocities) + feedforward + gravity
+//   spring = stiffness (reference - angles), each axis cut to `largest`
+//   D = diag(damping) + the damping that gives each mode `damping_ratio` (damping_design.hpp)
+//
+// Parameters: `stiffness`, `damping` and `largest` over axes_of<Body>; `damping_ratio` (0: only `damping`);
+// `compensate_gravity` and `gravity` in m/s^2. Where it holds a known load, give its torque to
+// "feedforward".
+//
+// With a constant stiffness and reference it creates no energy in continuous time, also where the spring is
+// cut; feed-forward and a stiffness that changes can: put a `passivity_guard` behind it. In a loop that runs
+// every dt, the damping must be below about 2 M / dt; a damping from the ratio is that if w dt < 1 / ratio.
+//
+// Inputs (input_status.hpp): while "angles", "velocities" or "attitude" is NaN or infinite, the torque is 0,
+// or the nearest that the limits allow. While only another one is, spring and feed-forward are left out: the
+// damper of the parameters and gravity compensation remain. In both cases the status is `unreadable`. It has
+// no state. Until a first "reference" comes there is no spring; until angles and velocities come, the torque
+// is 0. A negative stiffness or damping counts as 0, with the status `clamped`.
+//
+// Precondition: each coordinate moves mass, if `damping_ratio` is not 0.
+// Errors: space.mismatch. Cost: mass matrix, gravity torques, and the decomposition of a matrix of n x n
+// unless `damping_ratio` is 0. Source: Ott, Cartesian Impedance Control of Redundant and Flexible-Joint
+// Robots, 2008, chapter 3. Example: tests/runtime/compliance/joint_impedance.cpp; docs/compliance.md.
+#pragma once
+
+#include <string_view>
+#include <tuple>
+
+#include <cca/component/parameters.hpp>
+#include <cca/component/port.hpp>
+#include <cca/robot/body_components.hpp>
+#include <cca/robot/compliance/compliance_spaces.hpp>
+#include <cca/robot/compliance/damping_design.hpp>
+#include <cca/robot/dynamics/mass_matrix.hpp>
+#include <cca/robot/dynamics/positive_matrix.hpp>
+
+namespace cca {
+
+template <Body Type, class Angles, class Velocities, class Torques, class Attitude = base_attitude>
+struct joint_impedance {
+  using checked = std::void_t<decltype(detail::check_axes<Type, joint_angles, Angles>()),
+                              decltype(detail::check_axes<Type, joint_velocities, Velocities>()),
+                              decltype(detail::check_axes<Type, joint_torques, Torques>()),
+                              decltype(detail::check_torques<Type, Torques>())>;
+  using vector = typename body_pose<Type>::vector_type;
+  using matrix = Eigen::Matrix<double, body_pose<Type>::size, body_pose<Type>::size>;
+
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters,
+                             (vector, stiffness),
+                             (vector, damping),
+                             (cca::bounded<double, 0, 10>, damping_ratio),
+                             (vector, largest),
+                             (bool, compensate_gravity),
+                             (double, gravity));
+    parameters(const vector& n_m_per_rad = vector::Constant(50),
+               const vector& n_m_s_per_rad = vector::Zero(),
+               double ratio = 0.7,
+               const vector& n_m = vector::Constant(1e30),
+               bool compensates = true,
+               double m_s2 = 9.81)
+        : stiffness(n_m_per_rad),
+          damping(n_m_s_per_rad),
+          damping_ratio(ratio),
+          largest(n_m),
+          compensate_gravity(compensates),
+          gravity(m_s2) {}
+    std::string_view check() const {
+      if (stiffness.minCoeff() < 0) return "a stiffness is negative";
+      if (damping.minCoeff() < 0) return "a damping is negative";
+      if (largest.minCoeff() < 0) return "`largest` is negative";
+      if (stiffness.maxCoeff() > largest_input || damping.maxCoeff() > largest_input)
+        return "a stiffness or damping is above 1e12";
+      return std::abs(gravity) <= 1e6 ? std::string_view() : "`gravity` is above 1e6 m/s^2";
+    }
+  };
+  parameters p{};
+
+  auto process(in<"reference", Angles> reference,
+               in<"angles", Angles> angles,
+               in<"velocities", Velocities> velocities,
+               optional_in<"reference_velocities", Velocities> reference_velocities,
+               optional_in<"stiffness", stiffness_along<Torques>> stiffness,
+               optional_in<"damping", damping_along<Torques>> damping,
+               optional_in<"feedforward", Torques> feedforward,
+               optional_in<"attitude", Attitude> attitude) -> std::
+      tuple<out<"torques", Torques>, out<"status", input_status_port>, out<"saturation", saturation_port>> {
+    detail::input_check motion, wish;
+    const vector q = motion(of(angles)), dq = motion(of(velocities));
+    detail::vector3 down{0, 0, -p.gravity};
+    if (attitude)
+      down = rotation::rotate(
+          rotation::inverse(rotation::normalised(detail::vector4(motion(attitude.vector())))), down);
+    const vector wanted = wish(of(reference));
+    vector k = p.stiffness, d = p.damping, dq_wanted = vector::Zero(), added = vector::Zero();
+    if (reference_velocities) dq_wanted = wish(of(reference_velocities));
+    if (stiffness) k = detail::at_least_zero(wish, of(stiffness));
+    if (damping) d = detail::at_least_zero(wish, of(damping));
+    if (feedforward) added = wish(of(feedforward));
+    const auto status = status_of(detail::worse(motion.get(), wish.get()));
+
+    vector torques = vector::Zero();
+    bool spring_cut = false, torque_cut = false;
+    if (!motion.unreadable() && angles.origin() != never && velocities.origin() != never) {
+      if (wish.unreadable()) k = p.stiffness, d = p.damping, dq_wanted.setZero(), added.setZero();
+      const body_pose<Type> now(q);
+      const matrix by_ratio = damping_by_ratio(now, k);
+      torques = added + d.cwiseProduct(dq_wanted - dq) + by_ratio * (dq_wanted - dq);
+      if (!wish.unreadable() && reference.origin() != never) {
+        const vector pull = k.cwiseProduct(wanted - q), cut = pull.cwiseMin(p.largest).cwiseMax(-p.largest);
+        spring_cut = cut != pull;
+        torques += cut;
+      }
+      if (p.compensate_gravity) torques += gravity_torques(now, down);
+    }
+    const typename Torques::vector_type within =
+        detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
+    return {within, status,
+            status_of(torque_cut   ? saturation::torque
+                      : spring_cut ? saturation::spring
+                                   : saturation::none)};
+  }
+
+private:
+  using order = axes_of<Type>;
+
+  template <class Port>
+  static vector of(const Port& port) {
+    return detail::reordered<order, typename Port::space>::from(port.vector());
+  }
+
+  matrix damping_by_ratio(const body_pose<Type>& now, const vector& k) const {
+    if (p.damping_ratio == 0) return matrix::Zero();
+    const matrix root = k.cwiseSqrt().asDiagonal();
+    const matrix mobility =
+        detail::positive_matrix<body_pose<Type>::size>(mass_matrix(now)).solve(matrix(matrix::Identity()));
+    return detail::damping_for<body_pose<Type>::size>(mobility, root, p.damping_ratio);
+  }
+};
+
+}  // namespace cca
