@@ -10,8 +10,6 @@
 
 #include <ode/ode.h>
 
-#include <cca/sim/oncilla_model.hpp>
-
 namespace cca::sim {
 
 // Initialises the library once per process, and its data once per thread.
@@ -32,9 +30,17 @@ struct engine_release {
 template <class T>
 using engine_handle = std::unique_ptr<T, engine_release>;
 
+struct engine_settings {
+  double gravity = 9.81;  // m/s^2, down
+  double erp = 0.2;       // of joints: the share of an error that a step corrects
+  double cfm = 1e-9;
+  double correcting_speed = 1.0;  // m/s, of contacts
+  double surface_layer = 0.0005;  // m, depth of contacts that is not corrected
+};
+
 class engine {
 public:
-  explicit engine(const oncilla_model& m) {
+  explicit engine(const engine_settings& m) {
     prepare_engine();
     threading_.reset(dThreadingAllocateSelfThreadedImplementation());
     world_.reset(dWorldCreate());
@@ -44,8 +50,8 @@ public:
     const dWorldStepReserveInfo reserve{sizeof(dWorldStepReserveInfo), 1.2F, step_memory};
     dWorldSetStepMemoryReservationPolicy(id(), &reserve);
     dWorldSetGravity(id(), 0, 0, -m.gravity);
-    dWorldSetERP(id(), m.world_erp);
-    dWorldSetCFM(id(), m.world_cfm);
+    dWorldSetERP(id(), m.erp);
+    dWorldSetCFM(id(), m.cfm);
     dWorldSetAutoDisableFlag(id(), 0);
     dWorldSetContactMaxCorrectingVel(id(), m.correcting_speed);
     dWorldSetContactSurfaceLayer(id(), m.surface_layer);

@@ -35,7 +35,11 @@ public:
   explicit world(const oncilla_model& model = {},
                  const terrain& ground_shape = terrain::flat(),
                  const initial_posture& posture = {})
-      : model_(model), terrain_(ground_shape), posture_(posture), engine_(model_), ground_(model_, terrain_) {
+      : model_(model),
+        terrain_(ground_shape),
+        posture_(posture),
+        engine_(settings_of(model_)),
+        ground_(model_, terrain_) {
     build();
   }
 
@@ -274,6 +278,10 @@ private:
     return m.mass;
   }
   static vector3 velocity(dBodyID body) { return vector(dBodyGetLinearVel(body)); }
+
+  static engine_settings settings_of(const oncilla_model& m) {
+    return {m.gravity, m.world_erp, m.world_cfm, m.correcting_speed, m.surface_layer};
+  }
 
   static constexpr double clearance = 0.001;
 
