@@ -10,6 +10,8 @@
 
 #include <ode/ode.h>
 
+#include <cca/sim/robot/engine_settings.hpp>
+
 namespace cca::sim {
 
 // Initialises the library once per process, and its data once per thread.
@@ -29,14 +31,6 @@ struct engine_release {
 
 template <class T>
 using engine_handle = std::unique_ptr<T, engine_release>;
-
-struct engine_settings {
-  double gravity = 9.81;  // m/s^2, down
-  double erp = 0.2;       // of joints: the share of an error that a step corrects
-  double cfm = 1e-9;
-  double correcting_speed = 1.0;  // m/s, of contacts
-  double surface_layer = 0.0005;  // m, depth of contacts that is not corrected
-};
 
 class engine {
 public:

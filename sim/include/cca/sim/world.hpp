@@ -38,7 +38,7 @@ public:
       : model_(model),
         terrain_(ground_shape),
         posture_(posture),
-        engine_(settings_of(model_)),
+        engine_(model_.engine()),
         ground_(model_, terrain_) {
     build();
   }
@@ -278,10 +278,6 @@ private:
     return m.mass;
   }
   static vector3 velocity(dBodyID body) { return vector(dBodyGetLinearVel(body)); }
-
-  static engine_settings settings_of(const oncilla_model& m) {
-    return {m.gravity, m.world_erp, m.world_cfm, m.correcting_speed, m.surface_layer};
-  }
 
   static constexpr double clearance = 0.001;
 
