@@ -27,6 +27,10 @@ struct attitude : cca::space<cca::orientation<base>, xyz> {};
 struct placed : cca::space<cca::pose<base>, xyz> {};
 struct moving : cca::space<cca::twist<other, base>, xyz> {};
 struct loaded : cca::space<cca::wrench<other, base>, xyz> {};
+struct spring : cca::space<cca::cartesian_stiffness<other, base>, xyz> {};
+struct damper : cca::space<cca::cartesian_damping<other, base>, xyz> {};
+struct normal_force : cca::space<cca::cartesian_force<base>, cca::axes<cca::z>> {};
+struct leg_damping : cca::space<cca::joint_damping, cca::axes<hip, knee>> {};
 struct foot : cca::space<cca::cartesian_position<base>, cca::axes<cca::x, cca::z>> {};
 
 // Coordinates.
@@ -36,6 +40,14 @@ static_assert(attitude::size == 4 && placed::size == 7 && moving::size == 6 && l
 static_assert(cca::detail::zero_of<attitude> == std::array{0.0, 0.0, 0.0, 1.0});
 static_assert(cca::detail::zero_of<placed> == std::array{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
 static_assert(cca::detail::zero_of<leg_angles> == std::array{0.0, 0.0});
+static_assert(spring::size == 6 && damper::size == 6 && normal_force::size == 1 && leg_damping::size == 2);
+static_assert(cca::detail::space_of<leg_damping>.unit == "N m s/rad" &&
+              cca::detail::space_of<normal_force>.unit == "N" &&
+              cca::detail::space_of<spring>.coordinate_units[5] == "N/m" &&
+              cca::detail::space_of<damper>.coordinates[0] == "rotational_x");
+static_assert(cca::joint_damping::actuated && !spring::domain::actuated && !normal_force::domain::actuated);
+static_assert(!cca::SameFrames<cca::cartesian_stiffness<other, base>, cca::cartesian_stiffness<base, other>>);
+static_assert(cca::SameFrames<cca::cartesian_force<base>, cca::cartesian_position<base>>);
 static_assert(cca::joint_stiffness::actuated && !cca::phase::actuated && !attitude::domain::actuated);
 
 // Limits.

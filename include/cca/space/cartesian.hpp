@@ -1,9 +1,13 @@
-// Positions: points by their coordinates along the axes of a frame, in m.
+// Positions and forces along the axes of a frame.
 //
 //   struct foot_in_hip : cca::space<cca::cartesian_position<hip_frame>, cca::axes<cca::x, cca::z>> {};
+//   struct push : cca::space<cca::cartesian_force<hip_frame>, cca::axes<cca::z>> {};
 //
-// The zero is the frame's origin. Points can't be added: the difference of two points is a vector, and a
-// point plus a vector is a point. Errors: `frame.mismatch`.
+//   cartesian_position<Frame>   a point by its coordinates, in m; the zero is the frame's origin
+//   cartesian_force<Frame>      in N, along the axes of the frame; it says nothing about where it acts
+//
+// Points can't be added: the difference of two points is a vector, and a point plus a vector is a point.
+// Forces can. A force with its moment about a point is a `wrench`. Errors: `frame.mismatch`.
 #pragma once
 
 #include <cmath>
@@ -38,6 +42,22 @@ struct cartesian_position : detail::linear_domain {
     template <class Vector>
     constexpr Self plus(const Eigen::MatrixBase<Vector>& by) const {
       return Self((this->self().vector() + by).eval(), this->self().origin());
+    }
+  };
+};
+
+template <class Frame>
+struct cartesian_force : detail::linear_domain {
+  using quantity = force;
+  using frame = Frame;
+  using frames = detail::frame_list<Frame>;
+
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    // In N.
+    double magnitude() const {
+      const auto v = this->self().vector();
+      return std::sqrt(v.dot(v));
     }
   };
 };

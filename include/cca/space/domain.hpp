@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cca/space/cartesian.hpp>
+#include <cca/space/cartesian_stiffness.hpp>
 #include <cca/space/joint.hpp>
 #include <cca/space/orientation.hpp>
 #include <cca/space/phase.hpp>

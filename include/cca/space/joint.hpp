@@ -7,6 +7,7 @@
 //   joint_accelerations   rad/s^2   0      sums, interpolated, within_limits, clamped
 //   joint_torques         N m       0      sums, power(velocities), interpolated, within_limits, clamped
 //   joint_stiffness       N m/rad   0      sums, torque(deflection), interpolated, within_limits, clamped
+//   joint_damping         N m s/rad 0      sums, torque(velocities), interpolated, within_limits, clamped
 #pragma once
 
 #include <cca/space/methods/circle.hpp>
@@ -100,6 +101,23 @@ struct joint_stiffness : detail::joint_domain {
     constexpr auto torque(const Eigen::MatrixBase<Vector>& deflection) const {
       using vector = typename Self::space::vector_type;
       return vector(-this->self().vector().cwiseProduct(deflection));
+    }
+  };
+};
+
+struct joint_damping : detail::joint_domain {
+  using quantity = damping;
+
+  template <class Self>
+  struct methods : detail::additive<Self> {
+    // In N m, against the motion.
+    template <Sample Velocities>
+    constexpr auto torque(const Velocities& velocities) const {
+      static_assert(std::is_same_v<typename Velocities::space::domain, joint_velocities> &&
+                        std::is_same_v<typename Velocities::space::axes, typename Self::space::axes>,
+                    "space.mismatch: the torque of joint damping needs joint_velocities over the same axes");
+      using vector = typename Self::space::vector_type;
+      return vector(-this->self().vector().cwiseProduct(velocities.vector()));
     }
   };
 };

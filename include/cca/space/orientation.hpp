@@ -47,6 +47,10 @@ template <class Frame, class In>
 struct expressed_in<cartesian_position<Frame>, In> {
   using type = cartesian_position<In>;
 };
+template <class Frame, class In>
+struct expressed_in<cartesian_force<Frame>, In> {
+  using type = cartesian_force<In>;
+};
 template <class At, class Old, class In>
 struct expressed_in<twist<At, Old>, In> {
   using type = twist<At, In>;
@@ -178,10 +182,13 @@ struct orientation {
       else return result(p.vector());
     }
 
-    // Takes a position, twist or wrench along the axes of the thing whose orientation this is, and gives it
-    // along those of Frame. A position needs both frames to have the same origin; otherwise use a pose.
+    // Takes a position, force, twist or wrench along the axes of the thing whose orientation this is, and
+    // gives it along those of Frame. A position needs both frames to have the same origin; otherwise use a
+    // pose.
     template <Sample Other>
     auto express(const Other& s) const {
+      static_assert(Other::space::size % 3 == 0,
+                    "space.mismatch: a rotation moves samples over three axes, axes<x, y, z>");
       return detail::express<Other, Frame>(detail::rotated(this->self().vector(), s.vector()),
                                            detail::older(this->self().origin(), s.origin()));
     }

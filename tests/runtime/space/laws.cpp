@@ -17,6 +17,7 @@ TEST_SUITE("space laws") {
 
   TEST_CASE_TEMPLATE("interpolation", Model, plain_model<leg_angles>, plain_model<leg_velocities>,
                      plain_model<leg_accelerations>, plain_model<leg_torques>, plain_model<leg_stiffness>,
+                     plain_model<leg_damping>, plain_model<push>, plain_model<springs>, plain_model<dampers>,
                      plain_model<foot>, plain_model<motion>, plain_model<load>, plain_model<amplitudes>,
                      plain_model<frequencies>, plain_model<numbers>, phase_model, orientation_model,
                      pose_model) {
@@ -30,7 +31,8 @@ TEST_SUITE("space laws") {
   }
 
   TEST_CASE_TEMPLATE("sums", Model, plain_model<leg_velocities>, plain_model<leg_accelerations>,
-                     plain_model<leg_torques>, plain_model<leg_stiffness>, plain_model<motion>,
+                     plain_model<leg_torques>, plain_model<leg_stiffness>, plain_model<leg_damping>,
+                     plain_model<push>, plain_model<springs>, plain_model<dampers>, plain_model<motion>,
                      plain_model<load>, plain_model<amplitudes>, plain_model<frequencies>,
                      plain_model<numbers>) {
     laws::sums<Model>();

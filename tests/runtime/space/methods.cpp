@@ -82,6 +82,9 @@ TEST_SUITE("space methods") {
     CHECK(cca::sample<leg_stiffness>(Eigen::Vector2d(5, 7))
               .torque(Eigen::Vector2d(0.1, -0.2))
               .isApprox(Eigen::Vector2d(-0.5, 1.4)));
+    CHECK(cca::sample<leg_damping>(Eigen::Vector2d(5, 7)).torque(v).isApprox(Eigen::Vector2d(-10, 21)));
+    CHECK(cca::sample<leg_torques>(cca::sample<leg_damping>(Eigen::Vector2d(5, 7)).torque(v)).power(v) ==
+          Approx(-20 - 63));
   }
 
   TEST_CASE("positions") {
@@ -238,6 +241,36 @@ TEST_SUITE("space methods") {
     const auto about = up.moved_to<here>(cca::sample<foot>(Eigen::Vector3d(0, -1, 0)));
     CHECK(about.torque() == Eigen::Vector3d(10, 0, 0));
     CHECK(about.force() == Eigen::Vector3d(0, 0, 10));
+  }
+
+  TEST_CASE("forces") {
+    const cca::sample<push> f(Eigen::Vector3d(3, 0, 4), 7);
+    CHECK(f.magnitude() == 5);
+    CHECK((f + f).vector() == Eigen::Vector3d(6, 0, 8));
+    // A quarter turn about z: what points along x of the world points along y of the trunk.
+    const auto turned = cca::sample<attitude_in_trunk>::about({0, 0, 1}, cca::pi / 2).express(f);
+    CHECK(std::is_same_v<decltype(turned)::space::domain, cca::cartesian_force<trunk>>);
+    CHECK(near(turned.vector(), Eigen::Vector3d(0, 3, 4)));
+    CHECK(turned.origin() == 7);
+  }
+
+  TEST_CASE("Cartesian stiffness and damping") {
+    using six = Eigen::Matrix<double, 6, 1>;
+    const six diagonal = (six() << 1, 2, 3, 40, 50, 60).finished(),
+              moved = (six() << 0.1, 0, -0.1, 0.01, 0.02, -0.03).finished();
+    const cca::sample<springs> k(diagonal, 5);
+    CHECK(k.rotational() == Eigen::Vector3d(1, 2, 3));
+    CHECK(k.linear() == Eigen::Vector3d(40, 50, 60));
+    const auto back = k.wrench(moved);
+    CHECK(std::is_same_v<decltype(back)::space::domain, cca::wrench<trunk, world>>);
+    CHECK(near(back.torque(), Eigen::Vector3d(-0.1, 0, 0.3)));
+    CHECK(near(back.force(), Eigen::Vector3d(-0.4, -1, 1.8)));
+    CHECK(back.origin() == 5);
+    const cca::sample<motion> v(moved, 3);
+    const auto against = cca::sample<dampers>(diagonal, 5).wrench(v);
+    CHECK(against.vector() == back.vector());
+    CHECK(against.origin() == 3);
+    CHECK(against.power(v) == Approx(-moved.dot(diagonal.cwiseProduct(moved))));
   }
 
   TEST_CASE("power is the same at any point and along any axes") {
