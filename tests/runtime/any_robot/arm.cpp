@@ -1,5 +1,6 @@
 // The arm as a node of graphs: held and moved by torques, and by its drives.
 #include <limits>
+#include <optional>
 
 #include <doctest/doctest.h>
 
@@ -46,7 +47,7 @@ struct movement {
     const double s = std::min(0.5e-9 * static_cast<double>(now.time()), 1.0);  // minimum jerk
     const double at = s * s * s * (10 + s * (6 * s - 15)), speed = s * s * (30 + s * (30 * s - 60)) / 2,
                  change = s * (60 + s * (120 * s - 180)) / 4;
-    return (by * change + 20 * (by * speed - dq.vector()) + 100 * (from + by * at - q.vector())).eval();
+    return (by * change + 60 * (by * speed - dq.vector()) + 900 * (from + by * at - q.vector())).eval();
   }
 };
 
@@ -76,22 +77,48 @@ struct reckless
                  cca::wire<"gravity.torques", "robot.torque">> {};
 static_assert(cca::diagnosis<reckless>.rule == "robot.unlimited_command");
 
-// Commands of one kind, the same in each beat.
-template <class Space>
-struct constant {
-  typename Space::vector_type value = Space::vector_type::Zero();
-  auto process(cca::beat) -> cca::out<"value", Space> { return value; }
+// Commands of one kind: none until there is a value.
+template <class Command>
+struct source {
+  using space = cca::robots::commanded<arm::description, Command>;
+  std::optional<vector> value;
+  auto process(cca::beat) -> cca::maybe<"value", space> {
+    if (value) return *value;
+    return {};
+  }
+};
+template <class Command>
+using limits = cca::limiter<cca::robots::commanded<arm::description, Command>>;
+
+struct operator_stop {
+  bool pressed = false;
+  auto process(cca::beat) -> cca::fault { return pressed ? cca::fault("stop") : cca::fault(); }
 };
 
-template <class Command>
-struct driven
-    : cca::graph<cca::node<"source", constant<cca::robots::commanded<arm::description, Command>>>,
-                 cca::node<"limits", cca::limiter<cca::robots::commanded<arm::description, Command>>>,
-                 cca::node<"robot", simulated_arm>,
-                 cca::wire<"source.value", "limits.command">,
-                 cca::wire<"limits.safe", cca::detail::joined_name<"robot", Command::name>>> {};
-
-struct idle : cca::graph<cca::node<"robot", simulated_arm>> {};
+// All commands of the arm, of which each test uses some.
+struct driven : cca::graph<cca::rate<1000>,
+                           cca::node<"stop", operator_stop>,
+                           cca::node<"position", source<cca::robots::position_command>>,
+                           cca::node<"velocity", source<cca::robots::velocity_command>>,
+                           cca::node<"torque", source<cca::robots::torque_command>>,
+                           cca::node<"stiffness", source<cca::robots::stiffness_command>>,
+                           cca::node<"damping", source<cca::robots::damping_command>>,
+                           cca::node<"position_limits", limits<cca::robots::position_command>>,
+                           cca::node<"velocity_limits", limits<cca::robots::velocity_command>>,
+                           cca::node<"torque_limits", limits<cca::robots::torque_command>>,
+                           cca::node<"stiffness_limits", limits<cca::robots::stiffness_command>>,
+                           cca::node<"damping_limits", limits<cca::robots::damping_command>>,
+                           cca::node<"robot", simulated_arm>,
+                           cca::wire<"position.value", "position_limits.command">,
+                           cca::wire<"velocity.value", "velocity_limits.command">,
+                           cca::wire<"torque.value", "torque_limits.command">,
+                           cca::wire<"stiffness.value", "stiffness_limits.command">,
+                           cca::wire<"damping.value", "damping_limits.command">,
+                           cca::wire<"position_limits.safe", "robot.position">,
+                           cca::wire<"velocity_limits.safe", "robot.velocity">,
+                           cca::wire<"torque_limits.safe", "robot.torque">,
+                           cca::wire<"stiffness_limits.safe", "robot.stiffness">,
+                           cca::wire<"damping_limits.safe", "robot.damping">> {};
 
 template <class Graph>
 const sim::robot_world& world_of(const cca::controller<Graph>& c) {
@@ -128,9 +155,9 @@ TEST_SUITE("arm") {
     const cca::body_pose<arm::body> zero(vector::Zero());
     CHECK((zero.tip<"arm">().at - Eigen::Vector3d(0.088, 0, 0.333 + 0.316 + 0.384 - 0.107)).norm() < 1e-12);
     CHECK((zero.tip<"arm">().turn.col(2) + Eigen::Vector3d::UnitZ()).norm() < 1e-12);
-    CHECK(
-        (world_of(cca::controller<idle>()).end(0).where.at - cca::body_pose<arm::body>(start).tip<"arm">().at)
-            .norm() < 1e-12);
+    CHECK((world_of(cca::controller<driven>()).end(0).where.at -
+           cca::body_pose<arm::body>(start).tip<"arm">().at)
+              .norm() < 1e-12);
   }
 
   TEST_CASE("the torques of gravity hold it; without them it falls") {
@@ -139,7 +166,7 @@ TEST_SUITE("arm") {
     steps(c, 5000);
     CHECK((angles_of(c) - start).cwiseAbs().maxCoeff() < 1e-6);
 
-    cca::controller<idle> fallen;
+    cca::controller<driven> fallen;  // without a command
     started(fallen);
     steps(fallen, 500);
     CHECK((angles_of(fallen) - start).cwiseAbs().maxCoeff() > 0.2);
@@ -162,34 +189,49 @@ TEST_SUITE("arm") {
   }
 
   TEST_CASE("drives follow positions: up to the load on their springs") {
-    cca::controller<driven<cca::robots::position_command>> c;
-    c.get<"source">().value = start + vector::Constant(0.1);
+    cca::controller<driven> c;
+    c.get<"position">().value = start + vector::Constant(0.1);
     started(c);
     steps(c, 3000);
-    const vector lag = angles_of(c) - c.get<"source">().value;
+    const vector lag = angles_of(c) - *c.get<"position">().value;
     const auto load = cca::gravity_torques(cca::body_pose<arm::body>(angles_of(c)));
     for (int i = 0; i < 7; ++i)
       CHECK(lag[i] * arm::description::drives[static_cast<std::size_t>(i)].stiffness ==
             doctest::Approx(-load[i]).epsilon(1e-3));
   }
 
+  TEST_CASE("a commanded stiffness replaces the servo's, and a torque is added") {
+    cca::controller<driven> c;
+    c.get<"position">().value = start;
+    c.get<"stiffness">().value = vector(2000, 2000, 2000, 2000, 300, 300, 300);
+    c.get<"torque">().value = cca::gravity_torques(cca::body_pose<arm::body>(start));
+    started(c);
+    steps(c, 1000);
+    CHECK((angles_of(c) - start).cwiseAbs().maxCoeff() < 1e-6);
+    *c.get<"torque">().value += vector(10, 0, 0, 0, 0, 0, 3);
+    steps(c, 2000);
+    CHECK(angles_of(c)[0] - start[0] == doctest::Approx(10.0 / 2000).epsilon(0.05));
+    CHECK(angles_of(c)[6] - start[6] == doctest::Approx(3.0 / 300).epsilon(0.05));
+  }
+
   TEST_CASE("drives move at a commanded speed, and hold at speed 0") {
-    cca::controller<driven<cca::robots::velocity_command>> c;
+    cca::controller<driven> c;
+    c.get<"velocity">().value = vector::Zero();
     started(c);
     steps(c, 1000);  // speed 0
     const vector before = angles_of(c);
     CHECK((before - start).cwiseAbs().maxCoeff() < 0.1);
-    c.get<"source">().value = vector(0.2, 0.2, -0.2, 0.2, 0.2, -0.2, 0.2);
+    c.get<"velocity">().value = vector(0.2, 0.2, -0.2, 0.2, 0.2, -0.2, 0.2);
     steps(c, 2000);
-    CHECK((angles_of(c) - before - 2 * c.get<"source">().value).cwiseAbs().maxCoeff() < 0.05);
+    CHECK((angles_of(c) - before - 2 * *c.get<"velocity">().value).cwiseAbs().maxCoeff() < 0.05);
   }
 
   TEST_CASE("commands beyond the limits and commands that are no numbers") {
-    cca::controller<driven<cca::robots::torque_command>> c;
-    c.get<"source">().value = vector::Constant(1e6);
+    cca::controller<driven> c;
+    c.get<"torque">().value = vector::Constant(1e6);
     started(c);
     steps(c, 1);
-    c.get<"source">().value = vector::Constant(std::numeric_limits<double>::quiet_NaN());
+    c.get<"torque">().value = vector::Constant(std::numeric_limits<double>::quiet_NaN());
     for (int k = 0; k < 500; ++k) {
       REQUIRE(c.step());
       for (int i = 0; i < 7; ++i) {
@@ -198,8 +240,38 @@ TEST_SUITE("arm") {
       }
     }
     CHECK(angles_of(c).allFinite());
-    CHECK(c.get<"limits">().interventions() > 0);
+    CHECK(c.get<"torque_limits">().interventions() > 0);
     CHECK(world_of(c).joints()[0].torque == 0);  // 1000 N m/s down from the limit
+  }
+
+  TEST_CASE("a commanded damping brakes a falling arm") {
+    cca::controller<driven> c;
+    c.get<"damping">().value = vector(200, 200, 200, 200, 5, 5, 5);
+    started(c);
+    cca::controller<driven> fallen;  // without a command
+    started(fallen);
+    steps(c, 300);
+    steps(fallen, 300);
+    CHECK((angles_of(c) - start).norm() < 0.2 * (angles_of(fallen) - start).norm());
+  }
+
+  TEST_CASE("after a fault the motors damp: no energy is added, and the arm sinks to its stops") {
+    cca::controller<driven> c;
+    c.get<"torque">().value = vector(5, -20, 0, 15, 0, 0, 0);
+    started(c);
+    steps(c, 800);
+    c.get<"stop">().pressed = true;
+    steps(c, 1);  // the beat that the fault ends, before the robot acts
+    CHECK(world_of(c).time() == doctest::Approx(0.8));
+    double energy = world_of(c).energy();
+    REQUIRE(std::isfinite(energy));
+    for (int k = 0; k < 5000; ++k) {
+      CHECK(!c.step());
+      REQUIRE(world_of(c).energy() < energy + 1e-3);
+      energy = world_of(c).energy();
+    }
+    CHECK(world_of(c).time() == doctest::Approx(5.8));
+    for (const auto& joint : world_of(c).joints()) CHECK(std::abs(joint.velocity) < 0.2);
   }
 
   TEST_CASE("a copy is a snapshot: both go on bit for bit") {

@@ -13,9 +13,10 @@
 //                               velocity, if commanded, is the speed of the target, torque is added
 //   velocity without position   the servo's target moves at that speed from where the joint is
 //
-// A commanded stiffness scales the servo's damping too. Until a first command arrives a motor gives nothing.
-// Commands that are not finite, which no limiter lets pass: positions, velocities and stiffnesses keep the
-// last one, a torque is 0.
+// Without a commanded damping, a commanded stiffness scales the servo's own. Damping, with a stiffness or
+// alone, acts without a position too: it brakes. Until a first command arrives a motor gives nothing.
+// Commands that are not finite, which no limiter lets pass: a torque is 0, the others keep
+// the last one.
 // Errors: robot.unlimited_command, space.missing_limits.
 #pragma once
 
@@ -28,8 +29,8 @@
 
 namespace cca::robots {
 
-enum class command_kind : std::size_t { position, velocity, torque, stiffness };
-inline constexpr std::size_t command_kinds = 4;
+enum class command_kind : std::size_t { position, velocity, torque, stiffness, damping };
+inline constexpr std::size_t command_kinds = 5;
 
 template <fixed_string Name, class Domain, command_kind Kind>
 struct command {
@@ -42,6 +43,7 @@ using position_command = command<"position", joint_angles, command_kind::positio
 using velocity_command = command<"velocity", joint_velocities, command_kind::velocity>;
 using torque_command = command<"torque", joint_torques, command_kind::torque>;
 using stiffness_command = command<"stiffness", joint_stiffness, command_kind::stiffness>;
+using damping_command = command<"damping", joint_damping, command_kind::damping>;
 
 template <class... Commands>
 struct commands {};
@@ -49,7 +51,7 @@ struct commands {};
 // The commands of one joint, NaN where none has come yet.
 struct joint_commands {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::array<double, command_kinds> values{none, none, none, none};
+  std::array<double, command_kinds> values{none, none, none, none, none};
 
   constexpr double operator[](command_kind kind) const { return values[static_cast<std::size_t>(kind)]; }
   constexpr double& operator[](command_kind kind) { return values[static_cast<std::size_t>(kind)]; }

@@ -1,6 +1,7 @@
 // The spaces and the graph of a described robot, simulated or real: generated from the axes of its body.
 //
-//   in   "position", "velocity", "torque", "stiffness"   those in R::commands, each optional (commands.hpp)
+//   in   "position", "velocity", "torque", "stiffness", "damping"
+//                      those in R::commands, each optional (commands.hpp)
 //   out  "angles"      angles<R>       rad        "velocities"  velocities<R>   rad/s
 //        "torques"     torques<R>      N m        and each sensor of R under its name
 //

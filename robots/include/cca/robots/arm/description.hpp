@@ -1,6 +1,6 @@
 // The arm described for the simulator and for drives: `cca::sim::robot<cca::robots::arm::description>`.
 //
-//   in   "torque", "position", "velocity", "stiffness"   each optional, over joint_axes
+//   in   "torque", "position", "velocity", "stiffness", "damping"   each optional, over joint_axes
 //   out  "angles", "velocities", "torques"; "flange_load"  wrench of the world on the tool, in the flange
 //
 // The body says which numbers are published. CHOSEN, all of this header: the servos and the friction of the
@@ -17,7 +17,8 @@ namespace cca::robots::arm {
 struct description {
   using body = arm::body;
   using rate = cca::rate<1000>;
-  using commands = robots::commands<torque_command, position_command, velocity_command, stiffness_command>;
+  using commands = robots::
+      commands<torque_command, position_command, velocity_command, stiffness_command, damping_command>;
   using sensors = robots::sensors<force_sensor<"flange_load", "arm">>;
 
   static constexpr joint_drive large{.motor = {87, 4.35}, .stiffness = 600, .damping = 50, .friction = 0.1};

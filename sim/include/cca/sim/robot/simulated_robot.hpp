@@ -7,6 +7,9 @@
 //               over the last beat
 //   act     in  one port for each joint: wanted_joint<R, Axis>
 //
+//   After a fault, and while the controller is stopped, the motors only damp; each `step()` is still a beat
+//   of physics.
+//
 // `put_down` sets the world; without it the robot stands alone where R::start has it. `world()` is for what
 // happens to the robot: pulls, boxes that move. A copy of the node is a snapshot of the world. Cost: a beat
 // of physics (docs/robots.md); the rest is copying numbers.
@@ -52,6 +55,13 @@ public:
     for (std::size_t i = 0; i < count; ++i)
       laws[i] = servos_[i].follow(commands[i], world_.model().drives[i], world_.joints()[i].angle,
                                   world_.model().beat);
+    world_.advance(laws);
+  }
+
+  void on_start() { servos_ = {}; }
+  void on_idle() {
+    std::array<joint_law, count> laws;
+    for (std::size_t i = 0; i < count; ++i) laws[i] = joint_servo::damped(world_.model().drives[i]);
     world_.advance(laws);
   }
 
