@@ -48,7 +48,7 @@ struct crane {
   using sensors = robots::sensors<robots::force_sensor<"load", "crane">>;
   static constexpr std::array drives{
       robots::joint_drive{.motor = {80, 2}, .stiffness = 2000, .damping = 200, .friction = 5},
-      robots::joint_drive{.friction = 0.1}};  // no motor
+      robots::joint_drive{.friction = 0.3}};  // no motor
   static constexpr std::array shapes{robots::at_tip("crane", robots::sphere(0.04))};
 };
 // [description end]
@@ -113,10 +113,13 @@ TEST_SUITE("own robot") {
     const auto& w = c.get<"crane.simulator">().world();
     const double angle = w.joints()[1].angle;
     CHECK(w.end(0).where.at[0] == doctest::Approx(0.25 - 0.04).epsilon(0.01));
-    // Moments about the joint: the weight at 0.4 m, the wall at 0.5 m.
-    const Eigen::Vector3d force = w.end(0).where.turn * Eigen::Vector3d::Map(w.load(0).data() + 3);
-    CHECK(-force[0] * 0.5 * std::cos(angle) - force[2] * 0.5 * std::sin(angle) ==
-          doctest::Approx(9.81 * 0.4 * std::sin(std::abs(angle))).epsilon(0.02));
+    // Moments about the joint of the hook: of its weight, 0.4 m below it, and of what the sensor feels.
+    const cca::rigid end = w.end(0).where;
+    const Eigen::Vector3d torque = end.turn * Eigen::Vector3d::Map(w.load(0).data()),
+                          force = end.turn * Eigen::Vector3d::Map(w.load(0).data() + 3),
+                          arm = end.at - Eigen::Vector3d(w.joints()[0].angle, 0, 1);
+    CHECK((torque + cca::detail::cross(arm, force))[1] ==
+          doctest::Approx(9.81 * 0.4 * std::sin(angle)).epsilon(0.01));
     CHECK(force[0] < -1);
   }
 

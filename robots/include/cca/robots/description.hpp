@@ -21,6 +21,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <tuple>
 
 #include <cca/robot/body_pose.hpp>
 #include <cca/robots/commands.hpp>
@@ -85,16 +86,30 @@ constexpr bool moves_mass = [] {
   return true;
 }();
 
+template <class Body, class Parts>
+struct joints_by_part;
+template <class Body, class... Parts>
+struct joints_by_part<Body, std::tuple<Parts...>> {
+  static constexpr std::array<int, sizeof...(Parts)> count{static_cast<int>(Parts::chain::joints.size())...};
+};
+
 template <class R>
 constexpr bool shapes_exist = [] {
   if constexpr (requires { R::shapes.size(); })
     for (const shape_on& s : R::shapes) {
-      const int part = part_index<typename R::body>(s.part);
       if (s.link == shape_on::base) continue;
+      const int part = part_index<typename R::body>(s.part);
       if (part < 0 || s.link < shape_on::tip) return false;
+      using joints = joints_by_part<typename R::body, typename R::body::parts>;
+      if (s.link >= joints::count[static_cast<std::size_t>(part)]) return false;
     }
   return true;
 }();
+
+template <class Body, class... Sensors>
+constexpr bool all_parts_exist(sensors<Sensors...>) {
+  return ((part_index<Body>(Sensors::part.view()) >= 0) && ...);
+}
 
 }  // namespace detail
 
@@ -115,7 +130,10 @@ constexpr bool check_description() {
   static_assert(!floats<R> || cca::detail::base_inertia_of<typename R::body>().mass > 0,
                 "cca::robots: this robot floats, so its body needs the inertia of its base: "
                 "`static constexpr cca::link_inertia base{...};`");
-  static_assert(detail::shapes_exist<R>, "cca::robots: a shape is on a part that the body doesn't have");
+  static_assert(detail::shapes_exist<R>,
+                "cca::robots: a shape is on a part or on a link that the body doesn't have");
+  static_assert(detail::all_parts_exist<typename R::body>(sensors_of<R>()),
+                "cca::robots: a force sensor is at the end of a part that the body doesn't have");
   return true;
 }
 

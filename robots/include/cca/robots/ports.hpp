@@ -125,8 +125,13 @@ struct robot_graph<R, Name, Device, Joint, commands<Commands...>, sensors<Sensor
 
 }  // namespace detail
 
+// A description with a mistake is reported first.
 template <class R, fixed_string Name, class Device, template <class> class Joint>
-using graph_of_robot =
-    typename detail::robot_graph<R, Name, Device, Joint, typename R::commands, sensors_of<R>>::type;
+using graph_of_robot = typename detail::robot_graph<std::enable_if_t<check_description<R>(), R>,
+                                                    Name,
+                                                    Device,
+                                                    Joint,
+                                                    typename R::commands,
+                                                    sensors_of<R>>::type;
 
 }  // namespace cca::robots

@@ -18,8 +18,6 @@ namespace cca::sim {
 
 template <class R>
 struct robot
-    : robots::graph_of_robot<R, "simulator", simulated_robot<R>, detail::joints_of<R>::template node> {
-  static_assert(robots::check_description<R>());
-};
+    : robots::graph_of_robot<R, "simulator", simulated_robot<R>, detail::joints_of<R>::template node> {};
 
 }  // namespace cca::sim

@@ -15,11 +15,13 @@
 // as explicit torques in each physics step. Coupled joints and cables are not simulated yet. Errors:
 // std::invalid_argument when it is made (tree_in_engine.hpp). Cost: docs/robots.md. It allocates nothing
 // after the first beats.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -48,7 +50,7 @@ public:
       : model_(std::make_shared<const robot_model>(std::move(model))),
         scene_(std::make_shared<const scene>(std::move(around))),
         settings_(settings),
-        step_(model_->beat / settings.steps_per_beat),
+        step_(step_of(*model_, settings)),
         engine_(settings.engine),
         tree_(engine_.id(), model_, mount()),
         shapes_(engine_.id(), *model_, *scene_, tree_),
@@ -82,6 +84,8 @@ public:
     place(q, dq, {mount(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   }
   void place(std::span<const double> q, std::span<const double> dq, const moving_frame& base) {
+    if (q.size() != state_.joints.size() || dq.size() != q.size())
+      throw std::invalid_argument("cca::sim::robot_world: one angle and one speed for each coordinate");
     tree_.place(q, dq, base);
     for (std::size_t c = 0; c < q.size(); ++c) state_.joints[c] = {q[c], dq[c], 0};
   }
@@ -89,7 +93,7 @@ public:
   // One beat. A law that isn't finite is ignored: the drive keeps the last one.
   void advance(std::span<const joint_law> laws) {
     prepare_engine();
-    for (std::size_t c = 0; c < laws.size(); ++c)
+    for (std::size_t c = 0; c < std::min(laws.size(), state_.laws.size()); ++c)
       if (laws[c].is_finite()) state_.laws[c] = laws[c];
     for (joint_reading& r : state_.joints) r.torque = 0;
     for (auto& load : state_.loads) load.fill(0);
@@ -158,6 +162,12 @@ public:
   std::uint64_t hash() const { return save().hash(); }
 
 private:
+  static double step_of(const robot_model& m, const robot_world_settings& s) {
+    const double step = m.beat / s.steps_per_beat;
+    if (!(step > 0 && std::isfinite(step)))
+      throw std::invalid_argument("cca::sim::robot_world: a beat has at least one physics step, above 0 s");
+    return step;
+  }
   rigid mount() const { return rigid{} * settings_.mount; }
 
   template <class F>

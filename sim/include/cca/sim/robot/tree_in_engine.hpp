@@ -134,6 +134,9 @@ private:
   static vector cross(const vector& a, const vector& b) { return cca::detail::cross(a, b); }
 
   void check() const {
+    if (model_->stops.size() != model_->drives.size() || model_->start.size() != model_->drives.size())
+      throw std::invalid_argument(
+          "cca::sim::robot: `drives`, `stops` and `start` need one entry for each coordinate");
     std::vector<int> joints_of(model_->drives.size(), 0);
     for (const auto& l : model_->links)
       if (++joints_of.at(static_cast<std::size_t>(l.coordinate)) > 1)
