@@ -9,7 +9,7 @@
 
 #include <cca/robot/body_dynamics.hpp>
 
-#include "../../laws/space_laws.hpp"
+#include "random_links.hpp"
 
 namespace body_test {
 
@@ -25,34 +25,6 @@ inline Eigen::Matrix3d eigen(const KDL::Rotation& r) {
 inline KDL::Frame kdl(const cca::placement& p) {
   return {KDL::Rotation::Quaternion(p.rotation[0], p.rotation[1], p.rotation[2], p.rotation[3]),
           kdl(p.translation)};
-}
-
-inline std::array<double, 3> array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
-inline cca::placement random_placement(laws::source& random) {
-  const Eigen::Vector4d q = cca::rotation::exp(random.vector(2));
-  return {array(random.vector(1)), {q[0], q[1], q[2], q[3]}};
-}
-
-// The inertia of four random point masses, so it is physically possible.
-inline cca::link_inertia random_inertia(laws::source& random) {
-  cca::link_inertia of;
-  std::array<Eigen::Vector3d, 4> points;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  std::array<double, 4> masses;
-  for (std::size_t i = 0; i < 4; ++i) {
-    points[i] = random.vector(0.3), masses[i] = random(0.1, 2);
-    of.mass += masses[i];
-    centre += masses[i] * points[i];
-  }
-  centre /= of.mass;
-  of.centre = array(centre);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d d = points[i] - centre;
-    const Eigen::Matrix3d m = masses[i] * (d.dot(d) * Eigen::Matrix3d::Identity() - d * d.transpose());
-    const std::array<double, 6> add{m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
-    for (std::size_t k = 0; k < 6; ++k) of.about_centre[k] += add[k];
-  }
-  return of;
 }
 
 // In KDL the joint of a segment, with its axis, is placed in the segment before; the tip of the segment at
@@ -75,16 +47,8 @@ struct random_tree {
   random_tree(laws::source& random, bool chain) {
     KDL::Tree built("base");
     for (std::size_t i = 0; i < Count; ++i) {
-      const int parent = chain ? static_cast<int>(i) - 1
-                               : static_cast<int>(random(-1, static_cast<double>(i) - 1e-9) + 1) - 1;
-      cca::joint j;
-      j.kind = random(0, 1) < 0.75 ? cca::joint_kind::revolute : cca::joint_kind::prismatic;
-      const double axis = random(0, 6);
-      j.axis = axis < 1   ? cca::along_x
-               : axis < 2 ? cca::along_y
-               : axis < 3 ? cca::along_z
-                          : array(random.vector(1).normalized());
-      if (random(0, 1) < 0.8) j.where = random_placement(random);
+      const int parent = random_parent(random, i, chain);
+      const cca::joint j = random_joint(random);
       links[i] = cca::detail::body_link_of(j, static_cast<int>(i), parent);
       links[i].inertia = random_inertia(random);
       built.addSegment(segment(std::to_string(i), j, links[i].inertia),

@@ -10,7 +10,7 @@
 
 #include <ode/ode.h>
 
-#include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/robot/engine_settings.hpp>
 
 namespace cca::sim {
 
@@ -34,7 +34,7 @@ using engine_handle = std::unique_ptr<T, engine_release>;
 
 class engine {
 public:
-  explicit engine(const oncilla_model& m) {
+  explicit engine(const engine_settings& m) {
     prepare_engine();
     threading_.reset(dThreadingAllocateSelfThreadedImplementation());
     world_.reset(dWorldCreate());
@@ -44,8 +44,8 @@ public:
     const dWorldStepReserveInfo reserve{sizeof(dWorldStepReserveInfo), 1.2F, step_memory};
     dWorldSetStepMemoryReservationPolicy(id(), &reserve);
     dWorldSetGravity(id(), 0, 0, -m.gravity);
-    dWorldSetERP(id(), m.world_erp);
-    dWorldSetCFM(id(), m.world_cfm);
+    dWorldSetERP(id(), m.erp);
+    dWorldSetCFM(id(), m.cfm);
     dWorldSetAutoDisableFlag(id(), 0);
     dWorldSetContactMaxCorrectingVel(id(), m.correcting_speed);
     dWorldSetContactSurfaceLayer(id(), m.surface_layer);

@@ -4,6 +4,7 @@
 
 #include <cca/sim/attitude.hpp>
 #include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/robot/joint_law.hpp>
 
 namespace cca::sim {
 
@@ -20,32 +21,12 @@ struct leg_command {
 
 using robot_command = std::array<leg_command, leg_count>;
 
-// The control law of a drive with its own loop, for the whole beat:
-//   torque = stiffness (position - q) + damping (velocity - v) + torque
-// The cable passes on only torques that flex the knee. Targets are not clamped to the joint's range: whoever
-// commands such a drive must do that. A law that isn't finite is ignored: the drive keeps the last one.
-struct joint_law {
-  double position = 0;   // rad
-  double velocity = 0;   // rad/s
-  double torque = 0;     // N m
-  double stiffness = 0;  // N m/rad
-  double damping = 0;    // N m s/rad
-
-  double operator()(double angle, double speed) const {
-    return stiffness * (position - angle) + damping * (velocity - speed) + torque;
-  }
-};
+// The control laws of a leg's drives for the whole beat. The cable passes on only torques that flex the knee.
 struct leg_laws {
   joint_law hip, knee;
   double abduction = 0;  // target, rad
 };
 using robot_laws = std::array<leg_laws, leg_count>;
-
-struct joint_reading {
-  double angle = 0;     // rad
-  double velocity = 0;  // rad/s
-  double torque = 0;    // N m of the motor, positive towards larger angles
-};
 
 struct leg_reading {
   joint_reading hip, knee, abduction;  // the knee's torque is the cable's

@@ -8,6 +8,7 @@
 // compile time, by the body that the copy starts with.
 #include <cca/robots/oncilla/body.hpp>
 #include <cca/robots/oncilla/former_names.hpp>
+#include <cca/sim/robot/engine_settings.hpp>
 
 namespace cca::sim {
 
@@ -38,6 +39,9 @@ struct oncilla_model : robots::oncilla::body_numbers {
   double pantograph_cfm = 1e-8;
 
   constexpr double beat() const { return step * steps_per_beat; }
+  constexpr engine_settings engine() const {
+    return {gravity, world_erp, world_cfm, correcting_speed, surface_layer};
+  }
 };
 
 inline constexpr oncilla_model oncilla_defaults{};

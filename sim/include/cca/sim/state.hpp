@@ -1,31 +1,20 @@
 #pragma once
 // The state of a world as a plain value: put it back, and a run goes on bit for bit.
 //
-// The engine's part is position, rotation, velocity and angular velocity of every body. The engine keeps a
-// rotation both as quaternion and as matrix; both are saved, since computing one from the other would change
-// bits. Forces are cleared by each step, contacts are made in each step, and joints hold no state of their
-// own (measured: tests/runtime/sim/snapshot.cpp).
+// Forces are cleared by each step, contacts are made in each step, and joints hold no state of their own
+// (measured: tests/runtime/sim/snapshot.cpp).
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
-#include <ode/ode.h>
-
 #include <cca/sim/interface.hpp>
 #include <cca/sim/motors.hpp>
+#include <cca/sim/robot/body_state.hpp>
 
 namespace cca::sim {
 
 inline constexpr std::size_t body_count = 1 + 4 * leg_count;  // trunk; upper, middle, lower, toe of each leg
-
-struct body_state {
-  std::array<double, 3> position;
-  std::array<double, 4> quaternion;
-  std::array<double, 12> rotation;  // the engine's 3 x 4 rows
-  std::array<double, 3> velocity;
-  std::array<double, 3> angular_velocity;
-};
 
 // The motors' memory: the last targets, the former target for the feed-forward, the cable; or the laws of
 // drives with their own loops.
@@ -75,28 +64,6 @@ inline std::uint64_t hash(const world_state& s) {
   std::uint64_t h = 0xcbf29ce484222325U;
   for (std::size_t i = 0; i < sizeof s; ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
   return h;
-}
-
-inline body_state save_body(dBodyID body) {
-  body_state s;
-  std::memcpy(s.position.data(), dBodyGetPosition(body), sizeof s.position);
-  std::memcpy(s.quaternion.data(), dBodyGetQuaternion(body), sizeof s.quaternion);
-  std::memcpy(s.rotation.data(), dBodyGetRotation(body), sizeof s.rotation);
-  std::memcpy(s.velocity.data(), dBodyGetLinearVel(body), sizeof s.velocity);
-  std::memcpy(s.angular_velocity.data(), dBodyGetAngularVel(body), sizeof s.angular_velocity);
-  return s;
-}
-
-inline void restore_body(dBodyID body, const body_state& s) {
-  dBodySetPosition(body, s.position[0], s.position[1],
-                   s.position[2]);  // also tells the body's geometry that it moved
-  // dBodySetQuaternion would normalise and change bits: write to the engine's own memory.
-  std::memcpy(const_cast<dReal*>(dBodyGetQuaternion(body)), s.quaternion.data(), sizeof s.quaternion);
-  std::memcpy(const_cast<dReal*>(dBodyGetRotation(body)), s.rotation.data(), sizeof s.rotation);
-  dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);
-  dBodySetAngularVel(body, s.angular_velocity[0], s.angular_velocity[1], s.angular_velocity[2]);
-  dBodySetForce(body, 0, 0, 0);
-  dBodySetTorque(body, 0, 0, 0);
 }
 
 }  // namespace cca::sim

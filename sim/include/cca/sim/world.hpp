@@ -35,7 +35,11 @@ public:
   explicit world(const oncilla_model& model = {},
                  const terrain& ground_shape = terrain::flat(),
                  const initial_posture& posture = {})
-      : model_(model), terrain_(ground_shape), posture_(posture), engine_(model_), ground_(model_, terrain_) {
+      : model_(model),
+        terrain_(ground_shape),
+        posture_(posture),
+        engine_(model_.engine()),
+        ground_(model_, terrain_) {
     build();
   }
 

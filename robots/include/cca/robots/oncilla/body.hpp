@@ -11,6 +11,7 @@
 // `oncilla::body`. Ranges and motors bound commands to simulated and real joints alike.
 #pragma once
 
+#include <cca/robots/motor_line.hpp>
 #include <cca/robots/oncilla/legs.hpp>
 
 namespace cca::robots::oncilla {
@@ -21,11 +22,7 @@ struct interval {
   constexpr bool holds(double x) const { return low <= x && x <= high; }
 };
 
-// A motor's torque over its speed: full torque up to half the no-load speed, then a line down to nothing.
-struct motor_line {
-  double torque;         // N m
-  double no_load_speed;  // rad/s
-};
+using robots::motor_line;
 
 struct body_numbers {
   // Trunk: a box whose centre of mass lies above the middle of the four hips. It carries the abduction

@@ -1,0 +1,140 @@
+// What a robot is, in one type: the simulator builds its world from it, and its ports follow from it.
+//
+//   struct description {
+//     using body = arm_body;                 // cca::body; every link has a mass and an inertia
+//     using rate = cca::rate<1000>;          // of all ports; a beat
+//     using commands = cca::robots::commands<cca::robots::torque_command>;   // what its drives take
+//     static constexpr std::array<cca::robots::joint_drive, 7> drives{...};  // over axes_of<body>
+//
+//     // optional
+//     static constexpr std::array shapes{...};                               // shape.hpp
+//     using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;
+//     static constexpr bool floats = true;   // nothing holds the base; it needs body::base
+//     static constexpr std::array<double, 7> start{...};                     // coordinates, rad
+//   };
+//
+// The limits stand at the axes of the body: those of `angle` are also the stops of the joints. What a
+// command needs a limit of is in commands.hpp. Errors: a static_assert for each part that is missing or has
+// the wrong size. Example: robots/arm; docs/robots.md.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+
+#include <cca/robot/body_pose.hpp>
+#include <cca/robots/commands.hpp>
+#include <cca/robots/motor_line.hpp>
+#include <cca/robots/shape.hpp>
+#include <cca/space/twist_wrench.hpp>
+
+namespace cca::robots {
+
+// The drive of a joint and what acts in it besides. Units of a prismatic joint: N, N/m, N s/m, m.
+struct joint_drive {
+  motor_line motor{};      // without one the joint is passive
+  double stiffness = 0;    // N m/rad, of the servo that follows positions and velocities
+  double damping = 0;      // N m s/rad, of that servo
+  double friction = 0;     // N m s/rad
+  double spring = 0;       // N m/rad, of a spring in the joint
+  double spring_rest = 0;  // rad, where that spring is slack
+};
+
+// A force sensor where a part ends: the load of the world on all that is attached there, about the origin
+// and along the axes of the part's tip frame. An ideal one: it reads contacts, not the weight of the tool.
+template <fixed_string Name, fixed_string Part>
+struct force_sensor {
+  static constexpr auto name = Name;
+  static constexpr auto part = Part;
+};
+
+template <class... Sensors>
+struct sensors {};
+
+template <class Type> concept Described = Body<typename Type::body> && requires {
+  typename Type::rate;
+  typename Type::commands;
+  Type::drives.size();
+};
+
+template <class R>
+using axes_of_robot = axes_of<typename R::body>;
+
+template <class R>
+constexpr bool floats = false;
+template <class R>
+  requires requires { R::floats; }
+constexpr bool floats<R> = R::floats;
+
+namespace detail {
+
+template <class R>
+struct sensors_of {
+  using type = sensors<>;
+};
+template <class R>
+  requires requires { typename R::sensors; }
+struct sensors_of<R> {
+  using type = typename R::sensors;
+};
+
+template <class Body>
+constexpr bool moves_mass = [] {
+  for (const auto& l : cca::detail::body_tree_of<Body>.links)
+    if (!(l.inertia.mass > 0)) return false;
+  return true;
+}();
+
+template <class Body, class Parts>
+struct joints_by_part;
+template <class Body, class... Parts>
+struct joints_by_part<Body, std::tuple<Parts...>> {
+  static constexpr std::array<int, sizeof...(Parts)> count{static_cast<int>(Parts::chain::joints.size())...};
+};
+
+template <class R>
+constexpr bool shapes_exist = [] {
+  if constexpr (requires { R::shapes.size(); })
+    for (const shape_on& s : R::shapes) {
+      if (s.link == shape_on::base) continue;
+      const int part = part_index<typename R::body>(s.part);
+      if (part < 0 || s.link < shape_on::tip) return false;
+      using joints = joints_by_part<typename R::body, typename R::body::parts>;
+      if (s.link >= joints::count[static_cast<std::size_t>(part)]) return false;
+    }
+  return true;
+}();
+
+template <class Body, class... Sensors>
+constexpr bool all_parts_exist(sensors<Sensors...>) {
+  return ((part_index<Body>(Sensors::part.view()) >= 0) && ...);
+}
+
+}  // namespace detail
+
+template <class R>
+using sensors_of = typename detail::sensors_of<R>::type;
+
+// A function that any user of a description calls first.
+template <class R>
+constexpr bool check_description() {
+  static_assert(Described<R>,
+                "cca::robots: a description has a `body`, a `rate`, `commands` and `drives`; see "
+                "cca/robots/description.hpp");
+  static_assert(R::drives.size() == static_cast<std::size_t>(axes_of_robot<R>::count),
+                "cca::robots: `drives` needs one entry for each axis of the body");
+  static_assert(detail::moves_mass<typename R::body>,
+                "cca::robots: a link of this body has no mass: give each link an inertia, in `links` of its "
+                "chain");
+  static_assert(!floats<R> || cca::detail::base_inertia_of<typename R::body>().mass > 0,
+                "cca::robots: this robot floats, so its body needs the inertia of its base: "
+                "`static constexpr cca::link_inertia base{...};`");
+  static_assert(detail::shapes_exist<R>,
+                "cca::robots: a shape is on a part or on a link that the body doesn't have");
+  static_assert(detail::all_parts_exist<typename R::body>(sensors_of<R>()),
+                "cca::robots: a force sensor is at the end of a part that the body doesn't have");
+  return true;
+}
+
+}  // namespace cca::robots

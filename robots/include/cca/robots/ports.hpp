@@ -1,0 +1,137 @@
+// The spaces and the graph of a described robot, simulated or real: generated from the axes of its body.
+//
+//   in   "position", "velocity", "torque", "stiffness", "damping"
+//                      those in R::commands, each optional (commands.hpp)
+//   out  "angles"      angles<R>       rad        "velocities"  velocities<R>   rad/s
+//        "torques"     torques<R>      N m        and each sensor of R under its name
+//
+//   struct my_robot : cca::robots::graph_of_robot<R, "simulator", device, joint_node> {};
+//
+//   Device   the resource node that alone knows the simulator or the buses.
+//              sense  out an output for each axis, under its name: measured_joint<R, Axis>; the sensors
+//              act    in  an input for each axis, under its name: wanted_joint<R, Axis>
+//   Joint    a template over the axis. sense: in "measured"; out "angle", "velocity", "torque".
+//            act: in one input for each command, under its name; out "wanted"
+//
+// Prismatic joints have the units m, m/s and N. The spaces match any others of the same axes and rate.
+// Source: seed, section 6.1 and figure 6.1. Cost: nothing of it is left in the loop.
+#pragma once
+
+#include <tuple>
+
+#include <cca/robots/description.hpp>
+#include <cca/robots/items.hpp>
+#include <cca/robots/joints.hpp>
+#include <cca/robots/record.hpp>
+#include <cca/space/record.hpp>
+
+namespace cca::robots {
+
+template <class R>
+struct angles : cca::space<joint_angles, axes_of_robot<R>, typename R::rate> {};
+template <class R>
+struct velocities : cca::space<joint_velocities, axes_of_robot<R>, typename R::rate> {};
+template <class R>
+struct torques : cca::space<joint_torques, axes_of_robot<R>, typename R::rate> {};
+template <class R, class Command>
+struct commanded : cca::space<typename Command::domain, axes_of_robot<R>, typename R::rate> {};
+
+// One joint: what is read from it, and the numbers of joint_commands.
+template <class R, class Axis>
+struct joint_readings : record_of<field<"angle", sub_space<angles<R>, Axis>>,
+                                  field<"velocity", sub_space<velocities<R>, Axis>>,
+                                  field<"torque", sub_space<torques<R>, Axis>>> {};
+struct raw_joint : cca::record<3> {};
+struct raw_commands : cca::record<static_cast<int>(command_kinds)> {};
+template <class R, class Axis>
+struct measured_joint : cca::space<raw_joint, axes<Axis>, typename R::rate> {};
+template <class R, class Axis>
+struct wanted_joint : cca::space<raw_commands, axes<Axis>, typename R::rate> {};
+
+// What a force sensor reads.
+template <class R, class Sensor>
+struct sensed_load
+    : cca::space<wrench<typename std::tuple_element_t<part_index<typename R::body>(Sensor::part.view()),
+                                                      typename R::body::parts>::chain::tip_frame,
+                        typename std::tuple_element_t<part_index<typename R::body>(Sensor::part.view()),
+                                                      typename R::body::parts>::chain::tip_frame>,
+                 axes<x, y, z>,
+                 typename R::rate> {};
+
+namespace detail {
+
+// A splitter whose input need not be wired: then none of its outputs publishes.
+template <class Space, class Axes = typename Space::axes>
+struct optional_splitter;
+template <class Space, class... Axes>
+struct optional_splitter<Space, axes<Axes...>> {
+  static constexpr bool preserves_limits = true;
+
+  auto process(optional_in<"whole", Space> whole)
+      -> std::tuple<maybe<Axes::label, sub_space<Space, Axes>>...> {
+    if (!whole || whole.origin() == never) return {};
+    return {maybe<Axes::label, sub_space<Space, Axes>>(whole[Axes{}])...};
+  }
+};
+
+template <class Command, class Axes>
+struct command_wires;
+template <class Command, class... Axes>
+struct command_wires<Command, axes<Axes...>> {
+  using type =
+      items<wire<joined_name<Command::name, Axes::label>, joined_name<Axes::label, Command::name>>...>;
+};
+
+template <fixed_string Device, class Axes>
+struct device_wires;
+template <fixed_string Device, class... Axes>
+struct device_wires<Device, axes<Axes...>> {
+  using type = items<wire<joined_name<Device, Axes::label>, joined_name<Axes::label, "measured">>...,
+                     wire<joined_name<Axes::label, "angle">, joined_name<"angles", Axes::label>>...,
+                     wire<joined_name<Axes::label, "velocity">, joined_name<"velocities", Axes::label>>...,
+                     wire<joined_name<Axes::label, "torque">, joined_name<"torques", Axes::label>>...,
+                     wire<joined_name<Axes::label, "wanted">, joined_name<Device, Axes::label>>...>;
+};
+
+template <class R,
+          fixed_string Name,
+          class Device,
+          template <class> class Joint,
+          class Commands,
+          class Sensors>
+struct robot_graph;
+template <class R,
+          fixed_string Name,
+          class Device,
+          template <class> class Joint,
+          class... Commands,
+          class... Sensors>
+struct robot_graph<R, Name, Device, Joint, commands<Commands...>, sensors<Sensors...>> {
+  using own_axes = axes_of_robot<R>;
+  using type = graph_of<items<typename R::rate, node<Name, Device>>,
+                        joint_nodes<Joint, own_axes>,
+                        items<node<Commands::name, optional_splitter<commanded<R, Commands>>, full_speed>...,
+                              node<"angles", collector<"whole", angles<R>>, moderate>,
+                              node<"velocities", collector<"whole", velocities<R>>, moderate>,
+                              node<"torques", collector<"whole", torques<R>>, moderate>>,
+                        typename command_wires<Commands, own_axes>::type...,
+                        typename device_wires<Name, own_axes>::type,
+                        items<expose<joined_name<Commands::name, "whole">, Commands::name>...,
+                              expose<"angles.whole", "angles">,
+                              expose<"velocities.whole", "velocities">,
+                              expose<"torques.whole", "torques">,
+                              expose<joined_name<Name, Sensors::name>, Sensors::name>...>>;
+};
+
+}  // namespace detail
+
+// A description with a mistake is reported first.
+template <class R, fixed_string Name, class Device, template <class> class Joint>
+using graph_of_robot = typename detail::robot_graph<std::enable_if_t<check_description<R>(), R>,
+                                                    Name,
+                                                    Device,
+                                                    Joint,
+                                                    typename R::commands,
+                                                    sensors_of<R>>::type;
+
+}  // namespace cca::robots

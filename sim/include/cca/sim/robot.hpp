@@ -1,0 +1,23 @@
+#pragma once
+// Any described robot in the simulator, as a graph to be used in any other:
+//
+//   cca::node<"robot", cca::sim::robot<cca::robots::arm::description>>
+//
+// Its ports follow from the description (cca/robots/ports.hpp): "angles", "velocities", "torques" and its
+// sensors out, the commands of its drives in, each optional. Set its world before the start:
+//
+//   controller.get<"robot.simulator">().put_down(cca::sim::robot_world(cca::sim::model_of<R>(), room));
+//
+// Errors: robot.unlimited_command, where a command arrives without a limiter; space.missing_limits; a
+// static_assert for what a description lacks. Cost: a beat of physics; nothing of the graph is left in the
+// loop. Example: tests/runtime/any_robot/arm.cpp; docs/robots.md.
+#include <cca/robots/ports.hpp>
+#include <cca/sim/robot/simulated_robot.hpp>
+
+namespace cca::sim {
+
+template <class R>
+struct robot
+    : robots::graph_of_robot<R, "simulator", simulated_robot<R>, detail::joints_of<R>::template node> {};
+
+}  // namespace cca::sim

@@ -1,0 +1,43 @@
+#pragma once
+// The state of one body of the engine: position, rotation, velocity and angular velocity.
+//
+// The engine keeps a rotation both as quaternion and as matrix; both are saved, since computing one from the
+// other would change bits.
+#include <array>
+#include <cstring>
+
+#include <ode/ode.h>
+
+namespace cca::sim {
+
+struct body_state {
+  std::array<double, 3> position;
+  std::array<double, 4> quaternion;
+  std::array<double, 12> rotation;  // the engine's 3 x 4 rows
+  std::array<double, 3> velocity;
+  std::array<double, 3> angular_velocity;
+};
+
+inline body_state save_body(dBodyID body) {
+  body_state s;
+  std::memcpy(s.position.data(), dBodyGetPosition(body), sizeof s.position);
+  std::memcpy(s.quaternion.data(), dBodyGetQuaternion(body), sizeof s.quaternion);
+  std::memcpy(s.rotation.data(), dBodyGetRotation(body), sizeof s.rotation);
+  std::memcpy(s.velocity.data(), dBodyGetLinearVel(body), sizeof s.velocity);
+  std::memcpy(s.angular_velocity.data(), dBodyGetAngularVel(body), sizeof s.angular_velocity);
+  return s;
+}
+
+inline void restore_body(dBodyID body, const body_state& s) {
+  dBodySetPosition(body, s.position[0], s.position[1],
+                   s.position[2]);  // also tells the body's geometry that it moved
+  // dBodySetQuaternion would normalise and change bits: write to the engine's own memory.
+  std::memcpy(const_cast<dReal*>(dBodyGetQuaternion(body)), s.quaternion.data(), sizeof s.quaternion);
+  std::memcpy(const_cast<dReal*>(dBodyGetRotation(body)), s.rotation.data(), sizeof s.rotation);
+  dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);
+  dBodySetAngularVel(body, s.angular_velocity[0], s.angular_velocity[1], s.angular_velocity[2]);
+  dBodySetForce(body, 0, 0, 0);
+  dBodySetTorque(body, 0, 0, 0);
+}
+
+}  // namespace cca::sim

@@ -1,0 +1,126 @@
+#pragma once
+// A described robot (cca/robots/description.hpp) as numbers, for the engine.
+//
+//   const cca::sim::robot_model m = cca::sim::model_of<cca::robots::arm::description>();
+//
+// A value: a changed copy of it is another robot. It is made outside of the loop; it allocates.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cca/robots/description.hpp>
+#include <cca/space/limits.hpp>
+
+namespace cca::sim {
+
+// A shape in the frame of a link (-1: the base), and the force sensor that feels it (-1: none).
+struct placed_shape {
+  int link = -1;
+  robots::shape form{};
+  placement where{};
+  int sensor = -1;
+};
+
+// A place on a link.
+struct place_on_link {
+  int link = -1;
+  placement where{};
+};
+
+// The stops of a joint; infinite: none. A range with one end has no stops.
+struct joint_stops {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+
+  double middle() const { return std::isfinite(high - low) ? (low + high) / 2 : 0; }
+};
+
+struct robot_model {
+  std::vector<cca::detail::body_link> links;  // each after the one to which it is attached
+  link_inertia base{};
+  bool floats = false;
+  std::vector<robots::joint_drive> drives;  // over the coordinates
+  std::vector<joint_stops> stops;           // over the coordinates
+  std::vector<double> start;                // over the coordinates, rad
+  std::vector<placed_shape> shapes;
+  std::vector<place_on_link> sensors;
+  std::vector<place_on_link> ends;  // of the parts, in order of declaration
+  double beat = 0.001;              // s
+};
+
+namespace detail {
+
+template <class... Axes>
+std::vector<joint_stops> stops_of(axes<Axes...>) {
+  return {joint_stops{cca::detail::lower_limit_of<Axes, angle>, cca::detail::upper_limit_of<Axes, angle>}...};
+}
+
+template <class Body, class... Sensors>
+std::vector<int> parts_of_sensors(robots::sensors<Sensors...>) {
+  return {part_index<Body>(Sensors::part.view())...};
+}
+
+inline placed_shape placed(const robots::shape_on& s,
+                           int part,
+                           const std::vector<int>& links_of_part,
+                           const std::vector<place_on_link>& ends,
+                           const std::vector<int>& sensed_parts) {
+  if (s.link == robots::shape_on::base) return {-1, s.form, s.where, -1};
+  if (s.link >= 0) return {links_of_part.at(static_cast<std::size_t>(s.link)), s.form, s.where, -1};
+  int sensor = -1;
+  for (std::size_t i = 0; i < sensed_parts.size(); ++i)
+    if (sensed_parts[i] == part) sensor = static_cast<int>(i);
+  const place_on_link& end = ends[static_cast<std::size_t>(part)];
+  return {end.link, s.form, end.where * s.where, sensor};
+}
+
+// The links of each part, in the order of its joints.
+template <class Body>
+std::vector<std::vector<int>> links_by_part() {
+  constexpr const auto& tree = cca::detail::body_tree_of<Body>;
+  std::vector<std::vector<int>> all;
+  for (const auto& end : tree.ends) {
+    const int part = static_cast<int>(all.size());
+    auto& links = all.emplace_back();
+    const int parent = Body::attached::parent[static_cast<std::size_t>(part)];
+    const int before = parent < 0 ? -1 : tree.ends[static_cast<std::size_t>(parent)].link;
+    for (int at = end.link; at != before; at = tree.links[static_cast<std::size_t>(at)].parent)
+      links.insert(links.begin(), at);
+  }
+  return all;
+}
+
+}  // namespace detail
+
+template <class R>
+robot_model model_of() {
+  static_assert(robots::check_description<R>());
+  using body = typename R::body;
+  constexpr const auto& tree = cca::detail::body_tree_of<body>;
+  robot_model m;
+  m.links.assign(tree.links.begin(), tree.links.end());
+  m.base = cca::detail::base_inertia_of<body>();
+  m.floats = robots::floats<R>;
+  m.drives.assign(R::drives.begin(), R::drives.end());
+  m.stops = detail::stops_of(axes_of<body>());
+  m.start.assign(m.drives.size(), 0);
+  if constexpr (requires { R::start.size(); }) m.start.assign(R::start.begin(), R::start.end());
+  for (const auto& end : tree.ends) m.ends.push_back({end.link, end.where});
+  const std::vector<int> sensed = detail::parts_of_sensors<body>(robots::sensors_of<R>());
+  for (const int part : sensed) m.sensors.push_back(m.ends.at(static_cast<std::size_t>(part)));
+  if constexpr (requires { R::shapes.size(); }) {
+    const auto links = detail::links_by_part<body>();
+    for (const robots::shape_on& s : R::shapes) {
+      const int part = part_index<body>(s.part);
+      m.shapes.push_back(detail::placed(
+          s, part, part < 0 ? std::vector<int>{} : links[static_cast<std::size_t>(part)], m.ends, sensed));
+    }
+  }
+  m.beat = 1 / cca::detail::hz_of<typename R::rate>;
+  return m;
+}
+
+}  // namespace cca::sim

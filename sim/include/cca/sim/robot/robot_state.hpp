@@ -1,0 +1,44 @@
+#pragma once
+// The state of a robot's world as a value: put it back, and a run goes on bit for bit.
+//
+// Forces are cleared by each step, contacts are made in each step, and joints hold no state of their own.
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include <cca/mapping/placement.hpp>
+#include <cca/sim/robot/body_state.hpp>
+#include <cca/sim/robot/joint_law.hpp>
+
+namespace cca::sim {
+
+// What pulls at the end of a part, in the world, until it is set again: N, and N m about that end.
+struct outer_load {
+  std::array<double, 3> force{}, torque{};
+};
+
+struct robot_state {
+  std::vector<body_state> bodies;            // the base, if it floats; the links; the balls
+  std::vector<joint_law> laws;               // over the coordinates
+  std::vector<joint_reading> joints;         // over the coordinates; torques are means over the beat
+  std::vector<std::array<double, 6>> loads;  // of the force sensors: torque, then force; means over the beat
+  std::vector<outer_load> pulls;             // at the ends of the parts
+  std::vector<double> pressing;              // N, of each pair of shapes
+  std::vector<std::array<double, 7>> boxes;  // translation, then rotation
+  std::int64_t beats = 0;
+
+  // FNV-1a over all numbers.
+  std::uint64_t hash() const {
+    std::uint64_t h = 0xcbf29ce484222325U;
+    const auto add = [&h](const auto& all) {
+      const auto* bytes = reinterpret_cast<const unsigned char*>(all.data());
+      for (std::size_t i = 0; i < all.size() * sizeof(all[0]); ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
+    };
+    add(bodies), add(laws), add(joints), add(loads), add(pulls), add(pressing), add(boxes);
+    add(std::array<std::int64_t, 1>{beats});
+    return h;
+  }
+};
+
+}  // namespace cca::sim

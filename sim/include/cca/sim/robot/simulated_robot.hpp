@@ -1,0 +1,130 @@
+#pragma once
+// The synchronizer of a simulated robot: the one node that knows its world. `sense` hands the readings to the
+// resource nodes of the joints; `act` takes what they want and advances the world by a beat.
+//
+//   sense   out one port for each joint, under its axis' name: measured_joint<R, Axis>
+//           out one port for each force sensor, under its name: wrench, torque (N m) then force (N), the mean
+//               over the last beat
+//   act     in  one port for each joint: wanted_joint<R, Axis>
+//
+//   After a fault, and while the controller is stopped, the motors only damp; each `step()` is still a beat
+//   of physics.
+//
+// `put_down` sets the world; without it the robot stands alone where R::start has it. `world()` is for what
+// happens to the robot: pulls, boxes that move. A copy of the node is a snapshot of the world. Cost: a beat
+// of physics (docs/robots.md); the rest is copying numbers.
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include <cca/component/port.hpp>
+#include <cca/robots/ports.hpp>
+#include <cca/sim/robot/joint_servo.hpp>
+#include <cca/sim/robot/robot_world.hpp>
+
+namespace cca::sim {
+
+namespace detail {
+
+template <class R, class Axes, class Sensors>
+class simulated_robot_of;
+
+template <class R, class... Axes, class... Sensors>
+class simulated_robot_of<R, axes<Axes...>, robots::sensors<Sensors...>> {
+  static constexpr std::size_t count = sizeof...(Axes);
+
+public:
+  void put_down(robot_world&& world) {
+    world_ = std::move(world);
+    servos_ = {};
+  }
+
+  robot_world& world() { return world_; }
+  const robot_world& world() const { return world_; }
+
+  auto sense() -> std::tuple<out<Axes::label, robots::measured_joint<R, Axes>>...,
+                             out<Sensors::name, robots::sensed_load<R, Sensors>>...> {
+    std::size_t sensor = 0;
+    return {joint<Axes>()..., load(sensor++, std::type_identity<Sensors>())...};
+  }
+
+  void act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) {
+    const std::array<robots::joint_commands, count> commands{commands_of(wanted.vector())...};
+    std::array<joint_law, count> laws;
+    for (std::size_t i = 0; i < count; ++i)
+      laws[i] = servos_[i].follow(commands[i], world_.model().drives[i], world_.joints()[i].angle,
+                                  world_.model().beat);
+    world_.advance(laws);
+  }
+
+  void on_start() { servos_ = {}; }
+  void on_idle() {
+    std::array<joint_law, count> laws;
+    for (std::size_t i = 0; i < count; ++i) laws[i] = joint_servo::damped(world_.model().drives[i]);
+    world_.advance(laws);
+  }
+
+private:
+  template <class Axis>
+  Eigen::Vector3d joint() const {
+    const joint_reading& r =
+        world_.joints()[static_cast<std::size_t>(axes<Axes...>::template index_of<Axis>)];
+    return {r.angle, r.velocity, r.torque};
+  }
+
+  template <class Sensor>
+  out<Sensor::name, robots::sensed_load<R, Sensor>> load(std::size_t i, std::type_identity<Sensor>) const {
+    return typename robots::sensed_load<R, Sensor>::vector_type(
+        Eigen::Matrix<double, 6, 1>::Map(world_.load(i).data()));
+  }
+
+  static robots::joint_commands commands_of(const Eigen::Matrix<double, robots::command_kinds, 1>& v) {
+    robots::joint_commands c;
+    for (std::size_t i = 0; i < robots::command_kinds; ++i) c.values[i] = v[static_cast<Eigen::Index>(i)];
+    return c;
+  }
+
+  robot_world world_{model_of<R>()};
+  std::array<joint_servo, count> servos_{};
+};
+
+// Numbers that no command has set yet are NaN.
+template <class R, class Axis, class Commands>
+struct commanded_joint;
+template <class R, class Axis, class... Commands>
+struct commanded_joint<R, Axis, robots::commands<Commands...>> {
+  using record = robots::joint_readings<R, Axis>;
+
+  auto sense(in<"measured", robots::measured_joint<R, Axis>> now)
+      -> std::tuple<out<"angle", sub_space<robots::angles<R>, Axis>>,
+                    out<"velocity", sub_space<robots::velocities<R>, Axis>>,
+                    out<"torque", sub_space<robots::torques<R>, Axis>>> {
+    const auto& v = now.vector();
+    return {record::template part<"angle">(v), record::template part<"velocity">(v),
+            record::template part<"torque">(v)};
+  }
+
+  auto act(in<Commands::name, sub_space<robots::commanded<R, Commands>, Axis>>... commands)
+      -> out<"wanted", robots::wanted_joint<R, Axis>> {
+    robots::joint_commands c;
+    ((c[Commands::kind] = commands.origin() == never ? robots::joint_commands::none : commands.vector()[0]),
+     ...);
+    return typename robots::wanted_joint<R, Axis>::vector_type(
+        robots::wanted_joint<R, Axis>::vector_type::Map(c.values.data()));
+  }
+};
+
+template <class R>
+struct joints_of {
+  template <class Axis>
+  struct node : commanded_joint<R, Axis, typename R::commands> {};
+};
+
+}  // namespace detail
+
+template <class R>
+class simulated_robot
+    : public detail::simulated_robot_of<R, robots::axes_of_robot<R>, robots::sensors_of<R>> {};
+
+}  // namespace cca::sim

@@ -1,0 +1,220 @@
+#pragma once
+// A tree of joints in the engine: one body for each link, one hinge or slider for each joint.
+//
+// A body of the engine lies in the centre of mass of its link, along the axes of the link. Its positions and
+// speeds are read from the bodies, so they don't depend on the posture in which the joints were made. Forces
+// on joints act on both links, so they do the work of their coordinate and no other.
+//
+// The base is fixed in the world, or floats: then it is a body too.
+// Errors: std::invalid_argument, outside of the loop, for what the engine can't represent: several joints of
+// one coordinate, a link without mass, an inertia that is not positive definite.
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include <Eigen/Cholesky>
+
+#include <cca/mapping/kinematics.hpp>
+#include <cca/robot/dynamics/spatial_inertia.hpp>
+#include <cca/sim/engine.hpp>
+#include <cca/sim/robot/robot_model.hpp>
+
+namespace cca::sim {
+
+// A frame that moves, in the world: velocities along the world's axes, of the frame's origin.
+struct moving_frame {
+  rigid where{};
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
+};
+
+class tree_in_engine {
+public:
+  using vector = Eigen::Vector3d;
+
+  tree_in_engine(dWorldID world, std::shared_ptr<const robot_model> model, const rigid& mount)
+      : model_(std::move(model)), links_(model_->links.size()), mount_(mount) {
+    check();
+    if (model_->floats) base_ = body(world, model_->base, "the base");
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      links_[i] = body(world, model_->links[i].inertia, "link " + std::to_string(i));
+    std::vector<double> middle;
+    for (const joint_stops& s : model_->stops) middle.push_back(s.middle());
+    place(middle, std::vector<double>(middle.size(), 0.0), {mount, vector::Zero(), vector::Zero()});
+    joints_.reserve(links_.size());
+    for (std::size_t i = 0; i < links_.size(); ++i) joints_.push_back(joint(world, i));
+  }
+
+  // Puts all bodies where these coordinates, speeds and the motion of the base have them. The motion of a
+  // fixed base is ignored.
+  void place(std::span<const double> q, std::span<const double> dq, const moving_frame& base) {
+    std::vector<moving_frame> frames(links_.size());
+    moving_frame root{mount_, vector::Zero(), vector::Zero()};
+    if (base_) {
+      root = base;
+      put(base_, root, model_->base);
+    }
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const auto& l = model_->links[i];
+      const moving_frame& p = l.parent < 0 ? root : frames[static_cast<std::size_t>(l.parent)];
+      const auto c = static_cast<std::size_t>(l.coordinate);
+      const double angle = l.ratio * q[c] + l.rest, speed = l.ratio * dq[c];
+      moving_frame& f = frames[i];
+      f.where = home_of(p.where, l);
+      const vector axis = f.where.turn * cca::detail::as_vector(l.axis);
+      if (l.kind == joint_kind::revolute) cca::detail::turn_about(f.where.turn, l, angle);
+      else f.where.at += angle * axis;
+      f.angular_velocity = p.angular_velocity;
+      f.velocity = p.velocity + cross(p.angular_velocity, f.where.at - p.where.at);
+      (l.kind == joint_kind::revolute ? f.angular_velocity : f.velocity) += speed * axis;
+      put(links_[i], f, l.inertia);
+    }
+  }
+
+  dBodyID body_of(int link) const { return link < 0 ? base_ : links_[static_cast<std::size_t>(link)]; }
+  const std::vector<dBodyID>& links() const { return links_; }
+  dBodyID base() const { return base_; }  // null: it is fixed
+
+  // The frame of a link (-1: the base), with its motion.
+  moving_frame frame(int link) const {
+    const dBodyID b = body_of(link);
+    if (!b) return {mount_, vector::Zero(), vector::Zero()};
+    const link_inertia& of = link < 0 ? model_->base : model_->links[static_cast<std::size_t>(link)].inertia;
+    moving_frame f;
+    f.where.turn = turn(b);
+    const vector arm = f.where.turn * cca::detail::as_vector(of.centre);
+    f.where.at = vector::Map(dBodyGetPosition(b)) - arm;
+    f.angular_velocity = vector::Map(dBodyGetAngularVel(b));
+    f.velocity = vector::Map(dBodyGetLinearVel(b)) - cross(f.angular_velocity, arm);
+    return f;
+  }
+
+  // A joint's coordinate, from (-pi, pi] for a hinge, and its speed.
+  struct motion {
+    double position, speed;
+  };
+  motion read(std::size_t i) const {
+    const auto& l = model_->links[i];
+    const moving_frame p = frame(l.parent), c = frame(static_cast<int>(i));
+    const rigid home = home_of(p.where, l);
+    const vector axis = home.turn * cca::detail::as_vector(l.axis);
+    if (l.kind == joint_kind::prismatic) {
+      const vector arm = c.where.at - p.where.at;
+      return {((c.where.at - home.at).dot(axis) - l.rest) / l.ratio,
+              (c.velocity - p.velocity - cross(p.angular_velocity, arm)).dot(axis) / l.ratio};
+    }
+    const Eigen::Matrix3d m = home.turn.transpose() * c.where.turn;
+    const vector twice_sine(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
+    const double angle = std::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
+    return {(angle - l.rest) / l.ratio, (c.angular_velocity - p.angular_velocity).dot(axis) / l.ratio};
+  }
+
+  // The force of a coordinate on its joint for the next step, N m (a slider: N).
+  void push(std::size_t i, double force) const {
+    const auto& l = model_->links[i];
+    const dBodyID child = links_[i], parent = body_of(l.parent);
+    const vector f = force / l.ratio * (turn(child) * cca::detail::as_vector(l.axis));
+    if (l.kind == joint_kind::revolute) {
+      dBodyAddTorque(child, f[0], f[1], f[2]);
+      if (parent) dBodyAddTorque(parent, -f[0], -f[1], -f[2]);
+    } else {
+      const dReal* at = dBodyGetPosition(child);
+      dBodyAddForce(child, f[0], f[1], f[2]);
+      if (parent) dBodyAddForceAtPos(parent, -f[0], -f[1], -f[2], at[0], at[1], at[2]);
+    }
+  }
+
+private:
+  static vector cross(const vector& a, const vector& b) { return cca::detail::cross(a, b); }
+
+  void check() const {
+    if (model_->stops.size() != model_->drives.size() || model_->start.size() != model_->drives.size())
+      throw std::invalid_argument(
+          "cca::sim::robot: `drives`, `stops` and `start` need one entry for each coordinate");
+    std::vector<int> joints_of(model_->drives.size(), 0);
+    for (const auto& l : model_->links)
+      if (++joints_of.at(static_cast<std::size_t>(l.coordinate)) > 1)
+        throw std::invalid_argument("cca::sim::robot: several joints are driven by coordinate " +
+                                    std::to_string(l.coordinate) + ": coupled joints are not simulated yet");
+  }
+
+  // The frame of a joint whose angle is 0.
+  static rigid home_of(const rigid& parent, const cca::detail::body_link& l) {
+    return {parent.turn * Eigen::Map<const Eigen::Matrix3d>(l.turn.data()),
+            parent.at + parent.turn * cca::detail::as_vector(l.at)};
+  }
+
+  static Eigen::Matrix3d turn(dBodyID b) {
+    return Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(dBodyGetRotation(b)).leftCols<3>();
+  }
+
+  static dBodyID body(dWorldID world, const link_inertia& of, const std::string& name) {
+    const auto& i = of.about_centre;
+    dMass mass;
+    dMassSetZero(&mass);
+    const Eigen::Matrix3d inertia = cca::detail::matrix_of(i);
+    if (!(of.mass > 0) || !(inertia.llt().info() == Eigen::Success))
+      throw std::invalid_argument("cca::sim::robot: " + name +
+                                  " needs a mass above 0 and an inertia that is positive definite");
+    dMassSetParameters(&mass, of.mass, 0, 0, 0, i[0], i[1], i[2], i[3], i[4], i[5]);
+    const dBodyID b = dBodyCreate(world);
+    dBodySetMass(b, &mass);
+    return b;
+  }
+
+  static void put(dBodyID b, const moving_frame& f, const link_inertia& of) {
+    const vector arm = f.where.turn * cca::detail::as_vector(of.centre), at = f.where.at + arm;
+    const vector v = f.velocity + cross(f.angular_velocity, arm), &w = f.angular_velocity;
+    const Eigen::Matrix3d& r = f.where.turn;
+    const dMatrix3 rotation{r(0, 0), r(0, 1), r(0, 2), 0,       r(1, 0), r(1, 1),
+                            r(1, 2), 0,       r(2, 0), r(2, 1), r(2, 2), 0};
+    dBodySetRotation(b, rotation);
+    dBodySetPosition(b, at[0], at[1], at[2]);
+    dBodySetLinearVel(b, v[0], v[1], v[2]);
+    dBodySetAngularVel(b, w[0], w[1], w[2]);
+  }
+
+  // Made with all coordinates in the middle of their ranges: the engine's stops work on angles within
+  // (-pi, pi) of where a joint was made. A hinge with a wider range has no stops.
+  dJointID joint(dWorldID world, std::size_t i) const {
+    const auto& l = model_->links[i];
+    const dBodyID child = links_[i], parent = body_of(l.parent);
+    const rigid f = frame(static_cast<int>(i)).where;
+    const vector axis = f.turn * cca::detail::as_vector(l.axis);
+    const joint_stops& stops = model_->stops[static_cast<std::size_t>(l.coordinate)];
+    const double reach = std::abs(l.ratio) * (stops.high - stops.low) / 2;
+    if (l.kind == joint_kind::prismatic) {
+      const dJointID j = dJointCreateSlider(world, nullptr);
+      dJointAttach(j, child, parent);
+      dJointSetSliderAxis(j, axis[0], axis[1], axis[2]);
+      if (std::isfinite(reach)) {
+        dJointSetSliderParam(j, dParamLoStop, -reach);
+        dJointSetSliderParam(j, dParamHiStop, reach);
+      }
+      return j;
+    }
+    const dJointID j = dJointCreateHinge(world, nullptr);
+    dJointAttach(j, child, parent);
+    dJointSetHingeAnchor(j, f.at[0], f.at[1], f.at[2]);
+    dJointSetHingeAxis(j, axis[0], axis[1], axis[2]);
+    if (reach < std::numbers::pi) {
+      dJointSetHingeParam(j, dParamLoStop, -reach);
+      dJointSetHingeParam(j, dParamHiStop, reach);
+    }
+    return j;
+  }
+
+  std::shared_ptr<const robot_model> model_;
+  std::vector<dBodyID> links_;
+  std::vector<dJointID> joints_;
+  dBodyID base_ = nullptr;
+  rigid mount_;
+};
+
+}  // namespace cca::sim
