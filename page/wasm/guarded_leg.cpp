@@ -1,0 +1,29 @@
+// The leg of examples/recordings, whose guard stops it: a page without a robot in 3D, with a fault.
+#include <cca/cca.hpp>
+
+#include "leg.hpp"
+
+#include "live_graph.hpp"
+
+namespace {
+
+using graph = leg_loop<difference>;
+struct watched_leg : graph {};
+using swinging = cca::controller<watched_leg>;
+
+struct scene {
+  static constexpr const char* title = "guarded leg";
+  static constexpr int extra_count = 0, pose_count = 0;
+  static void put_down(swinging&) {}
+  static void add_shapes(cca::page::json_text&) {}
+  static void extra(const swinging&, double*) {}
+  static void poses(const swinging&, double*) {}
+  static void push(swinging&, double, double, double, double) {}
+};
+
+}  // namespace
+
+cca::page::live_program& cca::page::program() {
+  static live_graph<watched_leg, scene> leg;
+  return leg;
+}
