@@ -7,8 +7,8 @@
 
 namespace {
 
-using graph = leg_loop<difference>;
-struct watched_leg : graph {};
+// [page]
+struct watched_leg : leg_loop<difference> {};  // which is recordable
 using swinging = cca::controller<watched_leg>;
 
 struct scene {
@@ -27,3 +27,4 @@ cca::page::live_program& cca::page::program() {
   static live_graph<watched_leg, scene> leg;
   return leg;
 }
+// [page end]

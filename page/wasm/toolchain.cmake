@@ -7,4 +7,3 @@ set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_C_COMPILER_WORKS TRUE)  # a test program would need an archiver
 set(CMAKE_CXX_COMPILER_WORKS TRUE)
-set(CMAKE_EXECUTABLE_SUFFIX .wasm)

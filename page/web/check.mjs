@@ -121,6 +121,7 @@ const colours = await page.evaluate(() => {
   const canvas = document.getElementById('robot'), copy = document.createElement('canvas');
   copy.width = 80; copy.height = 60;
   const g = copy.getContext('2d');
+  window.ccaPage.robot.draw(window.ccaPage.source.poses, window.ccaPage.source.feet());
   g.drawImage(canvas, 0, 0, 80, 60);
   const seen = new Set();
   const d = g.getImageData(0, 0, 80, 60).data;

@@ -32,6 +32,12 @@ export class ArchitectureView {
     return this.isOpen || dot < 0 ? path : path.slice(0, dot);
   }
 
+  // The name of a port in what is drawn: with the inner path, where an inner graph is one node.
+  portName(output) {
+    const { path, node } = this.source.description.outputs[output];
+    return path.slice(this.groupOf(node).length + 1);
+  }
+
   lay() {
     const { nodes, outputs, wires } = this.source.description;
     const drawn = new Map();
@@ -60,7 +66,7 @@ export class ArchitectureView {
     graph.setDefaultEdgeLabel(() => ({}));
     for (const node of drawn.values()) {
       node.outputs.sort((a, b) => a - b);
-      const rows = node.outputs.map((o) => outputs[o].path.split('.').pop().length + 22);
+      const rows = node.outputs.map((o) => this.portName(o).length + 24);
       node.label = node.nodes.length > 1 ? `${node.name} (${node.nodes.length} components)` : node.name;
       node.when = node.nodes.length > 1 ? '' : rate(nodes[node.nodes[0]].when);
       node.width = Math.max(110, letter * Math.max(node.label.length + 3, node.when.length, ...rows) + 20);
@@ -69,7 +75,7 @@ export class ArchitectureView {
     }
     for (const edge of edges.values()) {
       edge.lines = edge.wires.map((w) => {
-        const name = outputs[w.from].path.split('.').pop();
+        const name = this.portName(w.from);
         const renamed = name === w.input ? name : `${name} → ${w.input}`;
         return w.policy === 'latest' ? renamed : `${renamed}, ${w.policy}`;
       });
@@ -115,7 +121,7 @@ export class ArchitectureView {
         const lineTop = top + 34 + (node.when ? lineHeight : 0) + i * lineHeight;
         const row = element('g', { class: 'port', tabindex: 0, role: 'button', 'data-port': outputs[o].path, 'aria-label': `Plot ${outputs[o].path}` });
         const value = element('tspan', { class: 'value' });
-        const text = element('text', { x: left + 10, y: lineTop }, `${outputs[o].path.split('.').pop()} `, value);
+        const text = element('text', { x: left + 10, y: lineTop }, `${this.portName(o)} `, value);
         row.append(element('rect', { x: left + 4, y: lineTop - 11, width: node.width - 8, height: lineHeight, class: 'hit' }), text);
         const pick = () => this.onPick(o);
         row.addEventListener('click', pick);

@@ -93,9 +93,12 @@ export class Live {
 
   // A refusal leaves the frames of the program at once, so its stack is put back.
   call(name, ...values) {
+    return this.guarded(() => this.program[name](...values));
+  }
+  guarded(action) {
     const stack = this.program.__stack_pointer.value;
     try {
-      return this.program[name](...values);
+      return action();
     } catch (error) {
       this.program.__stack_pointer.value = stack;
       throw error;
@@ -111,8 +114,7 @@ export class Live {
   goBack(beat) { return this.call('go_back', beat) !== 0; }
   // Why it is refused; empty: it is set.
   set(field, value) {
-    const reason = this.call('set', field, value);
-    return this.text(reason);
+    return this.guarded(() => this.text(this.program.set(field, value)));
   }
   parameters() { return JSON.parse(this.text(this.program.parameters())); }
 }

@@ -57,7 +57,10 @@ function frame(now) {
     // As fast as possible, but so that the page still answers.
     const end = performance.now() + 60;
     while (ahead > 0 && performance.now() < end) ahead -= runFor(Math.min(ahead, 100)) || ahead;
-    if (ahead <= 0) say(`ran on, to ${source.time.toFixed(3)} s`);
+    if (ahead <= 0) {
+      say(`ran on, to ${source.time.toFixed(3)} s`);
+      show(true);
+    }
   } else if (isPlaying && source.isLive) {
     due += (seconds * speed) / source.period;
     const end = performance.now() + 14;
@@ -76,9 +79,10 @@ function frame(now) {
   requestAnimationFrame(frame);
 }
 
-let drawnAt = -1, drawnAgo = 99;
+let drawnAt = -1, drawnAgo = 99, isBehind = false;
 function show(now) {
   const changed = now || source.beat !== drawnAt;
+  isBehind ||= changed;
   drawnAt = source.beat;
   ++drawnAgo;
   const { state, fault, faultPath } = source.status;
@@ -99,9 +103,11 @@ function show(now) {
     for (const id of ['play', 'step', 'run-ahead']) $(id).disabled = !source.runs;
     showSnapshots();
   } else if (document.activeElement !== $('replay-time')) $('replay-time').value = source.time;
-  robot?.draw(source.poses, source.feet());
-  if ((changed && drawnAgo >= 3) || now) {  // text and lines need not follow at 60 Hz
+  // Nothing is drawn that looks as before, and little while it runs on as fast as possible.
+  if (robot && source.description.robot && (changed || robot.isStale || robot.isResized) && (ahead <= 0 || drawnAgo % 8 === 0)) robot.draw(source.poses, source.feet());
+  if ((changed || isBehind) && drawnAgo >= (ahead > 0 ? 16 : 3) || now) {  // text and lines need not follow at 60 Hz
     drawnAgo = 0;
+    isBehind = false;
     architecture.update();
     plots.update();
     if (source.description.robot && source.hasContacts) footfalls.update(isDark);
@@ -178,7 +184,7 @@ function listen() {
     theme();
   });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
-  new ResizeObserver(() => plots.resize()).observe($('plots'));
+  new ResizeObserver(() => plots?.resize()).observe($('plots'));
 
   $('file').addEventListener('change', () => openFile($('file').files[0]));
   $('to-live').addEventListener('click', () => look(live));
@@ -279,7 +285,7 @@ function theme() {
 }
 
 function look(at) {
-  play.call(null, false);
+  if (source) play(false);
   source = at;
   document.body.classList.toggle('no-robot', !source.description.robot);
   document.body.classList.toggle('no-parameters', !source.isLive || source.description.parameters.length === 0);
@@ -347,8 +353,8 @@ function firstPlots() {
 
 startProgram(PROGRAM).then((started) => {
   live = started;
-  listen();
   look(live);
+  listen();
   live.change('load');
   live.change('start');
   show(true);

@@ -26,7 +26,7 @@ export async function readRecording(bytes, robot) {
   }
   const architecture = metadata.get('cca.architecture');
   if (!architecture) throw new Error('this file has no architecture: cca has not recorded it');
-  return new Recording(architecture, [...channels.values()], metadata, cut, robot);
+  return new Recording(Object.fromEntries(architecture), [...channels.values()], metadata, cut, robot);
 }
 
 function take(channel, { data }) {
@@ -104,7 +104,8 @@ export class Recording {
   }
   findRobot(robot) {
     this.ports = { angles: this.port('angles', 8), orientation: this.port('orientation', 4), contacts: this.port('contacts', 4), loads: this.port('foot_loads', 4), targets: this.port('safe', 8) };
-    if (this.ports.angles < 0) this.ports.angles = this.description.outputs.findIndex((o) => o.fields.length === 8 && o.path.startsWith('robot.angles'));
+    const measured = this.description.outputs.findIndex((o) => o.fields.length === 8 && o.path.startsWith('robot.angles'));
+    if (measured >= 0) this.ports.angles = measured;  // not the commands
     if (!robot || this.ports.angles < 0 || this.ports.orientation < 0) return;
     this.description.robot = robot;
     this.poses = new Float64Array(7 * robot.bodies.length + 24);

@@ -10,7 +10,7 @@ export class RobotView {
   constructor(canvas, source, onPush) {
     this.canvas = canvas;
     this.onPush = onPush;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 60);
@@ -28,7 +28,7 @@ export class RobotView {
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8f99, 1.6));
     this.sun = new THREE.DirectionalLight(0xffffff, 2.2);
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.mapSize.set(512, 512);
     Object.assign(this.sun.shadow.camera, { left: -0.6, right: 0.6, top: 0.6, bottom: -0.6, near: 0.1, far: 4 });
     this.scene.add(this.sun, this.sun.target);
   }
@@ -93,6 +93,7 @@ export class RobotView {
   }
 
   theme(isDark) {
+    this.isStale = true;
     const sky = isDark ? 0x14181d : 0xe9eef3;
     this.scene.background = new THREE.Color(sky);
     this.scene.fog = new THREE.Fog(sky, 2.2, 9);
@@ -126,12 +127,14 @@ export class RobotView {
         if (!hit) return;
         const force = hit.sub(this.bodies[0].position).setZ(0).multiplyScalar(pushPerMetre).clampLength(0, 60);
         this.push = force;
+        this.isStale = true;
         this.onPush([force.x, force.y, 0]);
       }
     });
     const end = () => {
       if (this.drag === 'push') this.onPush([0, 0, 0]);
       this.drag = this.push = null;
+      this.isStale = true;
     };
     this.canvas.addEventListener('pointerup', end);
     this.canvas.addEventListener('pointercancel', end);
@@ -149,14 +152,21 @@ export class RobotView {
     });
   }
   turn(azimuth, height) {
+    this.isStale = true;
     this.angle.azimuth += azimuth;
     this.angle.height = Math.min(1.5, Math.max(0.03, this.angle.height + height));
   }
-  zoom(factor) { this.angle.distance = Math.min(6, Math.max(0.35, this.angle.distance * factor)); }
+  zoom(factor) {
+    this.isStale = true;
+    this.angle.distance = Math.min(6, Math.max(0.35, this.angle.distance * factor));
+  }
+
+  get isResized() { return Math.round(this.canvas.clientWidth * Math.min(window.devicePixelRatio, 2)) !== this.canvas.width; }
 
   draw(poses, feetForces) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
+    this.isStale = false;
     const ratio = Math.min(window.devicePixelRatio, 2);
     if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
       this.renderer.setPixelRatio(ratio);
