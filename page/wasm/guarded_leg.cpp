@@ -14,11 +14,12 @@ using swinging = cca::controller<watched_leg>;
 struct scene {
   static constexpr const char* title = "guarded leg";
   static constexpr int extra_count = 0, pose_count = 0;
-  static void put_down(swinging&) {}
-  static void add_shapes(cca::page::json_text&) {}
-  static void extra(const swinging&, double*) {}
-  static void poses(const swinging&, double*) {}
-  static void push(swinging&, double, double, double, double) {}
+  void put_down(swinging&) {}
+  void after_beat(swinging&) {}
+  void add_shapes(cca::page::json_text&) {}
+  void extra(const swinging&, double*) {}
+  void poses(const swinging&, double*) {}
+  void push(swinging&, double, double, double, double) {}
 };
 
 }  // namespace

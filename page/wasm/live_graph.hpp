@@ -1,13 +1,13 @@
-// The program of a page, from the type of its graph alone. What only a robot has is in a `Scene`:
+// The program of a page, from the type of its graph alone. What only a robot has is in a `Scene`, a value:
 //
 //   static constexpr const char* title;
-//   static void put_down(controller&)              before it is started
-//   static void add_shapes(json_text&)             the bodies, as JSON
-//   static constexpr int extra_count               numbers of the robot in each row
-//   static void extra(const controller&, double*)
-//   static constexpr int pose_count                numbers of the poses
-//   static void poses(const controller&, double*)
-//   static void push(controller&, double x, double y, double z, double seconds)
+//   static constexpr int extra_count, pose_count;   numbers of the robot in each row, and of its poses
+//   void put_down(controller&)                      before it is loaded
+//   void after_beat(controller&)                    what the world around the robot does
+//   void add_shapes(json_text&)                     the bodies, as JSON
+//   void extra(const controller&, double*)
+//   void poses(const controller&, double*)
+//   void push(controller&, double x, double y, double z, double seconds)
 #pragma once
 
 #include <algorithm>
@@ -31,6 +31,7 @@ class live_graph final : public live_program {
   static constexpr std::size_t most_snapshots = 120;
   struct snapshot {
     std::unique_ptr<controller_type> value;
+    Scene scene;
     std::vector<double> newest, origins, published;
   };
 
@@ -43,7 +44,7 @@ public:
     add_architecture<Graph>(json, Scene::title);
     json.key("coordinates").add(page_tap<Graph>::coordinates).key("kept").add(row_ring::beats);
     add_parameters(json, *c);
-    Scene::add_shapes(json);
+    scene.add_shapes(json);
     return json.close('}').text;
   }
 
@@ -61,12 +62,13 @@ public:
       if (k % beats_a_second == 0) take_snapshot();
       if (!c->step()) break;
       tap->take();
+      scene.after_beat(*c);
       double* const row = ring.row(k);
       std::ranges::copy(tap->newest, row);
-      Scene::extra(*c, row + page_tap<Graph>::coordinates);
+      scene.extra(*c, row + page_tap<Graph>::coordinates);
       ++done;
     }
-    Scene::poses(*c, poses_now.data());
+    scene.poses(*c, poses_now.data());
     return done;
   }
 
@@ -76,9 +78,10 @@ public:
     detach();
     c = std::make_unique<controller_type>();
     for (std::size_t i = 0; i < old.size(); ++i) set_field(*c, static_cast<int>(i), old[i]);
-    Scene::put_down(*c);
+    scene = Scene();
+    scene.put_down(*c);
     attach();
-    Scene::poses(*c, poses_now.data());
+    scene.poses(*c, poses_now.data());
   }
 
   void change(int transition) override {
@@ -102,13 +105,14 @@ public:
     return refusal;
   }
 
-  void push(double x, double y, double z, double seconds) override { Scene::push(*c, x, y, z, seconds); }
+  void push(double x, double y, double z, double seconds) override { scene.push(*c, x, y, z, seconds); }
 
   void take_snapshot() override {
     const std::int64_t k = c->beat_index();
     std::erase_if(snapshots, [&](const snapshot& s) { return s.value->beat_index() >= k; });
     if (snapshots.size() == most_snapshots) snapshots.erase(snapshots.begin());
-    snapshots.push_back({std::make_unique<controller_type>(*c), tap->newest, tap->origins, tap->published});
+    snapshots.push_back(
+        {std::make_unique<controller_type>(*c), scene, tap->newest, tap->origins, tap->published});
   }
 
   bool go_back(std::int64_t beat) override {
@@ -117,12 +121,13 @@ public:
     if (found == snapshots.end()) return false;
     detach();
     *c = *found->value;
+    scene = found->scene;
     attach();
     tap->newest = found->newest;
     tap->origins = found->origins;
     tap->published = found->published;
     std::erase_if(snapshots, [&](const snapshot& s) { return s.value->beat_index() > beat; });
-    Scene::poses(*c, poses_now.data());
+    scene.poses(*c, poses_now.data());
     return true;
   }
 
@@ -157,6 +162,7 @@ private:
 
   std::unique_ptr<page_tap<Graph>> tap;  // lives longer than what it looks at
   std::unique_ptr<controller_type> c;
+  Scene scene;
   std::vector<snapshot> snapshots;
   row_ring ring{page_tap<Graph>::coordinates + Scene::extra_count};
   std::vector<double> poses_now = std::vector<double>(Scene::pose_count + 1);

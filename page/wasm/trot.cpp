@@ -14,17 +14,18 @@ using trotting = cca::controller<watched_trot>;
 struct scene : cca::page::oncilla_scene {
   static constexpr const char* title = "trot";
 
-  static void put_down(trotting& c) {
+  void put_down(trotting& c) {
     const auto none = cca::sim::disturbance::none();
     c.get<"robot.simulator">().put_down(
         cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat().with_friction(none.friction),
                         trot::put_down(c.get<"gait">().p, none)),
         none);
   }
-  static void add_shapes(cca::page::json_text& json) { add_shapes_of(json, cca::sim::oncilla_defaults); }
-  static void extra(const trotting& c, double* to) { extra_of(c.get<"robot.simulator">().world(), to); }
-  static void poses(const trotting& c, double* to) { poses_of(c.get<"robot.simulator">().world(), to); }
-  static void push(trotting& c, double x, double y, double z, double seconds) {
+  void after_beat(trotting&) {}
+  void add_shapes(cca::page::json_text& json) { add_shapes_of(json, cca::sim::oncilla_defaults); }
+  void extra(const trotting& c, double* to) { extra_of(c.get<"robot.simulator">().world(), to); }
+  void poses(const trotting& c, double* to) { poses_of(c.get<"robot.simulator">().world(), to); }
+  void push(trotting& c, double x, double y, double z, double seconds) {
     push_on(c.get<"robot.simulator">(), x, y, z, seconds);
   }
 };

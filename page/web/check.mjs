@@ -35,10 +35,15 @@ const settle = (page, frames = 6) => page.evaluate((n) => new Promise((done) => 
   wait(n);
 }), frames);
 const message = (page) => text(page, '#message');
+// In the middle of the window, so that the bar at the top does not lie over it.
+async function press(page, selector) {
+  await page.$eval(selector, (e) => e.scrollIntoView({ block: 'center' }));
+  await page.click(selector);
+}
 async function runAhead(page, seconds) {
   const end = (await number(page, '#beat')) + Math.round(seconds * 1000);
   await page.$eval('#ahead', (e, v) => { e.value = v; }, seconds);
-  await page.click('#run-ahead');
+  await press(page, '#run-ahead');
   await page.waitForFunction((beat) => Number(document.getElementById('beat').textContent) >= beat, { timeout: 600_000 }, end);
   await settle(page);
 }
@@ -80,13 +85,13 @@ check('before the first beat no port has a value', (await page.$$eval('.port .va
 const begin = await position(page);
 check('the robot stands where the program puts it', near(begin[0], 0, 1e-3) && begin[2] > 0.12 && begin[2] < 0.22, begin);
 
-await page.click('#step');
+await press(page, '#step');
 await settle(page);
 check('a step is one beat', (await number(page, '#beat')) === 1, await number(page, '#beat'));
 check('after a beat the ports have values, with unit and age', /rad · \d+ ms/.test(await text(page, '[data-port="cpg.phase"]')), await text(page, '[data-port="cpg.phase"]'));
 const fires = () => page.$$eval('.node.fires', (all) => all.map((e) => e.dataset.node));
 check('beat 0: the 100 Hz components fire', (await fires()).includes('throttle'), await fires());
-await page.click('#step');
+await press(page, '#step');
 await settle(page);
 check('beat 1: only those of 1 kHz fire', !(await fires()).includes('throttle') && (await fires()).includes('cpg'), await fires());
 check('a value that was not published again gets older', /· 1 ms/.test(await text(page, '[data-port="throttle.amplitude"]')), await text(page, '[data-port="throttle.amplitude"]'));
@@ -133,7 +138,7 @@ await picture(page, 'trot');
 
 // Going back.
 await page.select('#snapshots', '18000');
-await page.click('#go-back');
+await press(page, '#go-back');
 await settle(page);
 check('goes back to an earlier snapshot', (await number(page, '#time')) === 18, `${await text(page, '#time')} s, ${await message(page)}`);
 await runAhead(page, 2);
@@ -142,14 +147,14 @@ check('from the snapshot on everything happens again, bit for bit', again.every(
 
 // A push.
 await page.select('#snapshots', '18000');
-await page.click('#go-back');
+await press(page, '#go-back');
 await page.$eval('#push-force', (e) => { e.value = 30; });
-await page.click('[data-push="0,1"]');
+await press(page, '[data-push="0,1"]');
 await runAhead(page, 2);
 const pushed = await page.evaluate(() => window.ccaPage.source.position());
 check('a push to the left by a button moves it to the left', pushed[1] > again[1] + 0.003, { before: again[1], after: pushed[1] });
 await page.select('#snapshots', '18000');
-await page.click('#go-back');
+await press(page, '#go-back');
 await settle(page);
 await page.$eval('#robot', (e) => e.scrollIntoView({ block: 'center' }));
 const [px, py] = await page.evaluate(() => window.ccaPage.robot.trunkOnScreen());
@@ -157,7 +162,7 @@ await page.mouse.move(px, py);
 await page.mouse.down();
 await page.mouse.move(px + 5, py - 40, { steps: 4 });
 const dragged = await page.evaluate(() => window.ccaPage.robot.push?.toArray());
-for (let i = 0; i < 60; ++i) await page.evaluate(() => document.getElementById('step').click());
+await page.evaluate(() => { for (let i = 0; i < 60; ++i) window.ccaPage.source.advance(1); });
 await settle(page, 2);
 await picture(page, 'push');
 await page.mouse.up();
@@ -189,28 +194,28 @@ await picture(page, 'refused');
 // The life-cycle.
 const enabled = () => page.$$eval('[data-change]', (all) => Object.fromEntries(all.map((e) => [e.dataset.change, !e.disabled])));
 check('only what the state allows can be pressed', JSON.stringify(await enabled()) === '{"load":false,"start":false,"stop":true,"resume":false,"save":false}', await enabled());
-await page.click('[data-change=stop]');
+await press(page, '[data-change=stop]');
 await settle(page);
 check('stop', (await state(page)) === 'loaded', await state(page));
 const still = await number(page, '#beat');
 check('a stopped controller makes no beat', await page.$eval('#step', (e) => e.disabled) && (await page.evaluate(() => window.ccaPage.source.advance(5))) === 0 && (await number(page, '#beat')) === still, still);
-await page.click('[data-change=save]');
+await press(page, '[data-change=save]');
 await settle(page);
 const saved = await state(page);
 const refusal = await page.evaluate(() => { try { window.ccaPage.source.change('start'); return 'not refused'; } catch (e) { return e.message; } });
 check('what the life-cycle refuses is shown with the controller’s own words', refusal === 'cca::controller: start() is refused in the state `created`: load() it first', refusal);
-await page.click('[data-change=load]');
+await press(page, '[data-change=load]');
 await settle(page);
 const loaded = await state(page);
-await page.click('[data-change=start]');
+await press(page, '[data-change=start]');
 await settle(page);
 check('save, load and start', saved === 'created' && loaded === 'loaded' && (await state(page)) === 'started', [saved, loaded, await state(page)]);
-await page.click('#anew');
+await press(page, '#anew');
 await settle(page);
 check('begins anew, and keeps the parameters', (await number(page, '#beat')) === 0 && (await state(page)) === 'created' && (await page.evaluate(() => window.ccaPage.source.parameters()[0])) === 0.4, [await number(page, '#beat'), await state(page)]);
-await page.click('[data-change=load]');
+await press(page, '[data-change=load]');
 await settle(page, 2);
-await page.click('[data-change=start]');
+await press(page, '[data-change=start]');
 await settle(page, 2);
 await runAhead(page, 4);
 const slow = await position(page);
@@ -220,29 +225,29 @@ check('with 0.4 m/s it is slower than with 0.66', slow[0] < nativeAt(4)[0] - 0.3
 const plotCount = () => page.$$eval('.plot', (all) => all.length);
 check('a plot of a command and what is measured of it', (await page.$$eval('.plot:first-child .curve', (all) => all.map((e) => e.textContent))).length === 2, await page.$$eval('.plot:first-child .curve', (all) => all.map((e) => e.textContent)));
 const before = await plotCount();
-await page.click('[data-port="throttle.amplitude"]');
+await press(page, '[data-port="throttle.amplitude"]');
 await settle(page);
 check('a click on a port plots it', (await plotCount()) === before + 1 && (await page.$$eval('.curve', (all) => all.map((e) => e.textContent))).some((t) => t.includes('throttle.amplitude')), await plotCount());
 const force = await page.$$eval('#port option', (all) => all.find((o) => o.textContent.startsWith('foot_loads'))?.value);
 await page.select('#port', force);
 await page.select('#in-plot', '0');
-await page.click('#add-curve');
+await press(page, '#add-curve');
 await settle(page);
 check('several curves in one plot, each with its unit', (await page.$$eval('.plot:first-child .curve', (all) => all.map((e) => e.textContent))).some((t) => /foot_loads.* N/.test(t)) && (await page.$$eval('.plot:first-child .curve', (all) => all.map((e) => e.textContent))).some((t) => t.includes('rad')), await page.$$eval('.plot:first-child .curve', (all) => all.map((e) => e.textContent)));
 const plotted = await page.evaluate(() => { const { plots, source } = window.ccaPage; const curve = plots.plots[0].series[0]; const data = plots.plots[0].chart.data; return { time: data[0].at(-1), value: data[1].at(-1), sample: source.row(Math.round(data[0].at(-1) / source.period))[source.description.outputs[curve.output].at + curve.i] }; });
 check('what is plotted is what was published', plotted.value === plotted.sample, plotted);
 const dashes = await page.evaluate(() => window.ccaPage.plots.plots[0].chart.series.slice(1).map((s) => `${s.stroke()} ${s.dash}`));
 check('curves differ in colour and in dash', new Set(dashes.map((d) => d.split(' ')[0])).size === dashes.length && new Set(dashes.map((d) => d.split(' ')[1])).size === dashes.length, dashes);
-await page.click('#pause');
+await press(page, '#pause');
 const shown = () => page.evaluate(() => window.ccaPage.plots.shown());
 const paused = await shown();
 await runAhead(page, 0.5);
 check('a paused plot stands still while the robot runs on', JSON.stringify(await shown()) === JSON.stringify(paused), paused);
-await page.click('#zoom-in');
+await press(page, '#zoom-in');
 const zoomed = await shown();
 check('zooms in', near(zoomed[1] - zoomed[0], (paused[1] - paused[0]) / 2, 1e-9), zoomed);
-await page.click('#zoom-all');
-await page.click('#pause');
+await press(page, '#zoom-all');
+await press(page, '#pause');
 await settle(page);
 check('goes on with the newest values', (await shown())[1] > paused[1], await shown());
 await page.$eval('.plot:first-child .u-over', (e) => e.scrollIntoView({ block: 'center' }));
@@ -254,8 +259,8 @@ await page.mouse.up();
 const byMouse = await shown();
 check('a drag over a plot zooms to what it covers', near(byMouse[1] - byMouse[0], 1, 0.05), byMouse);
 await picture(page, 'plots');
-await page.click('#zoom-all');
-await page.click('.plot:last-child .curve button');
+await press(page, '#zoom-all');
+await press(page, '.plot:last-child .curve button');
 await settle(page);
 check('a curve can be removed', (await plotCount()) === before, await plotCount());
 
@@ -287,12 +292,12 @@ check('everything can be reached by the tabulator', ['play', 'step', 'speed', 's
 
 // Inner components.
 const few = await page.$$eval('[data-node]', (all) => all.length);
-await page.click('#open');
+await press(page, '#open');
 await settle(page);
 const inner = await page.$$eval('[data-node]', (all) => all.map((e) => e.dataset.node));
 check('the inner components of the robot can be shown', inner.length > few + 8 && inner.includes('robot.simulator'), `${few}, then ${inner.length}`);
 await picture(page, 'inner', true);
-await page.click('#open');
+await press(page, '#open');
 
 // Looks.
 await page.$eval('#theme', (e) => { if (document.documentElement.dataset.theme === 'dark') e.click(); });
@@ -300,7 +305,7 @@ await settle(page);
 const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
 const lightPaper = await paper();
 await accessible(page, 'light');
-await page.click('#theme');
+await press(page, '#theme');
 await settle(page);
 check('dark and light', lightPaper !== (await paper()), [lightPaper, await paper()]);
 await accessible(page, 'dark');
@@ -318,7 +323,7 @@ await page.close();
 page = await open(options.fault);
 check('a graph without a robot has a page, too', (await page.$$eval('[data-node]', (all) => all.length)) === 5 && !(await page.$eval('section.robot', (e) => e.offsetParent)), await page.$$eval('[data-node]', (all) => all.map((e) => e.dataset.node)));
 await page.$eval('#ahead', (e) => { e.value = 3; });
-await page.click('#run-ahead');
+await press(page, '#run-ahead');
 await page.waitForFunction(() => document.getElementById('state').textContent === 'faulted');
 await settle(page);
 check('a fault stops the loop in its beat', (await number(page, '#beat')) === 1235, await number(page, '#beat'));
@@ -326,10 +331,32 @@ check('the fault is named with its cause', (await text(page, '#alert')) === '⚠
 check('the component of the fault is red', (await page.$$eval('.node.faulty', (all) => all.map((e) => e.dataset.node))).join() === 'guard', await page.$eval('.node.faulty > rect', (e) => getComputedStyle(e).stroke));
 await accessible(page, 'after a fault');
 await picture(page, 'fault');
-await page.click('[data-change=resume]');
+await press(page, '[data-change=resume]');
 await settle(page);
 check('resume goes on after a fault', (await state(page)) === 'started' && (await text(page, '#alert')) === '', await state(page));
 await page.close();
+
+// ---- the Combination of Skills ----
+
+if (options.skills) {
+  const skills = JSON.parse(readFileSync(options['native-skills'], 'utf8')).at(-1);
+  page = await open(options.skills);
+  const parts = await page.$$eval('[data-node]', (all) => all.map((e) => e.dataset.node));
+  check('skills: the architecture has sequencer, CPG and DMP', ['sequencer', 'cpg', 'dmp', 'hip_reaching', 'steady', 'robot'].every((n) => parts.includes(n)), `${parts.length} parts`);
+  await runAhead(page, skills.seconds);
+  const end = await page.evaluate(() => {
+    const { source } = window.ccaPage;
+    const out = source.description.outputs.find((o) => o.path === 'sequencer.step');
+    const steps = new Set();
+    for (let k = source.first; k < source.beat; ++k) steps.add(source.row(k)[out.at]);
+    return { steps: [...steps], fallen: source.fallen, forward: source.position()[0] };
+  });
+  check('skills: it goes through all steps of the plan', end.steps.includes(9) && end.steps.length >= 9, end.steps);
+  check('skills: it has not fallen, as the program', end.fallen === skills.fell && !end.fallen, end);
+  await accessible(page, 'skills');
+  await picture(page, 'skills');
+  await page.close();
+}
 
 // ---- a recording ----
 
@@ -359,10 +386,10 @@ if (options.recording) {
   check('the recorded commands are those of the live controller', compared.recorded.every((v, i) => near(v, lived[i], 1e-6)), { recorded: compared.recorded.slice(0, 2), live: lived.slice(0, 2) });
   await (await page.$('#file')).uploadFile(options.recording);
   await page.waitForFunction(() => !document.getElementById('replay-play').closest('.row').hidden);
-  await page.click('#replay-play');
+  await press(page, '#replay-play');
   await page.waitForFunction(() => Number(document.getElementById('beat').textContent) > 100);
   check('plays a recording', true, await text(page, '#beat'));
-  await page.click('#replay-play');
+  await press(page, '#replay-play');
   await page.$eval('#replay-time', (e) => { e.value = 1.5; e.dispatchEvent(new Event('input')); });
   await settle(page);
   check('the recorded robot stands on its feet', await page.evaluate(() => { const p = window.ccaPage.robot.bodies[0].position; return p.z > 0.12 && p.z < 0.22; }), await page.evaluate(() => window.ccaPage.robot.bodies[0].position.z));

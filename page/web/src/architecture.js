@@ -61,8 +61,17 @@ export class ArchitectureView {
       if (!node.outputs.includes(o) && (this.isOpen || node.nodes.length === 1)) node.outputs.push(o);
     });
 
+    let graph = this.place(drawn, edges, 'LR');
+    this.width = this.box.clientWidth;
+    if (graph.graph().width > 1.3 * this.width) graph = this.place(drawn, edges, 'TB');
+    this.paint(drawn, edges, graph);
+  }
+
+  // From left to right, or from top to bottom where that is too wide.
+  place(drawn, edges, rankdir) {
+    const { nodes, outputs } = this.source.description;
     const graph = new dagre.graphlib.Graph({ multigraph: false });
-    graph.setGraph({ rankdir: 'LR', nodesep: 22, ranksep: 46, marginx: 12, marginy: 12 });
+    graph.setGraph({ rankdir, nodesep: 22, ranksep: rankdir === 'LR' ? 46 : 34, marginx: 12, marginy: 12 });
     graph.setDefaultEdgeLabel(() => ({}));
     for (const node of drawn.values()) {
       node.outputs.sort((a, b) => a - b);
@@ -84,7 +93,7 @@ export class ArchitectureView {
       graph.setEdge(edge.from, edge.to, { width: widest * 5.6, height: edge.lines.length * 12, labelpos: 'c' });
     }
     dagre.layout(graph);
-    this.paint(drawn, edges, graph);
+    return graph;
   }
 
   paint(drawn, edges, graph) {
@@ -136,6 +145,12 @@ export class ArchitectureView {
     }
     this.box.replaceChildren(svg);
     this.svg = svg;
+  }
+
+  resize() {
+    if (Math.abs(this.box.clientWidth - this.width) < 40) return;
+    this.lay();
+    this.update();
   }
 
   // In which beat a component fired last, as far as its clock or its samples tell.

@@ -1,22 +1,18 @@
 // A controller as WebAssembly: the source of data that can be run, changed and put back.
+import { fileSystem } from './files.js';
 
 export const transitions = ['load', 'start', 'stop', 'resume', 'save'];
 
 export class Refused extends Error {}
 
-export async function startProgram(compressed) {
-  const bytes = Uint8Array.from(atob(compressed), (c) => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+
+export async function startProgram(compressed, files = {}) {
+  const stream = new Blob([fromBase64(compressed)]).stream().pipeThrough(new DecompressionStream('gzip'));
   const code = await new Response(stream).arrayBuffer();
   let memory = null;
   const text = (at, size) => new TextDecoder().decode(new Uint8Array(memory.buffer, at, size));
-  // The program has no files and no clock: every call of the system fails, as on a computer without them.
-  const system = new Proxy({}, {
-    get: (_, name) => () => {
-      if (name === 'proc_exit') throw new Error('the program has ended');
-      return 8;  // EBADF
-    },
-  });
+  const system = fileSystem(Object.fromEntries(Object.entries(files).map(([name, content]) => [name, fromBase64(content)])), () => memory);
   const { instance } = await WebAssembly.instantiate(code, {
     wasi_snapshot_preview1: system,
     page: { refuse(at, size) { throw new Refused(text(at, size)); } },

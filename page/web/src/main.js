@@ -185,6 +185,7 @@ function listen() {
   });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
   new ResizeObserver(() => plots?.resize()).observe($('plots'));
+  new ResizeObserver(() => architecture?.resize()).observe($('architecture'));
 
   $('file').addEventListener('change', () => openFile($('file').files[0]));
   $('to-live').addEventListener('click', () => look(live));
@@ -351,7 +352,7 @@ function firstPlots() {
   if (other >= 0) plots.addPort(other);
 }
 
-startProgram(PROGRAM).then((started) => {
+startProgram(PROGRAM, FILES).then((started) => {
   live = started;
   look(live);
   listen();

@@ -13,7 +13,7 @@ export class RobotView {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 60);
+    this.camera = new THREE.PerspectiveCamera(38, 1, 0.1, 30);
     this.camera.up.set(0, 0, 1);
     this.angle = { azimuth: -1.05, height: 0.32, distance: 1.15 };
     this.target = new THREE.Vector3();
@@ -34,14 +34,15 @@ export class RobotView {
   }
 
   ground() {
-    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(40, 40), new THREE.MeshStandardMaterial({ roughness: 1 }));
+    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(40, 40), new THREE.MeshStandardMaterial({ roughness: 1, depthWrite: false }));
     this.floor.receiveShadow = true;
+    this.floor.renderOrder = -2;  // floor and lines first, whatever their depth
     this.scene.add(this.floor);
-    this.lines = new THREE.GridHelper(40, 200, 0x808890, 0x808890);
+    this.lines = new THREE.GridHelper(20, 100, 0xffffff, 0xffffff);
     this.lines.rotation.x = Math.PI / 2;
-    this.lines.position.z = 0.0005;
-    this.lines.material.transparent = true;
-    this.lines.material.opacity = 0.35;
+    this.lines.renderOrder = -1;
+    this.lines.material.depthWrite = false;
+    this.lines.material.depthTest = false;
     this.scene.add(this.lines);
   }
 
@@ -97,6 +98,7 @@ export class RobotView {
     const sky = isDark ? 0x14181d : 0xe9eef3;
     this.scene.background = new THREE.Color(sky);
     this.scene.fog = new THREE.Fog(sky, 2.2, 9);
+    this.lines.material.color.set(isDark ? 0x3d4650 : 0xb9c2cb);
     this.floor.material.color.set(isDark ? 0x272d34 : 0xd3dae1);
   }
 
@@ -198,7 +200,7 @@ export class RobotView {
     this.sun.target.position.copy(trunk);
     // The ground has no end: it goes along, by whole squares.
     this.floor.position.set(trunk.x, trunk.y, 0);
-    this.lines.position.set(Math.round(trunk.x / 0.2) * 0.2, Math.round(trunk.y / 0.2) * 0.2, 0.0005);
+    this.lines.position.set(Math.round(trunk.x / 0.2) * 0.2, Math.round(trunk.y / 0.2) * 0.2, 0);
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
   }
