@@ -59,7 +59,9 @@ public:
     int done = 0;
     while (done < beats && is_started()) {
       const std::int64_t k = c->beat_index();
-      if (k % beats_a_second == 0) take_snapshot();
+      // One that is there stays: what was changed since then is not in it.
+      if (k % beats_a_second == 0 && (snapshots.empty() || snapshots.back().value->beat_index() < k))
+        take_snapshot();
       if (!c->step()) break;
       tap->take();
       scene.after_beat(*c);

@@ -23,11 +23,11 @@ template <class F>
 void each_field(const schema& type, const void* value, const std::string& path, F& f) {
   if (type.what == kind::table) {
     for (std::size_t i = 0; i < type.count; ++i)
-      each_field(*type.members[i].type, type.members[i].of(value),
+      page::each_field(*type.members[i].type, type.members[i].of(value),
                  detail::member_path(path, type.members[i].name), f);
   } else if (type.what == kind::array) {
     for (std::size_t i = 0; i < type.count; ++i)
-      each_field(*type.element, type.at(value, i), detail::element_path(path, i), f);
+      page::each_field(*type.element, type.at(value, i), detail::element_path(path, i), f);
   } else if (type.what != kind::text && type.what != kind::unsupported) {
     f(type, value, path);
   }
@@ -72,7 +72,7 @@ void add_parameters(json_text& json, const Controller& c) {
   };
   c.for_each_component([&]<class C>(std::string_view path, const C& component) {
     if constexpr (HasParameters<C>)
-      each_field(detail::schema_of<typename C::parameters>, &component.p, std::string(path), add);
+      page::each_field(detail::schema_of<typename C::parameters>, &component.p, std::string(path), add);
   });
   json.close(']');
 }
@@ -85,7 +85,7 @@ std::vector<double> parameter_values(const Controller& c) {
   };
   c.for_each_component([&]<class C>(std::string_view path, const C& component) {
     if constexpr (HasParameters<C>)
-      each_field(detail::schema_of<typename C::parameters>, &component.p, std::string(path), add);
+      page::each_field(detail::schema_of<typename C::parameters>, &component.p, std::string(path), add);
   });
   return all;
 }
@@ -122,7 +122,7 @@ std::string set_field(Controller& c, int wanted, double number) {
         field = its_path;
         problem = put(type, const_cast<void*>(value), number);
       };
-      each_field(detail::schema_of<typename C::parameters>, &copy, std::string(path), set);
+      page::each_field(detail::schema_of<typename C::parameters>, &copy, std::string(path), set);
       if (!is_here) return;
       if (!problem.empty()) {
         refusal = field + ": " + problem;

@@ -148,7 +148,7 @@ check('from the snapshot on everything happens again, bit for bit', again.every(
 // A push.
 await page.select('#snapshots', '18000');
 await press(page, '#go-back');
-await page.$eval('#push-force', (e) => { e.value = 30; });
+await page.$eval('#push-force', (e) => { e.value = 15; });
 await press(page, '[data-push="0,1"]');
 await runAhead(page, 2);
 const pushed = await page.evaluate(() => window.ccaPage.source.position());
@@ -169,6 +169,7 @@ await page.mouse.up();
 await runAhead(page, 0.2);
 const afterDrag = await page.evaluate(() => window.ccaPage.source.position());
 const undisturbed = await page.evaluate(() => { const s = window.ccaPage.source; const end = s.beat; s.goBack(18000); s.advance(end - 18000); return s.position(); });
+check('a snapshot keeps no push that came later', undisturbed[1] < 0.1, undisturbed);
 check('dragging the robot with the mouse pushes it', dragged && Math.hypot(...dragged) > 1 && Math.hypot(afterDrag[0] - undisturbed[0], afterDrag[1] - undisturbed[1]) > 1e-4, { force: dragged, pushed: afterDrag, undisturbed });
 
 // Parameters.
@@ -182,7 +183,7 @@ const refused = await parameter(page, 'throttle.speed', '7');
 check('a refused value shows the reason', refused.invalid && refused.reason.includes('7 m/s is out of range, expected 0 to 1 m/s'), refused);
 check('a refused value changes nothing', (await page.evaluate(() => window.ccaPage.source.parameters()[0])) === 0.4, await page.evaluate(() => window.ccaPage.source.parameters()[0]));
 const notNumber = await parameter(page, 'throttle.speed', 'nan');
-check('NaN is refused', notNumber.invalid && notNumber.reason.includes('nan is not allowed'), notNumber);
+check('NaN is refused', notNumber.invalid && notNumber.reason.includes('nan m/s is not allowed'), notNumber);
 const word = await parameter(page, 'throttle.speed', 'fast');
 check('a word is refused', word.invalid && word.reason.includes('expected a number'), word);
 const furlong = await parameter(page, 'gait.front.hip', '3 furlong');
@@ -327,6 +328,7 @@ await press(page, '#run-ahead');
 await page.waitForFunction(() => document.getElementById('state').textContent === 'faulted');
 await settle(page);
 check('a fault stops the loop in its beat', (await number(page, '#beat')) === 1235, await number(page, '#beat'));
+check('nothing runs after a fault', (await page.evaluate(() => window.ccaPage.source.advance(5))) === 0, await number(page, '#beat'));
 check('the fault is named with its cause', (await text(page, '#alert')) === '⚠ fault in guard: the hip is faster than 10 rad/s', await text(page, '#alert'));
 check('the component of the fault is red', (await page.$$eval('.node.faulty', (all) => all.map((e) => e.dataset.node))).join() === 'guard', await page.$eval('.node.faulty > rect', (e) => getComputedStyle(e).stroke));
 await accessible(page, 'after a fault');

@@ -63,7 +63,10 @@ export class ArchitectureView {
 
     let graph = this.place(drawn, edges, 'LR');
     this.width = this.box.clientWidth;
-    if (graph.graph().width > 1.3 * this.width) graph = this.place(drawn, edges, 'TB');
+    if (graph.graph().width > 1.3 * this.width) {
+      const down = this.place(drawn, edges, 'TB');
+      if (down.graph().width < 1.3 * this.width) graph = down;
+    }
     this.paint(drawn, edges, graph);
   }
 
@@ -99,7 +102,8 @@ export class ArchitectureView {
   paint(drawn, edges, graph) {
     const { width, height } = graph.graph();
     const { outputs, nodes } = this.source.description;
-    const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, width, height, role: 'group', 'aria-label': 'The components and their wires' });
+    const scale = Math.max(0.7, Math.min(1, this.width / width));
+    const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, width: width * scale, height: height * scale, role: 'group', 'aria-label': 'The components and their wires' });
     svg.append(element('defs', {}, element('marker', { id: 'tip', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: 'auto' },
       element('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }))));
     for (const edge of edges.values()) {
@@ -128,7 +132,7 @@ export class ArchitectureView {
       if (node.when) group.append(element('text', { x: left + 10, y: top + 19 + lineHeight, class: 'when' }, node.when));
       const values = node.outputs.map((o, i) => {
         const lineTop = top + 34 + (node.when ? lineHeight : 0) + i * lineHeight;
-        const row = element('g', { class: 'port', tabindex: 0, role: 'button', 'data-port': outputs[o].path, 'aria-label': `Plot ${outputs[o].path}` });
+        const row = element('g', { class: 'port', tabindex: 0, role: 'button', 'data-port': outputs[o].path });
         const value = element('tspan', { class: 'value' });
         const text = element('text', { x: left + 10, y: lineTop }, `${this.portName(o)} `, value);
         row.append(element('rect', { x: left + 4, y: lineTop - 11, width: node.width - 8, height: lineHeight, class: 'hit' }), text);
@@ -145,6 +149,7 @@ export class ArchitectureView {
     }
     this.box.replaceChildren(svg);
     this.svg = svg;
+    this.box.scrollTop = graph.node(this.parts[0].name).y * scale - this.box.clientHeight / 2;
   }
 
   resize() {

@@ -56,7 +56,10 @@ function frame(now) {
   if (ahead > 0) {
     // As fast as possible, but so that the page still answers.
     const end = performance.now() + 60;
-    while (ahead > 0 && performance.now() < end) ahead -= runFor(Math.min(ahead, 100)) || ahead;
+    while (ahead > 0 && performance.now() < end) {
+      const done = runFor(Math.min(ahead, 100));  // sets `ahead` to 0 where the run ends
+      ahead = Math.max(0, ahead - done);
+    }
     if (ahead <= 0) {
       say(`ran on, to ${source.time.toFixed(3)} s`);
       show(true);
@@ -187,7 +190,10 @@ function listen() {
   new ResizeObserver(() => plots?.resize()).observe($('plots'));
   new ResizeObserver(() => architecture?.resize()).observe($('architecture'));
 
-  $('file').addEventListener('change', () => openFile($('file').files[0]));
+  $('file').addEventListener('change', () => {
+    openFile($('file').files[0]);
+    $('file').value = '';  // so that the same file can be chosen again
+  });
   $('to-live').addEventListener('click', () => look(live));
   document.addEventListener('dragover', (event) => { event.preventDefault(); document.body.classList.add('dropping'); });
   document.addEventListener('dragleave', (event) => { if (!event.relatedTarget) document.body.classList.remove('dropping'); });

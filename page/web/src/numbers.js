@@ -8,8 +8,8 @@ export function short(value) {
 }
 
 export function age(seconds) {
-  if (!(seconds >= 0)) return 'none yet';
-  return seconds < 1 ? `${Math.round(seconds * 1e3)} ms` : `${seconds.toFixed(1)} s`;
+  if (!(seconds >= -1e-6)) return 'none yet';
+  return seconds < 1 ? `${Math.abs(Math.round(seconds * 1e3))} ms` : `${seconds.toFixed(1)} s`;
 }
 
 // "30 deg" as a number in the SI unit; what is no number is NaN.

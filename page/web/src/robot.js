@@ -98,7 +98,7 @@ export class RobotView {
     const sky = isDark ? 0x14181d : 0xe9eef3;
     this.scene.background = new THREE.Color(sky);
     this.scene.fog = new THREE.Fog(sky, 2.2, 9);
-    this.lines.material.color.set(isDark ? 0x3d4650 : 0xb9c2cb);
+    this.lines.material.color.set(isDark ? 0x4d5862 : 0x939ea9);
     this.floor.material.color.set(isDark ? 0x272d34 : 0xd3dae1);
   }
 
