@@ -40,7 +40,7 @@ function take(channel, { data }) {
     }
     channel.beats.push(Number(view.getBigInt64(4, true)));
     channel.texts.push(texts);
-  } else if (!channel.topic.startsWith('/cca/')) {
+  } else if (channel.metadata.has('axes')) {  // a port; beside it are messages for other viewers
     channel.beats.push(Number(view.getBigInt64(4, true)));
     channel.origins.push(Number(view.getBigInt64(12, true)) * 1e-9);
     for (let at = 20; at < data.byteLength; at += 8) channel.values.push(view.getFloat64(at, true));
@@ -56,7 +56,7 @@ export class Recording {
     this.channels = new Map(channels.map((c) => [c.topic, c]));
     this.description = this.describe(architecture);
     this.beats = 0;
-    for (const c of channels) if (!c.topic.startsWith('/cca/') && c.beats.length > 0) this.beats = Math.max(this.beats, c.beats.at(-1) + 1);
+    for (const c of channels) if (c.metadata.has('axes') && c.beats.length > 0) this.beats = Math.max(this.beats, c.beats.at(-1) + 1);
     this.beat = 0;
     this.first = 0;
     this.memory = new Float64Array(this.description.coordinates);
