@@ -351,9 +351,12 @@ if (options.skills) {
     const out = source.description.outputs.find((o) => o.path === 'sequencer.step');
     const steps = new Set();
     for (let k = source.first; k < source.beat; ++k) steps.add(source.row(k)[out.at]);
-    return { steps: [...steps], fallen: source.fallen, forward: source.position()[0] };
+    let last = source.beat;
+    while (source.row(last - 1)[out.at] === 9) --last;
+    return { steps: [...steps], lastStepAt: last * source.period, fallen: source.fallen, forward: source.position()[0] };
   });
   check('skills: it goes through all steps of the plan', end.steps.includes(9) && end.steps.length >= 9, end.steps);
+  check('skills: the last step begins when the program says', near(end.lastStepAt, skills.seconds - 6, 0.0015), { page: end.lastStepAt, program: skills.seconds - 6 });
   check('skills: it has not fallen, as the program', end.fallen === skills.fell && !end.fallen, end);
   await accessible(page, 'skills');
   await picture(page, 'skills');
