@@ -3,6 +3,7 @@
 import * as THREE from 'three';
 
 const partColours = [0x9a3b2f, 0x2f6db3, 0xc7812a, 0x2f8f6a, 0x30343a];
+const floorSize = 40;  // m
 const newtonsPerMetre = 200;  // of a force's arrow
 const pushPerMetre = 120;     // N for a drag of one metre
 
@@ -34,16 +35,26 @@ export class RobotView {
   }
 
   ground() {
-    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(40, 40), new THREE.MeshStandardMaterial({ roughness: 1, depthWrite: false }));
+    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(floorSize, floorSize), new THREE.MeshStandardMaterial({ roughness: 1 }));
     this.floor.receiveShadow = true;
-    this.floor.renderOrder = -2;  // floor and lines first, whatever their depth
     this.scene.add(this.floor);
-    this.lines = new THREE.GridHelper(20, 100, 0xffffff, 0xffffff);
-    this.lines.rotation.x = Math.PI / 2;
-    this.lines.renderOrder = -1;
-    this.lines.material.depthWrite = false;
-    this.lines.material.depthTest = false;
-    this.scene.add(this.lines);
+  }
+
+  // Squares of 0.2 m, so that one sees how fast it goes.
+  squares(isDark) {
+    const picture = Object.assign(document.createElement('canvas'), { width: 256, height: 256 });
+    const g = picture.getContext('2d');
+    g.fillStyle = isDark ? '#2a3138' : '#d6dde4';
+    g.fillRect(0, 0, 256, 256);
+    g.strokeStyle = isDark ? '#4a5560' : '#aab4be';
+    g.lineWidth = 5;
+    g.strokeRect(0, 0, 256, 256);
+    const texture = new THREE.CanvasTexture(picture);
+    texture.colorSpace = THREE.SRGBColorSpace;
+    texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+    texture.repeat.set(floorSize / 0.2, floorSize / 0.2);
+    texture.anisotropy = this.renderer.capabilities.getMaxAnisotropy();
+    return texture;
   }
 
   build(robot) {
@@ -98,8 +109,9 @@ export class RobotView {
     const sky = isDark ? 0x14181d : 0xe9eef3;
     this.scene.background = new THREE.Color(sky);
     this.scene.fog = new THREE.Fog(sky, 2.2, 9);
-    this.lines.material.color.set(isDark ? 0x4d5862 : 0x939ea9);
-    this.floor.material.color.set(isDark ? 0x272d34 : 0xd3dae1);
+    this.floor.material.map?.dispose();
+    this.floor.material.map = this.squares(isDark);
+    this.floor.material.needsUpdate = true;
   }
 
   // Drag the robot: a push. Drag elsewhere: turn the view. Wheel: distance.
@@ -199,8 +211,7 @@ export class RobotView {
     this.sun.position.set(trunk.x + 0.5, trunk.y - 0.7, 1.6);
     this.sun.target.position.copy(trunk);
     // The ground has no end: it goes along, by whole squares.
-    this.floor.position.set(trunk.x, trunk.y, 0);
-    this.lines.position.set(Math.round(trunk.x / 0.2) * 0.2, Math.round(trunk.y / 0.2) * 0.2, 0);
+    this.floor.position.set(Math.round(trunk.x / 0.2) * 0.2, Math.round(trunk.y / 0.2) * 0.2, 0);
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
   }
