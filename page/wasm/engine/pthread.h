@@ -1,0 +1,2 @@
+// The engine includes this header, but has no threads here.
+#pragma once

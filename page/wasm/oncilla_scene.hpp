@@ -1,0 +1,86 @@
+// The simulated Oncilla on a page: its bodies, feet and forces, and a push on its trunk.
+//
+// Extra numbers of a row: the trunk's position (3), the force on each foot (4 x 3, N), contact of each foot
+// (4), then whether it has fallen. Poses: position and quaternion (w x y z) of each body, then for each foot
+// its position, and where the targets of hip and knee would put it.
+#pragma once
+
+#include <array>
+
+#include <cca/sim/oncilla.hpp>
+#include <cca/sim/kinematics.hpp>
+#include <cca/sim/world.hpp>
+
+#include "json_text.hpp"
+
+namespace cca::page {
+
+struct oncilla_scene {
+  static constexpr int extra_count = 3 + 12 + 4 + 1;
+  static constexpr int pose_count = 7 * static_cast<int>(sim::body_count) + 4 * 6;
+
+  static void extra_of(const sim::world& w, double* to) {
+    for (const double x : w.trunk_position()) *to++ = x;
+    for (const auto& leg : w.reading().legs)
+      for (const double f : leg.foot_force) *to++ = f;
+    for (const auto& leg : w.reading().legs) *to++ = leg.contact() ? 1 : 0;
+    *to = w.fallen() ? 1 : 0;
+  }
+
+  static void poses_of(const sim::world& w, double* to) {
+    const sim::world_state s = w.save();
+    for (const auto& body : s.bodies) {
+      for (const double x : body.position) *to++ = x;
+      for (const double x : body.quaternion) *to++ = x;
+    }
+    const auto& m = w.model();
+    const auto& r = s.bodies[0].rotation;
+    const auto targets = w.targets();
+    for (std::size_t i = 0; i < sim::leg_count; ++i) {
+      for (const double x : w.foot_position(i)) *to++ = x;
+      const auto foot = sim::foot_position(m, {targets[i].hip, targets[i].knee});
+      const double tilt = sim::side_of(i) * targets[i].abduction;
+      const std::array<double, 3> at{
+          (sim::is_front(i) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips + foot.x,
+          sim::side_of(i) * m.hip_y - foot.z * std::sin(tilt), -m.trunk_above_hips + foot.z * std::cos(tilt)};
+      for (std::size_t k = 0; k < 3; ++k)
+        *to++ = s.bodies[0].position[k] + r[4 * k] * at[0] + r[4 * k + 1] * at[1] + r[4 * k + 2] * at[2];
+    }
+  }
+
+  static void add_shapes_of(json_text& json, const sim::oncilla_model& m) {
+    const auto body = [&](const char* shape, std::initializer_list<double> size, int part) {
+      json.open('{').key("shape").add(shape).key("part").add(part).key("size").open('[');
+      for (const double x : size) json.add(x);
+      json.close(']').close('}');
+    };
+    json.key("robot").open('{').key("legs").open('[');
+    for (const char* leg : {"left front", "right front", "left hind", "right hind"}) json.add(leg);
+    json.close(']').key("bodies").open('[');
+    body("box", {m.trunk_length, m.trunk_width, m.trunk_height}, 0);
+    for (std::size_t i = 0; i < sim::leg_count; ++i) {
+      body("cylinder", {m.segment_radius, m.upper_length}, 1);
+      body("cylinder", {m.segment_radius * 0.85, m.middle_length}, 2);
+      body("cylinder", {m.segment_radius * 0.7, m.lower_length}, 3);
+      body("sphere", {m.foot_radius}, 4);
+    }
+    json.close(']').key("segments").open('[');
+    for (const double length : {m.upper_length, m.middle_length, m.lower_length, m.toe_length})
+      json.add(length);
+    json.close(']').key("hips").open('[');  // from the trunk's centre
+    for (std::size_t i = 0; i < sim::leg_count; ++i) {
+      json.open('[').add((sim::is_front(i) ? m.hip_x : -m.hip_x) - m.trunk_forward_of_hips);
+      json.add(sim::side_of(i) * m.hip_y).add(-m.trunk_above_hips).close(']');
+    }
+    json.close(']').key("weight").add(m.mass() * m.gravity).close('}');
+  }
+
+  template <class Simulator>
+  static void push_on(Simulator& simulator, double x, double y, double z, double seconds) {
+    sim::disturbance d = sim::disturbance::none();
+    d.another = {simulator.world().time(), seconds, {x, y, z}};
+    simulator.disturb(d);
+  }
+};
+
+}  // namespace cca::page

@@ -1,0 +1,38 @@
+// The trot of examples/trot on a page: the same controller, the same simulator.
+#include <cca/cca.hpp>
+
+#include "rollout.hpp"
+
+#include "live_graph.hpp"
+#include "oncilla_scene.hpp"
+
+namespace {
+
+struct watched_trot : trot::simulated_trot, cca::recordable {};
+using trotting = cca::controller<watched_trot>;
+
+struct scene : cca::page::oncilla_scene {
+  static constexpr const char* title = "trot";
+
+  void put_down(trotting& c) {
+    const auto none = cca::sim::disturbance::none();
+    c.get<"robot.simulator">().put_down(
+        cca::sim::world(cca::sim::oncilla_defaults, cca::sim::terrain::flat().with_friction(none.friction),
+                        trot::put_down(c.get<"gait">().p, none)),
+        none);
+  }
+  void after_beat(trotting&) {}
+  void add_shapes(cca::page::json_text& json) { add_shapes_of(json, cca::sim::oncilla_defaults); }
+  void extra(const trotting& c, double* to) { extra_of(c.get<"robot.simulator">().world(), to); }
+  void poses(const trotting& c, double* to) { poses_of(c.get<"robot.simulator">().world(), to); }
+  void push(trotting& c, double x, double y, double z, double seconds) {
+    push_on(c.get<"robot.simulator">(), x, y, z, seconds);
+  }
+};
+
+}  // namespace
+
+cca::page::live_program& cca::page::program() {
+  static live_graph<watched_trot, scene> trot;
+  return trot;
+}

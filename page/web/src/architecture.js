@@ -1,0 +1,197 @@
+// The architecture as a picture: components, wires, newest values with their ages, what fires, and faults.
+import dagre from '@dagrejs/dagre';
+import { age, short } from './numbers.js';
+
+const svgSpace = 'http://www.w3.org/2000/svg';
+function element(name, attributes = {}, ...children) {
+  const made = document.createElementNS(svgSpace, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+const lineHeight = 15, letter = 6.4;
+const kilo = (hz) => (hz >= 1000 ? `${hz / 1000} kHz` : `${hz} Hz`);
+const rate = (when) => when.replace(/^([\d.]+) Hz$/, (_, hz) => kilo(Number(hz)));
+
+export class ArchitectureView {
+  constructor(box, source, onPick) {
+    this.box = box;
+    this.source = source;
+    this.onPick = onPick;
+    this.drawnAt = 0;
+    this.since = 0;
+    this.isOpen = false;  // inner graphs are shown as one node each
+    this.lay();
+  }
+
+  // The nodes that are drawn: components, or whole inner graphs.
+  groupOf(node) {
+    const { path } = this.source.description.nodes[node];
+    const dot = path.indexOf('.');
+    return this.isOpen || dot < 0 ? path : path.slice(0, dot);
+  }
+
+  // The name of a port in what is drawn: with the inner path, where an inner graph is one node.
+  portName(output) {
+    const { path, node } = this.source.description.outputs[output];
+    return path.slice(this.groupOf(node).length + 1);
+  }
+
+  lay() {
+    const { nodes, outputs, wires } = this.source.description;
+    const drawn = new Map();
+    nodes.forEach((node, i) => {
+      const name = this.groupOf(i);
+      if (!drawn.has(name)) drawn.set(name, { name, nodes: [], outputs: [] });
+      drawn.get(name).nodes.push(i);
+    });
+    const edges = new Map();
+    for (const wire of wires) {
+      const from = this.groupOf(outputs[wire.from].node), to = this.groupOf(wire.node);
+      if (from === to && !this.isOpen) continue;
+      const node = drawn.get(from);
+      if (!node.outputs.includes(wire.from)) node.outputs.push(wire.from);
+      const key = `${from}>${to}`;
+      if (!edges.has(key)) edges.set(key, { from, to, wires: [] });
+      edges.get(key).wires.push(wire);
+    }
+    outputs.forEach((output, o) => {  // outputs that nothing reads, of components of the outermost graph
+      const node = drawn.get(this.groupOf(output.node));
+      if (!node.outputs.includes(o) && (this.isOpen || node.nodes.length === 1)) node.outputs.push(o);
+    });
+
+    let graph = this.place(drawn, edges, 'LR');
+    this.width = this.box.clientWidth;
+    if (graph.graph().width > 1.3 * this.width) {
+      const down = this.place(drawn, edges, 'TB');
+      if (down.graph().width < 1.3 * this.width) graph = down;
+    }
+    this.paint(drawn, edges, graph);
+  }
+
+  // From left to right, or from top to bottom where that is too wide.
+  place(drawn, edges, rankdir) {
+    const { nodes, outputs } = this.source.description;
+    const graph = new dagre.graphlib.Graph({ multigraph: false });
+    graph.setGraph({ rankdir, nodesep: 22, ranksep: rankdir === 'LR' ? 46 : 34, marginx: 12, marginy: 12 });
+    graph.setDefaultEdgeLabel(() => ({}));
+    for (const node of drawn.values()) {
+      node.outputs.sort((a, b) => a - b);
+      const rows = node.outputs.map((o) => this.portName(o).length + 24);
+      node.label = node.nodes.length > 1 ? `${node.name} (${node.nodes.length} components)` : node.name;
+      node.when = node.nodes.length > 1 ? '' : rate(nodes[node.nodes[0]].when);
+      node.width = Math.max(110, letter * Math.max(node.label.length + 3, node.when.length, ...rows) + 20);
+      node.height = 30 + (node.when ? lineHeight : 0) + node.outputs.length * lineHeight;
+      graph.setNode(node.name, { width: node.width, height: node.height });
+    }
+    for (const edge of edges.values()) {
+      edge.lines = edge.wires.map((w) => {
+        const name = this.portName(w.from);
+        const renamed = name === w.input ? name : `${name} → ${w.input}`;
+        return w.policy === 'latest' ? renamed : `${renamed}, ${w.policy}`;
+      });
+      if (edge.lines.length > 4) edge.lines = [`${edge.lines.length} wires`];
+      const widest = Math.max(...edge.lines.map((l) => l.length));
+      graph.setEdge(edge.from, edge.to, { width: widest * 5.6, height: edge.lines.length * 12, labelpos: 'c' });
+    }
+    dagre.layout(graph);
+    return graph;
+  }
+
+  paint(drawn, edges, graph) {
+    const { width, height } = graph.graph();
+    const { outputs, nodes } = this.source.description;
+    const scale = Math.max(0.7, Math.min(1, this.width / width));
+    const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, width: width * scale, height: height * scale, role: 'group', 'aria-label': 'The components and their wires' });
+    svg.append(element('defs', {}, element('marker', { id: 'tip', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: 'auto' },
+      element('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }))));
+    for (const edge of edges.values()) {
+      const { points, x, y } = graph.edge(edge.from, edge.to);
+      let d = `M${points[0].x} ${points[0].y}`;
+      for (let i = 1; i < points.length - 1; ++i) {
+        const to = { x: (points[i].x + points[i + 1].x) / 2, y: (points[i].y + points[i + 1].y) / 2 };
+        d += ` Q${points[i].x} ${points[i].y} ${to.x} ${to.y}`;
+      }
+      d += ` L${points.at(-1).x} ${points.at(-1).y}`;
+      const isDelayed = edge.wires.some((w) => w.delay > 0);
+      svg.append(element('path', { d, class: isDelayed ? 'wire delayed' : 'wire', 'marker-end': 'url(#tip)' }));
+      const text = element('text', { class: 'wire-label', 'text-anchor': 'middle' });
+      edge.lines.forEach((line, i) => text.append(element('tspan', { x, y: y + 4 + (i - (edge.lines.length - 1) / 2) * 12 }, line)));
+      svg.append(text);
+    }
+    this.parts = [];
+    for (const node of drawn.values()) {
+      const { x, y } = graph.node(node.name);
+      const left = x - node.width / 2, top = y - node.height / 2;
+      const isResource = node.nodes.some((n) => nodes[n].resource);
+      const group = element('g', { class: isResource ? 'node resource' : 'node', 'data-node': node.name });
+      group.append(element('rect', { x: left, y: top, width: node.width, height: node.height, rx: isResource ? 14 : 5 }));
+      const lamp = element('circle', { cx: left + node.width - 13, cy: top + 14, r: 4.5, class: 'lamp' });
+      group.append(lamp, element('text', { x: left + 10, y: top + 19, class: 'name' }, node.label));
+      if (node.when) group.append(element('text', { x: left + 10, y: top + 19 + lineHeight, class: 'when' }, node.when));
+      const values = node.outputs.map((o, i) => {
+        const lineTop = top + 34 + (node.when ? lineHeight : 0) + i * lineHeight;
+        const row = element('g', { class: 'port', tabindex: 0, role: 'button', 'data-port': outputs[o].path });
+        const value = element('tspan', { class: 'value' });
+        const text = element('text', { x: left + 10, y: lineTop }, `${this.portName(o)} `, value);
+        row.append(element('rect', { x: left + 4, y: lineTop - 11, width: node.width - 8, height: lineHeight, class: 'hit' }), text);
+        const pick = () => this.onPick(o);
+        row.addEventListener('click', pick);
+        row.addEventListener('keydown', (e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); pick(); } });
+        group.append(row);
+        return { output: o, value };
+      });
+      const fault = element('title');
+      group.prepend(fault);
+      svg.append(group);
+      this.parts.push({ ...node, group, lamp, values, fault });
+    }
+    this.box.replaceChildren(svg);
+    this.svg = svg;
+    this.box.scrollTop = graph.node(this.parts[0].name).y * scale - this.box.clientHeight / 2;
+  }
+
+  resize() {
+    if (Math.abs(this.box.clientWidth - this.width) < 40) return;
+    this.lay();
+    this.update();
+  }
+
+  // In which beat a component fired last, as far as its clock or its samples tell.
+  lastFiring(node) {
+    const { clock } = this.source.description.nodes[node];
+    const last = this.source.beat - 1;
+    if (clock && clock.period > 0) return last < clock.first ? -1 : last - ((last - clock.first) % clock.period);
+    let newest = -1;
+    this.source.description.outputs.forEach((output, o) => {
+      if (output.node === node) newest = Math.max(newest, this.source.publishedIn(o));
+    });
+    return newest;
+  }
+
+  update() {
+    const { source } = this;
+    const row = source.newest();
+    const { state, fault, faultPath } = source.status;
+    // Fired since it was drawn last; while nothing runs that stays as it is.
+    if (source.beat !== this.drawnAt) this.since = Math.max(0, this.drawnAt < source.beat ? this.drawnAt : source.beat - 1);
+    for (const part of this.parts) {
+      const fired = Math.max(...part.nodes.map((n) => this.lastFiring(n)));
+      const isNew = fired >= this.since;
+      part.lamp.classList.toggle('on', isNew);
+      part.group.classList.toggle('fires', isNew);
+      const isFaulty = state === 'faulted' && part.nodes.some((n) => source.description.nodes[n].path === faultPath);
+      part.group.classList.toggle('faulty', isFaulty);
+      part.fault.textContent = isFaulty ? `fault: ${fault}` : '';
+      for (const { output, value } of part.values) {
+        const { at, fields } = source.description.outputs[output];
+        const text = !row || source.publishedIn(output) < 0
+          ? '—'
+          : `${fields.slice(0, 2).map((f, i) => short(row[at + i])).join(', ')}${fields.length > 2 ? ', …' : ''} ${fields[0]?.unit ?? ''} · ${age(source.time - source.period - source.originOf(output))}`;
+        if (value.textContent !== text) value.textContent = text;
+      }
+    }
+    this.drawnAt = source.beat;
+  }
+}

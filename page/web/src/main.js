@@ -1,0 +1,377 @@
+// The page: what runs, what is shown, and what the user does.
+import uPlotStyle from 'uplot/dist/uPlot.min.css';
+import { ArchitectureView } from './architecture.js';
+import { Footfalls } from './footfalls.js';
+import { Live, startProgram } from './live.js';
+import { parse, range } from './numbers.js';
+import { Plots } from './plots.js';
+import { readRecording } from './recording.js';
+import { RobotView } from './robot.js';
+
+const $ = (id) => document.getElementById(id);
+const settings = new URLSearchParams(location.hash.slice(1));
+
+document.head.append(Object.assign(document.createElement('style'), { textContent: uPlotStyle }));
+
+let live = null, source = null, robot = null, architecture = null, plots = null, footfalls = null, fields = [];
+let isPlaying = false, speed = 1, last = 0, due = 0, pace = 0, ahead = 0, isDark = false;
+
+function say(text, isRefused = false) {
+  $('message').textContent = text;
+  $('message').classList.toggle('refused', isRefused);
+}
+// What the program refuses is shown, with its own reason.
+function attempt(what, action) {
+  try {
+    action();
+    say(what);
+  } catch (error) {
+    say(error.message, true);
+  }
+  show(true);
+}
+
+// ---- running ----
+
+function play(on) {
+  isPlaying = on;
+  due = 0;
+  const button = $(source.isLive ? 'play' : 'replay-play');
+  button.setAttribute('aria-pressed', String(on));
+  button.textContent = on ? '⏸ Pause' : source.isLive ? '▶ Run' : '▶ Play';
+}
+function runFor(beats) {
+  if (!source.isLive) return 0;
+  const done = source.advance(beats);
+  if (done < beats) {
+    play(false);
+    ahead = 0;
+  }
+  return done;
+}
+function frame(now) {
+  const seconds = Math.min(0.25, (now - last) / 1e3);
+  last = now;
+  const before = source.beat;
+  if (ahead > 0) {
+    // As fast as possible, but so that the page still answers.
+    const end = performance.now() + 60;
+    while (ahead > 0 && performance.now() < end) {
+      const done = runFor(Math.min(ahead, 100));  // sets `ahead` to 0 where the run ends
+      ahead = Math.max(0, ahead - done);
+    }
+    if (ahead <= 0) {
+      say(`ran on, to ${source.time.toFixed(3)} s`);
+      show(true);
+    }
+  } else if (isPlaying && source.isLive) {
+    due += (seconds * speed) / source.period;
+    const end = performance.now() + 14;
+    while (due >= 1 && performance.now() < end) {
+      const n = Math.min(Math.floor(due), 4);
+      if (runFor(n) < n) break;
+      due -= n;
+    }
+    due = Math.min(due, 1 + 0.02 / source.period);
+  } else if (isPlaying) {
+    source.seek(source.beat + (seconds * speed) / source.period);
+    if (source.beat >= source.beats) play(false);
+  }
+  if (seconds > 0) pace += 0.1 * (((source.beat - before) * source.period) / seconds - pace);
+  show(false);
+  requestAnimationFrame(frame);
+}
+
+let drawnAt = -1, drawnAgo = 99, isBehind = false;
+function show(now) {
+  const changed = now || source.beat !== drawnAt;
+  isBehind ||= changed;
+  drawnAt = source.beat;
+  ++drawnAgo;
+  const { state, fault, faultPath } = source.status;
+  const set = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
+  set('state', state);
+  $('state').classList.toggle('faulted', state === 'faulted');
+  set('time', source.time.toFixed(3));
+  set('beat', String(source.beat));
+  set('pace', isPlaying || ahead > 0 ? `${pace.toFixed(2)} ×` : '—');
+  if (source.description.robot) {
+    const position = source.position();
+    $('position-box').hidden = !position;
+    if (position) ['x', 'y', 'z'].forEach((axis, i) => set(axis, position[i].toFixed(4)));
+  }
+  set('alert', state === 'faulted' ? `⚠ fault in ${faultPath || 'the loop'}: ${fault}` : source.fallen ? '⚠ the robot has fallen' : '');
+  if (source.isLive) {
+    for (const button of document.querySelectorAll('[data-change]')) button.disabled = !allowed[button.dataset.change].includes(state);
+    for (const id of ['play', 'step', 'run-ahead']) $(id).disabled = !source.runs;
+    showSnapshots();
+  } else if (document.activeElement !== $('replay-time')) $('replay-time').value = source.time;
+  // Nothing is drawn that looks as before, and little while it runs on as fast as possible.
+  if (robot && source.description.robot && (changed || robot.isStale || robot.isResized) && (ahead <= 0 || drawnAgo % 8 === 0)) robot.draw(source.poses, source.feet());
+  if ((changed || isBehind) && drawnAgo >= (ahead > 0 ? 16 : 3) || now) {  // text and lines need not follow at 60 Hz
+    drawnAgo = 0;
+    isBehind = false;
+    architecture.update();
+    plots.update();
+    if (source.description.robot && source.hasContacts) footfalls.update(isDark);
+  }
+}
+
+// ---- life-cycle, snapshots, pushes ----
+
+const allowed = { load: ['created', 'loaded'], start: ['loaded'], stop: ['started', 'faulted'], resume: ['faulted'], save: ['loaded'] };
+let snapshotsShown = '';
+function showSnapshots() {
+  const text = source.status.snapshots.join();
+  if (text === snapshotsShown) return;
+  snapshotsShown = text;
+  const chosen = $('snapshots').value;
+  $('snapshots').replaceChildren(...source.status.snapshots.map((beat) => new Option(`${(beat * source.period).toFixed(3)} s`, beat)).reverse());
+  if (source.status.snapshots.includes(Number(chosen)) && chosen !== '') $('snapshots').value = chosen;
+}
+
+function listen() {
+  $('play').addEventListener('click', () => play(!isPlaying));
+  $('replay-play').addEventListener('click', () => play(!isPlaying));
+  $('replay-time').addEventListener('input', () => { source.seek(Number($('replay-time').value) / source.period); show(true); });
+  $('step').addEventListener('click', () => { play(false); runFor(1); show(true); });
+  $('speed').addEventListener('change', () => { speed = Number($('speed').value); due = 0; });
+  $('run-ahead').addEventListener('click', () => {
+    const seconds = Number($('ahead').value);
+    if (!(seconds > 0 && seconds <= 600)) return say('expected a time from 0.001 to 600 s', true);
+    play(false);
+    say('running on …');
+    ahead = Math.round(seconds / source.period);
+  });
+  for (const button of document.querySelectorAll('[data-change]')) button.addEventListener('click', () => attempt(`${button.dataset.change}: done`, () => source.change(button.dataset.change)));
+  $('anew').addEventListener('click', () => attempt('begins anew, with these parameters', () => {
+    play(false);
+    ahead = 0;
+    source.beginAnew();
+    plots.zoom(null);
+  }));
+  $('snapshot').addEventListener('click', () => attempt(`snapshot of ${source.time.toFixed(3)} s`, () => source.takeSnapshot()));
+  $('go-back').addEventListener('click', () => attempt(`back at ${$('snapshots').selectedOptions[0]?.textContent}`, () => {
+    if ($('snapshots').value === '') throw new Error('there is no snapshot yet');
+    ahead = 0;
+    source.goBack(Number($('snapshots').value));
+    showParameters();
+    plots.plots.forEach((p) => plots.fill(p));
+  }));
+  for (const button of document.querySelectorAll('[data-push]')) button.addEventListener('click', () => attempt('pushed', () => {
+    const force = Number($('push-force').value);
+    if (!(force >= 0 && force <= 100)) throw new Error('expected a force from 0 to 100 N');
+    const [x, y] = button.dataset.push.split(',').map((d) => d * force);
+    source.push([x, y, 0], 0.1);
+  }));
+  document.addEventListener('keydown', (event) => {
+    if (/^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey || event.target.classList.contains('port')) return;
+    if (event.key === ' ') play(!isPlaying);
+    else if (event.key === '.' && source.isLive) $('step').click();
+    else return;
+    event.preventDefault();
+  });
+
+  $('open').addEventListener('change', () => { architecture.isOpen = $('open').checked; architecture.lay(); architecture.update(); });
+  $('add-curve').addEventListener('click', () => {
+    const [output, i] = $('port').value.split(',').map(Number);
+    plots.addTo(Number($('in-plot').value), output, i);
+  });
+  $('seconds').addEventListener('change', () => { plots.seconds = Number($('seconds').value); plots.zoom(null); });
+  $('pause').addEventListener('click', () => plots.pause(!plots.isPaused));
+  $('zoom-in').addEventListener('click', () => plots.zoomBy(0.5));
+  $('zoom-out').addEventListener('click', () => plots.zoomBy(2));
+  $('zoom-all').addEventListener('click', () => plots.zoom(null));
+  $('theme').addEventListener('click', () => {
+    settings.set('theme', isDark ? 'light' : 'dark');
+    theme();
+  });
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
+  new ResizeObserver(() => plots?.resize()).observe($('plots'));
+  new ResizeObserver(() => architecture?.resize()).observe($('architecture'));
+
+  $('file').addEventListener('change', () => {
+    openFile($('file').files[0]);
+    $('file').value = '';  // so that the same file can be chosen again
+  });
+  $('to-live').addEventListener('click', () => look(live));
+  document.addEventListener('dragover', (event) => { event.preventDefault(); document.body.classList.add('dropping'); });
+  document.addEventListener('dragleave', (event) => { if (!event.relatedTarget) document.body.classList.remove('dropping'); });
+  document.addEventListener('drop', (event) => {
+    event.preventDefault();
+    document.body.classList.remove('dropping');
+    openFile(event.dataTransfer.files[0]);
+  });
+}
+
+async function openFile(file) {
+  if (!file) return;
+  play(false);
+  say(`reading ${file.name} …`);
+  try {
+    const recording = await readRecording(new Uint8Array(await file.arrayBuffer()), live.description.robot);
+    look(recording);
+    say(`${file.name}: ${recording.beats} beats${recording.isCut ? ', cut off at the end' : ''}`);
+  } catch (error) {
+    say(`${file.name}: ${error.message}`, true);
+  }
+}
+
+// ---- parameters ----
+
+function buildParameters() {
+  const groups = new Map();
+  fields = source.description.parameters;
+  $('parameters').replaceChildren();
+  fields.forEach((field, i) => {
+    const dot = field.path.indexOf('.');
+    const node = field.path.slice(0, dot), rest = field.path.slice(dot + 1);
+    if (!groups.has(node)) {
+      const set = document.createElement('fieldset');
+      set.append(Object.assign(document.createElement('legend'), { textContent: node }));
+      groups.set(node, set);
+      $('parameters').append(set);
+    }
+    const row = document.createElement('div');
+    row.className = 'field';
+    const id = `parameter-${i}`;
+    const label = Object.assign(document.createElement('label'), { textContent: rest, htmlFor: id });
+    let input;
+    if (field.kind === 'choice') {
+      input = document.createElement('select');
+      input.append(...field.names.map((name, n) => new Option(name, n)));
+    } else if (field.kind === 'boolean') {
+      input = Object.assign(document.createElement('input'), { type: 'checkbox' });
+    } else {
+      input = Object.assign(document.createElement('input'), { type: 'text', inputMode: 'decimal', autocomplete: 'off' });
+    }
+    input.id = id;
+    input.dataset.path = field.path;
+    const allowedRange = Object.assign(document.createElement('small'), { id: `${id}-range`, textContent: range(field) });
+    const reason = Object.assign(document.createElement('span'), { className: 'reason', id: `${id}-reason` });
+    input.setAttribute('aria-describedby', `${id}-range ${id}-reason`);
+    input.addEventListener('change', () => setParameter(i));
+    row.append(label, input, allowedRange, reason);
+    groups.get(node).append(row);
+    Object.assign(field, { input, reason });
+  });
+  showParameters();
+}
+function showParameters() {
+  const values = source.parameters();
+  fields.forEach((field, i) => {
+    if (field.kind === 'boolean') field.input.checked = values[i] !== 0;
+    else field.input.value = field.kind === 'choice' ? values[i] : +values[i].toPrecision(6);
+    field.reason.textContent = '';
+    field.input.removeAttribute('aria-invalid');
+  });
+}
+function setParameter(i) {
+  const field = fields[i];
+  let problem = '', value = 0;
+  if (field.kind === 'boolean') value = field.input.checked ? 1 : 0;
+  else if (field.kind === 'choice') value = Number(field.input.value);
+  else ({ value, problem = '' } = parse(field.input.value, field));
+  problem ||= source.set(i, value);
+  field.reason.textContent = problem ? `refused: ${problem}` : '';
+  field.input.toggleAttribute('aria-invalid', false);
+  if (problem) field.input.setAttribute('aria-invalid', 'true');
+  say(problem ? `refused: ${problem}` : `${field.path} = ${value}${field.unit ? ` ${field.unit}` : ''}`, Boolean(problem));
+}
+
+// ---- what is looked at ----
+
+function theme() {
+  const wanted = settings.get('theme');
+  isDark = wanted ? wanted === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  document.documentElement.dataset.theme = isDark ? 'dark' : 'light';
+  $('theme-name').textContent = wanted ?? 'auto';
+  robot?.theme(isDark);
+  plots?.theme(isDark);
+  if (source) show(true);
+}
+
+function look(at) {
+  if (source) play(false);
+  source = at;
+  document.body.classList.toggle('no-robot', !source.description.robot);
+  document.body.classList.toggle('no-parameters', !source.isLive || source.description.parameters.length === 0);
+  for (const one of document.querySelectorAll('.live-only')) one.hidden = !source.isLive;
+  for (const one of document.querySelectorAll('.recording-only')) one.hidden = source.isLive;
+  $('to-live').hidden = source === live;
+  $('position-box').hidden = !source.description.robot || !source.isLive;
+  $('pace-box').hidden = false;
+  if (!source.isLive) $('replay-time').max = source.beats * source.period;
+  if (source.isLive) buildParameters();
+  $('plots').replaceChildren();
+  plots = new Plots($('plots'), source);
+  plots.isDark = isDark;
+  plots.seconds = Number($('seconds').value);
+  plots.onChange = () => $('in-plot').replaceChildren(...plots.plots.map((_, i) => new Option(`plot ${i + 1}`, i)), new Option('a new plot', plots.plots.length));
+  plots.onZoom = () => {
+    $('zoom-all').disabled = !plots.span;
+    $('pause').setAttribute('aria-pressed', String(plots.isPaused));
+    $('pause').textContent = plots.isPaused ? 'go on' : 'pause';
+  };
+  plots.onChange();
+  plots.onZoom();
+  $('port').replaceChildren(...portGroups());
+  if (!architecture) architecture = new ArchitectureView($('architecture'), source, (o) => plots.addPort(o));
+  architecture.source = source;
+  architecture.drawnAt = 0;
+  architecture.lay();
+  if (source.description.robot) {
+    robot ??= startRobot();
+    footfalls = new Footfalls($('footfalls'), $('stance'), source, source.description.robot.legs);
+  }
+  firstPlots();
+  theme();
+}
+function startRobot() {
+  try {
+    return new RobotView($('robot'), source, (force) => source.isLive && source.push(force, force.some((f) => f !== 0) ? 3600 : 0));
+  } catch (error) {
+    say(`the robot can't be shown in 3D: ${error.message}`, true);
+    return null;
+  }
+}
+function portGroups() {
+  const groups = new Map();
+  source.description.outputs.forEach((output, o) => {
+    const node = source.description.nodes[output.node]?.path ?? '';
+    if (!groups.has(node)) groups.set(node, Object.assign(document.createElement('optgroup'), { label: node }));
+    output.fields.forEach((f, i) => groups.get(node).append(new Option(`${output.path.split('.').pop()}${output.fields.length > 1 ? `.${f.name}` : ''}${f.unit ? ` (${f.unit})` : ''}`, `${o},${i}`)));
+  });
+  return groups.values();
+}
+// The first commands and what the robot measures of them.
+function firstPlots() {
+  const { outputs } = source.description;
+  const find = (test) => outputs.findIndex((o) => test.test(o.path));
+  const command = find(/^limits\.safe$/);
+  const measured = outputs.findIndex((o, i) => i !== command && command >= 0 && o.fields.length === outputs[command].fields.length && /angle/.test(o.path) && source.description.nodes[o.node].path.startsWith('robot'));
+  if (command >= 0) {
+    const plot = plots.add([plots.coordinate(command, 0)]);
+    if (measured >= 0) plots.addTo(plots.plots.indexOf(plot), measured, 0);
+  }
+  const other = find(/^(cpg\.phase|velocity\.velocity)$/);
+  if (other >= 0) plots.addPort(other);
+}
+
+startProgram(PROGRAM, FILES).then((started) => {
+  live = started;
+  look(live);
+  listen();
+  live.change('load');
+  live.change('start');
+  show(true);
+  if (!settings.has('paused')) play(true);
+  requestAnimationFrame((now) => { last = now; frame(now); });
+  document.documentElement.dataset.ready = 'true';
+}).catch((error) => {
+  $('alert').textContent = `The page can't run: ${error.message}`;
+  document.documentElement.dataset.ready = 'failed';
+  throw error;
+});
+// For tests: what the page shows is checked against what the program says.
+window.ccaPage = { get source() { return source; }, get robot() { return robot; }, get plots() { return plots; }, Live };
