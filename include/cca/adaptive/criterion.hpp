@@ -63,11 +63,13 @@ inline double furthest(const Vector& v) {
 constexpr double error_to_publish(double error) { return error <= largest_input ? error : largest_input; }
 
 // The distance of two samples, in the unit of the domain type: of positions the Euclidean distance, of
-// orientations the angle between them, of phases the shorter way round, else the largest difference along an
-// axis.
+// orientations the angle between them, of poses the larger of both (m, rad), of phases the shorter way round,
+// else the largest difference along an axis.
 template <Space S>
 inline double apart(const sample<S>& a, const sample<S>& b) {
-  if constexpr (requires { a.distance(b); }) return a.distance(b);
+  if constexpr (detail::is_pose<typename S::domain>)
+    return std::max(a.position().distance(b.position()), a.orientation().angle_to(b.orientation()));
+  else if constexpr (requires { a.distance(b); }) return a.distance(b);
   else if constexpr (requires { a.angle_to(b); }) return a.angle_to(b);
   else if constexpr (std::same_as<typename S::domain, phase>) return detail::furthest(a.difference(b));
   else return detail::furthest(typename S::vector_type(a.vector() - b.vector()));
@@ -82,6 +84,10 @@ struct distance_quantity {
 template <class Frame>
 struct distance_quantity<orientation<Frame>> {
   using type = angle;
+};
+template <class Frame>
+struct distance_quantity<pose<Frame>> {
+  using type = length;
 };
 
 }  // namespace detail

@@ -1,0 +1,60 @@
+#pragma once
+// One run of the demonstrator in the simulator.
+#include <memory>
+#include <string>
+
+#include <cca/sim/robot.hpp>
+
+#include "architecture.hpp"
+#include "referee.hpp"
+#include "scene.hpp"
+
+namespace touch {
+
+struct simulated : architecture<cca::sim::robot<arm::description>> {};
+
+// Learns what was shown; between two beats.
+template <class Controller>
+void learn(Controller& c) {
+  auto& module = c.template get<"repeat.module">();
+  const auto movement = c.template get<"recorder">().movement();
+  module.learning.collect();
+  module.demonstrate(movement, recorder::interval);
+  module.p.duration = recorder::interval * static_cast<double>(movement.size() - 1);
+  module.learning.hand_over(module.learning.begin_batch(module.p.settings)());
+}
+
+// `between(controller, step)` after each beat; the run ends early if it returns false.
+template <class Controller, class Between>
+result roll_out(Controller& c, std::uint64_t seed, Between between) {
+  scene s(seed);
+  auto& simulator = c.template get<"robot.simulator">();
+  simulator.put_down(arm_world(cca::sim::model_of<arm::description>(), scene::room()));
+  auto orders = c.template get<"orders">().p;
+  orders.shift = s.shift;
+  c.template set<"orders">(orders);
+  referee judge(seed, c.template get<"guard">().p.energy);
+  c.start();
+  constexpr int most_beats = 90'000, stopped_for = 2000;
+  int stopped = 0;
+  for (int k = 0, step = 0, began = 0; k < most_beats && stopped < stopped_for; ++k) {
+    s.act(simulator.world(), step, 0.001 * (k - began));
+    c.step();
+    if (c.state() == cca::state::faulted) break;
+    judge.note(c, s, step, 0.001 * (k - began), stopped > stopped_for / 2);
+    const int now = c.template get<"sequencer">().steps.step();
+    if (now != step) step = now, began = k + 1;
+    if (step == plan::at<"learn"> && began == k + 1) learn(c);
+    if (step == plan::at<"rest">) {
+      c.template get<"operator">().pressed = true;
+      ++stopped;
+      // Somebody pulls at the stopped arm, and lets go.
+      simulator.world().pull(0, stopped < 300 ? Eigen::Vector3d(10, 10, 0) : Eigen::Vector3d(0, 0, 0));
+    }
+    if (!between(c, step)) break;
+  }
+  c.stop();
+  return judge.end();
+}
+
+}  // namespace touch

@@ -1,0 +1,105 @@
+#pragma once
+// What happens to the arm in a run: somebody leads its hand, a table moves, somebody pushes it. All of it
+// follows from the seed.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+#include <Eigen/Geometry>
+
+#include <cca/sim/robot.hpp>
+
+#include "plan.hpp"
+
+namespace touch {
+
+using arm_world = cca::sim::robot_world;
+
+class scene {
+public:
+  static constexpr double table_height = 0.25, guided_for = 4;  // m, s
+  static constexpr double push_force = 20, push_for = 1;        // N, s
+
+  explicit scene(std::uint64_t seed) {
+    std::mt19937_64 dice(seed);
+    const auto within = [&dice](double low, double high) {
+      return low + (high - low) * static_cast<double>(dice() >> 11) * 0x1p-53;
+    };
+    const double side = within(-1, 1) < 0 ? -1 : 1;
+    end = {within(0.1, 0.2), side * within(0.15, 0.25), within(-0.15, -0.05)};
+    bow = {within(-0.05, 0.05), within(-0.05, 0.05), within(0.02, 0.08)};
+    turn = {within(-0.3, 0.3), within(-0.3, 0.3), within(-0.4, 0.4)};
+    const double shift_to = within(-std::numbers::pi, std::numbers::pi);
+    shift = 0.1 * Eigen::Vector3d(std::cos(shift_to), 0.8 * std::sin(shift_to), 0.6 * std::sin(shift_to));
+    const double tilts_about = within(-std::numbers::pi, std::numbers::pi);
+    tilt_axis = {std::cos(tilts_about), std::sin(tilts_about), 0};
+    tilt = within(0.5, 1) * std::numbers::pi / 18;
+    lift = within(-1, 1) < 0 ? -0.02 : 0.02;
+    const double pushed_to = within(-std::numbers::pi, std::numbers::pi);
+    push = push_force * Eigen::Vector3d(std::cos(pushed_to), std::sin(pushed_to), 0);
+  }
+
+  static cca::sim::scene room() {
+    cca::sim::scene room;
+    room.contact.friction = 0.3;
+    room.add(table(0, Eigen::Vector3d::UnitX(), 0));
+    return room;
+  }
+
+  // Before a beat; `in_step`: s since the step began.
+  void act(arm_world& world, int step, double in_step) {
+    if (step == plan::at<"guided">) lead(world, in_step);
+    else if (step == plan::at<"wipe">) {
+      const double share = smooth((in_step - 2) / 0.6);
+      if (share > 0 && share <= 1) world.move(0, table(share * tilt, tilt_axis, share * lift).where);
+      world.pull(0, in_step > 6 && in_step < 6 + push_for ? push : Eigen::Vector3d(0, 0, 0));
+      pushed_until = world.time() + push_for - (in_step > 6 ? in_step - 6 : 0);
+    } else if (step == plan::at<"yield"> && world.time() < pushed_until) {
+      world.pull(0, push);
+    } else {
+      world.pull(0, {0, 0, 0});
+    }
+  }
+
+  // Of the table as it stands at the end of its movement.
+  Eigen::Vector3d normal(double in_wipe) const {
+    const double share = std::clamp(smooth((in_wipe - 2) / 0.6), 0.0, 1.0);
+    return Eigen::AngleAxisd(share * tilt, tilt_axis) * Eigen::Vector3d::UnitZ();
+  }
+
+  Eigen::Vector3d shift;  // of the second goal, 0.1 m
+
+private:
+  static double smooth(double s) {
+    s = std::clamp(s, 0.0, 1.0);
+    return s * s * s * (10 - 15 * s + 6 * s * s);
+  }
+
+  // Turned about the middle of its top.
+  static cca::sim::fixed_box table(double angle, const Eigen::Vector3d& axis, double up) {
+    return {{0.8, 1.2, 0.04},
+            cca::at(0.5, 0, table_height + up) * cca::turned_about({axis[0], axis[1], axis[2]}, angle) *
+                cca::at(0, 0, -0.02)};
+  }
+
+  // A hand that holds the flange by a spring and goes the way that it wants to show.
+  void lead(arm_world& world, double time) {
+    const auto flange = world.end(0);
+    if (time <= 0.001) begin = flange.where.at, upright = flange.where.turn;
+    if (time > guided_for + 1.5) return world.pull(0, {0, 0, 0});
+    const double s = std::min(time / guided_for, 1.0), share = smooth(s);
+    const Eigen::Vector3d wanted = begin + share * end + 64 * std::pow(s * (1 - s), 3) * bow;
+    const Eigen::Matrix3d held = Eigen::AngleAxisd(share * turn.norm(), turn.normalized()) * upright;
+    const Eigen::AngleAxisd off(Eigen::Matrix3d(held * flange.where.turn.transpose()));
+    world.pull(0, 400 * (wanted - flange.where.at) - 40 * flange.velocity,
+               10 * off.angle() * off.axis() - 0.6 * flange.angular_velocity);
+  }
+
+  Eigen::Vector3d end, bow, turn, tilt_axis, push, begin{};
+  Eigen::Matrix3d upright{};
+  double tilt, lift, pushed_until = 0;
+};
+
+}  // namespace touch

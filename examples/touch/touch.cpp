@@ -1,0 +1,85 @@
+// A compliant arm is shown a movement by hand and repeats it, finds a table by touch and wipes it, and yields
+// when somebody pushes it: with many seeds, on all cores, in the simulator.
+//
+//   touch --count 20 --summary summary.json
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/main/run_program.hpp>
+#include <cca/runtime/interruption.hpp>
+
+#include "../trot/report/file.hpp"
+#include "../trot/report/parallel.hpp"
+#include "../trot/report/progress.hpp"
+#include "rollout.hpp"
+#include "summary.hpp"
+
+namespace {
+
+using controller = cca::controller<touch::simulated>;
+
+struct options {
+  std::uint64_t first = 0, count = 1;
+  std::optional<std::string> config, shape, summary;
+
+  void offer(cca::command_line& line) {
+    line.whole_number("--first N", first, 0, "the first seed (0)");
+    line.whole_number("--count N", count, 1, "how many (1)");
+    line.text("--config FILE", config, "parameters (the defaults in the code)");
+    line.text("--shape FILE", shape, "keeps what the first run has learned");
+    line.text("--summary FILE", summary, "the figures as JSON: a list of runs");
+  }
+};
+
+int run(const options& o) {
+  controller start;
+  if (o.config) start.load(*o.config);
+  else start.load();
+
+  std::vector<touch::result> runs(o.count);
+  std::vector<char> over(runs.size(), 0);
+  const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
+  trot::progress_bar bar("touch");
+  trot::on_all_cores(
+      runs.size(),
+      [&](std::size_t i) {
+        if (interrupted) return;
+        const auto c = std::make_unique<controller>(start);
+        runs[i] = touch::roll_out(*c, o.first + i, [&](const controller&, int) { return !interrupted; });
+        over[i] = !interrupted;
+        const auto& module = c->get<"repeat.module">();
+        if (i == 0 && o.shape && over[i]) module.learning.save(*o.shape, module.constants());
+      },
+      [&](std::size_t finished) {
+        bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
+      });
+  bar.done();
+  std::size_t i = 0;
+  std::erase_if(runs, [&](const touch::result&) { return !over[i++]; });
+  if (interrupted) std::cerr << "touch: interrupted after " << runs.size() << " runs\n";
+
+  touch::write_heading();
+  for (const touch::result& r : runs) touch::write_row(r);
+  const auto good = std::count_if(runs.begin(), runs.end(), [](const auto& r) { return touch::within(r); });
+  std::printf("%d of %d runs are within all bounds\n", static_cast<int>(good), static_cast<int>(runs.size()));
+  if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { touch::write_json(file, runs); });
+  if (interrupted) return interrupted.exit_code();
+  return good == static_cast<std::ptrdiff_t>(runs.size()) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("an arm learns a movement by hand, wipes a table by touch, and yields to a push");
+  o.offer(line);
+  return cca::run_program(count, words, line, [&] { return run(o); });
+}
