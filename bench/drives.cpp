@@ -3,10 +3,11 @@
 //   drives BEATS          runs this many beats (under callgrind); exits with 1 if a guard tripped
 //   drives allocations    the allocations of 1000 beats
 //
-// Each bus is a mirror: it plays drives that reach every command at once, and the sensor board. Its own cost
-// is subtracted by a second count of its two functions alone (--toggle-collect), so the figure is the cost of
-// reading and writing all frames, of the safety chain and of the controller. A real bus adds the kernel's
-// work. docs/hardware.md.
+// Each bus is a mirror: it plays drives that go an eighth of the way to each command, and the sensor board.
+// Its own cost is subtracted by a second count of its two functions alone (--toggle-collect), so the figure is
+// the cost of reading and writing all frames, of the safety chain and of the controller. A real bus adds the
+// kernel's work. docs/hardware.md.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -37,8 +38,14 @@ public:
       auto& where = at[f.id.number];
       const bool special = f.data[0] == 0xFF && f.data[1] == 0xFF && f.data[2] == 0xFF;
       const bool stiff = ((f.data[3] & 0xFu) << 8 | f.data[4]) != 0;
-      if (!special && stiff)
-        where = {f.data[0], f.data[1], f.data[2], static_cast<std::uint8_t>((f.data[3] & 0xF0) | 7)};
+      if (!special) {
+        const int before = where[0] << 8 | where[1], wanted = f.data[0] << 8 | f.data[1];
+        const int now_at = stiff ? before + (wanted - before) / 8 : before;
+        const int speed = std::clamp(
+            at_rest + static_cast<int>(steps_of_speed * 1000 * (now_at - before) / steps_of_angle), 0, 0xFFF);
+        where = {static_cast<std::uint8_t>(now_at >> 8), static_cast<std::uint8_t>(now_at),
+                 static_cast<std::uint8_t>(speed >> 4), static_cast<std::uint8_t>((speed & 0xF) << 4 | 7)};
+      }
       answers[count++] = {.id = answers_under,
                           .length = 8,
                           .data = {static_cast<std::uint8_t>(f.id.number | 0x10), where[0], where[1],
@@ -66,6 +73,11 @@ public:
       const auto& d =
           One::drive::reply(One::drive_angle_of(0.5 * (One::angle.lower + One::angle.upper)), 0, 0).data;
       at[One::drive::request_id.number] = {d[1], d[2], d[3], d[4]};
+      const auto angle_in = [](const auto& frame) { return frame.data[1] << 8 | frame.data[2]; };
+      const auto speed_in = [](const auto& frame) { return frame.data[3] << 4 | frame.data[4] >> 4; };
+      at_rest = speed_in(One::drive::reply(0, 0, 0));
+      steps_of_angle = angle_in(One::drive::reply(1, 0, 0)) - angle_in(One::drive::reply(0, 0, 0));
+      steps_of_speed = speed_in(One::drive::reply(0, 1, 0)) - at_rest;
       answers_under = One::drive::reply_id;
     };
     (one(J()), ...);
@@ -73,6 +85,9 @@ public:
 
 private:
   std::array<std::array<std::uint8_t, 4>, 9> at{};  // position and velocity as in a frame
+  // Of a frame's numbers: the velocity 0, and how many a rad and a rad/s are.
+  int at_rest = 0;
+  double steps_of_angle = 1, steps_of_speed = 1;
   std::array<hw::can_frame, 32> answers{};
   hw::can_id answers_under{};
   std::size_t count = 0;
