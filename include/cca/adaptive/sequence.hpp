@@ -124,13 +124,12 @@ private:
     return found;
   }
 
-  // Whether the condition of a step has held long enough. `place`: that of the step among those that may
-  // follow.
-  bool keeps_holding(std::size_t place, int step, beat now, const heard& all) {
-    if (!Plan::holds(step, all)) held_since[place] = -1;
-    else if (held_since[place] < 0) held_since[place] = now.index();
-    return held_since[place] >= 0 &&
-           now.index() - held_since[place] >= Plan::table[static_cast<std::size_t>(step)].held;
+  // Whether the condition of a step has held long enough. `at`: which of those that may follow it is.
+  bool keeps_holding(std::size_t at, int step, beat now, const heard& all) {
+    if (!Plan::holds(step, all)) held_since[at] = -1;
+    else if (held_since[at] < 0) held_since[at] = now.index();
+    return held_since[at] >= 0 &&
+           now.index() - held_since[at] >= Plan::table[static_cast<std::size_t>(step)].held;
   }
 
   template <class Choose>
@@ -167,11 +166,13 @@ private:
   int current = 0;
   std::int64_t began = -1;
   // Of each step that may follow: since when its condition holds; -1: it does not.
-  std::array<std::int64_t, Plan::has_choices ? detail::most_choices : 1> held_since = [] {
-    decltype(held_since) none;
-    none.fill(-1);
-    return none;
-  }();
+  using times = std::array<std::int64_t, Plan::has_choices ? detail::most_choices : 1>;
+  static constexpr times never_held() {
+    times all{};
+    all.fill(-1);
+    return all;
+  }
+  times held_since = never_held();
   bool by_timeout = false, missing = false;
 };
 

@@ -144,7 +144,7 @@ TEST_CASE("the network is the formula of its header") {
     const walk::network::input x = walk::network::input::Random();
     Eigen::VectorXd h = (x - p.centre).cwiseProduct(p.scale);
     const double* at = w;
-    for (const auto [from, to] : {std::pair(5, 16), std::pair(16, 8), std::pair(8, 2)}) {
+    for (const auto& [from, to] : {std::pair(5, 16), std::pair(16, 8), std::pair(8, 2)}) {
       Eigen::VectorXd y(to);
       for (int i = 0; i < to; ++i) {
         y[i] = at[to * from + i];
