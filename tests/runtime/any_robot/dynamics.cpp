@@ -60,6 +60,8 @@ vector accelerations_in_steps(sim::robot_model m, const motion& s, double step) 
     return v;
   };
   const vector first = speeds();
+  for (std::size_t i = 0; i < n; ++i)
+    CHECK(std::abs(w.joints()[i].angle - s.q[static_cast<Eigen::Index>(i)]) < 100 * step);
   return (speeds() - first) / step;
 }
 
