@@ -261,7 +261,7 @@ function showParameters() {
   const values = source.parameters();
   fields.forEach((field, i) => {
     if (field.kind === 'boolean') field.input.checked = values[i] !== 0;
-    else field.input.value = field.kind === 'choice' ? values[i] : +values[i].toPrecision(6);
+    else field.input.value = field.kind === 'choice' ? values[i] : values[i] === null ? 'inf' : +values[i].toPrecision(6);  // JSON has no infinity
     field.reason.textContent = '';
     field.input.removeAttribute('aria-invalid');
   });
