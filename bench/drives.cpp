@@ -4,9 +4,9 @@
 //   drives allocations    the allocations of 1000 beats
 //
 // Each bus is a mirror: it plays drives that go an eighth of the way to each command, and the sensor board.
-// Its own cost is subtracted by a second count of its two functions alone (--toggle-collect), so the figure is
-// the cost of reading and writing all frames, of the safety chain and of the controller. A real bus adds the
-// kernel's work. docs/hardware.md.
+// Its own cost is subtracted by a second count of its two functions alone (--toggle-collect), so the figure
+// is the cost of reading and writing all frames, of the safety chain and of the controller. A real bus adds
+// the kernel's work. docs/hardware.md.
 #include <algorithm>
 #include <array>
 #include <cstdio>

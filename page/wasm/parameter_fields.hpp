@@ -24,7 +24,7 @@ void each_field(const schema& type, const void* value, const std::string& path, 
   if (type.what == kind::table) {
     for (std::size_t i = 0; i < type.count; ++i)
       page::each_field(*type.members[i].type, type.members[i].of(value),
-                 detail::member_path(path, type.members[i].name), f);
+                       detail::member_path(path, type.members[i].name), f);
   } else if (type.what == kind::array) {
     for (std::size_t i = 0; i < type.count; ++i)
       page::each_field(*type.element, type.at(value, i), detail::element_path(path, i), f);
