@@ -76,8 +76,8 @@ public:
 private:
   // Of the world on the tool, along the axes of the world.
   static Eigen::Vector3d force_of(const arm_world& world) {
-    const auto& load = world.load(0);
-    return world.end(0).where.turn * Eigen::Vector3d(load[3], load[4], load[5]);
+    const auto& felt = world.load(0);
+    return world.end(0).where.turn * Eigen::Vector3d(felt[3], felt[4], felt[5]);
   }
   template <class Movement>
   void note_path(const Eigen::Vector3d& at, const Movement& shown, double time) {

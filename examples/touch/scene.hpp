@@ -86,15 +86,15 @@ private:
 
   // A hand that holds the flange by a spring and goes the way that it wants to show.
   void lead(arm_world& world, double time) {
-    const auto flange = world.end(0);
-    if (time <= 0.001) begin = flange.where.at, upright = flange.where.turn;
+    const auto now = world.end(0);
+    if (time <= 0.001) begin = now.where.at, upright = now.where.turn;
     if (time > guided_for + 1.5) return world.pull(0, {0, 0, 0});
     const double s = std::min(time / guided_for, 1.0), share = smooth(s);
     const Eigen::Vector3d wanted = begin + share * end + 64 * std::pow(s * (1 - s), 3) * bow;
     const Eigen::Matrix3d held = Eigen::AngleAxisd(share * turn.norm(), turn.normalized()) * upright;
-    const Eigen::AngleAxisd off(Eigen::Matrix3d(held * flange.where.turn.transpose()));
-    world.pull(0, 400 * (wanted - flange.where.at) - 40 * flange.velocity,
-               10 * off.angle() * off.axis() - 0.6 * flange.angular_velocity);
+    const Eigen::AngleAxisd off(Eigen::Matrix3d(held * now.where.turn.transpose()));
+    world.pull(0, 400 * (wanted - now.where.at) - 40 * now.velocity,
+               10 * off.angle() * off.axis() - 0.6 * now.angular_velocity);
   }
 
   Eigen::Vector3d end, bow, turn, tilt_axis, push, begin{};
