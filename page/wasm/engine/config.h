@@ -1,4 +1,5 @@
-// The configuration of the physics engine for WebAssembly: one thread, no trimesh. ODE's own `configure` would write it.
+// The configuration of the physics engine for WebAssembly: one thread, no trimesh. ODE's own `configure`
+// would write it.
 #pragma once
 #define HAVE_ALLOCA_H 1
 #define HAVE_GETTIMEOFDAY 1
