@@ -60,13 +60,13 @@ private:
 };
 
 // A symmetric G with A G A = A to rounding; the inverse if A has one. Rows and columns that depend on others,
-// to `threshold` of their own size, are zero in G.
+// to `threshold` of their own size, are zero in G, and so are those whose size is below 1e-200.
 template <int Size>
 Eigen::Matrix<double, Size, Size> generalised_inverse(Eigen::Matrix<double, Size, Size> a,
                                                       double threshold = 1e-10) {
   using vector = Eigen::Matrix<double, Size, 1>;
   vector scale;
-  for (int i = 0; i < Size; ++i) scale[i] = a(i, i) > 0 ? 1 / std::sqrt(a(i, i)) : 0;
+  for (int i = 0; i < Size; ++i) scale[i] = a(i, i) > 1e-200 ? 1 / std::sqrt(a(i, i)) : 0;
   a = scale.asDiagonal() * a * scale.asDiagonal();
   Eigen::Matrix<bool, Size, 1> done = Eigen::Matrix<bool, Size, 1>::Constant(false);
   for (int step = 0; step < Size; ++step) {
