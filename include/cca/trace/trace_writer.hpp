@@ -103,8 +103,8 @@ private:
   }
 
   void write_all() {
-    using clock = std::chrono::steady_clock;
-    auto flushed = clock::now();
+    using steady = std::chrono::steady_clock;
+    auto flushed = steady::now();
     for (;;) {
       const bool is_last = is_closing.load(std::memory_order_acquire);
       guarded([&] {
@@ -113,7 +113,7 @@ private:
           one.track.take([&](const trace_event& e) { take(one, number, e); });
           ++number;
         }
-        if (clock::now() - flushed > std::chrono::milliseconds(200)) to.flush(), flushed = clock::now();
+        if (steady::now() - flushed > std::chrono::milliseconds(200)) to.flush(), flushed = steady::now();
       });
       if (is_last) break;
       std::unique_lock lock(guard);
