@@ -1,5 +1,6 @@
-#pragma once
 // Orientation of the trunk as a quaternion, and as roll, pitch and yaw.
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cmath>

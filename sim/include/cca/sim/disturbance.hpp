@@ -1,9 +1,10 @@
-#pragma once
 // The disturbances of a run, drawn from a seed: the joints' angles at the start, the friction of the ground,
 // pushes on the trunk.
 //
 // The same seed gives the same bits with every compiler: std::mt19937_64 is specified exactly, and the
 // distribution is written here.
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,10 +1,11 @@
-#pragma once
 // The owner of one world of the Open Dynamics Engine: initialises the library and its data of this thread,
 // makes the world and its threading.
 //
 // Each world has its own self-threaded implementation: with the shared default, two worlds that are stepped
 // in two threads abort in `ReleaseAJob`. The memory of a step is reserved in advance, so a beat with more
 // contacts than any before does not allocate.
+#pragma once
+
 #include <memory>
 #include <stdexcept>
 

@@ -1,10 +1,11 @@
-#pragma once
 // The contacts of the feet in one physics step: what they carry, how fast they slip, and the work that
 // friction takes.
 //
 // `add` each contact before the engine's step, `account` for all after it. The engine computes a step's
 // forces for the speeds at its end, so friction work is force times that speed. A contact's speed is that of
 // the foot's material point, along the ground.
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,3 @@
-#pragma once
 // The terrain in the engine, and the robot's parts that can touch it.
 //
 // Each part is tested against the strips of ground below it from left to right, without a space or broad
@@ -12,6 +11,8 @@
 // that load is wrong by an amount that grows with step times damping, and the trot's speed followed the step.
 // So a foot's limit comes from its load in the step before, as a force in newtons. Knees, ankles and the
 // trunk, which touch the ground only in a fall or at an edge, use the engine's.
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
-#pragma once
 // Input and output of the simulated robot in a beat: commands to the motors, readings of the sensors.
+#pragma once
+
 #include <array>
 
 #include <cca/sim/attitude.hpp>

@@ -1,9 +1,10 @@
-#pragma once
 // The leg in its own plane, in closed form: forward and inverse kinematics, and the torques of the springs.
 //
 // Plane: x forward, z up, origin in the hip. A segment at angle t points to (sin t, -cos t). The upper
 // segment stands at `hip`, the middle one at `hip - knee`, the lower one parallel to the upper (the
 // pantograph). So with the toe straight the leg is a chain of two links: upper + lower + toe, and middle.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 

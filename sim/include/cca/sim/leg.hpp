@@ -1,4 +1,3 @@
-#pragma once
 // One leg in the engine: four bodies, their joints, and the torques of springs and motors between them.
 //
 // Joints: abduction and hip together are a universal joint (axes: forward of the trunk, across the leg).
@@ -6,6 +5,8 @@
 // one: an angular motor of one axis, both of whose stops are zero (error below 1e-9 rad; a torque between the
 // segments errs by 32 mrad or explodes). Springs are explicit torques: the engine's own springs (ERP, CFM)
 // would lose their energy within a second.
+#pragma once
+
 #include <array>
 #include <cmath>
 

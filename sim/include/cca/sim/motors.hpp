@@ -1,8 +1,9 @@
-#pragma once
 // The motors: a servo that follows a target within a torque-speed line, and a winch that pulls a knee by a
 // cable.
 //
 // Both are plain arithmetic on a few numbers of the world's state, without the engine.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 

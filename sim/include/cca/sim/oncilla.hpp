@@ -1,4 +1,3 @@
-#pragma once
 // The simulated Oncilla as a graph to be used in any other: `cca::node<"robot", cca::sim::oncilla>`.
 //
 // Ports, nodes and wires are those of every Oncilla: cca/robots/oncilla/robot.hpp. The real robot takes its
@@ -6,6 +5,8 @@
 //
 // Errors: robot.unlimited_command, where a command reaches "command" without a limiter. Cost: nothing of the
 // graph is left in the loop.
+#pragma once
+
 #include <cca/robots/oncilla/robot.hpp>
 
 #include <cca/sim/oncilla_spaces.hpp>

@@ -1,4 +1,3 @@
-#pragma once
 // Every number of the simulated Oncilla in one table: its body (cca/robots/oncilla/body.hpp), the gains of
 // its servos, the contact with the ground and the physics engine.
 //
@@ -6,6 +5,8 @@
 //
 // The table is a value: change a copy to simulate another robot. The joint limits of the axes are fixed at
 // compile time, by the body that the copy starts with.
+#pragma once
+
 #include <cca/robots/oncilla/body.hpp>
 #include <cca/robots/oncilla/former_names.hpp>
 #include <cca/sim/robot/engine_settings.hpp>

@@ -1,4 +1,3 @@
-#pragma once
 // The resource nodes of the simulated Oncilla: one for each joint, and the trunk. They publish the raw
 // readings of the synchronizer in the robot's spaces.
 //
@@ -9,6 +8,8 @@
 //
 // The command of a knee is the flexion that the cable is wound to: the knee flexes at least as far as the
 // springs let it. Cost: none after inlining.
+#pragma once
+
 #include <tuple>
 
 #include <cca/component/port.hpp>

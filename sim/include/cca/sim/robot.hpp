@@ -1,4 +1,3 @@
-#pragma once
 // Any described robot in the simulator, as a graph to be used in any other:
 //
 //   cca::node<"robot", cca::sim::robot<cca::robots::arm::description>>
@@ -11,6 +10,8 @@
 // Errors: robot.unlimited_command, where a command arrives without a limiter; space.missing_limits; a
 // static_assert for what a description lacks. Cost: a beat of physics; nothing of the graph is left in the
 // loop. Example: tests/runtime/any_robot/arm.cpp; docs/robots.md.
+#pragma once
+
 #include <cca/robots/ports.hpp>
 #include <cca/sim/robot/simulated_robot.hpp>
 

@@ -1,4 +1,3 @@
-#pragma once
 // The synchronizer of the simulated Oncilla: the one node that knows the simulator. Its `sense` hands the
 // readings to the resource nodes; its `act` takes their targets, pushes the trunk as the disturbance says and
 // advances the world by a beat.
@@ -11,6 +10,8 @@
 //
 // `put_down` sets the world; without it the robot stands on level ground. A copy of the node is a snapshot of
 // the world. Cost: a beat of physics, about 0.1 ms; the rest is copying numbers.
+#pragma once
+
 #include <array>
 #include <cstddef>
 #include <tuple>

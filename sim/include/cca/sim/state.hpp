@@ -1,8 +1,9 @@
-#pragma once
 // The state of a world as a plain value: put it back, and a run goes on bit for bit.
 //
 // Forces are cleared by each step, contacts are made in each step, and joints hold no state of their own
 // (measured: tests/runtime/sim/snapshot.cpp).
+#pragma once
+
 #include <array>
 #include <cstdint>
 #include <cstring>

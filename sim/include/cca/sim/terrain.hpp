@@ -1,9 +1,10 @@
-#pragma once
 // The ground as a value: level, a slope or steps, and its friction. It has no end.
 //
 // The robot starts around x = 0 on level ground at z = 0; slopes and steps begin at `start`. The ground is
 // the same for every y. It is a row of strips from left to right, which are computed where they are asked
 // for: its memory does not depend on how far the robot goes.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

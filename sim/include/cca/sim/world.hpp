@@ -1,4 +1,3 @@
-#pragma once
 // The simulated Oncilla on its terrain: commands in, one beat of physics, readings out.
 //
 // A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical,
@@ -7,6 +6,8 @@
 //
 // Cost: a beat (two physics steps) takes about 0.1 ms on a core of 2023. It allocates nothing after the first
 // beats.
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cmath>

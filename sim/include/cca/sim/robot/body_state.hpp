@@ -1,8 +1,9 @@
-#pragma once
 // The state of one body of the engine: position, rotation, velocity and angular velocity.
 //
 // The engine keeps a rotation both as quaternion and as matrix; both are saved, since computing one from the
 // other would change bits.
+#pragma once
+
 #include <array>
 #include <cstring>
 

@@ -1,5 +1,5 @@
-#pragma once
 // The settings of one world of the physics engine. All defaults are CHOSEN.
+#pragma once
 
 namespace cca::sim {
 

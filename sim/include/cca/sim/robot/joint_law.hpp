@@ -1,10 +1,11 @@
-#pragma once
 // What a simulated drive does in a beat, and what is read from its joint.
 //
 // The law is that of a drive with its own loop:
 //   torque = stiffness (position - q) + damping (velocity - v) + torque
 // Targets are not clamped to the joint's range: whoever commands such a drive must do that. A law that isn't
 // finite is ignored: the drive keeps the last one. Prismatic joints: m, m/s, N, N/m, N s/m.
+#pragma once
+
 #include <cmath>
 
 namespace cca::sim {

@@ -1,4 +1,3 @@
-#pragma once
 // The drive of one joint: from the commands of a beat (cca/robots/commands.hpp) to the law that it follows.
 //
 // Position: stiffness and damping towards the target, whose speed is the commanded velocity, or else the
@@ -6,6 +5,8 @@
 // that speed from where the joint was; it runs ahead of the joint by no more than the motor's torque can
 // pull. Torque is added. Torque alone: nothing else acts. A commanded damping also brakes without a target.
 // `damped` is the law after a fault: the servo's own damping, and nothing else.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
-#pragma once
 // What a motor can give: its torque-speed line (cca/robots/motor_line.hpp) applied to a wanted torque.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 

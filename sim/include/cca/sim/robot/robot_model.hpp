@@ -1,9 +1,10 @@
-#pragma once
 // A described robot (cca/robots/description.hpp) as numbers, for the engine.
 //
 //   const cca::sim::robot_model m = cca::sim::model_of<cca::robots::arm::description>();
 //
 // A value: a changed copy of it is another robot. It is made outside of the loop; it allocates.
+#pragma once
+
 #include <array>
 #include <cmath>
 #include <limits>

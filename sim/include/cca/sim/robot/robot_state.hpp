@@ -1,7 +1,8 @@
-#pragma once
 // The state of a robot's world as a value: put it back, and a run goes on bit for bit.
 //
 // Forces are cleared by each step, contacts are made in each step, and joints hold no state of their own.
+#pragma once
+
 #include <array>
 #include <cstdint>
 #include <cstring>

@@ -1,4 +1,3 @@
-#pragma once
 // A described robot in the Open Dynamics Engine, with what stands around it: laws for its drives in, one beat
 // of physics, readings out.
 //
@@ -15,6 +14,8 @@
 // as explicit torques in each physics step. Coupled joints and cables are not simulated yet. Errors:
 // std::invalid_argument when it is made (tree_in_engine.hpp). Cost: docs/robots.md. It allocates nothing
 // after the first beats.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,3 @@
-#pragma once
 // What stands around a robot: a floor, boxes that don't move by themselves (tables, walls), and balls.
 //
 //   cca::sim::scene room;
@@ -7,6 +6,8 @@
 //   room.add(cca::sim::ball{.radius = 0.05, .mass = 0.2, .position = {0.5, 0, 0.5}});
 //
 // A value. Contacts are springs and dampers in SI units; friction is a pyramid. All defaults are CHOSEN.
+#pragma once
+
 #include <array>
 #include <cstddef>
 #include <optional>

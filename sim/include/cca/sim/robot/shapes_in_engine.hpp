@@ -1,5 +1,6 @@
-#pragma once
 // The shapes of a robot and of its scene in the engine, and the pairs of them that can touch.
+#pragma once
+
 #include <array>
 #include <cstddef>
 #include <vector>

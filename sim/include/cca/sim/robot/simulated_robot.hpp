@@ -1,4 +1,3 @@
-#pragma once
 // The synchronizer of a simulated robot: the one node that knows its world. `sense` hands the readings to the
 // resource nodes of the joints; `act` takes what they want and advances the world by a beat.
 //
@@ -13,6 +12,8 @@
 // `put_down` sets the world; without it the robot stands alone where R::start has it. `world()` is for what
 // happens to the robot: pulls, boxes that move. A copy of the node is a snapshot of the world. Cost: a beat
 // of physics (docs/robots.md); the rest is copying numbers.
+#pragma once
+
 #include <array>
 #include <cstddef>
 #include <tuple>

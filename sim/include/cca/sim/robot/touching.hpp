@@ -1,4 +1,3 @@
-#pragma once
 // The contacts of a robot, of balls and of what stands around them, in one physics step.
 //
 // Each pair of shapes is tested in a fixed order, without a space or broad phase of the engine: their order
@@ -7,6 +6,8 @@
 // given to the engine as ERP and CFM, so they don't depend on the step. Friction is a pyramid: along each of
 // two axes at most `friction` times the load that the pair had in the step before, shared by its contacts
 // (docs/simulator.md says why not the engine's own). So there is none in the first step of a contact.
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -1,4 +1,3 @@
-#pragma once
 // A tree of joints in the engine: one body for each link, one hinge or slider for each joint.
 //
 // A body of the engine lies in the centre of mass of its link, along the axes of the link. Its positions and
@@ -8,6 +7,8 @@
 // The base is fixed in the world, or floats: then it is a body too.
 // Errors: std::invalid_argument, outside of the loop, for what the engine can't represent: several joints of
 // one coordinate, a link without mass, an inertia that is not positive definite.
+#pragma once
+
 #include <cmath>
 #include <memory>
 #include <numbers>
