@@ -141,7 +141,7 @@ private:
   static std::string name_of(const trace_settings& s) {
     return s.name.empty() ? std::string(detail::type_name<typename loops::graph>()) : s.name;
   }
-  static const std::string& refuse_if_traced(const Controller& c, const std::string& file) {
+  static std::string refuse_if_traced(const Controller& c, const std::string& file) {
     if (c.traced_into()) throw refused("cca::tracer: this controller is being traced already");
     return file;
   }

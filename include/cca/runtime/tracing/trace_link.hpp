@@ -12,6 +12,7 @@ class trace_pointer {
 public:
   trace_pointer() = default;
   trace_pointer(const trace_pointer&) noexcept {}
+  // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): nothing is assigned
   trace_pointer& operator=(const trace_pointer&) noexcept { return *this; }
   ~trace_pointer() {
     if (track) track->controller_is_gone();
