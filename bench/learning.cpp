@@ -4,7 +4,7 @@
 //   learning NAME resting|batch BEATS    runs one of them (under callgrind, which counts only in one_beat)
 //
 // Both have learned once. `resting`: they run with that. `batch`: another batch has begun, and a thread
-// learns it again and again; the loop runs with what it had. Demonstrations come in both.
+// learns it again and again, and the loop runs with what was learned before. Demonstrations come in both.
 #include <atomic>
 #include <cmath>
 #include <cstdio>

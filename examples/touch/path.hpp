@@ -4,7 +4,7 @@
 //
 //   in  "go"        restart_signal   begins at the hand's pose
 //   in  "goal"      hand
-//   in  "speed"     speed            m/s, on average at most half of it
+//   in  "speed"     speed            m/s, at most
 //   in  "measured"  hand
 //   out "pose"      hand
 //   out "twist"     hand_motion

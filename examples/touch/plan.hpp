@@ -1,5 +1,5 @@
 #pragma once
-// The order of the skills: each step waits for a status of another part, not for a time.
+// The order of the skills. Steps wait for a status of another part; only the wiping at the end has a time.
 //
 // A condition stands with the step that it starts.
 #include <cca/adaptive/component_status.hpp>

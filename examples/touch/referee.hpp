@@ -40,8 +40,6 @@ public:
   void note(const Controller& c, const scene& s, int step, double in_step, bool is_stopped) {
     const auto& world = c.template get<"robot.simulator">().world();
     note_energy(world);
-    if (step != last) in_wipe = 0;
-    if (wipes(step)) in_wipe += 0.001;
     r.max_force = std::max(r.max_force, force_of(world).norm());
     const Eigen::Vector3d at = world.end(0).where.at;
     const auto& shown = c.template get<"recorder">().movement();
@@ -114,7 +112,7 @@ private:
 
   using vector = arm::angles::vector_type;
   result r;
-  double held, path = 0, force = 0, late_force = 0, energy = 0, in_wipe = 0;
+  double held, path = 0, force = 0, late_force = 0, energy = 0;
   double path_count = 0, force_count = 0, late_count = 0;
   int last = 0;
   bool has_before = false;

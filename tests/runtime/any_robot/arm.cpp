@@ -37,7 +37,7 @@ static_assert(cca::embodied<arm::body, simulated_arm>);
 struct accelerations : cca::space<cca::joint_accelerations, arm::joint_axes, arm::description::rate> {};
 
 // [moved]
-// A movement of two seconds; what it lacks of it, the arm is accelerated towards it.
+// A movement of two seconds. Where the arm lags behind, it is accelerated towards the movement.
 struct movement {
   vector from = vector::Map(arm::description::start.data());
   vector by = vector(0.4, 0.3, -0.3, 0.5, 0.4, -0.3, 0.5);

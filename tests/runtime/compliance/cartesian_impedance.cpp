@@ -192,7 +192,7 @@ TEST_SUITE("Cartesian impedance") {
     CHECK((body.q - bent).norm() < 1e-2);
   }
 
-  TEST_CASE("what is cut is said, and stretched the torques stay small") {
+  TEST_CASE("the saturation says what was cut, and the torques of a stretched arm stay small") {
     model servo;
     servo.servo.p.largest << 1, 1, 1, 10, 10, 10;
     servo.reference[0] += 0.005;

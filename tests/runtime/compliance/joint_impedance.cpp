@@ -143,7 +143,7 @@ TEST_SUITE("joint impedance") {
     CHECK(in_a_loop < 1e-3);
   }
 
-  TEST_CASE("what is cut is said") {
+  TEST_CASE("the saturation says what was cut") {
     impedance servo;
     servo.p.largest.setConstant(2);
     const auto torques_for = [&](double far, double extra) {

@@ -205,7 +205,7 @@ TEST_CASE("an overrun is a mark behind its beat") {
   CHECK(behind == std::vector<std::int64_t>{3, 7});
 }
 
-TEST_CASE("beats that do not fit are counted and marked; what is there is whole") {
+TEST_CASE("beats that do not fit are counted and marked, and the others are whole") {
   const temporary_file file;
   cca::controller<traced> c;
   cca::tracer trace(c, file.name, {.buffered_events = 1});
