@@ -95,8 +95,9 @@ struct graph : as_graph<skills_graph, look_at_robot> {
   graph() { controller.get<"dmp.module">().learning.hand_over(some_shape()); }
 };
 
-// The same by hand: one function without samples, ports and origins. Equations, kinematics and monitors are
-// the library's functions.
+// The same by hand: one function without samples, ports and origins. Equations, their solver, the check of
+// inputs, kinematics and monitors are the library's functions. Like the components it holds a movement while
+// an input is NaN.
 struct by_hand {
   static constexpr const char* name = "by_hand";
   static constexpr double dt = 1'000'000 / 1e9, dt10 = 10'000'000 / 1e9, pi = std::numbers::pi;
@@ -136,10 +137,10 @@ struct by_hand {
   std::array<Vector3d, 4> solution;
   vector8 hip_goal = vector8::Zero();
   vector4 knee_goal = vector4::Zero(), wanted_stiffness = vector4::Zero();
-  vite_hips::state hips = vite_hips::state::Zero();
-  vite_knees::state knees = vite_knees::state::Zero();
-  cca::hopf_ode::state cpg = cca::hopf_ode::state::Zero();
-  shape::state dmp = shape::state::Zero();
+  cca::ode_solver<vite_hips> hips;
+  cca::ode_solver<vite_knees> knees;
+  cca::ode_solver<cca::hopf_ode> cpg;
+  cca::ode_solver<shape> dmp;
   cca::ode_monitor hips_rest, knees_rest, cpg_rests, dmp_rests;
   cca::error_monitor follows, at_ball, stands_still;
   skills::ball_state ball_told = skills::ball_state::unseen;
@@ -234,20 +235,28 @@ struct by_hand {
     return Ode::derivative(x, u, p).template head<Ode::state::RowsAtCompileTime - 1>().norm();
   }
   template <class Ode, class Goal>
-  void reach(typename Ode::state& x,
+  void reach(cca::ode_solver<Ode>& joints,
              cca::ode_monitor& rest,
-             const Ode&,
              const typename Ode::parameters& p,
+             const Goal& measured,
              const Goal& goal) {
     constexpr int D = Goal::RowsAtCompileTime;
+    cca::detail::input_check inputs;
     typename Ode::input u;
-    u.template head<D>() = goal;
+    u.template head<D>() = inputs(goal);
     u[D] = vite_speed * 1.0;
+    if (inputs.unreadable()) return;
+    typename Ode::state x = joints.get();
+    if (!begun) {
+      x.setZero();
+      x.template head<D>() = inputs(measured);
+    }
     const bool rested = rest.get() == cca::ode_status::converged;
     if (rested && rest.update(rate_of<Ode>(x, u, p), reaching_settles) == cca::ode_status::transient)
       x[2 * D] = 0;
-    cca::rk4::step<Ode>(x, u, p, dt);
-    rest.update(rate_of<Ode>(x, u, p), reaching_settles);
+    joints.set(x);
+    joints.advance(u, p, dt);
+    rest.update(rate_of<Ode>(joints.get(), u, p), reaching_settles);
   }
 
   void step() {
@@ -313,15 +322,13 @@ struct by_hand {
     }
 
     // Reaching Controllers.
-    if (!begun) {
-      hips.head<8>() << abducted, angles.head<4>();
-      knees.head<4>() = angles.tail<4>();
-    }
-    reach(hips, hips_rest, vite_hips{}, vite_h, hip_goal);
-    reach(knees, knees_rest, vite_knees{}, vite_k, knee_goal);
+    vector8 measured_hips;
+    measured_hips << abducted, angles.head<4>();
+    reach(hips, hips_rest, vite_h, measured_hips, hip_goal);
+    reach(knees, knees_rest, vite_k, vector4(angles.tail<4>()), knee_goal);
     vector8 goal;
-    goal << hips.segment<4>(4), knees.head<4>();
-    vector4 sideways = hips.head<4>();
+    goal << hips.get().segment<4>(4), knees.get().head<4>();
+    vector4 sideways = hips.get().head<4>();
 
     // The paw follows the ball.
     const bool at_ball_now = (now_on == 4 || now_on == 5) && missing.norm() < steady.near;
@@ -336,32 +343,48 @@ struct by_hand {
     }
 
     // Hopf Oscillator.
-    const cca::hopf_ode::input drive(wanted, frequency);
-    cca::rk4::step<cca::hopf_ode>(cpg, drive, {convergence}, dt);
-    double radius = std::sqrt(cpg.dot(cpg));
-    if (radius < ember) {
-      cpg = radius > 0 ? cca::hopf_ode::state(ember / radius * cpg) : cca::hopf_ode::state(ember, 0);
-      radius = ember;
+    cca::detail::input_check drives;
+    const cca::hopf_ode::input drive = drives(cca::hopf_ode::input(wanted, frequency));
+    double radius = 0;
+    if (drives.unreadable()) {
+      radius = std::max(ember, cpg.get().norm());
+    } else {
+      cpg.advance(drive, {convergence}, dt);
+      cca::hopf_ode::state x = cpg.get();
+      radius = std::sqrt(x.dot(x));
+      if (radius < ember) {
+        x = radius > 0 ? cca::hopf_ode::state(ember / radius * x) : cca::hopf_ode::state(ember, 0);
+        radius = ember;
+        cpg.set(x);
+      }
+      cpg_rests.update(radius > ember ? cpg.rate(drive, {convergence}).norm() : 0.0, cpg_settles);
     }
-    cpg_rests.update(radius > ember ? cca::hopf_ode::derivative(cpg, drive, {convergence}).norm() : 0.0,
-                     cpg_settles);
-    const double phase = std::atan2(cpg[1], cpg[0]);
+    const double phase = std::atan2(cpg.get()[1], cpg.get()[0]);
 
     // DMP Transformation System.
-    const double tau = 1 / (2 * pi * frequency), swing = std::max(0.0, radius);
+    cca::detail::input_check read;
+    const vector8 centre = read(goal);
+    const double hertz = read.number(frequency, 0.01, cca::largest_input),
+                 swing = std::max(0.0, read.number(radius)), at_phase = read.number(phase);
+    const double tau = 1 / (2 * pi * hertz);
     const shape::parameters at{known.function.weights, stiffness_of_shape};
     shape::input u;
-    u << goal, swing, tau;
-    if (!begun) {
-      dmp.setZero();
-      dmp.head<8>() = goal;
+    u << centre, swing, tau;
+    vector8 command = dmp.get().head<8>();
+    if (!read.unreadable()) {
+      shape::state x = dmp.get();
+      if (!begun) {
+        x.setZero();
+        x.head<8>() = centre;
+      }
+      x[16] = at_phase - dt / tau;
+      dmp.set(x);
+      dmp.advance(u, at, dt);
+      dmp_rests.update(dmp.rate(u, at).head<16>().norm(), dmp_settles);
+      command = dmp.get().head<8>();
     }
-    dmp[16] = phase - dt / tau;
-    cca::rk4::step<shape>(dmp, u, at, dt);
-    dmp_rests.update(shape::derivative(dmp, u, at).head<16>().norm(), dmp_settles);
-    region_told = module::learner::inside(known, {phase, swing}, settings);
-    vector8 command = dmp.head<8>();
-    const double error = (command - angles).cwiseAbs().maxCoeff();
+    region_told = module::learner::inside(known, {at_phase, swing}, settings);
+    const double error = cca::detail::furthest(vector8(command - angles));
     const auto tracked = follows.update(error, tracking, dt);
     dmp_told = cca::component_status_from(tracked, static_cast<cca::trained_region>(region_told), true);
 

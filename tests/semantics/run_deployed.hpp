@@ -1,12 +1,15 @@
 // Runs an architecture that is spread over environments, in pieces of different lengths.
 #pragma once
 
+#include <pthread.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -37,42 +40,76 @@ log recorded(Played& played, int chance, F goes_on) {
   return merged(std::move(all));
 }
 
-// Stopped and started between some pieces, and resumed after some faults.
+// What goes on between two pieces: until a fault, or with restarts: stopped and started between some, and
+// resumed after the first faults. `all_are_here()` returns when all processes have come as far.
+inline constexpr auto until_a_fault = [](auto& played, unsigned, auto&) {
+  return played.state() != cca::state::faulted;
+};
+inline constexpr auto with_restarts = [resumes = 0](auto& played, unsigned random, auto& all_are_here) mutable {
+  if (played.state() == cca::state::faulted) {
+    if (++resumes == 5) return false;
+    played.resume();
+  } else if (random >> 21 & 1) {
+    played.stop();
+    all_are_here();
+    played.start();
+    all_are_here();  // else a process that has not yet started stops those that run already
+  }
+  return true;
+};
+
 template <class Played>
 log recorded_with_restarts(int chance) {
   const auto played = std::make_unique<Played>();
   played->load();
   played->start();
-  return recorded(*played, chance, [resumes = 0](Played& p, unsigned random) mutable {
-    if (p.state() == cca::state::faulted) {
-      if (++resumes == 5) return false;
-      p.resume();
-    } else if (random >> 21 & 1) {
-      p.stop();
-      p.start();
-    }
-    return true;
+  return recorded(*played, chance, [goes_on = with_restarts](Played& p, unsigned random) mutable {
+    constexpr auto alone = [] {};
+    return goes_on(p, random, alone);
   });
 }
 
+// Where processes wait for each other, in memory that they share since they were forked.
+class meeting_place {
+public:
+  explicit meeting_place(unsigned count)
+      : barrier(static_cast<pthread_barrier_t*>(::mmap(nullptr, sizeof(pthread_barrier_t), PROT_READ | PROT_WRITE,
+                                                       MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
+    if (barrier == MAP_FAILED) throw std::runtime_error("no memory to share");
+    pthread_barrierattr_t shared;
+    ::pthread_barrierattr_init(&shared);
+    ::pthread_barrierattr_setpshared(&shared, PTHREAD_PROCESS_SHARED);
+    ::pthread_barrier_init(barrier, &shared, count);
+  }
+  meeting_place(const meeting_place&) = delete;
+  meeting_place& operator=(const meeting_place&) = delete;
+  ~meeting_place() { ::munmap(barrier, sizeof(pthread_barrier_t)); }
+  void operator()() const { ::pthread_barrier_wait(barrier); }
+
+private:
+  pthread_barrier_t* barrier;
+};
+
 // The digests of what each environment recorded in a process of its own. `over(name)`: the transport.
-template <class Deployment, class F>
-std::vector<std::uint64_t> recorded_in_processes(int chance, F over) {
+template <class Deployment, class Over, class GoesOn>
+std::vector<std::uint64_t> recorded_in_processes(int chance, Over over, GoesOn goes_on) {
   static int number = 0;
   const std::string name = "cca_semantics_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
   constexpr int count = cca::detail::environment_count<Deployment>;
   std::vector<std::uint64_t> all;
   int from[count];
+  const meeting_place all_are_here(count);
   for (int e = 0; e < count; ++e) {
     int ends[2];
     if (::pipe(ends) != 0) return {};
     if (::fork() == 0) {
+      ::alarm(120);  // no process waits for ever for one that has failed
       const cca::only here{cca::detail::environments_of<Deployment>::all[static_cast<std::size_t>(e)].name};
       const auto d = std::make_unique<cca::deployed<Deployment>>(here, over(name));
       d->load();
       d->start();
       const log own =
-          recorded(*d, chance, [](const auto& p, unsigned) { return p.state() != cca::state::faulted; });
+          recorded(*d, chance, [&](auto& p, unsigned random) { return goes_on(p, random, all_are_here); });
       for (const firing& f : own) {
         const std::uint64_t one = digest(f);
         if (::write(ends[1], &one, sizeof one) != sizeof one) ::_exit(1);
@@ -98,6 +135,14 @@ inline std::vector<std::uint64_t> digests(const log& firings) {
   return all;
 }
 
+// Processes do what threads do, until a fault and with restarts. `until_fault`: what the threads did.
+template <class Deployment, class Over>
+bool processes_agree(int chance, const log& until_fault, Over over) {
+  return digests(until_fault) == recorded_in_processes<Deployment>(chance, over, until_a_fault) &&
+         digests(recorded_with_restarts<cca::deployed<Deployment>>(chance)) ==
+             recorded_in_processes<Deployment>(chance, over, with_restarts);
+}
+
 // With `Architecture`: restarted it is compared with the controller too. With `InProcesses`: also run by
 // processes.
 template <class Deployment, class Architecture = void, bool InProcesses = false>
@@ -112,11 +157,9 @@ outcome run_deployed(int chance) {
   if constexpr (!std::is_void_v<Architecture>)
     o.copy_agrees = agree(recorded_with_restarts<cca::controller<Architecture>>(chance), 0,
                           recorded_with_restarts<cca::deployed<Deployment>>(chance));
-  if constexpr (InProcesses) {
-    o.processes_agree = digests(o.firings) ==
-                        recorded_in_processes<Deployment>(
-                            chance, [](const std::string& name) { return cca::shared_memory("/" + name); });
-  }
+  if constexpr (InProcesses)
+    o.processes_agree = processes_agree<Deployment>(
+        chance, o.firings, [](const std::string& name) { return cca::shared_memory("/" + name); });
   return o;
 }
 

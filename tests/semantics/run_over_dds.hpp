@@ -17,9 +17,8 @@ template <class Deployment>
 outcome run_over_dds(int chance) {
   static const auto domain = static_cast<std::uint32_t>(::getpid()) % 200;
   outcome o = run_deployed<Deployment>(chance);
-  o.processes_agree = digests(o.firings) ==
-                      recorded_in_processes<Deployment>(
-                          chance, [](const std::string& name) { return cca::dds::domain(domain, name); });
+  o.processes_agree = processes_agree<Deployment>(
+      chance, o.firings, [](const std::string& name) { return cca::dds::domain(domain, name); });
   return o;
 }
 
