@@ -45,7 +45,8 @@ log recorded(Played& played, int chance, F goes_on) {
 inline constexpr auto until_a_fault = [](auto& played, unsigned, auto&) {
   return played.state() != cca::state::faulted;
 };
-inline constexpr auto with_restarts = [resumes = 0](auto& played, unsigned random, auto& all_are_here) mutable {
+inline constexpr auto with_restarts = [resumes = 0](
+                                          auto& played, unsigned random, auto& all_are_here) mutable {
   if (played.state() == cca::state::faulted) {
     if (++resumes == 5) return false;
     played.resume();
@@ -73,8 +74,8 @@ log recorded_with_restarts(int chance) {
 class meeting_place {
 public:
   explicit meeting_place(unsigned count)
-      : barrier(static_cast<pthread_barrier_t*>(::mmap(nullptr, sizeof(pthread_barrier_t), PROT_READ | PROT_WRITE,
-                                                       MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
+      : barrier(static_cast<pthread_barrier_t*>(::mmap(
+            nullptr, sizeof(pthread_barrier_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
     if (barrier == MAP_FAILED) throw std::runtime_error("no memory to share");
     pthread_barrierattr_t shared;
     ::pthread_barrierattr_init(&shared);
