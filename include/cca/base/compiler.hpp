@@ -20,6 +20,18 @@
 #include <cca/base/the_error_above_says_what_cca_needs>
 #endif
 
+// CCA_SANITIZED: 1 with a sanitizer, which adds code to each access of memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define CCA_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define CCA_SANITIZED 1
+#endif
+#endif
+#ifndef CCA_SANITIZED
+#define CCA_SANITIZED 0
+#endif
+
 namespace cca::detail {
 
 // A text in a template argument: clang prints its first 35 letters, g++ prints all of it.

@@ -42,11 +42,13 @@
 #define EIGEN_DISABLE_UNALIGNED_ARRAY_ASSERT
 #endif
 
-#if defined(__clang__) && !defined(EIGEN_STRONG_INLINE)
+// With a sanitizer clang inlines what it likes: a beat that is one function with the sanitizer's code in it
+// takes it minutes and gigabytes (docs/compilers.md).
+#if defined(__clang__) && !CCA_SANITIZED && !defined(EIGEN_STRONG_INLINE)
 #define EIGEN_STRONG_INLINE __attribute__((always_inline)) inline
 #endif
 
-#if defined(__clang__)
+#if defined(__clang__) && !CCA_SANITIZED
 #define CCA_INLINE [[gnu::always_inline]] inline
 #define CCA_INLINE_CALL [[clang::always_inline]]
 #define CCA_ASSUME(condition) __builtin_assume(condition)
