@@ -6,6 +6,9 @@
 
 #include <doctest/doctest.h>
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -119,20 +122,49 @@ void has_the_same_bits_at_wall_clock_speed() {
   MESSAGE("something was late each time: nothing to compare");
 }
 
-// What the one says that is left when SIGKILL ends the other. `pace`: nothing, or `cca::at_speed(...)`.
+// Processes that have come so far, and who waits for them.
+class milestone {
+public:
+  milestone() { REQUIRE_EQ(::pipe(ends), 0); }
+  milestone(const milestone&) = delete;
+  milestone& operator=(const milestone&) = delete;
+  ~milestone() {
+    ::close(ends[0]);
+    ::close(ends[1]);
+  }
+  void reached() const { REQUIRE_EQ(::write(ends[1], "", 1), 1); }
+  void wait_for(int processes) const {
+    for (int i = 0; i < processes; ++i) {
+      pollfd one{ends[0], POLLIN, 0};
+      char byte = 0;
+      REQUIRE_MESSAGE(::poll(&one, 1, 60'000) == 1, "a process did not get so far in a minute");
+      REQUIRE_EQ(::read(ends[0], &byte, 1), 1);
+    }
+  }
+
+private:
+  int ends[2]{};
+};
+
+// What the one says that is left when SIGKILL ends the other, once both run. `pace`: nothing, or
+// `cca::at_speed(...)`.
 template <class Meeting, class... Pace>
 std::string said_by_the_one_left(bool kills_mind, Pace... pace) {
   const std::string name = Meeting::other_name();
+  const milestone both_run;
   const auto run = [&](const char* environment, auto tell) {
     auto d = opened<Meeting>(environment, name);
     d.load();
     d.start();
-    d.run(cca::without_end{}, pace...);
+    d.run(cca::for_beats<5>{}, pace...);
+    both_run.reached();
+    if (d.state() == cca::state::started) d.run(cca::without_end{}, pace...);
     return tell(d);
   };
   process mind([&] { return run("mind", tell_mind); });
   process robot([&] { return run("robot", tell_robot); });
-  std::this_thread::sleep_for(400ms);
+  both_run.wait_for(2);
+  std::this_thread::sleep_for(200ms);
   (kills_mind ? mind : robot).kill();
   return (kills_mind ? robot : mind).said();
 }
