@@ -18,8 +18,8 @@
 // about the measured force says how hard it pushes: `press` N, at most `most`. The rest is a spring in the
 // plane.
 //
-// What it wants is as old as the force that it looks at, not as old as the last order: on drives a command that
-// is made of old data stops the arm.
+// What it wants is as old as the force that it looks at, not as old as the last order: on drives a command
+// that is made of old data stops the arm.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -39,7 +39,8 @@ struct in_simulator {
   static void after_beat(Controller&) {}
 };
 
-// `between(controller, step)` after each beat; the run ends early if it returns false. `Place`: where the arm is.
+// `between(controller, step)` after each beat; the run ends early if it returns false. `Place`: where the arm
+// is.
 template <class Controller, class Between, class Place = in_simulator>
 result roll_out(Controller& c, std::uint64_t seed, Between between, Place&& place = {}) {
   scene s(seed);

@@ -1,5 +1,5 @@
-// Random bytes as frames of the load board: a frame that it does not take changes nothing; a load that it takes
-// is of one measurement, within its ranges, and survives encoding and decoding.
+// Random bytes as frames of the load board: a frame that it does not take changes nothing; a load that it
+// takes is of one measurement, within its ranges, and survives encoding and decoding.
 #include <cca/hardware/robot/load_board.hpp>
 
 #include "decoding.hpp"

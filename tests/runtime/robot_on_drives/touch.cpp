@@ -1,5 +1,5 @@
-// The architecture of examples/touch with the arm on virtual drives: it is led by hand, repeats the movement, wipes
-// the table, yields and is stopped, within the bounds of the arm in the simulator.
+// The architecture of examples/touch with the arm on virtual drives: it is led by hand, repeats the movement,
+// wipes the table, yields and is stopped, within the bounds of the arm in the simulator.
 #include <memory>
 
 #include <doctest/doctest.h>
@@ -31,7 +31,5 @@ TEST_SUITE("touch on drives") {
   TEST_CASE("CANopen drives in torque mode: the whole run, within all bounds") {
     check<touch::with_canopen, touch::behind_canopen>();
   }
-  TEST_CASE("moteus: the whole run, within all bounds") {
-    check<touch::with_moteus, touch::behind_moteus>();
-  }
+  TEST_CASE("moteus: the whole run, within all bounds") { check<touch::with_moteus, touch::behind_moteus>(); }
 }
