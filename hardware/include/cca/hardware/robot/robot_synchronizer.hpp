@@ -37,7 +37,7 @@ public:
                              maybe<Sensors::name, robots::sensed_load<R, Sensors>>...,
                              out<"joints", joint_states<joints>>> {
     this->read();
-    std::size_t sensor = 0;
+    [[maybe_unused]] std::size_t sensor = 0;
     return drives::each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense()){this->measured(I)..., load<Sensors>(sensor++)..., this->states()};
     });
