@@ -7,7 +7,7 @@
 // no target before the first command.
 #include <limits>
 
-#include <cca/hardware/robot/oncilla_nodes.hpp>
+#include <cca/hardware/oncilla/oncilla_nodes.hpp>
 #include <cca/robots/oncilla/robot.hpp>
 
 #include "stage.hpp"

@@ -17,8 +17,12 @@
 // While it presses, the flange looks against the normal, the stiffness along it is 0, and a PI controller
 // about the measured force says how hard it pushes: `press` N, at most `most`. The rest is a spring in the
 // plane.
+//
+// What it wants is as old as the force that it looks at, not as old as the last order: on drives a command
+// that is made of old data stops the arm.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 
 #include <cca/adaptive/sequencer.hpp>
@@ -103,7 +107,12 @@ struct leader {
           -pressure(force[force_axis{}], feels.template is<feeling>(feeling::table), now.dt()) * normal;
     }
     if (!on_table) integrated = 0;
-    return {reference, twist, k, d, push};
+    const std::int64_t since = force.origin() == cca::never ? now.time() : force.origin();
+    return {cca::out<"reference", hand>(reference).with_origin(since),
+            cca::out<"twist", hand_motion>(twist).with_origin(since),
+            cca::out<"stiffness", stiffness>(k).with_origin(since),
+            cca::out<"damping", damping>(d).with_origin(since),
+            cca::out<"feedforward", load>(push).with_origin(since)};
   }
 
   void on_start() { integrated = 0, normal = Eigen::Vector3d::UnitZ(); }

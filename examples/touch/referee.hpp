@@ -37,8 +37,12 @@ public:
 
   // After a beat in which the arm went from `before` to `after`.
   template <class Controller>
-  void note(const Controller& c, const scene& s, int step, double in_step, bool is_stopped) {
-    const auto& world = c.template get<"robot.simulator">().world();
+  void note(const Controller& c,
+            const arm_world& world,
+            const scene& s,
+            int step,
+            double in_step,
+            bool is_stopped) {
     note_energy(world);
     r.max_force = std::max(r.max_force, force_of(world).norm());
     const Eigen::Vector3d at = world.end(0).where.at;

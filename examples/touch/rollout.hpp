@@ -2,6 +2,7 @@
 // One run of the demonstrator in the simulator.
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <cca/sim/robot.hpp>
 
@@ -24,12 +25,26 @@ void learn(Controller& c) {
   module.learning.hand_over(module.learning.begin_batch(module.p.settings)());
 }
 
-// `between(controller, step)` after each beat; the run ends early if it returns false.
-template <class Controller, class Between>
-result roll_out(Controller& c, std::uint64_t seed, Between between) {
+// Where the arm is: in the simulator, as a node of the controller.
+struct in_simulator {
+  template <class Controller>
+  static void put_down(Controller& c, arm_world&& world) {
+    c.template get<"robot.simulator">().put_down(std::move(world));
+  }
+  template <class Controller>
+  static arm_world& world(Controller& c) {
+    return c.template get<"robot.simulator">().world();
+  }
+  template <class Controller>
+  static void after_beat(Controller&) {}
+};
+
+// `between(controller, step)` after each beat; the run ends early if it returns false. `Place`: where the arm
+// is.
+template <class Controller, class Between, class Place = in_simulator>
+result roll_out(Controller& c, std::uint64_t seed, Between between, Place&& place = {}) {
   scene s(seed);
-  auto& simulator = c.template get<"robot.simulator">();
-  simulator.put_down(arm_world(cca::sim::model_of<arm::description>(), scene::room()));
+  place.put_down(c, arm_world(cca::sim::model_of<arm::description>(), scene::room()));
   auto orders = c.template get<"orders">().p;
   orders.shift = s.shift;
   c.template set<"orders">(orders);
@@ -38,10 +53,12 @@ result roll_out(Controller& c, std::uint64_t seed, Between between) {
   constexpr int most_beats = 90'000, stopped_for = 2000;
   int stopped = 0;
   for (int k = 0, step = 0, began = 0; k < most_beats && stopped < stopped_for; ++k) {
-    s.act(simulator.world(), step, 0.001 * (k - began));
+    arm_world& world = place.world(c);
+    s.act(world, step, 0.001 * (k - began));
     c.step();
+    place.after_beat(c);
     if (c.state() == cca::state::faulted) break;
-    judge.note(c, s, step, 0.001 * (k - began), stopped > stopped_for / 2);
+    judge.note(c, world, s, step, 0.001 * (k - began), stopped > stopped_for / 2);
     const int now = c.template get<"sequencer">().steps.step();
     if (now != step) step = now, began = k + 1;
     if (step == plan::at<"learn"> && began == k + 1) learn(c);
@@ -49,7 +66,7 @@ result roll_out(Controller& c, std::uint64_t seed, Between between) {
       c.template get<"operator">().pressed = true;
       ++stopped;
       // Somebody pulls at the stopped arm, and lets go.
-      simulator.world().pull(0, stopped < 300 ? Eigen::Vector3d(10, 10, 0) : Eigen::Vector3d(0, 0, 0));
+      world.pull(0, stopped < 300 ? Eigen::Vector3d(10, 10, 0) : Eigen::Vector3d(0, 0, 0));
     }
     if (!between(c, step)) break;
   }

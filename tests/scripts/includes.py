@@ -26,7 +26,7 @@ ROOTS = {"include": None, "robots/include": "robots", "sim/include": "sim", "har
 FOLDERS_OF_PROGRAMS = ["tools", "examples"]  # their headers are counted, too
 # Folders of parts: each includes only from those before it. "." is what stands directly in the part's folder.
 ROOMS = {"runtime": ["tracing", "recording", ".", "live", "modes", "environments", "transports"],
-         "hardware": ["bus", "drives", "safety", "robot", "virtual_drives"]}
+         "hardware": ["bus", "drives", "safety", "robot", "oncilla", "virtual_drives"]}
 FREE = ["version.hpp"]  # includes nothing, so any header may include it
 
 

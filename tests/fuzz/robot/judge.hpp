@@ -1,7 +1,8 @@
 // Judges every frame that a robot's controller sends: what may never go out, whatever happens.
 //
 //   closed   the emergency stop is pressed, or the controller is stopped, faulted or not started: no frame
-//            moves anything, none enables a drive, no abduction servo moves
+//            moves anything, none enables a drive, no abduction servo moves. A drive that takes torque alone,
+//            and has said that it is enabled, may get torque that brakes
 //   limits   numbers are finite. A position that a drive shall follow is within the range of its axis. Only
 //            a motion that begins outside may be there: it never leads farther out, and it comes in no faster
 //            than `approach`; a soft stop holds it there. The torque of a drive that takes it, at the
@@ -131,9 +132,13 @@ private:
   void judge_drive(std::size_t i, const request& r, const hw::drive_report& report, double offset) {
     using D = typename J::drive;
     constexpr bool by_position = (D::uses & hw::of_position) != 0,
-                   by_stiffness = (D::uses & hw::of_stiffness) != 0;
+                   by_stiffness = (D::uses & hw::of_stiffness) != 0,
+                   by_torque = !by_position && !by_stiffness && (D::uses & hw::of_velocity) == 0;
     const auto& name = J::axis::name;
     const hw::drive_command c = J::from_drive(r.command);
+    const bool is_braked = by_torque && report.activity == hw::drive_activity::enabled &&
+                           (c.torque * J::speed_of(report.velocity) <= 0 || std::abs(c.torque) < 0.05);
+    if (now_closed && is_braked) return;
     if (now_closed && (r.follows || r.enables)) return fail(name, "moves or is enabled while nothing may");
     if (!r.follows) {  // it gives way; a position that it gets meanwhile goes on, or else the next one begins
       since[i] = 0;

@@ -127,10 +127,17 @@ public:
   }
   auto& stop() { return controller.get<"robot.emergency_stop">(); }
   auto& synchronizer() { return controller.get<"robot.synchronizer">(); }
+  // A drive that takes torque alone is damped by torque against its speed.
   bool all_give_way() const {
-    for (const auto& c : laws)
-      if (c.stiffness != 0 || std::abs(c.torque) > 0.01 || std::abs(c.velocity * c.damping) > 0.05)
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& c = laws[i];
+      const double speed = motors[i].now.velocity;
+      const bool brakes =
+          c.torque * speed <= 0 && std::abs(c.torque) <= servo.safe_damping * std::abs(speed) + 0.1;
+      if (c.stiffness != 0 || !(brakes || std::abs(c.torque) <= 0.01) ||
+          std::abs(c.velocity * c.damping) > 0.05)
         return false;
+    }
     return true;
   }
   // One bit for each enabled drive.

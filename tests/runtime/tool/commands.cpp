@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <cca/config.hpp>
-#include <cca/hardware/robot/can_synchronizer.hpp>
+#include <cca/hardware/oncilla/can_synchronizer.hpp>
 
 #include "../../../tools/cca_can/commands.hpp"
 #include "rig.hpp"

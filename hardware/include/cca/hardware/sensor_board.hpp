@@ -1,4 +1,4 @@
 // For programs: the board with inertial unit and foot sensors. The code is in `robot/`.
 #pragma once
 
-#include <cca/hardware/robot/sensor_board.hpp>
+#include <cca/hardware/oncilla/sensor_board.hpp>

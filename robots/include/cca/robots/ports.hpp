@@ -5,13 +5,15 @@
 //   out  "angles"      angles<R>       rad        "velocities"  velocities<R>   rad/s
 //        "torques"     torques<R>      N m        and each sensor of R under its name
 //
-//   struct my_robot : cca::robots::graph_of_robot<R, "simulator", device, joint_node> {};
+//   struct my_robot : cca::robots::graph_of_robot<R, "simulator", device, "simulator", joint_node> {};
 //
 //   Device   the resource node that alone knows the simulator or the buses.
 //              sense  out an output for each axis, under its name: measured_joint<R, Axis>; the sensors
+//   Motors   the name of the node that takes what the joints want, of Device or of one of More.
 //              act    in  an input for each axis, under its name: wanted_joint<R, Axis>
 //   Joint    a template over the axis. sense: in "measured"; out "angle", "velocity", "torque".
-//            act: in one input for each command, under its name; out "wanted"
+//            act: in one input for each command, under its name; out "wanted" (commanded_joint.hpp)
+//   More     further lists of items (items.hpp)
 //
 // Prismatic joints have the units m, m/s and N. The spaces match any others of the same axes and rate.
 // Source: seed, section 6.1 and figure 6.1. Cost: nothing of it is left in the loop.
@@ -82,31 +84,35 @@ struct command_wires<Command, axes<Axes...>> {
       items<wire<joined_name<Command::name, Axes::label>, joined_name<Axes::label, Command::name>>...>;
 };
 
-template <fixed_string Device, class Axes>
+template <fixed_string Device, fixed_string Motors, class Axes>
 struct device_wires;
-template <fixed_string Device, class... Axes>
-struct device_wires<Device, axes<Axes...>> {
+template <fixed_string Device, fixed_string Motors, class... Axes>
+struct device_wires<Device, Motors, axes<Axes...>> {
   using type = items<wire<joined_name<Device, Axes::label>, joined_name<Axes::label, "measured">>...,
                      wire<joined_name<Axes::label, "angle">, joined_name<"angles", Axes::label>>...,
                      wire<joined_name<Axes::label, "velocity">, joined_name<"velocities", Axes::label>>...,
                      wire<joined_name<Axes::label, "torque">, joined_name<"torques", Axes::label>>...,
-                     wire<joined_name<Axes::label, "wanted">, joined_name<Device, Axes::label>>...>;
+                     wire<joined_name<Axes::label, "wanted">, joined_name<Motors, Axes::label>>...>;
 };
 
 template <class R,
           fixed_string Name,
           class Device,
+          fixed_string Motors,
           template <class> class Joint,
           class Commands,
-          class Sensors>
+          class Sensors,
+          class... More>
 struct robot_graph;
 template <class R,
           fixed_string Name,
           class Device,
+          fixed_string Motors,
           template <class> class Joint,
           class... Commands,
-          class... Sensors>
-struct robot_graph<R, Name, Device, Joint, commands<Commands...>, sensors<Sensors...>> {
+          class... Sensors,
+          class... More>
+struct robot_graph<R, Name, Device, Motors, Joint, commands<Commands...>, sensors<Sensors...>, More...> {
   using own_axes = axes_of_robot<R>;
   using type = graph_of<items<typename R::rate, node<Name, Device>>,
                         joint_nodes<Joint, own_axes>,
@@ -115,7 +121,8 @@ struct robot_graph<R, Name, Device, Joint, commands<Commands...>, sensors<Sensor
                               node<"velocities", collector<"whole", velocities<R>>, moderate>,
                               node<"torques", collector<"whole", torques<R>>, moderate>>,
                         typename command_wires<Commands, own_axes>::type...,
-                        typename device_wires<Name, own_axes>::type,
+                        typename device_wires<Name, Motors, own_axes>::type,
+                        More...,
                         items<expose<joined_name<Commands::name, "whole">, Commands::name>...,
                               expose<"angles.whole", "angles">,
                               expose<"velocities.whole", "velocities">,
@@ -126,12 +133,19 @@ struct robot_graph<R, Name, Device, Joint, commands<Commands...>, sensors<Sensor
 }  // namespace detail
 
 // A description with a mistake is reported first.
-template <class R, fixed_string Name, class Device, template <class> class Joint>
+template <class R,
+          fixed_string Name,
+          class Device,
+          fixed_string Motors,
+          template <class> class Joint,
+          class... More>
 using graph_of_robot = typename detail::robot_graph<std::enable_if_t<check_description<R>(), R>,
                                                     Name,
                                                     Device,
+                                                    Motors,
                                                     Joint,
                                                     typename R::commands,
-                                                    sensors_of<R>>::type;
+                                                    sensors_of<R>,
+                                                    More...>::type;
 
 }  // namespace cca::robots

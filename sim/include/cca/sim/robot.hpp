@@ -18,7 +18,10 @@
 namespace cca::sim {
 
 template <class R>
-struct robot
-    : robots::graph_of_robot<R, "simulator", simulated_robot<R>, detail::joints_of<R>::template node> {};
+struct robot : robots::graph_of_robot<R,
+                                      "simulator",
+                                      simulated_robot<R>,
+                                      "simulator",
+                                      detail::joints_of<R>::template node> {};
 
 }  // namespace cca::sim

@@ -37,6 +37,7 @@ struct joint_servo {
   double damping = 0;       // N m s/rad
   double safe_damping = 1;  // N m s/rad, after a stop
   double most_stiff = 200;  // N m/rad, the largest that a controller can ask for
+  double most_damping = 5;  // N m s/rad, likewise
 };
 
 struct joint_bounds {
@@ -62,6 +63,8 @@ struct joint {
   static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
                 "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1, and `wraps` is the width "
                 "of a range, or 0");
+  static_assert(Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping,
+                "cca::hardware::joint: `safe_damping` is at most `most_damping` of its servo");
   static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
                     cca::detail::axis_has_limits<Axis, cca::velocity> &&
                     cca::detail::axis_has_limits<Axis, cca::torque>,

@@ -10,12 +10,13 @@
 // torque that it may use at most in N m, and how long a command holds in s. Numbers are those of its output
 // shaft: turns there, rad here. The command has floats, the answer 32-bit integers.
 //   set_point   stiffness and damping are parts of kp and kd, from 0 to 1. Damping can't be a larger part
-//               than stiffness, since the firmware limits it so. Without stiffness it does not damp: use
-//               brake(). NaN is refused: in this protocol it would mean `stay where you are`, for which there
-//               is stay(). A commanded velocity moves the target on for 5 ms at most (`run_on` of the motor's
-//               type, in s; infinity: until the timeout), so that nothing runs away when the controller dies:
-//               that is the register of the stop position. A drive with servo.default_velocity_limit or
-//               default_accel_limit answers to it with fault 45: leave those unset, or state infinity
+//               than stiffness, since the firmware limits it so (`most_damping`). Without stiffness it does
+//               not damp, use brake(); torque alone is then a torque mode. NaN is refused: in this protocol
+//               it would mean `stay where you are`, for which there is stay(). A commanded velocity moves the
+//               target on for 5 ms at most (`run_on` of the motor's type, in s; infinity: until the timeout),
+//               so that nothing runs away when the controller dies: that is the register of the stop
+//               position. A drive with servo.default_velocity_limit or default_accel_limit answers to it with
+//               fault 45: leave those unset, or state infinity
 //   decode      a number that the drive does not have is NaN. A position stays at 21474.83647 turns, the last
 //               that 32 bits can say. Mode 11, no command in time, is a fault until disable(). Fault numbers
 //               from 96 on are limits that the drive keeps, no faults: they are in `code` only
@@ -145,6 +146,11 @@ struct moteus {
     ++now.frames;
     r = now;
     return true;
+  }
+
+  // The firmware keeps the part of kd within the part of kp.
+  static constexpr double most_damping(double stiffness) noexcept {
+    return Motor::damping * std::clamp(stiffness / Motor::stiffness, 0.0, 1.0);
   }
 
   // Holds its position, with all of kp and kd.

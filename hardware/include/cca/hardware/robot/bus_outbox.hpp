@@ -9,7 +9,7 @@
 //   has_sent[bus]             the last send() put frames on it
 //
 // Behind frames that still wait, a set point would be stale: it is dropped and counted. Only frames that damp
-// may go behind frames that move, once: so they come last. Used by can_synchronizer.hpp.
+// may go behind frames that move, once: so they come last. Used by drive_synchronizer.hpp.
 #pragma once
 
 #include <algorithm>

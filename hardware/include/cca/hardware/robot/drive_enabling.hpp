@@ -8,7 +8,7 @@
 //   count_beat(), is_over()      whether `most_beats` have passed
 //
 // A drive that refuses, or falls back, is tried again every 50 beats, since a frame may be lost. Used by
-// can_synchronizer.hpp. Cost: some operations a joint, while it enables.
+// drive_synchronizer.hpp. Cost: some operations a joint, while it enables.
 #pragma once
 
 #include <algorithm>

@@ -14,10 +14,13 @@
 //   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree
 //   angle_now(i), speed_now(i), torque_now(i)
 //                  what is measured; not a number where it is too old
+//   can_be_damped(i)
+//                  a drive that takes torque alone is damped by the velocity that it reports: it is enabled,
+//                  and that velocity is known and has not been found wrong
 //   trip(i, rule)  keeps the first rule of joint i; forget_trips() when motion begins; restart() for a new
 //                  start: everything must be measured again
 //
-// Used by can_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
+// Used by drive_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -119,6 +122,11 @@ struct joint_monitor {
   }
   double torque_now(std::size_t i) const {
     return since[i].torque >= state_beats ? drive_report::untold : torque[i];
+  }
+
+  bool can_be_damped(std::size_t i) const {
+    return reports[i].activity == drive_activity::enabled && knows_speed(i) && std::isfinite(speed[i]) &&
+           !velocities[i].disagrees() && trips[i] != safety_rule::implausible;
   }
 
   void trip(std::size_t i, safety_rule rule) {

@@ -4,9 +4,9 @@
 //   buses::load<0>   // the part of the time in which bus 0 is in use
 //   cca::hardware::socket_can can0("can0", {.replies = buses::replies<0>, .ours = buses::requests<0>});
 //
-// cca::hardware::oncilla checks its buses by it. Each bus is a plan as in bus_plan.hpp, at the bit rates of
-// its joints; messages name the joint, and the number of the bus. Errors: bus.overloaded, drive.duplicate_id.
-// Cost: constants. Example: tests/runtime/drive_chain/families.cpp; docs/can_bus.md.
+// cca::hardware::robot and oncilla check their buses by it. Each bus is a plan as in bus_plan.hpp, at the bit
+// rates of its joints; messages name the joint, and the number of the bus. Errors: bus.overloaded,
+// drive.duplicate_id. Cost: constants. Example: tests/runtime/drive_chain/families.cpp; docs/can_bus.md.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ template <std::size_t Count>
 constexpr users_of_bus<Count> users_on(const std::array<user_of_bus, Count>& all, std::size_t bus) {
   users_of_bus<Count> on;
   for (const user_of_bus& u : all) {
-    if (u.bus != bus) continue;
+    if (u.bus != bus || u.facts.traffic.empty()) continue;  // no_board has no traffic
     if (on.count == 0) on.rates = u.rates;
     on.one_rate = on.one_rate && on.rates.nominal == u.rates.nominal && on.rates.data == u.rates.data;
     on.drives[on.count++] = u.facts;

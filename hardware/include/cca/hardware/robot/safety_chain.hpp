@@ -3,16 +3,17 @@
 //
 //   servos -> finite -> stale -> emergency_stop -> soft_stop -> damping -> rate -> limits -> Synchronizer
 //
-// Each link takes the set-points of the one before it as "wanted" and passes them on as "safe".
-// `Synchronizer` names the node that has the drives: it takes "set_points" and gives "joints". Cost: that of
-// the links. Example: cca/hardware/oncilla.hpp; docs/hardware.md.
+// The servos make set points of what the robot's joints want: `Servos` has "wanted" out, "joints" in, and its
+// `joints`. Each link takes the set-points of the one before it as "wanted" and passes them on as "safe".
+// `Synchronizer` names the node that has the drives: it takes "set_points" and gives "joints". `Damping`
+// names the node that damps, where "damping" is the name of a command. Cost: that of the links. Example:
+// cca/hardware/robot/robot.hpp; docs/hardware.md.
 #pragma once
 
 #include <cca/base/joined_names.hpp>
 #include <cca/hardware/safety/bounds.hpp>
 #include <cca/hardware/safety/emergency_stop.hpp>
 #include <cca/hardware/safety/guards.hpp>
-#include <cca/hardware/robot/oncilla_nodes.hpp>
 #include <cca/hardware/safety/stopping.hpp>
 #include <cca/robots/items.hpp>
 
@@ -26,29 +27,30 @@ using joint_state_wires = robots::items<
 
 }  // namespace detail
 
-template <class Joints>
-using safety_nodes = robots::items<node<"servos", joint_servos<Joints>>,
+template <class Servos, fixed_string Damping = "damping", class Joints = typename Servos::joints>
+using safety_nodes = robots::items<node<"servos", Servos>,
                                    node<"finite", finite_guard<Joints>>,
                                    node<"stale", stale_guard<Joints>>,
                                    node<"emergency_stop", emergency_stop<Joints>>,
                                    node<"soft_stop", soft_stop<Joints>>,
-                                   node<"damping", damping_stop<Joints>>,
+                                   node<Damping, damping_stop<Joints>>,
                                    node<"rate", rate_guard<Joints>>,
                                    node<"limits", limit_guard<Joints>>>;
 
-template <fixed_string Synchronizer>
-using safety_wires = robots::items<wire<"servos.wanted", "finite.wanted">,
-                                   wire<"finite.safe", "stale.wanted">,
-                                   wire<"stale.safe", "emergency_stop.wanted">,
-                                   wire<"emergency_stop.safe", "soft_stop.wanted">,
-                                   wire<"soft_stop.safe", "damping.wanted">,
-                                   wire<"damping.safe", "rate.wanted">,
-                                   wire<"rate.safe", "limits.wanted">,
-                                   wire<"limits.safe", cca::detail::joined_name<Synchronizer, "set_points">>>;
+template <fixed_string Synchronizer, fixed_string Damping = "damping">
+using safety_wires =
+    robots::items<wire<"servos.wanted", "finite.wanted">,
+                  wire<"finite.safe", "stale.wanted">,
+                  wire<"stale.safe", "emergency_stop.wanted">,
+                  wire<"emergency_stop.safe", "soft_stop.wanted">,
+                  wire<"soft_stop.safe", cca::detail::joined_name<Damping, "wanted">>,
+                  wire<cca::detail::joined_name<Damping, "safe">, cca::detail::joined_name<"rate", "wanted">>,
+                  wire<"rate.safe", "limits.wanted">,
+                  wire<"limits.safe", cca::detail::joined_name<Synchronizer, "set_points">>>;
 
 // The guards that look at where the joints are.
-template <fixed_string Synchronizer>
+template <fixed_string Synchronizer, fixed_string Damping = "damping">
 using safety_readings = detail::
-    joint_state_wires<Synchronizer, "servos", "emergency_stop", "soft_stop", "damping", "rate", "limits">;
+    joint_state_wires<Synchronizer, "servos", "emergency_stop", "soft_stop", Damping, "rate", "limits">;
 
 }  // namespace cca::hardware

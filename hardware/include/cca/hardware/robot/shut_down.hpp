@@ -9,7 +9,7 @@
 // (stop_sequence.hpp). The report names the joints whose drives confirmed, and those whose drives did not:
 // switch their supply off.
 //
-//   Controller   of a graph with a can_synchronizer, at any path
+//   Controller   of a graph with the synchronizer of a robot on drives, at any path
 //   Pace         begin() and wait(ns), as in cca/runtime/pace.hpp. A program that plays the drives itself, in
 //                virtual time, lets them run in wait()
 //

@@ -4,10 +4,10 @@
 //   check(drives)                each beat while the drives are enabled: the reason to refuse the start, or
 //                                none. A joint that is outside of its range by more than `range_tolerance`,
 //                                in three beats in a row; a velocity that is not the change of the angle
-//   missing(drives, enabling, board)
+//   missing(drives, enabling, board_reports)
 //                                when the time is over: what has not come, or has not passed
 //
-// Used by can_synchronizer.hpp. Cost: some operations a joint, while it enables.
+// Used by drive_synchronizer.hpp. Cost: some operations a joint, while it enables.
 #pragma once
 
 #include <array>
@@ -16,7 +16,6 @@
 
 #include <cca/hardware/robot/drive_enabling.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
-#include <cca/hardware/robot/sensor_board.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
 
 namespace cca::hardware {
@@ -44,7 +43,7 @@ public:
 
   start_failure missing(const joint_monitor<J...>& drives,
                         const drive_enabling<J...>& enabling,
-                        const board_reading& board) const {
+                        bool board_reports) const {
     for (std::size_t i = 0; i < joints::count; ++i) {
       start_failure f = of(i, safety_rule::enabling, drives);
       f.missing = !drives.knows_angle(i)    ? "does not report its angle"
@@ -57,8 +56,8 @@ public:
     for (std::size_t i = 0; i < joints::count; ++i)
       if (!drives.velocity(i).passed()) return of(i, safety_rule::implausible, drives);
     start_failure f{.why = safety_rule::enabling};
-    f.missing = board.frames == 0 ? "the sensor board is silent"
-                                  : "a bus is away, or holds frames that nobody acknowledges";
+    f.missing = !board_reports ? "the sensor board is silent"
+                               : "a bus is away, or holds frames that nobody acknowledges";
     return f;
   }
 

@@ -12,7 +12,7 @@
 //                         went over the bus, that it holds nothing (is_off in joint_frames.hpp). A drive that
 //                         can't say that has answered as often
 //
-// After `confirming_beats` of disabling it ends, confirmed or not. Used by can_synchronizer.hpp;
+// After `confirming_beats` of disabling it ends, confirmed or not. Used by drive_synchronizer.hpp;
 // shut_down.hpp goes through it to its end. Cost: some comparisons a joint. docs/hardware.md.
 #pragma once
 

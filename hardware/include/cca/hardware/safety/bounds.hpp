@@ -6,8 +6,9 @@
 //                 `approach`, so a start makes no jump. Outside of its range it moves with half of that: a
 //                 joint may be faster than its set point, and must not be faster than `approach`. The torque
 //                 of a set point, which is fed forward, changes by the axis' `torque_rate`. What stiffness
-//                 and damping make has no rate: it must follow a joint that is pushed. joint_servos feed no
-//                 torque forward, so with them, as in `oncilla`, `torque_rate` bounds nothing
+//                 and damping make has no rate: it must follow a joint that is pushed. A joint without
+//                 stiffness begins with the torque that is measured, others without any. The servos of
+//                 `oncilla` feed no torque forward, so there `torque_rate` bounds nothing
 //   limit_guard   a joint that begins outside of its range enters it from where it is: until then its range
 //                 reaches to its last set point, and torque that brakes passes; in a soft stop to
 //                 where it is. Position, velocity, stiffness
@@ -54,7 +55,8 @@ public:
         j = {Joints::angle[i].nearest(q.known() ? q.angle : s.position), 0, true};
         continue;
       }
-      if (q.phase == motion_phase::begins) j = {q.known() ? q.angle : j.position, 0, true};
+      if (q.phase == motion_phase::begins)
+        j = {q.known() ? q.angle : j.position, s.stiffness == 0 ? first_torque(i, q) : 0, true};
       const joint_bounds speed = Joints::speed[i], range = Joints::angle[i];
       if (j.approaching) s.position = range.nearest(s.position);
       const double slow = p.approach * (range.holds(j.position) ? 1 : 0.5);
@@ -69,7 +71,9 @@ public:
         j.approaching = false;
       }
       const double most = Joints::torque_rate[i] * dt;
-      const double torque = joint_bounds{j.torque - most, j.torque + most}.nearest(s.torque);
+      // Within the limits, so that it turns round at once when the command does.
+      const double torque =
+          Joints::torque[i].nearest(joint_bounds{j.torque - most, j.torque + most}.nearest(s.torque));
       if (torque != s.torque) noted.note(safety_rule::rate, static_cast<int>(i), now.index());
       s.torque = torque;
       j.position = position;
@@ -89,6 +93,11 @@ private:
     double position = 0, torque = 0;
     bool approaching = true;
   };
+  // A drive that holds its joint up until motion begins is not dropped.
+  static double first_torque(std::size_t i, const joint_state& q) {
+    return q.torque - q.torque == 0 ? Joints::torque[i].nearest(q.torque) : 0;
+  }
+
   std::array<approach_state, Joints::count> sent{};
   safety_record noted{};
 };
@@ -96,8 +105,6 @@ private:
 template <class Joints>
 class limit_guard {
 public:
-  static constexpr double most_damping = 5;  // N m s/rad
-
   auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints, beat now)
       -> out<"safe", set_points<Joints>> {
     auto v = wanted.vector();
@@ -123,7 +130,7 @@ public:
       entered[i] = s.position;
       keep(s.velocity, Joints::speed[i], safety_rule::range);
       keep(s.stiffness, {0, Joints::servo[i].most_stiff}, safety_rule::range);
-      keep(s.damping, {0, most_damping}, safety_rule::range);
+      keep(s.damping, {0, Joints::servo[i].most_damping}, safety_rule::range);
       keep(s.torque, Joints::torque[i], safety_rule::torque);
       if (q.known()) {
         const double law = law_of(s, q);

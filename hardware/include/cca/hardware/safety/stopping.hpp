@@ -3,7 +3,8 @@
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
 //   soft_stop<Joints, Beats>   in the mode `soft` holds each joint at its measured position. Over `Beats`
 //                              beats its stiffness goes to 0, its damping to `safe_damping` of its servo;
-//                              then the mode is `damped`
+//                              then the mode is `damped`. A joint without stiffness, which follows a torque,
+//                              has `safe_damping` at once, and no torque
 //   damping_stop               in the modes `damped` and `barred`: no stiffness, no torque, `safe_damping`
 //                              against any motion. Not zero torque, because a leg would fall, and not a
 //                              position, because that is stiff against people
@@ -40,7 +41,8 @@ public:
       set_point s;
       s.position = from[i].position;
       s.stiffness = left * from[i].stiffness;
-      s.damping = left * from[i].damping + (1 - left) * Joints::servo[i].safe_damping;
+      const double safe = Joints::servo[i].safe_damping;
+      s.damping = from[i].stiffness > 0 ? left * from[i].damping + (1 - left) * safe : safe;
       s.mark = static_cast<double>(since < Beats ? motion_mode::soft : motion_mode::damped);
       s.put(v, i);
     }

@@ -4,17 +4,20 @@
 //   far.connect(bus0, ...);
 //   far.listen(now);                                  // takes all frames that have come
 //   const auto laws = far.laws(now);                  // the control law of each joint, as its drive follows
-//   it far.tell(motions, board_reading);                 // answers with the state of the mechanics
+//   far.tell(motions, board_reading);                 // answers with the state of the mechanics; the reading
+//                                                     // of its Board
 //
 // A frame for which a queue has no room is dropped, as by a real drive. Example:
 // examples/hardware_in_the_loop; docs/hardware.md.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
 #include <cca/hardware/drives/joint.hpp>
-#include <cca/hardware/robot/sensor_board.hpp>
 #include <cca/hardware/virtual_drives/virtual_drive.hpp>
 
 namespace cca::hardware {
@@ -28,7 +31,7 @@ public:
   static constexpr std::size_t count = sizeof...(J), buses = 1 + std::max({Board::bus, J::bus...});
   using drives_type = std::tuple<Virtual<typename J::drive>...>;
   drives_type drives{};
-  std::array<double, 4> abduction{};  // the last targets that the board received
+  std::array<double, 4> abduction{};  // the last targets that the board of an Oncilla received
   bool board_silent = false;
 
   template <class... Buses>
@@ -47,7 +50,8 @@ public:
         n = wires[b]->receive(inbox);
         for (std::size_t k = 0; k < n; ++k, ++heard) {
           tap(b, inbox[k].frame);
-          if (b == Board::bus && Board::abducted(inbox[k].frame, abduction)) continue;
+          if constexpr (requires { Board::abducted(inbox[k].frame, abduction); })
+            if (b == Board::bus && Board::abducted(inbox[k].frame, abduction)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
             ((J::bus == b ? void(std::get<I>(drives).hear(inbox[k].frame, now)) : void()),
              ...);  // some frames are broadcasts
@@ -67,14 +71,14 @@ public:
     });
   }
 
-  void tell(const std::array<drive_motion, count>& joints, const board_reading& board) {
+  void tell(const std::array<drive_motion, count>& joints, const typename Board::reading& board) {
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
       (send<J>(std::get<I>(drives).answer({J::drive_angle_of(joints[I].position),
                                            J::drive_speed_of(joints[I].velocity),
                                            J::drive_torque_of(joints[I].torque)})),
        ...);
     });
-    if (!board_silent) wires[Board::bus]->send(Board::frames(board, counter++));
+    if (!board_silent && !Board::traffic.empty()) wires[Board::bus]->send(Board::frames(board, counter++));
   }
 
 private:

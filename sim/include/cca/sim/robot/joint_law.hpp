@@ -1,27 +1,11 @@
-// What a simulated drive does in a beat, and what is read from its joint.
-//
-// The law is that of a drive with its own loop:
-//   torque = stiffness (position - q) + damping (velocity - v) + torque
-// Targets are not clamped to the joint's range: whoever commands such a drive must do that. A law that isn't
-// finite is ignored: the drive keeps the last one. Prismatic joints: m, m/s, N, N/m, N s/m.
+// What a simulated drive does in a beat (cca/robots/joint_law.hpp), and what is read from its joint.
 #pragma once
 
-#include <cmath>
+#include <cca/robots/joint_law.hpp>
 
 namespace cca::sim {
 
-struct joint_law {
-  double position = 0;   // rad
-  double velocity = 0;   // rad/s
-  double torque = 0;     // N m
-  double stiffness = 0;  // N m/rad
-  double damping = 0;    // N m s/rad
-
-  double operator()(double angle, double speed) const {
-    return stiffness * (position - angle) + damping * (velocity - speed) + torque;
-  }
-  bool is_finite() const { return std::isfinite(position + velocity + torque + stiffness + damping); }
-};
+using robots::joint_law;
 
 struct joint_reading {
   double angle = 0;     // rad

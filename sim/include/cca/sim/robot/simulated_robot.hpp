@@ -20,8 +20,8 @@
 #include <utility>
 
 #include <cca/component/port.hpp>
-#include <cca/robots/ports.hpp>
-#include <cca/sim/robot/joint_servo.hpp>
+#include <cca/robots/commanded_joint.hpp>
+#include <cca/robots/joint_servo.hpp>
 #include <cca/sim/robot/robot_world.hpp>
 
 namespace cca::sim {
@@ -51,18 +51,21 @@ public:
   }
 
   void act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) {
-    const std::array<robots::joint_commands, count> commands{commands_of(wanted.vector())...};
+    const std::array<robots::joint_commands, count> commands{robots::commands_of(wanted.vector())...};
     std::array<joint_law, count> laws;
-    for (std::size_t i = 0; i < count; ++i)
-      laws[i] = servos_[i].follow(commands[i], world_.model().drives[i], world_.joints()[i].angle,
-                                  world_.model().beat);
+    for (std::size_t i = 0; i < count; ++i) {
+      const robots::joint_drive& d = world_.model().drives[i];
+      laws[i] =
+          servos_[i].follow(commands[i], {d.stiffness, d.damping, d.motor.torque, d.motor.no_load_speed},
+                            world_.joints()[i].angle, world_.model().beat);
+    }
     world_.advance(laws);
   }
 
   void on_start() { servos_ = {}; }
   void on_idle() {
     std::array<joint_law, count> laws;
-    for (std::size_t i = 0; i < count; ++i) laws[i] = joint_servo::damped(world_.model().drives[i]);
+    for (std::size_t i = 0; i < count; ++i) laws[i] = {.damping = world_.model().drives[i].damping};
     world_.advance(laws);
   }
 
@@ -80,21 +83,12 @@ private:
         Eigen::Matrix<double, 6, 1>::Map(world_.load(i).data()));
   }
 
-  static robots::joint_commands commands_of(const Eigen::Matrix<double, robots::command_kinds, 1>& v) {
-    robots::joint_commands c;
-    for (std::size_t i = 0; i < robots::command_kinds; ++i) c.values[i] = v[static_cast<Eigen::Index>(i)];
-    return c;
-  }
-
   robot_world world_{model_of<R>()};
-  std::array<joint_servo, count> servos_{};
+  std::array<robots::joint_servo, count> servos_{};
 };
 
-// Numbers that no command has set yet are NaN.
-template <class R, class Axis, class Commands>
-struct commanded_joint;
-template <class R, class Axis, class... Commands>
-struct commanded_joint<R, Axis, robots::commands<Commands...>> {
+template <class R, class Axis>
+struct simulated_joint : robots::commanded_joint<R, Axis> {
   using record = robots::joint_readings<R, Axis>;
 
   auto sense(in<"measured", robots::measured_joint<R, Axis>> now)
@@ -105,21 +99,12 @@ struct commanded_joint<R, Axis, robots::commands<Commands...>> {
     return {record::template part<"angle">(v), record::template part<"velocity">(v),
             record::template part<"torque">(v)};
   }
-
-  auto act(in<Commands::name, sub_space<robots::commanded<R, Commands>, Axis>>... commands)
-      -> out<"wanted", robots::wanted_joint<R, Axis>> {
-    robots::joint_commands c;
-    ((c[Commands::kind] = commands.origin() == never ? robots::joint_commands::none : commands.vector()[0]),
-     ...);
-    return typename robots::wanted_joint<R, Axis>::vector_type(
-        robots::wanted_joint<R, Axis>::vector_type::Map(c.values.data()));
-  }
 };
 
 template <class R>
 struct joints_of {
   template <class Axis>
-  struct node : commanded_joint<R, Axis, typename R::commands> {};
+  struct node : simulated_joint<R, Axis> {};
 };
 
 }  // namespace detail

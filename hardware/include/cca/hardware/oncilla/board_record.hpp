@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <cca/hardware/robot/sensor_board.hpp>
+#include <cca/hardware/oncilla/sensor_board.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 
 namespace cca::hardware {

@@ -50,6 +50,7 @@ struct sensor_board {
   enum frame : std::uint32_t { targets, orientation, motion, force, loads, angles };
   static constexpr std::size_t place_of(frame f) { return f - orientation; }
 
+  using reading = board_reading;
   static constexpr std::string_view name = "sensor board";
   static constexpr bit_rates rates = Rates;
   static constexpr std::array<frame_traffic, 1> traffic{{{.shape = {.length = 8}, .a_cycle = 6}}};

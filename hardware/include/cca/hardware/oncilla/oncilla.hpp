@@ -19,8 +19,9 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/hardware/robot/can_synchronizer.hpp>
-#include <cca/hardware/robot/oncilla_nodes.hpp>
+#include <cca/hardware/oncilla/can_synchronizer.hpp>
+#include <cca/hardware/oncilla/oncilla_nodes.hpp>
+#include <cca/hardware/robot/joints_of.hpp>
 #include <cca/hardware/robot/robot_buses.hpp>
 #include <cca/hardware/robot/safety_chain.hpp>
 #include <cca/robots/oncilla/former_names.hpp>
@@ -30,19 +31,12 @@ namespace cca::hardware {
 
 namespace detail {
 
-template <class Drives, class Index>
-struct joints_of;
-template <class Drives, std::size_t... I>
-struct joints_of<Drives, std::index_sequence<I...>> {
-  using type = joint_list<std::tuple_element_t<I, Drives>...>;
-};
-
 template <class... Drives>
 struct oncilla_drives {
   static constexpr std::size_t count = robots::oncilla::leg_axes::count;
   static_assert(sizeof...(Drives) == count + 1,
                 "cca::hardware::oncilla<Bus, Drives...>: eight joints and the sensor board");
-  using joints = typename joints_of<std::tuple<Drives...>, std::make_index_sequence<count>>::type;
+  using joints = first_joints<count, Drives...>;
   using board = std::tuple_element_t<count, std::tuple<Drives...>>;
   static_assert(std::is_same_v<typename joints::axes, robots::oncilla::leg_axes>,
                 "cca::hardware::oncilla<Bus, Drives...>: its joints come in the order of "
@@ -56,7 +50,7 @@ using oncilla_graph = robots::oncilla::robot<"synchronizer",
                                              "servos",
                                              joint_node,
                                              trunk_node,
-                                             safety_nodes<Joints>,
+                                             safety_nodes<joint_servos<Joints>>,
                                              safety_wires<"synchronizer">,
                                              safety_readings<"synchronizer">>;
 

@@ -21,19 +21,12 @@
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/drives/set_points.hpp>
+#include <cca/hardware/robot/robot_nodes.hpp>
 #include <cca/robots/oncilla/spaces.hpp>
 
 namespace cca::hardware {
 
 namespace detail {
-
-// A field of a record as a port: empty until its first number is one.
-template <fixed_string Field, class Space, class Record, class Vector>
-[[gnu::always_inline]] inline maybe<Field, Space> published(const Vector& numbers) {
-  const auto part = Record::template part<Field>(numbers);
-  if (part[0] - part[0] == 0) return part;
-  return {};
-}
 
 template <class Fields>
 struct trunk_node_of;

@@ -1,12 +1,11 @@
-// The synchronizer of a robot on CAN: the only node that knows the buses. It reads in `sense` and sends in
-// `act`.
+// The synchronizer of a robot on CAN without its ports: it reads the buses, enables the drives, watches them,
+// sends set points and stops. oncilla/can_synchronizer.hpp and robot_synchronizer.hpp give it ports.
 //
-//   sense   out one port an axis: robots::oncilla::measured_joint (rad, rad/s, N m), NaN until the drive has
-//               reported, and where the report is too old; the nodes behind it publish only numbers
-//               (oncilla_nodes.hpp)
-//           out "trunk"  the sensor board, as robots::oncilla::measured_trunk, NaN likewise
-//           out "joints" joint_states for the guards: what is measured, what is wrong, how far the drives are
-//   act     in "set_points" of the guards; optional "abduction" targets for the board
+//   read()                    in `sense`: takes what has come, and enables the drives where they start
+//   measured<I>(), states()   then: angle, velocity and torque of joint I, NaN where they are too old; all
+//                             joints for the guards, and the phase
+//   send(set_points, more)    in `act`: set points of the guards go out. `more(runs)` may add frames for the
+//                             board; it is called in each beat. `runs`: the drives follow the controller
 //
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them.
 //
@@ -20,9 +19,11 @@
 // Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
 // (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
 // with it where the controller runs no beats; `stopping()` and `unconfirmed(i)` say how far it is. A start
-// waits for its end. While the emergency stop is pressed no drive is enabled.
-// The abduction servos move only where the drives may (abduction_gate.hpp). No set point is sent behind
+// waits for its end. While the emergency stop is pressed no drive is enabled. No set point is sent behind
 // frames that still wait: it would be stale.
+//
+//   Board   what is on the buses beside the drives (sensor_board.hpp, load_board.hpp), or no_board: `bus`,
+//           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
 //
 // Parameters: `offset`, the calibration of each joint in rad, added to its type's offset. A change is refused
 // from `start()` until the robot has stopped.
@@ -39,31 +40,28 @@
 
 #include <cca/base/reflect.hpp>
 #include <cca/component/parameters.hpp>
-#include <cca/component/port.hpp>
 #include <cca/hardware/drives/set_points.hpp>
-#include <cca/hardware/robot/abduction_gate.hpp>
-#include <cca/hardware/robot/board_record.hpp>
+#include <cca/hardware/robot/bus_outbox.hpp>
 #include <cca/hardware/robot/drive_enabling.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
-#include <cca/hardware/robot/bus_outbox.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
-#include <cca/hardware/robot/sensor_board.hpp>
+#include <cca/hardware/robot/no_board.hpp>
 #include <cca/hardware/robot/start_check.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
 #include <cca/hardware/robot/stop_sequence.hpp>
 #include <cca/hardware/safety/bounds.hpp>
-#include <cca/robots/oncilla/former_names.hpp>
 
 namespace cca::hardware {
 
 template <CanBus Bus, class Board, class Joints>
-class can_synchronizer;
+class drive_synchronizer;
 
 template <CanBus Bus, class Board, class... J>
-class can_synchronizer<Bus, Board, joint_list<J...>> {
+class drive_synchronizer<Bus, Board, joint_list<J...>> {
 public:
   using joints = joint_list<J...>;
   static constexpr std::size_t count = sizeof...(J), buses = 1 + std::max({Board::bus, J::bus...});
+  using board_reading = typename Board::reading;
   using offsets = std::array<cca::quantity<cca::angle, -1, 1>, count>;
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (offsets, offset));
@@ -82,45 +80,8 @@ public:
   void connect(Buses&... all) {
     static_assert(
         sizeof...(Buses) == buses,
-        "cca::hardware::can_synchronizer: connect as many buses as the joints and the board are on");
+        "cca::hardware::drive_synchronizer: connect as many buses as the joints and the board are on");
     outbox.connect({&all...});
-  }
-
-  auto sense() -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
-                             out<"trunk", robots::oncilla::measured_trunk>,
-                             out<"joints", joint_states<joints>>> {
-    listen();
-    bring_up();
-    typename joint_states<joints>::vector_type states;
-    for (std::size_t i = 0; i < count; ++i)
-      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), phase_now}.put(states, i);
-    return each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense())(
-          Eigen::Vector3d(drives.angle_now(I), drives.speed_now(I), drives.torque_now(I))...,
-          trunk_record_of(reading), states);
-    });
-  }
-
-  void act(in<"set_points", set_points<joints>> wanted,
-           optional_in<"abduction", robots::oncilla::abduction_angles> abduction) {
-    const motion_mode mode = set_point::of(wanted.vector(), 0).mode();
-    if (mode == motion_mode::barred &&
-        (phase_now == motion_phase::enabling || phase_now == motion_phase::begins))
-      refuse({.why = safety_rule::pressed});
-    damped_for = phase_now == motion_phase::running && mode >= motion_mode::damped ? damped_for + 1 : 0;
-    if (damped_for >= damping_beats) begin_stop(false);
-    if (stopping()) return send_stop();
-    if (phase_now != motion_phase::enabling) outbox.clear();  // else it has the frames of bring_up
-    if (moving())
-      each([&]<std::size_t... I>(std::index_sequence<I...>) {
-        (command_joint<J, I>(set_point::of(wanted.vector(), I)), ...);
-      });
-    const bool runs = moving() && mode == motion_mode::run && outbox.links[Board::bus].may_move();
-    if (!runs) abductions.close();
-    else if (abduction && abduction.origin() != never)
-      outbox[Board::bus].add(Board::abduct(abductions.pass(abduction.vector(), reading.abduction)));
-    outbox.send();
-    if (phase_now == motion_phase::begins) phase_now = motion_phase::running;
   }
 
   // While a bus is away or still holds frames, and until a stop has come to its end, this waits.
@@ -159,12 +120,52 @@ public:
                : "offset: start() has latched the calibration; stop the robot first";
   }
 
-private:
+protected:
   template <class F>
   static decltype(auto) each(F f) {
     return f(std::make_index_sequence<count>());
   }
 
+  void read() {
+    listen();
+    bring_up();
+  }
+  Eigen::Vector3d measured(std::size_t i) const {
+    return {drives.angle_now(i), drives.speed_now(i), drives.torque_now(i)};
+  }
+  typename joint_states<joints>::vector_type states() const {
+    typename joint_states<joints>::vector_type all;
+    for (std::size_t i = 0; i < count; ++i)
+      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), phase_now}.put(all, i);
+    return all;
+  }
+
+  template <class More>
+  void send(const typename set_points<joints>::vector_type& wanted, More more) {
+    const motion_mode mode = set_point::of(wanted, 0).mode();
+    if (mode == motion_mode::barred &&
+        (phase_now == motion_phase::enabling || phase_now == motion_phase::begins))
+      refuse({.why = safety_rule::pressed});
+    damped_for = phase_now == motion_phase::running && mode >= motion_mode::damped ? damped_for + 1 : 0;
+    if (damped_for >= damping_beats) begin_stop(false);
+    if (stopping()) return more(false), send_stop();
+    if (phase_now != motion_phase::enabling) outbox.clear();  // else it has the frames of bring_up
+    if (moving())
+      each([&]<std::size_t... I>(std::index_sequence<I...>) {
+        (command_joint<J, I>(set_point::of(wanted, I)), ...);
+      });
+    more(moving() && mode == motion_mode::run && outbox.links[Board::bus].may_move());
+    outbox.send();
+    if (phase_now == motion_phase::begins) phase_now = motion_phase::running;
+  }
+
+  bus_outbox<Bus, buses, J...> outbox{};
+  board_reading reading = board_reading::untold();
+
+private:
+  static constexpr bool has_board = !std::is_same_v<Board, no_board>;
+
+  bool has_reported() const { return !has_board || reading.frames != 0; }
   bool moving() const { return phase_now >= motion_phase::begins; }
   safety_rule trip_of(std::size_t i) const { return moving() ? drives.trips[i] : safety_rule::none; }
 
@@ -179,7 +180,7 @@ private:
         n = bus->receive(inbox);
         for (std::size_t k = 0; k < n; ++k) {
           newest_arrival = std::max(newest_arrival, inbox[k].time);
-          if (b == Board::bus && Board::decode(inbox[k].frame, reading)) continue;
+          if (has_board && b == Board::bus && Board::decode(inbox[k].frame, reading)) continue;
           each([&]<std::size_t... I>(std::index_sequence<I...>) {
             (drives.template hear<J, I>(b, inbox[k], latched[I], moving()) || ...);
           });
@@ -199,6 +200,7 @@ private:
     drives.check();
     for (std::size_t i = 0; i < count; ++i)
       if (outbox.links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
+    if (!has_board) return;
     quiet_board = board_was_quiet ? quiet_board + 1 : 0;
     if (quiet_board >= silent_board_beats || reading.status != 0)
       std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
@@ -211,7 +213,6 @@ private:
     checks.begin();
     quiet_board = damped_for = 0;
     last_arrival = 0;
-    abductions.close();
   }
   // A step of enabling. Motion begins once all drives are ready, all joints measured and all buses free.
   void bring_up() {
@@ -226,8 +227,8 @@ private:
     });
     if (const start_failure f = checks.check(drives)) return refuse(f);
     enabling.count_beat();
-    if (enabling.is_over()) return refuse(checks.missing(drives, enabling, reading));
-    if (!outbox.are_all_free() || !enabling.are_all_ready() || reading.frames == 0) return;
+    if (enabling.is_over()) return refuse(checks.missing(drives, enabling, has_reported()));
+    if (!outbox.are_all_free() || !enabling.are_all_ready() || !has_reported()) return;
     for (auto& l : outbox.links) l.start(0);
     drives.forget_trips();
     phase_now = motion_phase::begins;
@@ -244,7 +245,8 @@ private:
     outbox.moves[One::bus] = runs;
     const double seam = latched[I] + drives.template turned<One>(I);
     s.position -= seam;
-    outbox.add(One::bus, frames_for<One>(s, drives.angle[I] - seam, drives.speed[I]));
+    outbox.add(One::bus,
+               frames_for<One>(s, drives.angle[I] - seam, drives.speed[I], drives.can_be_damped(I)));
   }
   // Damps, with no more torque than the joint may have at its present angle and speed.
   template <class One, std::size_t I>
@@ -253,13 +255,12 @@ private:
     const double where = q.known() ? q.angle : 0;
     const set_point s = limit_guard<joints>::scaled(
         I, q, {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)});
-    return frames_for<One>(s, where, drives.speed[I]);
+    return frames_for<One>(s, where, drives.speed[I], drives.can_be_damped(I));
   }
 
   void begin_stop(bool damp) {
     if (stops.begin(damp)) sent_disable = disabled_on = {};
     phase_now = motion_phase::stopped;
-    abductions.close();
     for (auto& l : outbox.links) l.stop();
     outbox.let_pass();
   }
@@ -279,7 +280,6 @@ private:
 
   static constexpr std::array<std::size_t, count> bus_of{J::bus...};
 
-  bus_outbox<Bus, buses, J...> outbox{};
   joint_monitor<J...> drives{};
   drive_enabling<J...> enabling{};
   start_check<J...> checks{};
@@ -287,8 +287,6 @@ private:
   stop_sequence<count> stops{};
   // Whether frames that disable were sent in this stop, and have gone over the bus.
   std::array<bool, buses> sent_disable{}, disabled_on{};
-  abduction_gate abductions{};
-  board_reading reading = board_reading::untold();
   offsets latched{};
   int quiet_board = 0, damped_for = 0;
   std::int64_t last_arrival = 0;

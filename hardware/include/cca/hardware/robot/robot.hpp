@@ -1,0 +1,119 @@
+// Any described robot on real drives, as a graph with the ports of the simulated one:
+// `cca::node<"robot", my_arm>`, where
+//
+//   struct my_arm : cca::hardware::robot<cca::robots::arm::description, cca::hardware::socket_can,
+//                                        a1_drive, ..., a7_drive, flange_board> {};
+//
+// R: a description (cca/robots/description.hpp), whose rate is 1 kHz: the safety chain counts beats of a
+// millisecond. Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each axis of R's body, in their
+// order; then a load_board, if R has force sensors. Ports, nodes and wires are those of every described robot
+// (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and the
+// drives, and the limits of the axes bound it.
+//
+// A drive with stiffness (MIT, moteus) follows all commands; one that takes torque alone (CiA 402 and ODrive
+// in torque mode) too: the synchronizer makes its torque from the measured angle and velocity. One with gains
+// of its own follows positions, or velocities: describe R with these commands alone.
+//
+// Give it its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller
+// enables the drives. Until they are enabled, and after a trip, the controller runs and nothing moves.
+// Errors: robot.unlimited_command, space.missing_limits, bus.overloaded, drive.duplicate_id, and a
+// static_assert for drives that don't fit R. Example:
+// tests/runtime/robot_on_drives/one_joint.cpp; docs/robots.md,
+// docs/hardware.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <cca/hardware/robot/joints_of.hpp>
+#include <cca/hardware/robot/load_board.hpp>
+#include <cca/hardware/robot/no_board.hpp>
+#include <cca/hardware/robot/robot_buses.hpp>
+#include <cca/hardware/robot/robot_nodes.hpp>
+#include <cca/hardware/robot/robot_synchronizer.hpp>
+#include <cca/hardware/robot/safety_chain.hpp>
+#include <cca/hardware/robot/shut_down.hpp>
+#include <cca/robots/ports.hpp>
+
+namespace cca::hardware {
+
+namespace detail {
+
+// Whether a drive, with the synchronizer's help, follows commands of a kind.
+template <Drive D>
+constexpr bool follows(robots::command_kind kind) {
+  constexpr bool by_position = (D::uses & of_position) != 0, by_velocity = (D::uses & of_velocity) != 0;
+  if ((D::uses & of_stiffness) != 0 || (!by_position && !by_velocity)) return true;
+  return kind == robots::command_kind::velocity || (by_position && kind == robots::command_kind::position);
+}
+
+template <class Joints, class Commands>
+inline constexpr bool all_follow = false;
+template <class... J, class... Commands>
+inline constexpr bool all_follow<joint_list<J...>, robots::commands<Commands...>> = [] {
+  bool all = true;
+  const auto one = [&]<class D>(std::type_identity<D>) { ((all = all && follows<D>(Commands::kind)), ...); };
+  (one(std::type_identity<typename J::drive>()), ...);
+  return all;
+}();
+
+template <class Board, class... Sensors>
+constexpr bool has_sensors(robots::sensors<Sensors...>) {
+  if constexpr (sizeof...(Sensors) == 0) return true;
+  else if constexpr (requires { Board::sensors; }) return Board::sensors == sizeof...(Sensors);
+  else return false;
+}
+
+template <class R, class... Drives>
+struct robot_drives {
+  static_assert(robots::check_description<R>());
+  static constexpr std::size_t count = robots::axes_of_robot<R>::count;
+  static_assert(sizeof...(Drives) == count || sizeof...(Drives) == count + 1,
+                "cca::hardware::robot<R, Bus, Drives...>: one joint for each axis of the body, and then the "
+                "board, if there is one");
+  using joints = first_joints<count, Drives...>;
+  using board = std::tuple_element_t<count, std::tuple<Drives..., no_board>>;
+  static_assert(std::is_same_v<typename joints::axes, robots::axes_of_robot<R>>,
+                "cca::hardware::robot<R, Bus, Drives...>: its joints come in the order of the body's axes");
+  static_assert(
+      cca::detail::hz_of<typename R::rate> == 1000,
+      "cca::hardware::robot<R, Bus, Drives...>: the rate of R must be 1 kHz, since the safety chain "
+      "counts beats of a millisecond");
+  static_assert(
+      has_sensors<board>(robots::sensors_of<R>()),
+      "cca::hardware::robot<R, Bus, Drives...>: R has force sensors: give a cca::hardware::load_board "
+      "with as many, after the joints");
+  static_assert(all_follow<joints, typename R::commands>,
+                "cca::hardware::robot<R, Bus, Drives...>: a drive with gains of its own takes positions or "
+                "velocities; give R these `commands` alone, or use a drive that takes torque");
+  using sound = typename robot_buses<typename R::rate, board, joints>::sound;
+};
+
+template <class R>
+struct driven_joints_of {
+  template <class Axis>
+  struct node : driven_joint<R, Axis> {};
+};
+
+template <class R, class Bus, class Board, class Joints>
+using robot_on_drives = robots::graph_of_robot<R,
+                                               "synchronizer",
+                                               robot_synchronizer<R, Bus, Board, Joints>,
+                                               "servos",
+                                               driven_joints_of<R>::template node,
+                                               safety_nodes<robot_servos<R, Joints>, "damping_stop">,
+                                               safety_wires<"synchronizer", "damping_stop">,
+                                               safety_readings<"synchronizer", "damping_stop">>;
+
+}  // namespace detail
+
+template <class R, class Bus, class... Drives>
+struct robot : detail::robot_on_drives<R,
+                                       Bus,
+                                       typename detail::robot_drives<R, Drives...>::board,
+                                       typename detail::robot_drives<R, Drives...>::joints> {};
+
+}  // namespace cca::hardware
