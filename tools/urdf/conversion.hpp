@@ -29,9 +29,10 @@ inline conversion convert(std::string_view text, const options& wanted) {
   const structure tree(r, said);
   if (tree.root() < 0) return end({});
   const bodies moving(r, tree, wanted.floats, said);
+  const followers coupled(r, said);
   if (said.has_error()) return end({});
   const limbs parts(moving, said);
-  const header written(r, parts, wanted.header, said);
+  const header written(r, parts, coupled, wanted.header, said);
   if (wanted.strict && said.has_note()) return end({});
   return end(written.text(said.sorted()));
 }

@@ -54,6 +54,13 @@ struct joint_limit {
   double effort = 0, velocity = 0;
 };
 
+// The joint moves by `multiplier` times another one, plus `offset`.
+struct mimic_of {
+  int line = 0;
+  std::string joint;
+  double multiplier = 1, offset = 0;
+};
+
 struct joint {
   std::string name;
   int line = 0;
@@ -63,6 +70,7 @@ struct joint {
   std::array<double, 3> axis{1, 0, 0};
   std::optional<joint_limit> limit;
   double damping = 0;
+  std::optional<mimic_of> mimic;
 
   bool moves() const { return type != joint_type::fixed && type != joint_type::floating; }
 };

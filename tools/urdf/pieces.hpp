@@ -58,12 +58,11 @@ inline std::string limits_of(const joint& j) {
 }
 
 // A motor gives its full torque up to half of its no-load speed.
-inline std::string drive_text(const joint& j) {
+inline std::string drive_text(const joint& j, double damping) {
   std::string inside;
   if (j.limit && j.limit->effort > 0)
     inside = ".motor = {" + text_of(j.limit->effort) + ", " + text_of(2 * j.limit->velocity) + "}";
-  if (j.damping > 0)
-    inside += (inside.empty() ? "" : ", ") + std::string(".friction = ") + text_of(j.damping);
+  if (damping > 0) inside += (inside.empty() ? "" : ", ") + std::string(".friction = ") + text_of(damping);
   return "cca::robots::joint_drive{" + inside + "}";
 }
 

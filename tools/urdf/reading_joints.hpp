@@ -1,4 +1,4 @@
-// <joint> elements: type, place, axis, limits and friction.
+// <joint> elements: type, place, axis, limits, friction, and what they follow.
 #pragma once
 
 #include <numbers>
@@ -85,8 +85,12 @@ inline joint read_joint(const element& e, remarks& said) {
   }
   j.limit = read_limit(e, j, from);
   read_dynamics(e, j, from);
-  if (const element* mimic = child_of(e, "mimic", said))
-    from.error(*mimic, "<mimic> can't be represented yet: no joint can follow another");
+  if (const element* mimic = child_of(e, "mimic", said)) {
+    j.mimic = mimic_of{mimic->GetLineNum(), from.text(*mimic, "joint"),
+                       from.optional_number(*mimic, "multiplier").value_or(1),
+                       from.optional_number(*mimic, "offset").value_or(0)};
+    if (j.mimic->multiplier == 0) from.error(*mimic, "a `multiplier` of 0: make it a fixed joint");
+  }
   return j;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "followers.hpp"
 #include "limbs.hpp"
 #include "names.hpp"
 #include "pieces.hpp"
@@ -19,12 +20,16 @@ struct header_options {
 
 class header {
 public:
-  header(const robot& r, const limbs& parts, const header_options& options, remarks& said)
-      : robot_(r), limbs_(parts), bodies_(parts.of()), options_(options) {
+  header(const robot& r,
+         const limbs& parts,
+         const followers& coupled,
+         const header_options& options,
+         remarks& said)
+      : robot_(r), limbs_(parts), bodies_(parts.of()), followers_(coupled), options_(options) {
     for (const limb& l : limbs_.all()) frame_names_.add(name_of(l.to));
     frame_names_.add(name_of(limbs_.base()));
     for (const body& b : bodies_.all()) {
-      if (!b.moved_by) continue;
+      if (!b.moved_by || !leads(*b.moved_by)) continue;
       const std::string& name = b.moved_by->name;
       if (const std::string& id = axis_names_.add(name); id != name)
         said.note(b.moved_by->line, named(*b.moved_by) + " is the axis '" + id + "' in the description");
@@ -54,6 +59,19 @@ private:
   std::string axis_of(const joint& j) const { return "axis::" + axis_names_[j.name]; }
   const joint& joint_of(int body) const { return *bodies_.all()[static_cast<std::size_t>(body)].moved_by; }
 
+  bool leads(const joint& j) const { return followers_[j].leader == &j; }
+  const std::string& axis_name(const joint& j) const { return axis_names_[followers_[j].leader->name]; }
+
+  // Only where a joint of the chain follows another do joints name their axes.
+  std::string driven_text(const joint& j, const limb& of) const {
+    if (std::ranges::all_of(of.bodies, [&](int i) { return leads(joint_of(i)); })) return "";
+    const drive_of& d = followers_[j];
+    std::string numbers;
+    if (d.ratio != 1 || d.rest != 0) numbers += ", " + text_of(d.ratio);
+    if (d.rest != 0) numbers += ", " + text_of(d.rest);
+    return ".driven_by(\"" + axis_name(j) + "\"" + numbers + ")";
+  }
+
   std::string frames() const {
     std::string all = "namespace frame {\n";
     const auto add = [&](int link) {
@@ -68,7 +86,7 @@ private:
   std::string axes() const {
     std::string all = "namespace axis {\n";
     for (const body& b : bodies_.all()) {
-      if (!b.moved_by) continue;
+      if (!b.moved_by || !leads(*b.moved_by)) continue;
       const std::string& id = axis_names_[b.moved_by->name];
       const std::string limits = limits_of(*b.moved_by);
       all += "struct " + id + " : cca::dimension<\"" + id + "\"> {";
@@ -88,8 +106,8 @@ private:
         const joint& j = *b.moved_by;
         std::vector<origin> steps = limbs_.between(frame, bodies_.tree().index_of(j.parent));
         steps.push_back(j.where);
-        own_axes += (own_axes.empty() ? "" : ", ") + axis_of(j);
-        joints += (joints.empty() ? "" : ",\n      ") + joint_text(j, steps);
+        if (leads(j)) own_axes += (own_axes.empty() ? "" : ", ") + axis_of(j);
+        joints += (joints.empty() ? "" : ",\n      ") + joint_text(j, steps) + driven_text(j, l);
         links += (links.empty() ? "" : ",\n      ") + inertia_text(b.mass);
         frame = b.first;
       }
@@ -110,7 +128,8 @@ private:
       const std::string& id = frame_names_[name_of(l.to)];
       std::string nodes;
       for (const int i : l.bodies)
-        nodes += std::string(nodes.empty() ? "" : ", ") + "\"" + axis_names_[joint_of(i).name] + "\"";
+        if (const std::string node = "\"" + axis_name(joint_of(i)) + "\""; nodes.find(node) == nodes.npos)
+          nodes += std::string(nodes.empty() ? "" : ", ") + node;
       all += ",\n    cca::part<\"" + id + "\", " + id + "_chain" +
              (nodes.empty() ? "" : ", cca::driven_by<" + nodes + ">") + ">";
     }
@@ -126,9 +145,10 @@ private:
     int count = 0;
     for (const limb& l : limbs_.all())
       for (const int i : l.bodies) {
+        if (!leads(joint_of(i))) continue;
         const double at = start_of(joint_of(i));
         starts_at_zero = starts_at_zero && at == 0;
-        drives += (count ? ",\n      " : "") + drive_text(joint_of(i));
+        drives += (count ? ",\n      " : "") + drive_text(joint_of(i), followers_.damping(joint_of(i)));
         start += (count++ ? ", " : "") + text_of(at);
       }
     std::string all = "struct description {\n  using body = whole_body;\n  using rate = cca::rate<" +
@@ -181,6 +201,7 @@ private:
   const robot& robot_;
   const limbs& limbs_;
   const bodies& bodies_;
+  const followers& followers_;
   header_options options_;
   // Not the members of frames and axes, and not the other nodes of a robot (cca/robots/ports.hpp).
   name_list frame_names_{{"name", "label"}};

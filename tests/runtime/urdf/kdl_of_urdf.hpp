@@ -51,23 +51,34 @@ public:
         grows |= built.addSegment(
             KDL::Segment(child, joint(*j), frame(j->FirstChildElement("origin")), inertia(*robot, child)),
             parent);
-        if (std::string(j->Attribute("type")) != "fixed") segment_of_[j->Attribute("name")] = child;
+        if (std::string(j->Attribute("type")) == "fixed") continue;
+        const std::string name = j->Attribute("name");
+        segment_of_[name] = child;
+        if (const auto* m = j->FirstChildElement("mimic"))
+          follows_[name] = {m->Attribute("joint"), m->DoubleAttribute("multiplier", 1),
+                            m->DoubleAttribute("offset")};
       }
     }
     tree_ = built;  // a copy numbers its joints again
   }
 
-  std::size_t joints() const { return tree_.getNrOfJoints(); }
+  std::size_t joints() const { return tree_.getNrOfJoints() - follows_.size(); }
 
-  // Over the named joints, in their order; the base is fixed.
+  // Over the named joints, in their order; the base is fixed. A joint that follows one of them adds its
+  // torque, by the principle of virtual work.
   template <class Names, class Vector>
   Vector torques(const Names& names, const Vector& q, const Vector& dq, const Vector& ddq) const {
     KDL::TreeIdSolver_RNE solver(tree_, KDL::Vector(0, 0, -9.81));
     KDL::JntArray torques(tree_.getNrOfJoints());
-    if (solver.CartToJnt(ordered(names, q), ordered(names, dq), ordered(names, ddq), {}, torques) < 0)
+    if (solver.CartToJnt(ordered(names, q, 1), ordered(names, dq, 0), ordered(names, ddq, 0), {}, torques) <
+        0)
       throw std::runtime_error("KDL");
-    Vector t = q;
-    for (std::size_t i = 0; i < names.size(); ++i) t[static_cast<int>(i)] = torques(number(names[i]));
+    Vector t = 0 * q;
+    for (const auto& [joint, segment] : segment_of_) {
+      const gear g = gear_of(joint);
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == g.leader) t[static_cast<int>(i)] += g.ratio * torques(number(joint));
+    }
     return t;
   }
 
@@ -98,15 +109,33 @@ private:
   unsigned number(const std::string& joint) const {
     return GetTreeElementQNr(tree_.getSegment(segment_of_.at(joint))->second);
   }
+  struct gear {
+    std::string leader;
+    double ratio = 1, offset = 0;
+  };
+  gear gear_of(const std::string& joint) const {
+    const auto found = follows_.find(joint);
+    if (found == follows_.end()) return {joint};
+    const gear inner = gear_of(found->second.leader);
+    return {inner.leader, found->second.ratio * inner.ratio,
+            found->second.ratio * inner.offset + found->second.offset};
+  }
+
+  // `offset`: 1 for positions, 0 for their changes.
   template <class Names, class Vector>
-  KDL::JntArray ordered(const Names& names, const Vector& v) const {
+  KDL::JntArray ordered(const Names& names, const Vector& v, double offset) const {
     KDL::JntArray a(tree_.getNrOfJoints());
-    for (std::size_t i = 0; i < names.size(); ++i) a(number(names[i])) = v[static_cast<int>(i)];
+    for (const auto& [joint, segment] : segment_of_) {
+      const gear g = gear_of(joint);
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == g.leader) a(number(joint)) = g.ratio * v[static_cast<int>(i)] + offset * g.offset;
+    }
     return a;
   }
 
   KDL::Tree tree_{"none"};
-  std::map<std::string, std::string> segment_of_;
+  std::map<std::string, std::string> segment_of_;  // of each joint that moves
+  std::map<std::string, gear> follows_;
 };
 
 }  // namespace urdf_test

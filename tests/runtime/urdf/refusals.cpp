@@ -81,7 +81,7 @@ TEST_SUITE("refusals") {
   }
 
   TEST_CASE("no beginning of a file is a file") {
-    for (const char* name : {"panda", "ur5e", "solo12"}) {
+    for (const char* name : {"panda", "ur5e", "solo12", "crooked"}) {
       const std::string whole = file(name);
       const std::size_t end = whole.rfind('>') + 1;
       for (std::size_t size = 0; size < end; size += size < 3000 || size + 200 > end ? 1 : 7) {
@@ -194,6 +194,22 @@ TEST_SUITE("refusals") {
     inner.replace(inner.find("floating"), 8, "revolute");
     inner.replace(inner.find("prismatic"), 9, "floating");
     refused(inner, "joint 'wrist' floats: only the base can");
+  }
+
+  TEST_CASE("joints that follow") {
+    const auto follows = [](const std::string& mimic) {
+      std::string text = with("</robot>", hand);
+      return text.replace(text.rfind("</joint>"), 0, mimic);
+    };
+    has(noted(follows("<mimic joint=\"shoulder\" multiplier=\"-2\" offset=\"0.5\"/>"),
+              "follows another joint"),
+        R"(.driven_by("shoulder", -2, 0.5))");
+    refused(follows("<mimic joint=\"shoulder\" multiplier=\"0\"/>"), "a `multiplier` of 0");
+    refused(follows("<mimic joint=\"shoulder\" offset=\"nan\"/>"),
+            "joint 'wrist': <mimic> has offset=\"nan\"");
+    refused(follows("<mimic joint=\"wrist\"/>"), "joint 'wrist': it follows itself");
+    refused(follows("<mimic joint=\"elbow\"/>"), "joint 'wrist': there is no joint 'elbow' that moves");
+    refused(follows("<mimic/>"), "<mimic> needs `joint`");
   }
 
   TEST_CASE("trees only") {

@@ -12,6 +12,7 @@
 #include <cca/robots/arm/description.hpp>
 #include <cca/sim/robot.hpp>
 
+#include <written/crooked.hpp>
 #include <written/panda.hpp>
 #include <written/solo12.hpp>
 #include <written/ur5e.hpp>
@@ -111,6 +112,14 @@ TEST_SUITE("robots") {
   TEST_CASE("the UR5e accelerates as KDL says") { agrees_with_kdl<ur5e::description>("ur5e", 2, 2); }
   TEST_CASE("Solo12 on a stand accelerates as KDL says") {
     agrees_with_kdl<solo12::description>("solo12", 3, 2);
+  }
+
+  TEST_CASE("a robot that is nowhere straight, with joints that follow others, accelerates as KDL says") {
+    agrees_with_kdl<crooked::description>("crooked", 6, 1);
+    const sim::robot_model model = sim::model_of<crooked::description>();
+    REQUIRE(model.drives.size() == 3);
+    CHECK(model.drives[0].friction == 0.25);
+    CHECK(model.drives[2].friction == doctest::Approx(1 + 0.5 * 0.5 * 0.5));
   }
 
   TEST_CASE("Solo12 in the air accelerates as its dynamics say") {
