@@ -10,13 +10,16 @@
 // A joint is placed in the frame of the link before it (the first one in the base of the chain) with its
 // angle at 0, and moves what follows about or along its axis. The tip is placed in the last link. Each joint
 // has a coordinate, by default that of its own index. A coupled joint names the coordinate of another joint
-// and a ratio: a pantograph is two joints of one coordinate with ratios 1 and -1. Units: m, rad (coordinate
+// and a ratio: a pantograph is two joints of one coordinate with ratios 1 and -1. Instead it can name the
+// axis,
+// `.driven_by("elbow", -1)`; in a body (robot/body.hpp) also one of another part. Units: m, rad (coordinate
 // of a prismatic joint: m), kg, kg m^2. An axis has a length other than 0; it is normalised.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include <cca/mapping/placement.hpp>
 #include <cca/space/space.hpp>
@@ -32,10 +35,14 @@ struct joint {
   int coordinate = -1;  // -1: the index of the joint
   double ratio = 1;     // angle of the joint = ratio * coordinate + rest
   double rest = 0;
+  std::string_view follows{};  // the name of an axis, instead of its coordinate
 
-  // The same joint, moved by another coordinate.
+  // The same joint, moved by another coordinate, or by an axis.
   constexpr joint driven_by(int other, double by = 1, double at_zero = 0) const {
     return {kind, axis, where, other, by, at_zero};
+  }
+  constexpr joint driven_by(std::string_view name, double by = 1, double at_zero = 0) const {
+    return {kind, axis, where, -1, by, at_zero, name};
   }
 };
 
@@ -113,6 +120,14 @@ constexpr body_link body_link_of(
   return l;
 }
 
+// The coordinate of an axis by its name; -1: there is no such axis.
+template <class... Axes>
+constexpr int axis_by_name(axes<Axes...>, std::string_view name) {
+  int found = -1, i = 0;
+  ((found = Axes::name == name ? i : found, ++i), ...);
+  return found;
+}
+
 template <std::size_t Count>
 constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& joints) {
   std::array<body_link, Count> links{};
@@ -124,6 +139,9 @@ constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& 
 template <class Chain>
 inline constexpr auto chain_links = [] {
   auto links = links_of(Chain::joints);
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (const auto name = Chain::joints[i].follows; !name.empty())
+      links[i].coordinate = axis_by_name(typename Chain::axes(), name);
   if constexpr (DynamicChain<Chain>) {
     static_assert(Chain::links.size() == Chain::joints.size(),
                   "cca::serial_chain: `links` needs one entry for each of the `joints`");
@@ -136,6 +154,17 @@ template <class Chain>
 constexpr bool coordinates_exist = [] {
   for (const auto& l : chain_links<Chain>)
     if (l.coordinate < 0 || l.coordinate >= Chain::axes::count) return false;
+  return true;
+}();
+
+// The same in a body, where a joint can follow an axis of another part.
+template <class Chain>
+constexpr bool own_coordinates_exist = [] {
+  for (std::size_t i = 0; i < Chain::joints.size(); ++i) {
+    const joint& j = Chain::joints[i];
+    const int c = j.coordinate < 0 ? static_cast<int>(i) : j.coordinate;
+    if (j.follows.empty() && c >= Chain::axes::count) return false;
+  }
   return true;
 }();
 

@@ -13,9 +13,9 @@
 // `driven_by` names the resource nodes that move and measure a part; `cca::embodied<Body, Graph>` checks that
 // they exist.
 //
-// The coordinates of a body are those of its parts, in order of declaration: `axes_of<Body>`.
-// Errors: body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp;
-// docs/body.md.
+// The coordinates of a body are those of its parts, in order of declaration: `axes_of<Body>`. A joint may
+// follow an axis of another part: `cca::prismatic(cca::along_y).driven_by("left_finger", -1)`. Errors:
+// body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp; docs/body.md.
 #pragma once
 
 #include <array>

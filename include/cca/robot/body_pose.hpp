@@ -36,12 +36,13 @@ struct body_tree {
   std::array<part_end, Parts> ends{};
 };
 
-template <class Base, class Chain>
+template <class Axes, class Base, class Chain>
 constexpr void attach(Base& tree, std::size_t& used, std::size_t part, int on, int first_coordinate) {
   part_end end = on < 0 ? part_end{} : tree.ends[static_cast<std::size_t>(on)];
   for (std::size_t i = 0; i < Chain::joints.size(); ++i) {
     auto& l = tree.links[used];
     l = body_link_of(Chain::joints[i], static_cast<int>(i), end.link, end.where, first_coordinate);
+    if (const auto name = Chain::joints[i].follows; !name.empty()) l.coordinate = axis_by_name(Axes(), name);
     if constexpr (DynamicChain<Chain>) l.inertia = Chain::links[i];
     end = {static_cast<int>(used++), {}};
   }
@@ -53,7 +54,7 @@ struct tree_facts;
 template <class Body, class... Parts>
 struct tree_facts<Body, std::tuple<Parts...>> {
   static constexpr std::size_t count = sizeof...(Parts), links = (Parts::chain::joints.size() + ... + 0u);
-  static_assert((coordinates_exist<typename Parts::chain> && ...),
+  static_assert((own_coordinates_exist<typename Parts::chain> && ...),
                 "cca::body: a joint is driven by a coordinate for which its chain has no axis");
 
   static constexpr auto value = [] {
@@ -66,7 +67,7 @@ struct tree_facts<Body, std::tuple<Parts...>> {
       const auto add = [&]<class Part>(std::type_identity<Part>) {
         const int on = Body::attached::parent[i];
         if (!done[i] && (on < 0 || done[static_cast<std::size_t>(on)])) {
-          attach<decltype(tree), typename Part::chain>(tree, used, i, on, first);
+          attach<typename Body::axes, decltype(tree), typename Part::chain>(tree, used, i, on, first);
           done[i] = true;
         }
         ++i;
@@ -76,6 +77,14 @@ struct tree_facts<Body, std::tuple<Parts...>> {
     }
     return tree;
   }();
+
+  static_assert(
+      [] {
+        for (const body_link& l : value.links)
+          if (l.coordinate < 0) return false;
+        return true;
+      }(),
+      "cca::body: a joint follows an axis that no part of the body has");
 };
 
 template <class Body>

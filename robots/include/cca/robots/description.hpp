@@ -8,7 +8,8 @@
 //
 //     // optional
 //     static constexpr std::array shapes{...};                               // shape.hpp
-//     using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;
+//     static constexpr std::array line_springs{...};                         // springs, cables:
+//     line_spring.hpp using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;
 //     static constexpr bool floats = true;   // nothing holds the base; it needs body::base
 //     static constexpr std::array<double, 7> start{...};                     // coordinates, rad
 //   };
@@ -25,6 +26,7 @@
 
 #include <cca/robot/body_pose.hpp>
 #include <cca/robots/commands.hpp>
+#include <cca/robots/line_spring.hpp>
 #include <cca/robots/motor_line.hpp>
 #include <cca/robots/shape.hpp>
 #include <cca/space/twist_wrench.hpp>
@@ -93,16 +95,29 @@ struct joints_by_part<Body, std::tuple<Parts...>> {
   static constexpr std::array<int, sizeof...(Parts)> count{static_cast<int>(Parts::chain::joints.size())...};
 };
 
+template <class Body>
+constexpr bool place_exists(std::string_view part_name, int link) {
+  if (link == shape_on::base) return true;
+  const int part = part_index<Body>(part_name);
+  if (part < 0 || link < shape_on::tip) return false;
+  using joints = joints_by_part<Body, typename Body::parts>;
+  return link < joints::count[static_cast<std::size_t>(part)];
+}
+
 template <class R>
 constexpr bool shapes_exist = [] {
   if constexpr (requires { R::shapes.size(); })
-    for (const shape_on& s : R::shapes) {
-      if (s.link == shape_on::base) continue;
-      const int part = part_index<typename R::body>(s.part);
-      if (part < 0 || s.link < shape_on::tip) return false;
-      using joints = joints_by_part<typename R::body, typename R::body::parts>;
-      if (s.link >= joints::count[static_cast<std::size_t>(part)]) return false;
-    }
+    for (const shape_on& s : R::shapes)
+      if (!place_exists<typename R::body>(s.part, s.link)) return false;
+  return true;
+}();
+
+template <class R>
+constexpr bool springs_exist = [] {
+  if constexpr (requires { R::line_springs.size(); })
+    for (const line_spring& s : R::line_springs)
+      for (const point_of_robot& p : {s.from, s.to})
+        if (!place_exists<typename R::body>(p.part, p.link)) return false;
   return true;
 }();
 
@@ -132,6 +147,8 @@ constexpr bool check_description() {
                 "`static constexpr cca::link_inertia base{...};`");
   static_assert(detail::shapes_exist<R>,
                 "cca::robots: a shape is on a part or on a link that the body doesn't have");
+  static_assert(detail::springs_exist<R>,
+                "cca::robots: a spring or cable is on a part or on a link that the body doesn't have");
   static_assert(detail::all_parts_exist<typename R::body>(sensors_of<R>()),
                 "cca::robots: a force sensor is at the end of a part that the body doesn't have");
   return true;

@@ -32,6 +32,13 @@ struct place_on_link {
   placement where{};
 };
 
+// A spring or a cable between two points.
+struct placed_spring {
+  place_on_link from, to;
+  double stiffness = 0, rest = 0, damping = 0;
+  bool only_pulls = false;
+};
+
 // The stops of a joint; infinite: none. A range with one end has no stops.
 struct joint_stops {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -47,6 +54,7 @@ struct robot_model {
   std::vector<joint_stops> stops;           // over the coordinates
   std::vector<double> start;                // over the coordinates, rad
   std::vector<placed_shape> shapes;
+  std::vector<placed_spring> line_springs;
   std::vector<place_on_link> sensors;
   std::vector<place_on_link> ends;  // of the parts, in order of declaration
   double beat = 0.001;              // s
@@ -76,6 +84,17 @@ inline placed_shape placed(const robots::shape_on& s,
     if (sensed_parts[i] == part) sensor = static_cast<int>(i);
   const place_on_link& end = ends[static_cast<std::size_t>(part)];
   return {end.link, s.form, end.where * s.where, sensor};
+}
+
+template <class Body>
+place_on_link placed(const robots::point_of_robot& p,
+                     const std::vector<std::vector<int>>& links,
+                     const std::vector<place_on_link>& ends) {
+  const placement there = at(p.at[0], p.at[1], p.at[2]);
+  if (p.link == robots::shape_on::base) return {-1, there};
+  const auto part = static_cast<std::size_t>(part_index<Body>(p.part));
+  if (p.link >= 0) return {links[part].at(static_cast<std::size_t>(p.link)), there};
+  return {ends[part].link, ends[part].where * there};
 }
 
 // The links of each part, in the order of its joints.
@@ -119,6 +138,13 @@ robot_model model_of() {
       m.shapes.push_back(detail::placed(
           s, part, part < 0 ? std::vector<int>{} : links[static_cast<std::size_t>(part)], m.ends, sensed));
     }
+  }
+  if constexpr (requires { R::line_springs.size(); }) {
+    const auto links = detail::links_by_part<body>();
+    for (const robots::line_spring& s : R::line_springs)
+      m.line_springs.push_back({detail::placed<body>(s.from, links, m.ends),
+                                detail::placed<body>(s.to, links, m.ends), s.stiffness, s.rest, s.damping,
+                                s.only_pulls});
   }
   m.beat = 1 / cca::detail::hz_of<typename R::rate>;
   return m;

@@ -11,7 +11,7 @@
 // `move` change what happens to the robot: a force at the end of a part, a box that moves without notice.
 //
 // A motor brakes with its full torque and drives with what its line leaves. Springs, friction and motors act
-// as explicit torques in each physics step. Coupled joints and cables are not simulated yet. Errors:
+// as explicit torques in each physics step. Coupled joints follow at its end (coupled_joints.hpp). Errors:
 // std::invalid_argument when it is made (tree_in_engine.hpp). Cost: docs/robots.md. It allocates nothing
 // after the first beats.
 #pragma once
@@ -29,11 +29,13 @@
 #include <ode/ode.h>
 
 #include <cca/sim/engine.hpp>
+#include <cca/sim/robot/coupled_joints.hpp>
 #include <cca/sim/robot/motor_torque.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 #include <cca/sim/robot/robot_state.hpp>
 #include <cca/sim/robot/scene.hpp>
 #include <cca/sim/robot/shapes_in_engine.hpp>
+#include <cca/sim/robot/springs_in_engine.hpp>
 #include <cca/sim/robot/touching.hpp>
 #include <cca/sim/robot/tree_in_engine.hpp>
 
@@ -54,6 +56,7 @@ public:
         step_(step_of(*model_, settings)),
         engine_(settings.engine),
         tree_(engine_.id(), model_, mount()),
+        coupled_(model_),
         shapes_(engine_.id(), *model_, *scene_, tree_),
         touching_(scene_->contact, step_) {
     touching_.set_pairs(shapes_.pairs());
@@ -141,6 +144,19 @@ public:
     for (const dBodyID b : tree_.links()) sum += energy_of(b);
     return tree_.base() ? sum + energy_of(tree_.base()) : sum;
   }
+  // In springs and cables between points and in the springs of joints, J.
+  double spring_energy() const {
+    double sum = springs_in_engine::stored(*model_, tree_);
+    for (std::size_t c = 0; c < model_->drives.size(); ++c) {
+      const double stretch = state_.joints[c].angle - model_->drives[c].spring_rest;
+      sum += 0.5 * model_->drives[c].spring * stretch * stretch;
+    }
+    return sum;
+  }
+  // The force of a spring or cable (in order of declaration), N; negative: it pushes.
+  double tension(std::size_t spring) const {
+    return springs_in_engine::tension(model_->line_springs.at(spring), tree_);
+  }
   double time() const { return static_cast<double>(state_.beats) * model_->beat; }
 
   const robot_model& model() const { return *model_; }
@@ -180,7 +196,9 @@ private:
 
   void step() {
     const double share = 1.0 / settings_.steps_per_beat;
+    if (coupled_.exist()) coupled_.begin(tree_);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
+      if (!tree_.leads(i)) continue;
       const auto c = static_cast<std::size_t>(model_->links[i].coordinate);
       const robots::joint_drive& d = model_->drives[c];
       joint_reading& r = state_.joints[c];
@@ -188,11 +206,13 @@ private:
       r.torque += share * motor;
       tree_.push(i, motor - d.friction * r.velocity - d.spring * (r.angle - d.spring_rest));
     }
+    springs_in_engine::act(*model_, tree_);
     for (std::size_t part = 0; part < state_.pulls.size(); ++part) pull_at(part);
     touching_.find(engine_, state_.pressing);
     engine_.step(step_);
     touching_.account(state_.pressing, [&](const touch& t) { feel(t, share); });
     dJointGroupEmpty(engine_.contacts());
+    if (coupled_.exist()) return coupled_.end(tree_, state_.joints, step_);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
       const auto& l = model_->links[i];
       joint_reading& r = state_.joints[static_cast<std::size_t>(l.coordinate)];
@@ -245,6 +265,7 @@ private:
   double step_;
   engine engine_;
   tree_in_engine tree_;
+  coupled_joints coupled_;
   shapes_in_engine shapes_;
   touching touching_;
   robot_state state_;

@@ -4,9 +4,10 @@
 // speeds are read from the bodies, so they don't depend on the posture in which the joints were made. Forces
 // on joints act on both links, so they do the work of their coordinate and no other.
 //
-// The base is fixed in the world, or floats: then it is a body too.
-// Errors: std::invalid_argument, outside of the loop, for what the engine can't represent: several joints of
-// one coordinate, a link without mass, an inertia that is not positive definite.
+// The base is fixed in the world, or floats: then it is a body too. Of several joints of one coordinate the
+// first without a ratio leads: it alone is pushed and has stops; the others follow it (coupled_joints.hpp).
+// Errors: std::invalid_argument, outside of the loop, for what the engine can't represent: a coordinate
+// without a joint, a link without mass, an inertia that is not positive definite.
 #pragma once
 
 #include <cmath>
@@ -40,7 +41,7 @@ public:
   using vector = Eigen::Vector3d;
 
   tree_in_engine(dWorldID world, std::shared_ptr<const robot_model> model, const rigid& mount)
-      : model_(std::move(model)), links_(model_->links.size()), mount_(mount) {
+      : model_(std::move(model)), links_(model_->links.size()), frames_(links_.size()), mount_(mount) {
     check();
     if (model_->floats) base_ = body(world, model_->base, "the base");
     for (std::size_t i = 0; i < links_.size(); ++i)
@@ -55,7 +56,6 @@ public:
   // Puts all bodies where these coordinates, speeds and the motion of the base have them. The motion of a
   // fixed base is ignored.
   void place(std::span<const double> q, std::span<const double> dq, const moving_frame& base) {
-    std::vector<moving_frame> frames(links_.size());
     moving_frame root{mount_, vector::Zero(), vector::Zero()};
     if (base_) {
       root = base;
@@ -63,10 +63,10 @@ public:
     }
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const auto& l = model_->links[i];
-      const moving_frame& p = l.parent < 0 ? root : frames[static_cast<std::size_t>(l.parent)];
+      const moving_frame& p = l.parent < 0 ? root : frames_[static_cast<std::size_t>(l.parent)];
       const auto c = static_cast<std::size_t>(l.coordinate);
       const double angle = l.ratio * q[c] + l.rest, speed = l.ratio * dq[c];
-      moving_frame& f = frames[i];
+      moving_frame& f = frames_[i];
       f.where = home_of(p.where, l);
       const vector axis = f.where.turn * cca::detail::as_vector(l.axis);
       if (l.kind == joint_kind::revolute) cca::detail::turn_about(f.where.turn, l, angle);
@@ -116,7 +116,13 @@ public:
     return {(angle - l.rest) / l.ratio, (c.angular_velocity - p.angular_velocity).dot(axis) / l.ratio};
   }
 
-  // The force of a coordinate on its joint for the next step, N m (a slider: N).
+  // Whether a joint is the one that its coordinate moves.
+  bool leads(std::size_t i) const {
+    return leads_[static_cast<std::size_t>(model_->links[i].coordinate)] == static_cast<int>(i);
+  }
+
+  // The force of a coordinate on its joint, which leads,
+  // for the next step, N m (a slider: N).
   void push(std::size_t i, double force) const {
     const auto& l = model_->links[i];
     const dBodyID child = links_[i], parent = body_of(l.parent);
@@ -134,15 +140,20 @@ public:
 private:
   static vector cross(const vector& a, const vector& b) { return cca::detail::cross(a, b); }
 
-  void check() const {
+  void check() {
     if (model_->stops.size() != model_->drives.size() || model_->start.size() != model_->drives.size())
       throw std::invalid_argument(
           "cca::sim::robot: `drives`, `stops` and `start` need one entry for each coordinate");
-    std::vector<int> joints_of(model_->drives.size(), 0);
-    for (const auto& l : model_->links)
-      if (++joints_of.at(static_cast<std::size_t>(l.coordinate)) > 1)
-        throw std::invalid_argument("cca::sim::robot: several joints are driven by coordinate " +
-                                    std::to_string(l.coordinate) + ": coupled joints are not simulated yet");
+    leads_.assign(model_->drives.size(), -1);
+    for (std::size_t i = 0; i < model_->links.size(); ++i) {
+      const auto& l = model_->links[i];
+      int& lead = leads_.at(static_cast<std::size_t>(l.coordinate));
+      if (lead < 0 || (l.ratio == 1 && model_->links[static_cast<std::size_t>(lead)].ratio != 1))
+        lead = static_cast<int>(i);
+    }
+    for (std::size_t c = 0; c < leads_.size(); ++c)
+      if (leads_[c] < 0 || model_->links[static_cast<std::size_t>(leads_[c])].ratio == 0)
+        throw std::invalid_argument("cca::sim::robot: coordinate " + std::to_string(c) + " moves no joint");
   }
 
   // The frame of a joint whose angle is 0.
@@ -190,11 +201,12 @@ private:
     const vector axis = f.turn * cca::detail::as_vector(l.axis);
     const joint_stops& stops = model_->stops[static_cast<std::size_t>(l.coordinate)];
     const double reach = std::abs(l.ratio) * (stops.high - stops.low) / 2;
+    const bool has_stops = leads(i) && std::isfinite(reach);
     if (l.kind == joint_kind::prismatic) {
       const dJointID j = dJointCreateSlider(world, nullptr);
       dJointAttach(j, child, parent);
       dJointSetSliderAxis(j, axis[0], axis[1], axis[2]);
-      if (std::isfinite(reach)) {
+      if (has_stops) {
         dJointSetSliderParam(j, dParamLoStop, -reach);
         dJointSetSliderParam(j, dParamHiStop, reach);
       }
@@ -204,7 +216,7 @@ private:
     dJointAttach(j, child, parent);
     dJointSetHingeAnchor(j, f.at[0], f.at[1], f.at[2]);
     dJointSetHingeAxis(j, axis[0], axis[1], axis[2]);
-    if (reach < std::numbers::pi) {
+    if (has_stops && reach < std::numbers::pi) {
       dJointSetHingeParam(j, dParamLoStop, -reach);
       dJointSetHingeParam(j, dParamHiStop, reach);
     }
@@ -213,7 +225,9 @@ private:
 
   std::shared_ptr<const robot_model> model_;
   std::vector<dBodyID> links_;
+  std::vector<moving_frame> frames_;  // those of the last `place`
   std::vector<dJointID> joints_;
+  std::vector<int> leads_;  // over the coordinates
   dBodyID base_ = nullptr;
   rigid mount_;
 };

@@ -1,0 +1,88 @@
+// <link> elements: mass, inertia and the shapes that touch. What is only drawn (<visual>) is not read.
+#pragma once
+
+#include <string>
+
+#include "elements.hpp"
+#include "model.hpp"
+
+namespace cca_urdf {
+
+inline origin read_origin(const element& e, const reader& from) {
+  const element* at = child_of(e, "origin", from.said());
+  if (!at) return {};
+  const std::array<double, 3> zero{};
+  return {from.list<3>(*at, "xyz", zero), from.list<3>(*at, "rpy", zero)};
+}
+
+inline std::optional<inertial> read_inertial(const element& e, const reader& from) {
+  const element* mass = from.needed_child(e, "mass");
+  const element* inertia = from.needed_child(e, "inertia");
+  if (!mass || !inertia) return {};
+  const long before = from.said().errors();
+  inertial of{e.GetLineNum(), read_origin(e, from), {}};
+  of.own.mass = from.number(*mass, "value");
+  const double xx = from.number(*inertia, "ixx"), yy = from.number(*inertia, "iyy"),
+               zz = from.number(*inertia, "izz"), xy = from.number(*inertia, "ixy"),
+               xz = from.number(*inertia, "ixz"), yz = from.number(*inertia, "iyz");
+  of.own.about_centre << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  if (of.own.mass < 0)
+    from.error(*mass, "a mass of " + text_of(of.own.mass) + " kg; it must not be negative");
+  if (from.said().errors() > before) return {};
+  if (of.own.mass == 0) {  // a frame without a body, as some programs write it
+    if (!of.own.about_centre.isZero(0)) from.error(*inertia, "an inertia without a mass");
+    return {};
+  }
+  if (const std::string fault = fault_of(of.own.about_centre); !fault.empty())
+    from.error(*inertia, "no body has this inertia: " + fault);
+  return of;
+}
+
+inline void read_collision(const element& e, const reader& from, const std::string& owner, link& into) {
+  const element* geometry = from.needed_child(e, "geometry");
+  const element* form = geometry ? geometry->FirstChildElement() : nullptr;
+  if (!geometry) return;
+  if (!form || form->NextSiblingElement()) return from.error(*geometry, "<geometry> needs one shape");
+  const long before = from.said().errors();
+  collision c{form->GetLineNum(), form_kind::sphere, {}, read_origin(e, from)};
+  const std::string kind = form->Name();
+  const auto left_out = [&](const std::string& why) { from.said().note(c.line, owner + ": " + why); };
+  if (kind == "mesh") {
+    const char* file = form->Attribute("filename");
+    return left_out("the mesh '" + std::string(file ? file : "") +
+                    "' is left out: shapes are boxes, spheres and capsules, so nothing touches it");
+  }
+  if (kind == "box") {
+    c.kind = form_kind::box;
+    c.size = from.list<3>(*form, "size", {});
+  } else if (kind == "sphere") {
+    c.size[0] = from.number(*form, "radius");
+  } else if (kind == "cylinder" || kind == "capsule") {
+    c.kind = form_kind::capsule;
+    c.size = {from.number(*form, "radius"), from.number(*form, "length"), 0};
+  } else {
+    return left_out("the shape " + tag(*form) + " is left out: shapes are boxes, spheres and capsules");
+  }
+  if (from.said().errors() > before) return;
+  const std::size_t sizes = c.kind == form_kind::box ? 3 : c.kind == form_kind::capsule ? 2 : 1;
+  for (std::size_t i = 0; i < sizes; ++i)
+    if (!(c.size[i] > 0)) return from.error(*form, "each size of " + tag(*form) + " must be above 0");
+  if (kind == "cylinder") {
+    if (c.size[1] <= 2 * c.size[0])
+      return left_out("the cylinder is left out: it is no longer than wide, so no capsule fits into it");
+    c.size[1] -= 2 * c.size[0];
+    left_out("the cylinder becomes a capsule of the same length and radius: its edges are round");
+  }
+  into.collisions.push_back(c);
+}
+
+inline link read_link(const element& e, remarks& said) {
+  link l{reader("a link", said).text(e, "name"), e.GetLineNum(), {}, {}};
+  const reader from(named(l), said);
+  if (const element* i = child_of(e, "inertial", said)) l.inertia = read_inertial(*i, from);
+  for (const element* c = e.FirstChildElement("collision"); c; c = c->NextSiblingElement("collision"))
+    read_collision(*c, from, named(l), l);
+  return l;
+}
+
+}  // namespace cca_urdf

@@ -1,0 +1,212 @@
+// Writes a robot as a header: its frames, axes, chains, body and description.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "followers.hpp"
+#include "limbs.hpp"
+#include "names.hpp"
+#include "pieces.hpp"
+
+namespace cca_urdf {
+
+struct header_options {
+  std::string name_space;  // empty: the name of the robot
+  std::string source;      // the file that was read
+  double rate = 1000;      // Hz
+};
+
+class header {
+public:
+  header(const robot& r,
+         const limbs& parts,
+         const followers& coupled,
+         const header_options& options,
+         remarks& said)
+      : robot_(r), limbs_(parts), bodies_(parts.of()), followers_(coupled), options_(options) {
+    for (const limb& l : limbs_.all()) frame_names_.add(name_of(l.to));
+    frame_names_.add(name_of(limbs_.base()));
+    for (const body& b : bodies_.all()) {
+      if (!b.moved_by || !leads(*b.moved_by)) continue;
+      const std::string& name = b.moved_by->name;
+      if (const std::string& id = axis_names_.add(name); id != name)
+        said.note(b.moved_by->line, named(*b.moved_by) + " is the axis '" + id + "' in the description");
+    }
+  }
+
+  std::string text(const std::vector<remark>& notes) const {
+    std::string space = options_.name_space;
+    if (space.empty()) space = identifier_of(robot_.name);
+    if (space == "cca" || space == "std") space += "_robot";
+    std::string all = "// The robot '" + one_line(robot_.name) + "', from " + one_line(options_.source) +
+                      " by cca-urdf. Change that file and write this one again.\n";
+    if (!notes.empty()) all += "//\n// Left out or changed:\n";
+    for (const remark& n : notes)
+      all += "//   line " + std::to_string(n.line) + ": " + one_line(n.text) + "\n";
+    all +=
+        "//\n// Units: m, rad, kg, kg m^2, N m; prismatic joints: m, N.\n#pragma once\n\n#include <array>\n\n"
+        "#include <cca/robot/body.hpp>\n#include <cca/robots/description.hpp>\n#include "
+        "<cca/space/limits.hpp>\n\n";
+    all += "namespace " + space + " {\n\n" + frames() + axes() + chains() + whole_body() + description();
+    return all + "}  // namespace " + space + "\n";
+  }
+
+private:
+  const std::string& name_of(int link) const { return bodies_.link_at(link).name; }
+  std::string frame_of(int link) const { return "frame::" + frame_names_[name_of(link)]; }
+  std::string axis_of(const joint& j) const { return "axis::" + axis_names_[j.name]; }
+  const joint& joint_of(int body) const { return *bodies_.all()[static_cast<std::size_t>(body)].moved_by; }
+
+  bool leads(const joint& j) const { return followers_[j].leader == &j; }
+  const std::string& axis_name(const joint& j) const { return axis_names_[followers_[j].leader->name]; }
+
+  // Only where a joint of the chain follows another do joints name their axes.
+  std::string driven_text(const joint& j, const limb& of) const {
+    if (std::ranges::all_of(of.bodies, [&](int i) { return leads(joint_of(i)); })) return "";
+    const drive_of& d = followers_[j];
+    std::string numbers;
+    if (d.ratio != 1 || d.rest != 0) numbers += ", " + text_of(d.ratio);
+    if (d.rest != 0) numbers += ", " + text_of(d.rest);
+    return ".driven_by(\"" + axis_name(j) + "\"" + numbers + ")";
+  }
+
+  std::string frames() const {
+    std::string all = "namespace frame {\n";
+    const auto add = [&](int link) {
+      const std::string& id = frame_names_[name_of(link)];
+      all += "struct " + id + " : cca::frame<\"" + id + "\"> {};\n";
+    };
+    add(limbs_.base());
+    for (const limb& l : limbs_.all()) add(l.to);
+    return all + "}  // namespace frame\n\n";
+  }
+
+  std::string axes() const {
+    std::string all = "namespace axis {\n";
+    for (const body& b : bodies_.all()) {
+      if (!b.moved_by || !leads(*b.moved_by)) continue;
+      const std::string& id = axis_names_[b.moved_by->name];
+      const std::string limits = limits_of(*b.moved_by);
+      all += "struct " + id + " : cca::dimension<\"" + id + "\"> {";
+      if (!limits.empty()) all += "\n  static constexpr auto limits = cca::limits{" + limits + "};\n";
+      all += "};\n";
+    }
+    return all + "}  // namespace axis\n\n";
+  }
+
+  std::string chains() const {
+    std::string all = "// Of each link: mass; centre; xx, yy, zz, xy, xz, yz about the centre.\n";
+    for (const limb& l : limbs_.all()) {
+      std::string joints, links, own_axes;
+      int frame = l.from;
+      for (const int i : l.bodies) {
+        const body& b = bodies_.all()[static_cast<std::size_t>(i)];
+        const joint& j = *b.moved_by;
+        std::vector<origin> steps = limbs_.between(frame, bodies_.tree().index_of(j.parent));
+        steps.push_back(j.where);
+        if (leads(j)) own_axes += (own_axes.empty() ? "" : ", ") + axis_of(j);
+        joints += (joints.empty() ? "" : ",\n      ") + joint_text(j, steps) + driven_text(j, l);
+        links += (links.empty() ? "" : ",\n      ") + inertia_text(b.mass);
+        frame = b.first;
+      }
+      all += "struct " + frame_names_[name_of(l.to)] + "_chain : cca::serial_chain<" + frame_of(l.from) +
+             ", " + frame_of(l.to) + ", cca::axes<" + own_axes + ">> {\n";
+      all += l.bodies.empty() ? "  static constexpr std::array<cca::joint, 0> joints{};\n"
+                              : "  static constexpr std::array joints{\n      " + joints + "};\n";
+      all += "  static constexpr cca::placement tip = " + placement_text(l.tip) + ";\n";
+      if (!l.bodies.empty()) all += "  static constexpr std::array links{\n      " + links + "};\n";
+      all += "};\n";
+    }
+    return all + "\n";
+  }
+
+  std::string whole_body() const {
+    std::string all = "struct whole_body : cca::body<\n    " + frame_of(limbs_.base());
+    for (const limb& l : limbs_.all()) {
+      const std::string& id = frame_names_[name_of(l.to)];
+      std::string nodes;
+      for (const int i : l.bodies)
+        if (const std::string node = "\"" + axis_name(joint_of(i)) + "\""; nodes.find(node) == nodes.npos)
+          nodes += std::string(nodes.empty() ? "" : ", ") + node;
+      all += ",\n    cca::part<\"" + id + "\", " + id + "_chain" +
+             (nodes.empty() ? "" : ", cca::driven_by<" + nodes + ">") + ">";
+    }
+    all += "> {\n";
+    const body& base = bodies_.all()[0];
+    if (base.mass.mass > 0) all += "  static constexpr " + inertia_text(base.mass, " base") + ";\n";
+    return all + "};\n\n";
+  }
+
+  std::string description() const {
+    std::string drives, start;
+    bool starts_at_zero = true;
+    int count = 0;
+    for (const limb& l : limbs_.all())
+      for (const int i : l.bodies) {
+        if (!leads(joint_of(i))) continue;
+        const double at = start_of(joint_of(i));
+        starts_at_zero = starts_at_zero && at == 0;
+        drives += (count ? ",\n      " : "") + drive_text(joint_of(i), followers_.damping(joint_of(i)));
+        start += (count++ ? ", " : "") + text_of(at);
+      }
+    std::string all = "struct description {\n  using body = whole_body;\n  using rate = cca::rate<" +
+                      text_of(options_.rate) + ">;\n";
+    all += "  using commands = cca::robots::commands<cca::robots::torque_command>;\n";
+    if (bodies_.floats()) all += "  static constexpr bool floats = true;\n";
+    all += "  // The motors give their full torque up to the limit of the velocity.\n";
+    all += "  static constexpr std::array drives{\n      " + drives + "};\n";
+    if (!starts_at_zero)
+      all +=
+          "  // Where 0 is outside of a range, the middle of that range.\n  static constexpr "
+          "std::array<double, " +
+          std::to_string(count) + "> start{" + start + "};\n";
+    if (const std::string shapes = all_shapes(); !shapes.empty())
+      all += "  static constexpr std::array shapes{\n      " + shapes + "};\n";
+    return all + "};\n\nstatic_assert(cca::robots::check_description<description>());\n\n";
+  }
+
+  // A shape on the link in which a part ends is at the tip: the force sensor of that part feels it.
+  std::string all_shapes() const {
+    std::string all;
+    for (std::size_t i = 0; i < robot_.links.size(); ++i)
+      for (const collision& c : robot_.links[i].collisions) {
+        const int link = static_cast<int>(i);
+        if (bodies_.place(link).body < 0) continue;
+        all += (all.empty() ? "" : ",\n      ") + shape_text(link, c);
+      }
+    return all;
+  }
+  std::string shape_text(int link, const collision& c) const {
+    const place_in_body& at = bodies_.place(link);
+    const bool is_first = bodies_.all()[static_cast<std::size_t>(at.body)].first == link;
+    std::vector<origin> steps = at.steps;
+    steps.push_back(c.where);
+    for (const limb& l : limbs_.all()) {
+      if (l.to == link && !is_first)
+        return "cca::robots::at_tip(\"" + frame_names_[name_of(l.to)] + "\", " + form_text(c) + ", " +
+               placement_text({c.where}) + ")";
+    }
+    for (const limb& l : limbs_.all()) {
+      const auto found = std::ranges::find(l.bodies, at.body);
+      if (found != l.bodies.end())
+        return "cca::robots::on_link(\"" + frame_names_[name_of(l.to)] + "\", " +
+               std::to_string(found - l.bodies.begin()) + ", " + form_text(c) + ", " + placement_text(steps) +
+               ")";
+    }
+    return "cca::robots::on_base(" + form_text(c) + ", " + placement_text(steps) + ")";
+  }
+
+  const robot& robot_;
+  const limbs& limbs_;
+  const bodies& bodies_;
+  const followers& followers_;
+  header_options options_;
+  // Not the members of frames and axes, and not the other nodes of a robot (cca/robots/ports.hpp).
+  name_list frame_names_{{"name", "label"}};
+  name_list axis_names_{{"name", "label", "limits", "simulator", "angles", "velocities", "torques",
+                         "position", "velocity", "torque", "stiffness", "damping"}};
+};
+
+}  // namespace cca_urdf
