@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, dynamics, learning, policies, modes, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, dynamics, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -237,6 +237,21 @@ def modes(work):
     return rows
 
 
+OBSERVED = ("plain", "recordable", "traceable", "both", "recorded", "traced", "both_recorded")
+
+
+def observed(work):
+    """What recordings and traces cost a beat of the trot's controller."""
+    rows = []
+    for compiler in COMPILERS:
+        program = work / "observed"
+        build(compiler, ["-O2", "-I", str(ROOT / "record/include")], HERE / "observed.cpp", program, "-lzstd")
+        row = {"compiler": compiler} | {what: instructions(program, what, within=("*bench::one_beat*",)) for what in OBSERVED}
+        rows.append(row)
+        print("observed", row, flush=True)
+    return rows
+
+
 def dynamics(work):
     """The dynamics of an arm of seven joints, beside those of Orocos KDL."""
     rows = []
@@ -433,7 +448,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "dynamics": dynamics, "learning": learning, "policies": policies, "modes": modes, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "dynamics": dynamics, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

@@ -333,6 +333,21 @@ The bound of a switch is a beat.
 {measured(part)}"""
 
 
+def observed(part):
+    names = {"plain": "as it is", "recordable": "recordable, not recorded", "traceable": "traceable, not traced",
+             "both": "both, neither recorded nor traced", "recorded": "recordable, recorded", "traced": "traceable, traced",
+             "both_recorded": "both, recorded"}
+    rows = [[name, *(f"{number(r[what])} ({100 * (r[what] / r['plain'] - 1):+.1f} %)" for r in part["data"])] for what, name in names.items()]
+    return f"""## Recordings and traces
+
+Instructions of a beat of the trot's controller, `-O2` (`bench/observed.cpp`); those of the thread that writes don't count.
+A traced beat also reads the clock for each firing, of which only the call is counted here.
+The bound of a recording is 5 %.
+
+{table(["graph", *(r["compiler"] for r in part["data"])], rows)}
+{measured(part)}"""
+
+
 def compiling(part, exponent):
     data = part["data"]
     bases = table(["file that only includes", "compiler", "s", "MB"],
@@ -409,6 +424,8 @@ Counts do not depend on how busy the machine is; times do, and each time is the 
         parts.append(policies(figures["policies"]))
     if "modes" in figures:
         parts.append(modes(figures["modes"]))
+    if "observed" in figures:
+        parts.append(observed(figures["observed"]))
     if "latency" in figures:
         parts.append(latency(figures["latency"]))
     if "realtime" in figures:

@@ -6,10 +6,13 @@
 #include <string>
 
 #include <cca/cca.hpp>
+#include <cca/graph/shows.hpp>
 #include <cca/main.hpp>
+#include <cca/robots/oncilla/legged_body.hpp>
 
 #if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>  // offers --record
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
 #endif
 
 #include "../trot/report/csv.hpp"
@@ -23,7 +26,11 @@
 
 namespace {
 
-struct simulated : skills::simulated, cca::recordable, cca::traceable {};
+struct simulated
+    : skills::simulated,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation"> {};
 
 struct program : cca::robot_program<simulated> {
   program() {

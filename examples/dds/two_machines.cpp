@@ -9,6 +9,10 @@
 #include <cca/dds.hpp>
 #include <cca/main.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>  // offers --record
+#endif
+
 #include "../deployment/one_loop.hpp"
 
 namespace {

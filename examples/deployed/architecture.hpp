@@ -102,6 +102,7 @@ struct split
           cca::environment<"mind", cca::nodes<"sequencer", "orders", "inverse_kinematics", "heading">>,
           cca::environment<"reflexes", cca::other_nodes>,
           cca::tolerate<100'000>>,  // no robot falls on anybody: a simulation goes on
+      cca::recordable,
       cca::traceable {};
 // [deployment end]
 

@@ -46,7 +46,10 @@ struct options {
         "--form F", [this](std::size_t i) { form = form_names[i]; }, form_names,
         "only threads, shared_memory or dds, beside the loop (every form)");
     line.text("--summary FILE", summary, "the figures as JSON: a list of forms");
-    line.text("--trace FILE", run.trace,
+    line.text("--record FILE", run.files.record,
+              "records all ports, of each form and process into a file, as\n"
+              "FILE.threads.wall_clock.mcap");
+    line.text("--trace FILE", run.files.trace,
               "writes when each component fires, for ui.perfetto.dev: of each form and\n"
               "process a file, as FILE.threads.wall_clock.json");
     line.text("--only E", only,

@@ -4,9 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,9 +14,9 @@
 #include <cca/cca.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/runtime/interruption.hpp>
-#include <cca/trace.hpp>
 
 #include "architecture.hpp"
+#include "observed_run.hpp"
 #include "process.hpp"
 #include "transports.hpp"
 #include "wake_up.hpp"
@@ -30,7 +27,7 @@ struct settings {
   skills::circumstances run{.where = skills::target::inside};
   std::string shape = "trot.shape";
   std::int64_t most_beats = 60'000;
-  std::string trace{};  // a file for each form and process; empty: none
+  observing files{};
 };
 
 struct outcome {
@@ -75,51 +72,16 @@ outcome result_of(std::string_view form, std::string_view pace, Played& played) 
   return one;
 }
 
-// "run.json" of a form, and of a process: "run.threads.wall_clock.json".
-inline std::string trace_of(const settings& s,
-                            std::string_view form,
-                            std::string_view pace,
-                            std::string_view process = {}) {
-  if (s.trace.empty()) return {};
-  std::filesystem::path file(s.trace);
-  const std::string end = file.extension();
-  file.replace_extension();
-  for (const std::string_view part : {form, pace, process})
-    if (!part.empty()) (file += '.') += part;
-  return (file += end).string();
-}
-
-// Traces into a file, where one is named.
-template <class Played>
-class traced_run {
-public:
-  traced_run(Played& played, const std::string& file, const std::string& name, bool waits) {
-    if (!file.empty()) trace.emplace(played, file, cca::trace_settings{.name = name, .waits = waits});
-  }
-  // The summary, and what could not be written.
-  std::string end() {
-    if (!trace) return {};
-    trace->close();
-    std::ostringstream text;
-    text << trace->summary();
-    if (const std::string problem = trace->problem(); !problem.empty()) text << problem << '\n';
-    return text.str();
-  }
-
-private:
-  std::optional<cca::tracer<Played>> trace;
-};
-
 inline const std::vector<std::string> all_environments{"simulation", "robot", "reflexes", "mind"};
 
 inline outcome run_loop(const settings& s, const cca::interruption& interrupted) {
   cca::controller<split> loop;
-  traced_run trace(loop, trace_of(s, "loop", fast), "loop", true);
+  observed_run look(loop, s.files.of("loop", fast), "loop", true);
   set_up(loop, s, all_environments);
   loop.run(cca::for_some_beats{s.most_beats}, {},
            [&](const auto& c) { return !interrupted && !c.template get<"robot.simulator">().is_over(); });
   outcome one = result_of("loop", fast, loop);
-  one.traced = trace.end();
+  one.traced = look.end();
   return one;
 }
 
@@ -167,10 +129,10 @@ template <class Pace>
 outcome run_threads(const settings& s, Pace pace, const cca::interruption& interrupted) {
   constexpr bool is_timed = !std::is_same_v<Pace, cca::as_fast_as_possible>;
   cca::deployed<split> d;
-  traced_run trace(d, trace_of(s, "threads", is_timed ? wall_clock : fast), "threads", !is_timed);
+  observed_run look(d, s.files.of("threads", is_timed ? wall_clock : fast), "threads", !is_timed);
   set_up(d, s, all_environments);
   outcome one = run_deployed("threads", d, s.most_beats, pace, interrupted);
-  one.traced = trace.end();
+  one.traced = look.end();
   return one;
 }
 
@@ -201,14 +163,15 @@ outcome run_processes(const std::string& transport,
     for (const std::string& one : elsewhere) {
       std::vector<std::string> words{"--only", one,       "--form", transport, "--address",
                                      address,  "--shape", s.shape,  "--beats", std::to_string(s.most_beats)};
-      if (const std::string file = trace_of(s, transport, pace_name, one); !file.empty())
-        words.insert(words.end(), {"--trace", file});
+      const observing files = s.files.of(transport, pace_name, one);
+      if (!files.trace.empty()) words.insert(words.end(), {"--trace", files.trace});
+      if (!files.record.empty()) words.insert(words.end(), {"--record", files.record});
       others.push_back(process(words));
     }
-    traced_run trace(d, trace_of(s, transport, pace_name, "simulation"), transport, pace_name == fast);
+    observed_run look(d, s.files.of(transport, pace_name, "simulation"), transport, pace_name == fast);
     set_up(d, s, {"simulation"});
     outcome one = run_deployed(transport, d, s.most_beats, pace, interrupted);
-    one.traced = trace.end();
+    one.traced = look.end();
     if (interrupted) return one;
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (others[i].wait() != 0) one.failure += " the process of `" + elsewhere[i] + "` failed";
@@ -234,7 +197,7 @@ inline int run_environment(const std::string& name,
   return with_transport(transport, address, [&](const auto& connection) {
     const cca::interruption interrupted;
     cca::deployed<split> d(cca::only(std::vector{name}), connection);
-    traced_run trace(d, s.trace, name, false);
+    observed_run look(d, s.files, name, false);
     set_up(d, s, {name});
     bool is_ended = false;  // by another process
     while (d.beat_index() < s.most_beats && !d.fault() && !interrupted && !is_ended) {
@@ -245,7 +208,7 @@ inline int run_environment(const std::string& name,
     const std::string fault = d.fault() ? d.fault().reason() : "";
     if (d.state() == cca::state::started || d.state() == cca::state::faulted) d.stop();
     std::fputs(told_of(d.figures(), name).c_str(), stdout);
-    std::fputs(trace.end().c_str(), stderr);
+    std::fputs(look.end().c_str(), stderr);
     if (name == "simulation")
       std::printf("%lld beats; from paw to ball: %s\n", static_cast<long long>(d.beat_index()),
                   distance_of(d.template get<"robot.simulator">().judgement()).c_str());

@@ -62,5 +62,6 @@ struct split : cca::deployment<thoughtful_leg,
                                cca::environment<"robot", cca::nodes<"leg", "reflex", "limits">>,
                                cca::environment<"mind", cca::other_nodes>,
                                cca::tolerate<100>>,
+               cca::recordable,    // offers --record, where <cca/record.hpp> is included
                cca::traceable {};  // offers --trace
 // [deployment end]

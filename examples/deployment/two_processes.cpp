@@ -9,6 +9,11 @@
 
 #include <cca/main.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
+#endif
+
 #include "one_loop.hpp"
 
 namespace {

@@ -26,6 +26,10 @@
 #include <cca/main.hpp>
 #include <cca/runtime/interruption.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>  // offers --record
+#endif
+
 #include "lock_step.hpp"
 #include "two_environments.hpp"
 
@@ -38,6 +42,7 @@ struct wishes {
   std::string role;
   bool lock_step = false, quiet = false;
   std::vector<std::string> names;
+  std::string record, trace;
 
   void offer(cca::command_line& line) {
     line.number("--seconds S", seconds, 0.001, 36000, "how long (5)");
@@ -51,10 +56,15 @@ struct wishes {
     line.one_of("--pace P", lock_step, std::array{"wall-clock", "lock-step"},
                 "wall-clock or lock-step (wall-clock)");
     line.flag("--quiet", quiet, "prints no figures");
+    line.text("--record FILE", record, "records all ports of the controller into this MCAP file");
+    line.text("--trace FILE", trace, "writes when each component fires, for ui.perfetto.dev");
   }
+  void set(cca::run_settings& s) const { s.seconds = seconds, s.record = record, s.trace = trace; }
   void refuse_contradictions() const {
     if (role.empty() != names.empty())
       throw cca::command_line_error("--role and --buses come together: the role, and five CAN interfaces");
+    if (role == "drives" && !(record.empty() && trace.empty()))
+      throw cca::command_line_error("--record and --trace: of the controller, not of the drives");
   }
 
 private:
@@ -84,10 +94,14 @@ int report(Controller& c) {
   return runs ? 0 : 1;
 }
 
+// It can be looked at.
+template <class Bus>
+struct observed : two_environments<Bus>, cca::recordable, cca::traceable {};
+
 // Both ends in this process.
-struct in_one_process : cca::robot_program<two_environments<memory_end>> {
+struct in_one_process : cca::robot_program<observed<memory_end>> {
   explicit in_one_process(const wishes& o) {
-    settings.seconds = o.seconds;
+    o.set(settings);
     settings.speed.reset();  // the buses have virtual time
     std::printf("no buses given: both ends in this process, on five buses in memory of 1 Mbit/s\n");
   }
@@ -130,9 +144,9 @@ bus_array open_buses(const wishes& o, std::index_sequence<Bus...>) {
 bus_array open_buses(const wishes& o) { return open_buses(o, std::make_index_sequence<buses>()); }
 
 // The controller on CAN interfaces: the program for a real robot.
-struct on_buses : cca::robot_program<two_environments<paced_can>> {
+struct on_buses : cca::robot_program<observed<paced_can>> {
   explicit on_buses(const wishes& o) : bus(open_buses(o)), lock_step(o.lock_step) {
-    settings.seconds = o.seconds;
+    o.set(settings);
     settings.quiet = o.quiet;
     if (lock_step) settings.speed.reset();  // it waits for frames, not for the clock
   }

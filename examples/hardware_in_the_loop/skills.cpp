@@ -7,10 +7,13 @@
 #include <string>
 
 #include <cca/cca.hpp>
+#include <cca/graph/shows.hpp>
 #include <cca/main.hpp>
+#include <cca/robots/oncilla/legged_body.hpp>
 
 #if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>  // offers --record
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
 #endif
 
 #include "../combination_of_skills/command_line.hpp"
@@ -20,7 +23,11 @@
 
 namespace {
 
-struct on_drives : hil::skills_on_drives, cca::recordable {};
+struct on_drives
+    : hil::skills_on_drives,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation"> {};
 
 struct program : cca::robot_program<on_drives> {
   program() {

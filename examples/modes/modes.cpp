@@ -12,6 +12,11 @@
 #include <cca/main.hpp>
 #include <cca/modes.hpp>
 
+#if __has_include(<cca/record.hpp>)
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
+#endif
+
 struct hip : cca::dimension<"hip"> {
   static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}, cca::velocity{-4.0, 4.0}};
 };
@@ -64,7 +69,9 @@ struct stand : cca::graph<cca::node<"leg", leg>,
                           cca::wire<"stance.angles", "limits.command">,
                           cca::wire<"limits.safe", "leg.command">> {};
 
-struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>> {};
+struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>,
+              cca::recordable,    // offers --record and --replay
+              cca::traceable {};  // offers --trace
 // [modes end]
 
 // [program]

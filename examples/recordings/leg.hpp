@@ -75,5 +75,6 @@ struct leg_loop : cca::graph<cca::node<"leg", leg>,
                              cca::wire<"velocity.velocity", "guard.velocity">,
                              cca::wire<"swing.angle", "limits.command">,
                              cca::wire<"limits.safe", "leg.command">>,
-                  cca::recordable {};
+                  cca::recordable,
+                  cca::traceable {};
 // [graph end]

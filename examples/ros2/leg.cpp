@@ -59,7 +59,7 @@ struct commanded_leg
 
 namespace {
 
-struct recorded_leg : commanded_leg, cca::recordable {};
+struct recorded_leg : commanded_leg, cca::recordable, cca::traceable {};
 
 struct program : cca::robot_program<recorded_leg> {
   program() { purpose = "a leg that a ROS 2 system commands and watches"; }

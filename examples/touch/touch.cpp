@@ -13,9 +13,11 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/graph/shows.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
+#include "../deployed/observed_run.hpp"
 #include "../trot/report/file.hpp"
 #include "../trot/report/parallel.hpp"
 #include "../trot/report/progress.hpp"
@@ -24,11 +26,16 @@
 
 namespace {
 
-using controller = cca::controller<touch::simulated>;
+struct observable : touch::simulated,
+                    cca::recordable,
+                    cca::traceable,
+                    cca::shows<cca::robots::arm::body, "robot.angles.whole"> {};
+using controller = cca::controller<observable>;
 
 struct options {
   std::uint64_t first = 0, count = 1;
   std::optional<std::string> config, shape, summary;
+  deployed::observing files;
 
   void offer(cca::command_line& line) {
     line.whole_number("--first N", first, 0, "the first seed (0)");
@@ -36,6 +43,8 @@ struct options {
     line.text("--config FILE", config, "parameters (the defaults in the code)");
     line.text("--shape FILE", shape, "keeps what the first run has learned");
     line.text("--summary FILE", summary, "the figures as JSON: a list of runs");
+    line.text("--record FILE", files.record, "records all ports of the first run");
+    line.text("--trace FILE", files.trace, "writes when each component of the first run fires");
   }
 };
 
@@ -46,6 +55,7 @@ int run(const options& o) {
 
   std::vector<touch::result> runs(o.count);
   std::vector<char> over(runs.size(), 0);
+  std::string seen;
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
   trot::progress_bar bar("touch");
   trot::on_all_cores(
@@ -53,8 +63,10 @@ int run(const options& o) {
       [&](std::size_t i) {
         if (interrupted) return;
         const auto c = std::make_unique<controller>(start);
+        deployed::observed_run look(*c, i == 0 ? o.files : deployed::observing(), "touch", true);
         runs[i] = touch::roll_out(*c, o.first + i, [&](const controller&, int) { return !interrupted; });
         over[i] = !interrupted;
+        if (const std::string text = look.end(); !text.empty()) seen = text;  // of one run
         const auto& module = c->get<"repeat.module">();
         if (i == 0 && o.shape && over[i]) module.learning.save(*o.shape, module.constants());
       },
@@ -70,6 +82,7 @@ int run(const options& o) {
   for (const touch::result& r : runs) touch::write_row(r);
   const auto good = std::count_if(runs.begin(), runs.end(), [](const auto& r) { return touch::within(r); });
   std::printf("%d of %d runs are within all bounds\n", static_cast<int>(good), static_cast<int>(runs.size()));
+  std::fputs(seen.c_str(), stdout);
   if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { touch::write_json(file, runs); });
   if (interrupted) return interrupted.exit_code();
   return good == static_cast<std::ptrdiff_t>(runs.size()) ? 0 : 1;

@@ -15,10 +15,13 @@
 #include <string>
 
 #include <cca/cca.hpp>
+#include <cca/graph/shows.hpp>
 #include <cca/main.hpp>
+#include <cca/robots/oncilla/legged_body.hpp>
 
 #if __has_include(<cca/record.hpp>)
-#include <cca/record.hpp>  // offers --record
+#include <cca/record.hpp>                // offers --record
+#include <cca/record/replay_option.hpp>  // offers --replay
 #endif
 
 #include "report/command_line.hpp"
@@ -52,7 +55,11 @@ double controller_nanoseconds() {
   return seconds_since(start) / beats * 1e9;
 }
 
-struct simulated_trot : trot::simulated_trot, cca::recordable, cca::traceable {};
+struct simulated_trot
+    : trot::simulated_trot,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation"> {};
 
 struct program : cca::robot_program<simulated_trot> {
   program() : bar("trot") {

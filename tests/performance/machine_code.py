@@ -4,7 +4,8 @@
 usage: machine_code.py FILE -- COMPILER [FLAGS...]
 
 FILE (traced_beats.cpp) has one graph three times. The beat of `as_it_is` and the usual beat of `with_both` must be the same
-instructions; neither calls a trace. The beat of `with_trace` calls it for each firing.
+instructions; neither calls a trace. The beat of `with_trace` calls it for each firing. In the same way `plain_modes` and
+`seen_modes`, a mode of a set, and `plain_split` and `seen_split`, an environment of a deployment.
 """
 import pathlib
 import re
@@ -15,7 +16,12 @@ import tempfile
 FIRINGS = 7  # sense, act and five components
 WANTED = {"as_it_is": r"controller<as_it_is>::advance\(\)|controllerI8as_it_isE7advanceE",
           "with_trace": r"controller<with_trace>::advance\(\)|controllerI10with_traceE7advanceE",
-          "with_both": r"controller<with_both>::advance_unseen\(\)"}
+          "with_both": r"controller<with_both>::advance_unseen\(\)",
+          "plain_modes": r"controller<plain_modes>::advance_in<0, cca::detail::mode_part<plain_modes, 0> ?>\(\)",
+          "seen_modes": r"controller<seen_modes>::advance_in<0, cca::detail::mode_part<seen_modes, 0> ?>\(\)",
+          "plain_split": r"environment_loop<plain_split, 0>::run_unseen\(\)",
+          "seen_split": r"environment_loop<seen_split, 0>::run_unseen\(\)"}
+PAIRS = (("as_it_is", "with_both"), ("plain_modes", "seen_modes"), ("plain_split", "seen_split"))
 
 
 def functions(listing):
@@ -52,21 +58,24 @@ def main():
         if len(names) != 1:
             sys.exit(f"{graph}: {len(names)} beats in the disassembly")
         beats[graph] = (names[0], all_functions[names[0]])
-    as_it_is, unseen = (plain(beats[graph][1], beats[graph][0], graph) for graph in ("as_it_is", "with_both"))
-    for number, (left, right) in enumerate(zip(as_it_is, unseen)):
-        if left != right:
-            sys.exit(f"instruction {number}: `{left}` is `{right}` in the beat that nobody traces or records")
-    if len(as_it_is) != len(unseen):
-        sys.exit(f"{len(as_it_is)} instructions are {len(unseen)} in the beat that nobody traces or records")
+    same = []
+    for one, other in PAIRS:
+        left_lines, right_lines = (plain(beats[graph][1], beats[graph][0], graph) for graph in (one, other))
+        for number, (left, right) in enumerate(zip(left_lines, right_lines)):
+            if left != right:
+                sys.exit(f"{one}, instruction {number}: `{left}` is `{right}` in the beat of {other} that nobody traces or records")
+        if len(left_lines) != len(right_lines):
+            sys.exit(f"{one}: {len(left_lines)} instructions are {len(right_lines)} in the beat of {other} that nobody traces or records")
+        same.append(str(len(left_lines)))
     hooks = {graph: [line for line in lines if "trace_track::" in line] for graph, (_, lines) in beats.items()}
-    for graph in ("as_it_is", "with_both"):
+    for graph in (graph for pair in PAIRS for graph in pair):
         if hooks[graph]:
             sys.exit(f"{graph}: calls a trace: {hooks[graph][0]}")
     fired = sum("trace_track::fired" in line for line in hooks["with_trace"])
     cold = sum("trace_track::fired" in line for name, lines in all_functions.items() if "with_trace" in name and "cold" in name for line in lines)
     if fired + cold < FIRINGS:
         sys.exit(f"with_trace: {fired + cold} hooks, expected {FIRINGS}")
-    print(f"{len(as_it_is)} instructions and relocations are the same; the traceable beat has {len(beats['with_trace'][1])}")
+    print(f"{', '.join(same)} instructions and relocations are the same; the traceable beat has {len(beats['with_trace'][1])}")
 
 
 if __name__ == "__main__":

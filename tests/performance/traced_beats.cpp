@@ -1,8 +1,11 @@
-// One graph three times, for machine_code.py: as it is, traceable, and both traceable and recordable.
+// One graph three times, for machine_code.py: as it is, traceable, and both traceable and recordable. A set
+// of modes and a deployment twice: as they are, and both.
 #include <cmath>
 #include <tuple>
 
 #include <cca/cca.hpp>
+#include <cca/deployment.hpp>
+#include <cca/modes.hpp>
 
 namespace {
 
@@ -47,12 +50,41 @@ struct loop : cca::graph<cca::rate<1000>,
                          cca::wire<"seldom.y", "c.x">,
                          cca::wire<"c.y", "plant.u", cca::delayed<1>>> {};
 
+struct standing : cca::graph<cca::rate<1000>,
+                             cca::node<"a", turn>,
+                             cca::node<"plant", plant>,
+                             cca::wire<"plant.y", "a.x">,
+                             cca::wire<"a.y", "plant.u">> {};
+
+struct apart : cca::graph<cca::rate<1000>,
+                          cca::node<"a", turn>,
+                          cca::node<"mean", mean, cca::timed<10>>,
+                          cca::node<"plant", plant>,
+                          cca::wire<"plant.y", "a.x">,
+                          cca::wire<"a.y", "plant.u">,
+                          cca::wire<"plant.y", "mean.x", cca::delayed<1>>> {};
+using here = cca::environment<"here", cca::nodes<"a", "plant">>;
+using there = cca::environment<"there", cca::other_nodes>;
+
 }  // namespace
 
 struct as_it_is : loop {};
 struct with_trace : loop, cca::traceable {};
 struct with_both : loop, cca::traceable, cca::recordable {};
 
+struct plain_modes : cca::modes<cca::mode<"loop", loop>, cca::mode<"standing", standing>> {};
+struct seen_modes : cca::modes<cca::mode<"loop", loop>, cca::mode<"standing", standing>>,
+                    cca::traceable,
+                    cca::recordable {};
+struct plain_split : cca::deployment<apart, here, there> {};
+struct seen_split : cca::deployment<apart, here, there>, cca::traceable, cca::recordable {};
+
+// The beat of an environment, as a function of its own.
+template void cca::detail::environment_loop<plain_split, 0>::run_unseen();
+template void cca::detail::environment_loop<seen_split, 0>::run_unseen();
+
+bool beat(cca::controller<plain_modes>& c) { return c.step(); }
+bool beat(cca::controller<seen_modes>& c) { return c.step(); }
 bool beat(cca::controller<as_it_is>& c) { return c.step(); }
 bool beat(cca::controller<with_trace>& c) { return c.step(); }
 bool beat(cca::controller<with_both>& c) { return c.step(); }

@@ -10,6 +10,8 @@ import shutil
 import subprocess
 import sys
 
+import shown_body
+
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -53,6 +55,9 @@ def main():
         joints = last["/ros2/limits/safe"]
         expect(len(joints["name"]) == len(joints["position"]) == 8 and joints["name"][0] == "left_front_hip", f"JointState {joints}")
         expect(last["/cca/state"]["state"] == "loaded", f"the last state is {last['/cca/state']}")
+        found, mass = shown_body.check(count, last, "/ros2/robot/angles/whole", 8, expect)
+        expect("world" in found["trunk_frame"]["header"]["frame_id"], f"the trunk is in {found['trunk_frame']['header']}")
+        expect(abs(mass - 5.1) < 1e-6, f"a mass of {mass} kg")
         expect("frequency" in last["/cca/parameters/cpg"], f"parameters {last['/cca/parameters/cpg']}")
     whole = file.read_bytes()
     numbers = random.Random(1)

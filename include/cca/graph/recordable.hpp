@@ -1,4 +1,4 @@
-// cca::recordable: a base of a graph that may be recorded.
+// cca::recordable: a base of a graph, a deployment or a set of modes that may be recorded.
 //
 //   struct trot : cca::graph<...>, cca::recordable {};
 //
@@ -23,6 +23,15 @@ template <class Graph> concept Recordable = std::derived_from<Graph, recordable>
 // The same graph as the key of the second beat: plan and places are equal.
 template <class Graph>
 struct probed : Graph {};
+
+template <class Graph>
+inline constexpr graph_sizes graph_size<probed<Graph>> = graph_size<Graph>;
+template <class Graph>
+inline constexpr int calls_in_part<probed<Graph>> = calls_in_part<Graph>;
+template <class Graph>
+inline constexpr flat_of<Graph> plan_of<probed<Graph>> = plan_of<Graph>;
+template <class Graph>
+inline constexpr auto layout_of<probed<Graph>> = layout_of<Graph>;
 
 template <class Graph>
 inline constexpr bool is_probed = false;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 
 #include <cca/graph/recordable.hpp>
 
@@ -24,6 +25,13 @@ template <class Graph>
 inline constexpr bool has_trace_hooks = Traceable<Graph> && !Recordable<Graph>;
 template <class Graph>
 inline constexpr bool has_trace_hooks<probed<Graph>> = Traceable<Graph>;
+
+// A base of what is a part of a whole: recordable and traceable as the whole is.
+template <int>
+struct no_mark {};
+template <class Whole>
+struct marks_of : std::conditional_t<Recordable<Whole>, recordable, no_mark<0>>,
+                  std::conditional_t<Traceable<Whole>, traceable, no_mark<1>> {};
 
 }  // namespace detail
 }  // namespace cca

@@ -34,6 +34,7 @@ public:
   robot_run(Program& of, std::string name) : program(of), called(std::move(name)) {}
 
   int go() {
+    if (!program.settings.replay.empty()) return replay();
     const auto made = program.others.open ? program.others.open(only(program.settings.only))
                                           : std::make_unique<controller_type>();
     controller_type& c = *made;
@@ -95,6 +96,17 @@ private:
   static constexpr bool can_trace = Traceable<typename Program::architecture>;
   using tracer_type =
       typename std::conditional_t<can_trace, box<cca::tracer<controller_type>>, box<no_tracer>>::type;
+
+  // The same controller with what the recorded robot sensed; the program's own functions are not called.
+  int replay() {
+    if constexpr (HasReplay<controller_type>) {
+      const auto result = program_replay<controller_type>::of(program.settings.replay);
+      std::cout << called << ": " << result << '\n';
+      return result ? exit_code::done : exit_code::fault;
+    } else {
+      throw refused(called + ": this program can't replay: see docs/recordings.md");
+    }
+  }
 
   void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
                        [[maybe_unused]] controller_type& c) {

@@ -113,6 +113,15 @@ void offer_standard_options(command_line& line, Program& p) {
           },
           "records only the ports under these scopes, as dmp or dmp.phase");
   }
+  if constexpr (HasReplay<typename Program::controller_type>)
+    if (!line.has("--replay"))
+      line.text(
+          "--replay FILE",
+          [&s](const std::string& text) {
+            if (text.empty()) throw command_line_error("--replay: expected the name of a file");
+            s.replay = text;
+          },
+          "plays what this recording says was sensed, and compares what is published");
   if constexpr (Traceable<typename Program::architecture>)
     if (!line.has("--trace"))
       line.text(
@@ -129,6 +138,8 @@ template <class Program>
 void refuse_contradictions(const command_line& line, const Program& p) {
   if (p.settings.record.empty() && !p.settings.record_scopes.empty())
     throw command_line_error("--record-only: say by --record into which file");
+  if (!p.settings.replay.empty() && !(p.settings.record.empty() && p.settings.trace.empty()))
+    throw command_line_error("--replay: nothing is recorded or traced meanwhile");
   if constexpr (Deployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();
     const auto& only = p.settings.only;

@@ -8,8 +8,6 @@
 // included, while a beat runs: call them between two beats, in the thread that runs them.
 #pragma once
 
-#include <type_traits>
-
 #include <cca/graph/recordable.hpp>
 #include <cca/graph/traceable.hpp>
 #include <cca/runtime/cut_beat.hpp>
@@ -93,7 +91,7 @@ private:
   void advance() noexcept
     requires(detail::Recordable<Graph>)
   {
-    if (is_observed()) advance_observed();
+    if (state_of_all.is_observed()) advance_observed();
     else advance_unseen();
   }
   [[gnu::flatten]] void advance() noexcept
@@ -104,36 +102,17 @@ private:
   [[gnu::noinline, gnu::flatten]] void advance_unseen() noexcept { run_beat<Graph>(); }
   [[gnu::noinline, gnu::flatten]] void advance_observed() noexcept { run_beat<detail::probed<Graph>>(); }
 
-  bool is_observed() const noexcept {
-    if constexpr (detail::Traceable<Graph>)
-      if (state_of_all.trace.get()) return true;
-    return state_of_all.tap.get() != nullptr;
-  }
-
   template <class Key>
   CCA_INLINE void run_beat() noexcept {
     detail::beat_outcome outcome;
-    if constexpr (detail::is_probed<Key>) begin_frame();
+    if constexpr (detail::is_probed<Key>) state_of_all.begin_frame(k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->begin(k);
     detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
     if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->end();
-    if constexpr (detail::is_probed<Key>) end_frame();
+    if constexpr (detail::is_probed<Key>) state_of_all.end_frame();
     end_beat(outcome);
-  }
-  // Where it is only traced, the frame is one that nobody reads.
-  CCA_INLINE void begin_frame() noexcept {
-    auto* const tap = state_of_all.tap.get();
-    if constexpr (detail::Traceable<Graph>)
-      if (!tap) return void(state_of_all.frame = state_of_all.trace.get()->unread_frame());
-    state_of_all.frame = tap->begin(k);
-  }
-  CCA_INLINE void end_frame() noexcept {
-    auto* const tap = state_of_all.tap.get();
-    if constexpr (detail::Traceable<Graph>)
-      if (!tap) return;
-    tap->end();
   }
   CCA_INLINE void end_beat([[maybe_unused]] const detail::beat_outcome& outcome) noexcept {
     ++k;
@@ -146,10 +125,7 @@ private:
 
   using host::k;
 
-  std::conditional_t<detail::Recordable<Graph>,
-                     detail::controller_state<detail::probed<Graph>>,
-                     detail::controller_state<Graph>>
-      state_of_all;
+  detail::kept_state<Graph> state_of_all;
 };
 
 }  // namespace cca

@@ -78,7 +78,16 @@ struct traced_loops<deployed<D>> {
     add_calls<D>(all.calls);
     return all;
   }
-  static trace_track::room room(int) { return {.in_beat = array_size(counts_of<D>.order_count)}; }
+  static trace_track::room room(int) {
+    trace_track::room one{.in_beat = array_size(counts_of<D>.order_count)};
+    if constexpr (Recordable<D>)
+      one.words = most_words(std::make_integer_sequence<int, environment_count<D>>{});
+    return one;
+  }
+  template <int... E>
+  static constexpr std::size_t most_words(std::integer_sequence<int, E...>) {
+    return std::max({std::size_t{0}, array_size(frame_layout_of<part<D, E>>.words)...});
+  }
 };
 template <Modes M>
 struct traced_loops<controller<M>> {
@@ -99,7 +108,9 @@ struct traced_loops<controller<M>> {
     [&]<int... I>(std::integer_sequence<int, I...>) {
       ((most = std::max(most, array_size(counts_of<mode_part<M, I>>.order_count))), ...);
     }(std::make_integer_sequence<int, mode_count<M>>{});
-    return {.in_beat = most};
+    trace_track::room one{.in_beat = most};
+    if constexpr (Recordable<M>) one.words = array_size(frame_layout_of<M>.words);
+    return one;
   }
 };
 

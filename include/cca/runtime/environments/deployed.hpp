@@ -53,9 +53,10 @@ template <class D>
   requires Deployment<D> && well_formed<D>
 class deployed<D> : public detail::component_host<deployed<D>, D>,
                     public detail::figures_of_runs<deployed<D>, D>,
-                    detail::placed_components<D> {
+                    detail::told_environments<D> {
   using host = detail::component_host<deployed<D>, D>;
   using placed = detail::placed_components<D>;
+  using told = detail::told_environments<D>;
   friend host;
   friend placed;
   friend detail::live_components;
@@ -135,24 +136,12 @@ public:
     placed::observe_here(k, f);
   }
 
-  // As of a controller: f(number of the environment, whom it tells of its beats) for those in this process.
-  template <class F>
-  void for_each_trace(F f) noexcept
-    requires(detail::Traceable<D>)
-  {
-    loops.for_each([&]<int E>(auto& loop) {
-      if (here[E]) f(E, loop.state.trace);
-    });
-  }
-  detail::trace_track* traced_into() const noexcept
-    requires(detail::Traceable<D>)
-  {
-    detail::trace_track* first = nullptr;
-    loops.for_each([&]<int E>(const auto& loop) {
-      if (here[E] && !first) first = loop.state.trace.get();
-    });
-    return first;
-  }
+  // As of a controller, and of its environments in this process.
+  using told::for_each_trace, told::traced_into, told::for_each_tap, told::recorded_into;
+  using told::parameters_changed_in;
+
+  // As of a controller. While it runs on a clock: those of the first environment, which `between` may touch.
+  void parameters_changed() noexcept { told::parameters_changed(now == cca::state::running, first_here()); }
 
 private:
   // Where its environment is, if that looks at it now; else all are at rest.

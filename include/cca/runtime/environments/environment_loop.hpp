@@ -19,26 +19,14 @@
 namespace cca::detail {
 
 template <class D, int E>
-inline constexpr bool has_trace_hooks<part<D, E>> = Traceable<D>;
-
-// The state of a part has its links, which the beat finds by its context.
-template <class D, int E>
-struct controller_state<part<D, E>>
-    : state_of<part<D, E>,
-               chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
-               chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
-      environment_links<D, E>,
-      trace_link<part<D, E>> {};
-
-template <class D, int E>
 class alignas(64) environment_loop {
   using graph = part<D, E>;
   static constexpr std::int64_t period = counts_of<D>.period;
 
 public:
-  controller_state<graph> state;
   std::int64_t k = 0;     // the next beat; asleep, the next in which something can fire
   std::int64_t done = 0;  // behind the last beat that has run
+  kept_state<graph> state;
 
   // Before a run, while all environments rest. `ahead`: of the others, as fast as possible.
   void prepare(
@@ -95,7 +83,7 @@ public:
       const cca::fault late = wait(runs, pace, (k - first) * period);
       own().overruns.store(runs.overruns, std::memory_order_relaxed);
       own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
-      if (late) state_fault(0, late.reason(), -1);
+      if (late) state_fault(state.observers(), 0, late.reason(), -1);
       if (!goes_on()) return;
       own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
@@ -117,7 +105,8 @@ public:
       const std::int64_t beat = is_overrun ? begun() + 1 : k;
       if (is_overrun) {
         add(own().overruns, 1);
-        if (auto* const track = trace_of<graph>(state)) track->overrun(beat - k);
+        if constexpr (Traceable<D>)
+          if (auto* const track = state.trace.get()) track->overrun(beat - k);
       }
       if (beat >= end) return lose_until(end);
       if (!wait_for_beat(beat)) return;
@@ -140,7 +129,9 @@ public:
       state.repeat_leaving(skipped);
       if (state.is_exact) repeat_firings(skipped);
     }
+    if (next > k) tell_skipped(k, next - k);
     k = done = next;
+    tell_reached();
   }
 
   // Once, in the beat of a fault: instead of what would still have come.
@@ -154,33 +145,56 @@ private:
   exchange<D>& shared() { return *state.shared; }
   auto& own() { return shared().environments[E]; }
   std::int64_t position(int rank = 0) const { return exchange<D>::position_of(k, rank); }
-  void announce() { state.move_to(position()); }
+  void announce() {
+    tell_reached();
+    state.move_to(position());
+  }
   std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
   bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
-  void state_fault(int rank, std::string_view reason, int node) noexcept {
+  CCA_INLINE void state_fault(loop_observers to, int rank, std::string_view reason, int node) noexcept {
     own().fault.state(position(rank), reason, node);
-    if (auto* const track = trace_of<graph>(state)) track->failed(node, reason.data());
+    state.tell_fault(to, reason.data(), node, k);
   }
   template <class Pace>
   cca::fault wait(run_record& runs, Pace& pace, std::int64_t time) {
-    if constexpr (has_trace_hooks<graph>) return runs.wait(pace, time, state.trace.get());
+    if constexpr (Traceable<D>) return runs.wait(pace, time, state.trace.get());
     else return runs.wait(pace, time);
   }
 
-  [[gnu::flatten]] void run_beat() noexcept {
+  // Of a recordable deployment: either beat is a function of its own, so that neither pays for the other.
+  void run_beat() noexcept
+    requires(Recordable<graph>)
+  {
+    if (state.is_observed()) run_observed();
+    else run_unseen();
+  }
+  [[gnu::flatten]] void run_beat() noexcept
+    requires(!Recordable<graph>)
+  {
+    run_beat_of<graph>();
+  }
+  [[gnu::noinline, gnu::flatten]] void run_unseen() noexcept { run_beat_of<graph>(); }
+  [[gnu::noinline, gnu::flatten]] void run_observed() noexcept { run_beat_of<probed<graph>>(); }
+
+  template <class Key>
+  CCA_INLINE void run_beat_of() noexcept {
+    const loop_observers observers = observers_in<Key>(state);
     if (!state.is_exact)
-      if (const int lost = state.count_late(k); lost >= 0) return state_fault(0, lost_contact<D>(lost), -1);
-    if (auto* const track = trace_of<graph>(state)) [[unlikely]]
+      if (const int lost = state.count_late(k, observers); lost >= 0)
+        return state_fault(observers, 0, lost_contact<D>(lost), -1);
+    if constexpr (is_probed<Key>) state.begin_frame(k);
+    if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->begin(k);
     state.receive(state, k);
-    if (auto* const track = trace_of<graph>(state)) [[unlikely]]
+    if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->pass();
     beat_outcome outcome;
-    beat_of_graph<graph>::run(state, outcome, k);
-    if (auto* const track = trace_of<graph>(state)) [[unlikely]]
+    beat_of_graph<Key>::run(state, outcome, k);
+    if (auto* const track = trace_of<Key>(state)) [[unlikely]]
       track->end();
+    if constexpr (is_probed<Key>) state.end_frame();
     if constexpr (counts_of<graph>.may_fault)
-      if (outcome.fault) state_fault(state.fault_rank, outcome.fault, outcome.node);
+      if (outcome.fault) state_fault(observers, state.fault_rank, outcome.fault, outcome.node);
     done = ++k;
   }
 
@@ -227,6 +241,15 @@ private:
       if (patience.is_time_to_ask()) state.look_for_those_before(position());
     }
     return false;
+  }
+
+  void tell_reached() noexcept {
+    if constexpr (Recordable<D>)
+      if (auto* const tap = state.tap.get()) tap->reach(k);
+  }
+  void tell_skipped([[maybe_unused]] std::int64_t first, [[maybe_unused]] std::int64_t count) noexcept {
+    if constexpr (Recordable<D>)
+      if (auto* const tap = state.tap.get()) tap->skipped(first, count, !state.is_exact);
   }
 
   void lose_until(std::int64_t next) {

@@ -11,6 +11,7 @@
 #include <cca/runtime/environments/lost_contact.hpp>
 #include <cca/runtime/environments/waiting/patience.hpp>
 #include <cca/runtime/environments/peers.hpp>
+#include <cca/runtime/recording/beat_tap.hpp>
 
 namespace cca::detail {
 
@@ -66,8 +67,21 @@ public:
   void look_for(int environment, std::int64_t position, F has_come) noexcept {
     if (others && others->is_gone(environment) && !has_come()) {
       shared->environments[E].fault.state(position, lost_contact<D>(environment), -1);
-      if (auto* const track = traced_into()) track->failed(-1, lost_contact<D>(environment).data());
+      tell_fault(observers(), lost_contact<D>(environment).data(), -1, position / exchange<D>::calls_and_one);
     }
+  }
+  // To a tracer and a recorder.
+  CCA_INLINE static void tell_fault(loop_observers to,
+                                    const char* reason,
+                                    int node,
+                                    std::int64_t k) noexcept {
+    if (to.track) to.track->failed(node, reason);
+    if (to.tap) to.tap->failed(node, reason, k);
+  }
+  // Between two beats.
+  loop_observers observers() const noexcept {
+    return observers_in<std::conditional_t<Recordable<D>, probed<part<D, E>>, part<D, E>>>(
+        static_cast<const kept_state<part<D, E>>&>(*this));
   }
   // For those without whom beat k may not begin.
   void look_for_missing(std::int64_t k, std::int64_t position) noexcept {
@@ -100,9 +114,9 @@ public:
 
   // When beat k begins at wall-clock speed: counts the environments whose samples should be here and are not.
   // The one that has been late for more beats in a row than is tolerated; -1: none.
-  int count_late(std::int64_t k) noexcept {
+  int count_late(std::int64_t k, loop_observers to) noexcept {
     int lost = -1;
-    (count_late_from<Other>(k, lost), ...);
+    (count_late_from<Other>(k, lost, to), ...);
     return lost;
   }
   // Of a run before.
@@ -113,11 +127,11 @@ public:
 
   // Nothing has gone wrong elsewhere before this call. False: the beat ends here.
   template <int Rank>
-  CCA_INLINE bool is_due(std::int64_t k) noexcept {
+  CCA_INLINE bool is_due(std::int64_t k, [[maybe_unused]] trace_track* track) noexcept {
     if constexpr (((needed<Other>(Rank) > (Rank == 0 ? 0 : needed<Other>(Rank - 1))) || ...))
       if (is_exact) {
         (wait_for<Other>(k, Rank), ...);
-        if (auto* const track = traced_into()) [[unlikely]]
+        if (track) [[unlikely]]
           track->waited();
       }
     if constexpr (((needed<Other>(Rank) > 0) || ...)) return !is_cut;
@@ -140,10 +154,6 @@ public:
   }
 
 private:
-  CCA_INLINE trace_track* traced_into() const noexcept {
-    return trace_of<part<D, E>>(static_cast<const controller_state<part<D, E>>&>(*this));
-  }
-
   static constexpr const auto& order = fault_order_of<D, E>;
 
   template <int X>
@@ -238,13 +248,14 @@ private:
     }
   }
   template <int X>
-  void count_late_from(std::int64_t k, int& lost) noexcept {
+  CCA_INLINE void count_late_from(std::int64_t k, int& lost, loop_observers to) noexcept {
     if constexpr (least_delay(X, E) > 0) {
       std::int64_t& in_a_row = late_in_a_row[X];
       const bool is_late = !has_done<X>(k - least_delay(X, E) + 1);
       if (is_late) {
         add(shared->environments[E].late[X], 1);
-        if (auto* const track = traced_into()) track->late(X);
+        if (to.track) to.track->late(X);
+        if (to.tap) to.tap->late(X, k);
       }
       in_a_row = is_late ? in_a_row + 1 : 0;
       if (in_a_row > environments_of<D>::tolerated) lost = X;
@@ -254,5 +265,17 @@ private:
   std::array<std::int64_t, array_size(environment_count<D>)> seen{};  // how far the others were
   std::array<std::int64_t, array_size(environment_count<D>)> late_in_a_row{};
 };
+
+template <class D, int E>
+inline constexpr bool may_be_cut<part<D, E>> = true;
+
+// The state of a part has its links, which the beat finds by its context.
+template <class D, int E>
+struct controller_state<part<D, E>>
+    : state_of<part<D, E>,
+               chosen<counts_of<part<D, E>>.node_count, is_first_of_type<part<D, E>>>,
+               chosen<layout_of<part<D, E>>.array_count, outlives_beat<part<D, E>>>>,
+      environment_links<D, E>,
+      trace_link<part<D, E>> {};
 
 }  // namespace cca::detail

@@ -97,4 +97,63 @@ private:
   }
 };
 
+// The environments as a tracer and a recorder know them: each loop of this process tells them of its beats.
+template <class D>
+class told_environments : protected placed_components<D> {
+public:
+  // f(number of the environment, whom it tells of its beats)
+  template <class F>
+  void for_each_trace(F f) noexcept
+    requires(Traceable<D>)
+  {
+    this->loops.for_each([&]<int E>(auto& loop) {
+      if (this->here[E]) f(E, loop.state.trace);
+    });
+  }
+  trace_track* traced_into() const noexcept
+    requires(Traceable<D>)
+  {
+    trace_track* first = nullptr;
+    this->loops.for_each([&]<int E>(const auto& loop) {
+      if (this->here[E] && !first) first = loop.state.trace.get();
+    });
+    return first;
+  }
+
+  // f.template operator()<E>(where loop E keeps whom it tells)
+  template <class F>
+  void for_each_tap(F f) noexcept
+    requires(Recordable<D>)
+  {
+    this->loops.for_each([&]<int E>(auto& loop) {
+      if (this->here[E]) f.template operator()<E>(loop.state.tap);
+    });
+  }
+  loop_tap* recorded_into() const noexcept
+    requires(Recordable<D>)
+  {
+    loop_tap* first = nullptr;
+    this->loops.for_each([&]<int E>(const auto& loop) {
+      if (this->here[E] && !first) first = loop.state.tap.get();
+    });
+    return first;
+  }
+
+  // Between two beats of all of them, or on a clock of the first here.
+  void parameters_changed(bool is_running, int first) noexcept {
+    if constexpr (Recordable<D>)
+      this->loops.for_each([&]<int E>(auto& loop) {
+        if (this->here[E] && (!is_running || loop.state.is_exact || E == first)) parameters_changed_in<E>();
+      });
+  }
+  // In the thread of an environment.
+  template <int E>
+  void parameters_changed_in() noexcept {
+    if constexpr (Recordable<D>) {
+      auto& loop = this->loops.template at<E>();
+      if (auto* const tap = loop.state.tap.get()) tap->parameters_changed(loop.state, loop.k);
+    }
+  }
+};
+
 }  // namespace cca::detail

@@ -146,7 +146,9 @@ private:
   int do_what_is_asked(Controller& c) {
     if (what == asked::parameters) {
       const int by = known.template give_to<Loop>(c);
-      tell_parameters(c);
+      if constexpr (requires { c.template parameters_changed_in<Loop>(); })
+        c.template parameters_changed_in<Loop>();
+      else tell_parameters(c);
       return by;
     }
     if constexpr (Modes<Graph>)

@@ -76,6 +76,25 @@ public:
     return state_of_all.trace.get();
   }
 
+  // As of a controller of a graph.
+  void record_into(detail::beat_tap<M>* tap) noexcept
+    requires(detail::Recordable<M>)
+  {
+    state_of_all.tap.set(tap);
+    if (!tap) return;
+    tap->parameters_changed(state_of_all, k);
+    tap->switched(active, false, k);
+  }
+  detail::beat_tap<M>* recorded_into() const noexcept
+    requires(detail::Recordable<M>)
+  {
+    return state_of_all.tap.get();
+  }
+  void parameters_changed() noexcept {
+    if constexpr (detail::Recordable<M>)
+      if (auto* const tap = recorded_into()) tap->parameters_changed(state_of_all, k);
+  }
+
 private:
   friend detail::component_host<controller, M>;
   friend detail::stoppable_components<controller, M>;
@@ -134,17 +153,24 @@ private:
   }
 
   void advance() noexcept {
-    with_mode(active, [this]<int I>() { this->template advance_in<I>(); });
+    if constexpr (detail::Recordable<M>)
+      if (state_of_all.is_observed())
+        return with_mode(active,
+                         [this]<int I>() { this->template advance_in<I, detail::probed<part<I>>>(); });
+    with_mode(active, [this]<int I>() { this->template advance_in<I, part<I>>(); });
   }
 
-  template <int I>
+  // `Key`: the mode, or its second beat, which tells a recorder.
+  template <int I, class Key>
   [[gnu::flatten, gnu::noinline]] void advance_in() noexcept {
     detail::beat_outcome outcome;
-    if (auto* const track = detail::trace_of<part<I>>(state_of_all)) [[unlikely]]
+    if constexpr (detail::is_probed<Key>) state_of_all.template begin_frame<part<I>>(k);
+    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->begin(k, detail::trace_name(detail::first_node_of_mode<M, I>, detail::phase_of_beat::process));
-    detail::beat_of_graph<part<I>>::run(state_of_all, outcome, k);
-    if (auto* const track = detail::trace_of<part<I>>(state_of_all)) [[unlikely]]
+    detail::beat_of_graph<Key>::run(state_of_all, outcome, k);
+    if (auto* const track = detail::trace_of<Key>(state_of_all)) [[unlikely]]
       track->end();
+    if constexpr (detail::is_probed<Key>) state_of_all.end_frame();
     ++k;
     if constexpr (detail::counts_of<part<I>>.may_fault)
       if (outcome.fault) return fail_in<I>(outcome);
@@ -162,7 +188,9 @@ private:
     host::fail(outcome);
   }
 
-  [[gnu::noinline]] void switch_by_request() noexcept { move_to(std::exchange(state_of_all.requested, -1)); }
+  [[gnu::noinline]] void switch_by_request() noexcept {
+    move_to(std::exchange(state_of_all.requested, -1), true);
+  }
 
   void change_to(int next) {
     if (now == cca::state::faulted)
@@ -171,13 +199,16 @@ private:
     move_to(next);
   }
 
-  void move_to(int next) {
+  void move_to(int next, [[maybe_unused]] bool is_requested = false) {
     if (next == active) return;
     const bool is_started = now == cca::state::started || now == cca::state::running;
     with_mode(active, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.leave(next, k, is_started); });
     const int last = active;
     active = next;
-    if (auto* const track = detail::trace_of<part<0>>(state_of_all)) track->switched(next);
+    if constexpr (detail::Traceable<M>)
+      if (auto* const track = state_of_all.trace.get()) track->switched(next);
+    if constexpr (detail::Recordable<M>)
+      if (auto* const tap = recorded_into()) tap->switched(next, is_requested, k);
     state_of_all.since = k;
     with_mode(next, [&]<int I>() { detail::mode_switch<M, I>{state_of_all}.enter(last, is_started); });
   }
@@ -208,7 +239,7 @@ private:
 
   using host::k, host::now;
 
-  detail::state_of_modes<M> state_of_all;
+  detail::kept_state_of_modes<M> state_of_all;
   int active = 0;
   bool is_for_active_mode = false;
 };

@@ -1,16 +1,16 @@
 // The state of a set of modes: all components once, and what of their samples outlives a beat. Every mode
-// works on all of it. It is plain values, so a copy is a snapshot.
+// works on all of it. It is plain values, so a copy is a snapshot. The frames of a recorded set, too, have
+// the outputs of all modes.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include <cca/graph/layout/layout_of_modes.hpp>
+#include <cca/runtime/recording/beat_tap.hpp>
 #include <cca/runtime/state.hpp>
 
 namespace cca::detail {
-
-template <class M, int I>
-inline constexpr bool has_trace_hooks<mode_part<M, I>> = Traceable<M>;
 
 // One object is the state of every mode: each is derived from the one before, and the first from what all
 // share.
@@ -30,6 +30,38 @@ struct controller_state<mode_part<M, 0>> : controller_state<M> {
 
 template <class M>
 using state_of_modes = controller_state<mode_part<M, mode_count<M> - 1>>;
+
+// Of a recordable set the same once more: each mode's second beat finds its state and the frame.
+template <class M, int I>
+struct controller_state<probed<mode_part<M, I>>> : controller_state<probed<mode_part<M, I - 1>>> {};
+template <class M>
+struct controller_state<probed<mode_part<M, 0>>>
+    : state_of_modes<M>, trace_link<probed<M>>, frame_link<controller_state<probed<mode_part<M, 0>>>, M> {};
+template <class M>
+using kept_state_of_modes = std::conditional_t<Recordable<M>,
+                                               controller_state<probed<mode_part<M, mode_count<M> - 1>>>,
+                                               state_of_modes<M>>;
+
+template <class M, int I>
+inline constexpr auto frame_layout_of<mode_part<M, I>> = [] {
+  constexpr const auto& whole = frame_layout_of<M>;
+  constexpr int outputs = counts_of<mode_part<M, I>>.output_count;
+  const auto& plan = plan_of<mode_part<M, I>>;
+  const auto view = shared_plan_of<M>.view_of(shown_plan<mode_part<M, I>>, shown_plan<M>);
+  frame_layout<outputs> frame;
+  frame.origins = whole.origins;
+  frame.words = whole.words;
+  for (std::size_t o = 0; o < array_size(outputs); ++o) {
+    const auto shared = array_size(view.shared_output(static_cast<int>(o)));
+    const auto& call = plan.calls[array_size(plan.outputs[o].call)];
+    frame.origin[o] = whole.origin[shared];
+    frame.at[o] = whole.at[shared];
+    frame.size[o] = whole.size[shared];
+    frame.in_each_beat[o] = published(call.function->outputs[plan.outputs[o].port], call).every_beat() &&
+                            !counts_of<mode_part<M, I>>.may_fault;
+  }
+  return frame;
+}();
 
 template <class M, int I, int First>
 struct array_of_components<mode_part<M, I>, First> {

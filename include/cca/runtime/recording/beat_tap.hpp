@@ -1,8 +1,10 @@
-// What a recorder is to a controller: the frames into which the beat writes, and what the controller tells it
-// between two beats. A recorder derives from it; a controller holds a pointer to it, or none.
+// What a recorder is to a loop: the frames into which the beat writes, and what the loop tells it between two
+// beats. A recorder derives from it; a loop holds a pointer to it, or none.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <cca/component/lifecycle.hpp>
@@ -22,19 +24,47 @@ struct array_of_components;
 template <class Graph, int Array>
 struct array_of_samples;
 
+// What all loops tell, between two beats or at the end of one, in the thread of the loop: no allocation, no
+// wait.
+class loop_tap {
+public:
+  loop_tap() = default;
+  loop_tap(const loop_tap&) = delete;
+  loop_tap& operator=(const loop_tap&) = delete;
+  virtual ~loop_tap() = default;
+
+  virtual void moved(state to, std::int64_t k) noexcept = 0;
+  virtual void failed(int node, const char* reason, std::int64_t k) noexcept = 0;
+  // The controller is destroyed, or gets the value of another one.
+  virtual void controller_is_gone() noexcept = 0;
+
+  // Of a set of modes: the next beat is in this mode. `requested`: a component asked for it.
+  virtual void switched(int /*mode*/, bool /*requested*/, std::int64_t /*k*/) noexcept {}
+  // Of an environment: beat k began without the samples of another one; `count` beats from k on do not run,
+  // because of the clock or of a fault.
+  virtual void late(int /*environment*/, std::int64_t /*k*/) noexcept {}
+  virtual void skipped(std::int64_t /*k*/, std::int64_t /*count*/, bool /*by_clock*/) noexcept {}
+
+  // Of an environment: all that it tells of the beats before k is there.
+  void reach(std::int64_t k) noexcept { next_beat.store(k, std::memory_order_release); }
+  std::int64_t reached() const noexcept { return next_beat.load(std::memory_order_acquire); }
+
+private:
+  std::atomic<std::int64_t> next_beat{0};
+};
+
 template <class Graph>
-class beat_tap {
+class beat_tap : public loop_tap {
 public:
   explicit beat_tap(std::size_t frames) : ring(frames) {}
-  beat_tap(const beat_tap&) = delete;
-  beat_tap& operator=(const beat_tap&) = delete;
-  virtual ~beat_tap() = default;
 
-  // The frame of a beat. What is published in each beat needs no mark.
+  // The frame of a beat. What is published in each beat needs no mark. `Loop`: the graph, or one of its
+  // modes.
+  template <class Loop = Graph>
   CCA_INLINE std::int64_t* begin(std::int64_t k) noexcept {
     std::int64_t* const frame = ring.frame();
     frame[0] = k;
-    forget<chosen<counts_of<Graph>.output_count, is_seldom<Graph>>>::in(frame);
+    forget<chosen<frame_layout_of<Loop>.origins + 1, is_seldom_written<Loop>>>::in(frame);
     return frame;
   }
   CCA_INLINE void end() noexcept {
@@ -42,13 +72,7 @@ public:
       wait_for_room();
   }
 
-  // ---- between two beats, or at the end of one, in the thread of the loop: no allocation, no wait ----
-
   virtual void parameters_changed(const controller_state<Graph>&, std::int64_t k) noexcept = 0;
-  virtual void moved(state to, std::int64_t k) noexcept = 0;
-  virtual void failed(int node, const char* reason, std::int64_t k) noexcept = 0;
-  // The controller is destroyed, or gets the value of another one.
-  virtual void controller_is_gone() noexcept = 0;
 
 protected:
   // The next frame would be lost.
@@ -78,12 +102,59 @@ private:
   beat_tap<Graph>* tap = nullptr;
 };
 
-// The state of a recordable graph is that of the graph, and this.
-template <class Graph>
-struct controller_state<probed<Graph>> : controller_state<Graph>, trace_link<probed<Graph>> {
+// Where a beat finds its frame. `State` is what it is a base of.
+template <class State, class Graph>
+struct frame_link {
   tap_pointer<Graph> tap{};
   std::int64_t* frame = nullptr;  // of this beat
+
+  bool is_observed() const noexcept {
+    if constexpr (has_trace_hooks<probed<Graph>>)
+      if (self().trace.get()) return true;
+    return tap.get() != nullptr;
+  }
+  // `Loop`: the graph, or one of its modes. Where it is only traced, the frame is one that nobody reads.
+  template <class Loop = Graph>
+  CCA_INLINE void begin_frame(std::int64_t k) noexcept {
+    auto* const to = tap.get();
+    if constexpr (has_trace_hooks<probed<Graph>>)
+      if (!to) return void(frame = self().trace.get()->unread_frame());
+    frame = to->template begin<Loop>(k);
+  }
+  CCA_INLINE void end_frame() noexcept {
+    auto* const to = tap.get();
+    if constexpr (has_trace_hooks<probed<Graph>>)
+      if (!to) return;
+    to->end();
+  }
+
+private:
+  const State& self() const noexcept { return static_cast<const State&>(*this); }
 };
+
+// The state of a recordable graph is that of the graph, and this.
+template <class Graph>
+struct controller_state<probed<Graph>> : controller_state<Graph>,
+                                         trace_link<probed<Graph>>,
+                                         frame_link<controller_state<probed<Graph>>, Graph> {};
+
+// What a loop keeps.
+template <class Graph>
+using kept_state =
+    std::conditional_t<Recordable<Graph>, controller_state<probed<Graph>>, controller_state<Graph>>;
+
+// Whom a beat tells of more than firings and samples: null where nobody looks, and always where the beat with
+// this key has no hooks.
+struct loop_observers {
+  trace_track* track = nullptr;
+  loop_tap* tap = nullptr;
+};
+template <class Key, class State>
+CCA_INLINE loop_observers observers_in([[maybe_unused]] const State& state) {
+  loop_observers all{trace_of<Key>(state)};
+  if constexpr (is_probed<Key>) all.tap = state.tap.get();
+  return all;
+}
 
 template <class Graph, int First>
 struct array_of_components<probed<Graph>, First> {

@@ -1,9 +1,12 @@
-// A frame has all samples that a graph publishes in one beat, as words of eight bytes, with room for each
+// A frame has all samples that one loop publishes in one beat, as words of eight bytes, with room for each
 // output whether it is published or not:
 //
-//   0            the beat
-//   1 + output   its time of origin; `never`: not published in this beat
-//   at[output]   its coordinates
+//   0                the beat
+//   origin[output]   its time of origin; `never`: not published in this beat
+//   at[output]       its coordinates
+//
+// The loop of an environment has only the outputs of its own components. All modes of a set have the same
+// frames, with the outputs of all of them (runtime/modes/shared_state.hpp).
 #pragma once
 
 #include <array>
@@ -13,51 +16,71 @@
 #include <cca/base/array_size.hpp>
 #include <cca/base/inlining.hpp>
 #include <cca/graph/layout/lookup.hpp>
+#include <cca/graph/recordable.hpp>
 #include <cca/space/origin.hpp>
 
 namespace cca::detail {
 
 template <int Outputs>
 struct frame_layout {
+  std::array<int, array_size(Outputs + 1)> origin{};  // -1: published by another loop
   std::array<int, array_size(Outputs + 1)> at{};
   std::array<int, array_size(Outputs + 1)> size{};           // coordinates
   std::array<bool, array_size(Outputs + 1)> in_each_beat{};  // surely published
+  int origins = 0;                                           // in the words from 1 on
   int words = 0;
 };
+
+// Whether a beat may end before its last call. That of an environment may, by a fault elsewhere.
+template <class Graph>
+inline constexpr bool may_be_cut = counts_of<Graph>.may_fault;
 
 template <class Graph>
 inline constexpr auto frame_layout_of = [] {
   constexpr int outputs = counts_of<Graph>.output_count;
   frame_layout<outputs> frame;
   const auto& plan = plan_of<Graph>;
-  frame.words = 1 + outputs;
+  for (std::size_t o = 0; o < array_size(outputs); ++o)
+    frame.origin[o] = plan.calls[array_size(plan.outputs[o].call)].elsewhere ? -1 : ++frame.origins;
+  frame.words = 1 + frame.origins;
   for (std::size_t o = 0; o < array_size(outputs); ++o) {
     const auto& out = plan.outputs[o];
     const auto& call = plan.calls[array_size(out.call)];
     const auto& port = call.function->outputs[out.port];
-    frame.in_each_beat[o] = published(port, call).every_beat() && !counts_of<Graph>.may_fault;
-    frame.at[o] = frame.words;
     frame.size[o] = port.space->size;
+    if (frame.origin[o] < 0) continue;
+    frame.in_each_beat[o] = published(port, call).every_beat() && !may_be_cut<Graph>;
+    frame.at[o] = frame.words;
     frame.words += frame.size[o];
   }
   frame.words = (frame.words + 7) / 8 * 8;  // whole lines of the cache
   return frame;
 }();
 
-// Outputs that are not surely published in each beat: their frames need a mark.
 template <class Graph>
-struct is_seldom {
-  static constexpr bool holds(std::size_t o) { return !frame_layout_of<Graph>.in_each_beat[o]; }
+inline constexpr const auto& frame_layout_of<probed<Graph>> = frame_layout_of<Graph>;
+
+// The words whose outputs are not surely published in each beat: they need a mark.
+template <class Graph>
+struct is_seldom_written {
+  static constexpr auto seldom = [] {
+    std::array<bool, array_size(frame_layout_of<Graph>.origins + 1)> words{};
+    for (std::size_t w = 1; w < words.size(); ++w) words[w] = true;
+    for (std::size_t o = 0; o < array_size(counts_of<Graph>.output_count); ++o)
+      if (frame_layout_of<Graph>.in_each_beat[o]) words[array_size(frame_layout_of<Graph>.origin[o])] = false;
+    return words;
+  }();
+  static constexpr bool holds(std::size_t word) { return seldom[word]; }
 };
 
 // Marks outputs as not published. A list: a loop would not be unrolled, and a fold has at most 256 operands
 // (docs/compilers.md).
-template <class Outputs>
+template <class Words>
 struct forget;
-template <int... Output>
-struct forget<std::integer_sequence<int, Output...>> {
-  CCA_INLINE static void in(std::int64_t* frame) {
-    const int all[] = {0, (frame[1 + Output] = never, 0)...};
+template <int... Word>
+struct forget<std::integer_sequence<int, Word...>> {
+  CCA_INLINE static void in([[maybe_unused]] std::int64_t* frame) {
+    const int all[] = {0, (frame[Word] = never, 0)...};
     (void)all;
   }
 };

@@ -52,6 +52,9 @@ public:
     const std::uint64_t n = taken.load(std::memory_order_relaxed);
     return n == put.load(std::memory_order_acquire) ? nullptr : memory.get() + (n & (frames - 1)) * Words;
   }
+  bool is_almost_full() const noexcept {
+    return put.load(std::memory_order_acquire) - taken.load(std::memory_order_relaxed) > frames - frames / 4;
+  }
   void take() noexcept { taken.store(taken.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
 private:

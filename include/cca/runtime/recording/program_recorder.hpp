@@ -1,4 +1,5 @@
-// How a main function records: <cca/record.hpp> specialises this for the controllers of recordable graphs.
+// How a main function records and replays: <cca/record.hpp> specialises the first for the controllers of
+// recordable graphs, <cca/record/replay_option.hpp> the second.
 #pragma once
 
 namespace cca::detail {
@@ -6,5 +7,9 @@ namespace cca::detail {
 template <class Controller>
 struct program_recorder;
 template <class Controller> concept HasRecorder = requires { sizeof(program_recorder<Controller>); };
+
+template <class Controller>
+struct program_replay;
+template <class Controller> concept HasReplay = requires { sizeof(program_replay<Controller>); };
 
 }  // namespace cca::detail

@@ -12,8 +12,9 @@ namespace cca::detail {
 
 template <class Graph, class Vector>
 CCA_INLINE void tell_recorder(std::int64_t* frame, int output, const Vector& v, std::int64_t origin) {
-  frame[1 + output] = origin;
-  auto* const coordinates = reinterpret_cast<double*>(frame + frame_layout_of<Graph>.at[array_size(output)]);
+  constexpr const auto& layout = frame_layout_of<Graph>;
+  frame[layout.origin[array_size(output)]] = origin;
+  auto* const coordinates = reinterpret_cast<double*>(frame + layout.at[array_size(output)]);
   Eigen::Map<Vector>{coordinates} = v;
 }
 

@@ -11,11 +11,12 @@
 
 namespace cca::detail {
 
-template <class Graph>
+// `Host`: cca::controller or cca::deployed.
+template <template <class> class Host, class Graph>
   requires Recordable<Graph>
-struct program_recorder<controller<Graph>> {
+struct program_recorder<Host<Graph>> {
   // `waits`: nothing is on a clock, so the loop may wait for the file.
-  program_recorder(controller<Graph>& c, const std::string& file, std::vector<std::string> scopes, bool waits)
+  program_recorder(Host<Graph>& c, const std::string& file, std::vector<std::string> scopes, bool waits)
       : recorder(c, file, {.scopes = std::move(scopes), .waits = waits}) {}
 
   void note(const std::map<std::string, std::string>& entries) {
@@ -30,7 +31,7 @@ struct program_recorder<controller<Graph>> {
     return {};
   }
 
-  cca::recording::recorder<controller<Graph>> recorder;
+  cca::recording::recorder<Host<Graph>> recorder;
 };
 
 }  // namespace cca::detail

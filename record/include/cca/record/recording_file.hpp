@@ -2,24 +2,31 @@
 //
 //   /<path of the port>           a sample (messages/sample_message.hpp)
 //   /ros2/<path of the port>      a message of ROS 2 where one fits, for viewers
-//   (messages/viewer_message.hpp) /cca/parameters/<component>   its parameters, at the start and where they
-//   change /cca/state                    the life-cycle /cca/fault                    component and reason
+//   (messages/viewer_message.hpp) /tf, /robot_description       the robot, where the graph says how it looks
+//   (shown_body.hpp) /cca/parameters/<component>   its parameters, at the start and where they change
+//   /cca/state                    the life-cycle
+//   /cca/fault                    component and reason
+//   /cca/mode                     of a set of modes: the mode, at the start and where it changes
+//   /cca/late, /cca/skipped       of a deployment: samples that came late, beats that an environment left out
 //   /cca/lost                     beats that did not fit into the ring
 //
-// and metadata: `cca.architecture`, and the notes of the program.
+// and metadata: `cca.architecture`, `cca.environments`, `cca.modes`, and the notes of the program.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <cca/base/array_size.hpp>
 #include <cca/base/refused.hpp>
+#include <cca/graph/deployment.hpp>
 #include <cca/record/event_ring.hpp>
 #include <cca/record/mcap/writer.hpp>
 #include <cca/record/messages/architecture_text.hpp>
@@ -27,13 +34,15 @@
 #include <cca/record/messages/sample_message.hpp>
 #include <cca/record/messages/viewer_message.hpp>
 #include <cca/record/settings.hpp>
+#include <cca/record/shown_body.hpp>
 #include <cca/runtime/recording/frame_layout.hpp>
 
 namespace cca::recording::detail {
 
 inline constexpr std::string_view state_topic = "/cca/state", fault_topic = "/cca/fault",
-                                  lost_topic = "/cca/lost", parameter_topics = "/cca/parameters/",
-                                  viewer_topics = "/ros2";
+                                  lost_topic = "/cca/lost", mode_topic = "/cca/mode",
+                                  late_topic = "/cca/late", skipped_topic = "/cca/skipped",
+                                  parameter_topics = "/cca/parameters/", viewer_topics = "/ros2";
 
 // "dmp", "dmp.status", "dmp.*" or "*".
 inline bool is_in_scope(std::string_view path, std::string_view scope) {
@@ -43,6 +52,11 @@ inline bool is_in_scope(std::string_view path, std::string_view scope) {
          (path.starts_with(scope) && path.size() > scope.size() && path[scope.size()] == '.');
 }
 
+template <class Graph>
+int node_of_port(int output) {
+  const auto& o = cca::detail::plan_of<Graph>.outputs[cca::detail::array_size(output)];
+  return cca::detail::plan_of<Graph>.calls[cca::detail::array_size(o.call)].node;
+}
 template <class Graph>
 std::string path_of_port(int output) {
   const auto& o = cca::detail::plan_of<Graph>.outputs[cca::detail::array_size(output)];
@@ -55,15 +69,20 @@ const cca::detail::space_info& space_of_port(int output) {
   return *cca::detail::plan_of<Graph>.calls[cca::detail::array_size(o.call)].function->outputs[o.port].space;
 }
 
+// `Graph`: a graph, a deployment or a set of modes.
 template <class Graph>
 class recording_file {
   static constexpr int output_count = cca::detail::counts_of<Graph>.output_count;
   static constexpr std::int64_t period = cca::detail::counts_of<Graph>.period;
-  static constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
 
 public:
-  // `parameters`: of each node, or null.
-  recording_file(const std::string& name, const settings& s, const std::vector<const schema*>& parameters)
+  // What a recording is of.
+  struct contents {
+    std::vector<const schema*> parameters{};  // of each node, or null
+    std::vector<bool> nodes{};                // those that run in this process
+    text_map environments{}, modes{};
+  };
+  recording_file(const std::string& name, const settings& s, const contents& of)
       : file(name, s.chunk_bytes, s.compression_level) {
     std::vector<std::string> unused = s.scopes;
     const std::string text = architecture_text<Graph>();
@@ -71,6 +90,8 @@ public:
                                        {"hash", hash_of_architecture(text)},
                                        {"text", text},
                                        {"ns_a_beat", std::to_string(period)}});
+    if (!of.environments.empty()) file.metadata("cca.environments", of.environments);
+    if (!of.modes.empty()) file.metadata("cca.modes", of.modes);
     for (int o = 0; o < output_count; ++o) {
       const std::string path = path_of_port<Graph>(o);
       bool is_wanted = s.scopes.empty();
@@ -79,12 +100,14 @@ public:
           is_wanted = true;
           std::erase(unused, scope);
         }
+      is_wanted = is_wanted && of.nodes[cca::detail::array_size(node_of_port<Graph>(o))];
       ports.push_back(is_wanted ? port_channel(path, space_of_port<Graph>(o)) : std::uint16_t{0});
       if (is_wanted && s.viewer_hz > 0) add_view(o, path);
     }
     if (!unused.empty()) throw refused("cca::record: there is no port under `" + unused.front() + "`");
-    for (int n = 0; n < static_cast<int>(parameters.size()); ++n) {
-      const schema* const type = parameters[cca::detail::array_size(n)];
+    for (int n = 0; n < static_cast<int>(of.parameters.size()); ++n) {
+      const bool is_here = of.nodes[cca::detail::array_size(n)];
+      const schema* const type = is_here ? of.parameters[cca::detail::array_size(n)] : nullptr;
       const std::string path = cca::detail::path_of_node<Graph>(n);
       nodes.push_back(type ? file.channel(std::string(parameter_topics) + topic_of(path).substr(1),
                                           message_type(path) + "_parameters", parameter_schema(*type))
@@ -93,67 +116,80 @@ public:
     state = file.channel(state_topic, "cca/msg/state", "int64 beat\nstring state\n");
     fault = file.channel(fault_topic, "cca/msg/fault", "int64 beat\nstring component\nstring reason\n");
     view_period = s.viewer_hz > 0 ? static_cast<std::int64_t>(1e9 / s.viewer_hz) : 0;
-    lost = file.channel(lost_topic, "cca/msg/lost", "int64 beat  # the first that is missing\nint64 beats\n");
+    const std::string beats = "int64 beat  # the first\nint64 beats\n", environment = "string environment\n";
+    lost = file.channel(lost_topic, "cca/msg/lost", has_environments ? beats + environment : beats);
+    if (has_environments) {
+      late = file.channel(late_topic, "cca/msg/late", "int64 beat\n" + environment + "string from\n");
+      skipped = file.channel(skipped_topic, "cca/msg/skipped", beats + environment);
+    }
+    if constexpr (cca::detail::ShowsBody<Graph>)
+      if (s.viewer_hz > 0) body.emplace(file, output_named, space_of_port<Graph>);
+    if (!of.modes.empty())
+      mode = file.channel(mode_topic, "cca/msg/mode",
+                          "int64 beat  # from which on it is active\nstring mode\n"
+                          "bool requested  # by a component\n");
   }
 
   void note(const std::string& name, const text_map& entries) { file.metadata(name, entries); }
 
-  void write(const std::int64_t* frame) {
+  // A frame of one loop.
+  template <class Layout>
+  void write(const std::int64_t* frame, const Layout& layout) {
     const std::int64_t k = frame[0];
-    if (k > next_beat && next_beat >= 0) write_lost(next_beat, k - next_beat);
-    next_beat = k + 1;
     for (int o = 0; o < output_count; ++o) {
       const std::size_t at = cca::detail::array_size(o);
-      const std::int64_t origin = frame[1 + o];
-      if (ports[at] == 0 || origin == never) continue;
+      if (ports[at] == 0 || layout.origin[at] < 0) continue;
+      const std::int64_t origin = frame[layout.origin[at]];
+      if (origin == never) continue;
       message.clear();
       message.add(std::uint32_t{0x0100}).add(k).add(origin);
       message.add_raw(frame + layout.at[at], 8u * static_cast<std::size_t>(layout.size[at]));
       file.message(ports[at], time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
                    message.view());
     }
+    if (body) body->write(file, frame, layout, k * period, view_period);
     for (view& v : views) {
-      const std::int64_t origin = frame[1 + v.output];
-      if (origin == never || k * period < v.next) continue;
+      const std::size_t at = cca::detail::array_size(v.output);
+      if (layout.origin[at] < 0 || k * period < v.next) continue;
+      const std::int64_t origin = frame[layout.origin[at]];
+      if (origin == never) continue;
       v.next = k * period + view_period;
       double sample[most_coordinates];
-      std::memcpy(sample, frame + layout.at[cca::detail::array_size(v.output)],
-                  8u * static_cast<std::size_t>(layout.size[cca::detail::array_size(v.output)]));
+      std::memcpy(sample, frame + layout.at[at], 8u * static_cast<std::size_t>(layout.size[at]));
       file.message(v.channel, time_of(k), origin < 0 ? time_of(k) : static_cast<std::uint64_t>(origin),
                    v.message.made_of(sample, origin));
     }
   }
 
   void write(const event& e, std::span<const unsigned char> payload) {
-    switch (e.kind) {
-      case event_kind::parameters:
-        return file.message(nodes[cca::detail::array_size(e.node)], time_of(e.beat), time_of(e.beat),
-                            payload);
-      case event_kind::state:
-        return file.message(state, time_of(e.beat), time_of(e.beat), payload);
-      case event_kind::fault:
-        return file.message(fault, time_of(e.beat), time_of(e.beat), payload);
-    }
+    const std::uint16_t channel = e.kind == event_kind::parameters ? nodes[cca::detail::array_size(e.node)]
+                                  : e.kind == event_kind::state    ? state
+                                  : e.kind == event_kind::fault    ? fault
+                                  : e.kind == event_kind::mode     ? mode
+                                  : e.kind == event_kind::late     ? late
+                                                                   : skipped;
+    file.message(channel, time_of(e.beat), time_of(e.beat), payload);
   }
 
-  // Beats that are missing.
-  void write_lost(std::int64_t first, std::int64_t beats) {
-    unsigned char memory[64];
+  // Beats that are missing, of an environment.
+  void write_lost(std::int64_t first, std::int64_t beats, std::string_view environment) {
+    unsigned char memory[256];
     cdr_writer to(memory);
-    file.message(lost, time_of(first), time_of(first), to.add(first).add(beats).view());
+    to.add(first).add(beats);
+    if (has_environments) to.add(environment.substr(0, 200));
+    file.message(lost, time_of(first), time_of(first), to.view());
   }
-  // Up to this beat, at the end.
-  void write_lost_up_to(std::int64_t end) {
-    if (next_beat >= 0 && end > next_beat) write_lost(next_beat, end - next_beat);
-    next_beat = end;
-  }
-  void expect(std::int64_t k) { next_beat = k; }
 
   void flush() { file.flush(); }
   void close() { file.close(); }
   std::uint64_t bytes() const { return file.bytes(); }
 
 private:
+  static int output_named(std::string_view path) {
+    for (int o = 0; o < output_count; ++o)
+      if (path_of_port<Graph>(o) == path) return o;
+    return -1;
+  }
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
   std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
     return file.channel(topic_of(path), message_type(space.name), sample_schema(space),
@@ -169,7 +205,7 @@ private:
   };
   static constexpr int most_coordinates = [] {
     int most = 1;
-    for (const int size : layout.size) most = size > most ? size : most;
+    for (const int size : cca::detail::frame_layout_of<Graph>.size) most = size > most ? size : most;
     return most;
   }();
   void add_view(int output, const std::string& path) {
@@ -181,11 +217,12 @@ private:
   }
 
   mcap_writer file;
+  std::optional<std::conditional_t<cca::detail::ShowsBody<Graph>, shown_body<Graph>, no_body>> body;
   std::vector<std::uint16_t> ports, nodes;  // channels; 0: not recorded
   std::vector<view> views;
   std::int64_t view_period = 0;
-  std::uint16_t state = 0, fault = 0, lost = 0;
-  std::int64_t next_beat = -1;
+  static constexpr bool has_environments = Deployment<Graph>;
+  std::uint16_t state = 0, fault = 0, lost = 0, mode = 0, late = 0, skipped = 0;
   byte_writer message;
 };
 

@@ -11,22 +11,27 @@
 // called before the parameters are applied. What a program does to components between two beats by other
 // ways than parameters and the life-cycle is not recorded.
 //
+// `Graph` is what was recorded: a graph, a set of modes or a deployment, which is replayed in one loop. Where
+// samples came late to an environment, or it left out beats, a loop computes something else: the result says
+// so.
+//
 // Errors: cca::refused if the file is no recording, of another architecture, begins after the first beat, or
-// lacks samples of a resource node. A recording that was cut off is replayed as far as it goes. Test:
-// tests/runtime/record/replay.cpp; docs/recordings.md.
+// lacks samples of a resource node, as that of a process which ran only some environments. A recording that
+// was cut off is replayed as far as it goes. Test: tests/runtime/record/replay.cpp; docs/recordings.md.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 #include <deque>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <cca/base/refused.hpp>
+#include <cca/record/replay/compared_outputs.hpp>
 #include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/life_cycle_step.hpp>
 #include <cca/record/replay/replayed.hpp>
 #include <cca/record/replay/result.hpp>
 #include <cca/runtime/controller.hpp>
@@ -65,6 +70,7 @@ public:
     }
     check_ports();
     if (has_samples && items.damage().empty()) beat();  // of the last beat a part may be lost
+    if (result.difference.empty() && !is_finished()) compare_modes();
     if (!items.damage().empty() && result.difference.empty())
       result.ended_early = "the recording is cut off: " + items.damage();
     return result;
@@ -81,7 +87,7 @@ private:
   bool is_finished() const { return !result.ended_early.empty(); }
 
   void forget_beat() {
-    for (int o = 0; o < output_count; ++o) recorded[words(1 + o)] = never;
+    for (int o = 0; o < output_count; ++o) recorded[words(layout.origin[at(o)])] = never;
     reason.clear();
     failed_component.clear();
     has_samples = false;
@@ -91,7 +97,7 @@ private:
     if (beat_of_sample < k)
       throw refused(called + ": a sample of beat " + std::to_string(beat_of_sample) + " after beat " +
                     std::to_string(k));
-    recorded[words(1 + s.output)] = s.origin;
+    recorded[words(layout.origin[at(s.output)])] = s.origin;
     std::memcpy(&recorded[words(layout.at[at(s.output)])], s.coordinates.data(),
                 sizeof(double) * s.coordinates.size());
     has_samples = true;
@@ -107,9 +113,21 @@ private:
         if constexpr (HasParameters<C>)
           if (node == e.node) set(component, e.parameters);
       });
+    } else if (e.kind == event_kind::mode) {
+      mode_recorded = e.text;
+      if constexpr (Modes<Graph>)
+        if (!e.requested) c.switch_to(e.text);
+    } else if (e.kind == event_kind::late) {
+      differs_by_clock("the samples of `" + e.component + "` had not come to `" + e.text + "`");
+    } else if (e.kind == event_kind::skipped) {
+      differs_by_clock("`" + e.text + "` left out beats");
     } else {
-      move_to(e.text);
+      move_to(c, e.text);
     }
+  }
+  // From here on a loop may compute something else.
+  void differs_by_clock(const std::string& why) {
+    if (clock_says.empty()) clock_says = "from beat " + std::to_string(k) + " on, where " + why;
   }
   template <class C>
   void set(C& component, const std::vector<unsigned char>& message) {
@@ -121,21 +139,6 @@ private:
     component.p = values;
   }
 
-  // The step of the life-cycle that leads there.
-  void move_to(const std::string& wanted) {
-    const state from = c.state();
-    if (wanted == "loaded") {
-      if (from == state::created || from == state::loaded) c.load();
-      else if (from == state::started || from == state::faulted) c.stop();
-    } else if (wanted == "started" || wanted == "running") {
-      if (from == state::created) c.load();
-      if (c.state() == state::loaded) c.start();
-      else if (from == state::faulted && wanted == "started") c.resume();
-    } else if (wanted == "created" && from == state::loaded) {
-      c.save();
-    }
-  }
-
   // All resource nodes were recorded, or nothing can be replayed.
   void check_ports() {
     if (is_checked) return;
@@ -144,8 +147,9 @@ private:
       const auto& output = cca::detail::plan_of<Graph>.outputs[at(o)];
       const auto& call = cca::detail::plan_of<Graph>.calls[at(output.call)];
       if (call.phase == cca::detail::phase_of_beat::sense && !items.has(o))
-        throw refused(called + ": what `" + path_of_port<Graph>(o) +
-                      "` sensed was not recorded: record it to replay");
+        throw refused(called + ": what `" + path_of_port<Graph>(o) + "` sensed was not recorded: " +
+                      (Deployment<Graph> ? "record it to replay, with all environments in one process"
+                                         : "record it to replay"));
     }
   }
 
@@ -157,11 +161,13 @@ private:
       ++k;  // another thread's `step` in a state that does not allow it
       return forget_beat();
     }
+    if (!compare_modes()) return;
     feed();
+    const int mode = active_mode();
     c.step();
     result.fault =
         c.state() == state::faulted ? "`" + c.fault_path() + "`: " + std::string(c.fault().reason()) : "";
-    compare();
+    compare(mode);
     k = c.beat_index();
     forget_beat();
   }
@@ -174,8 +180,8 @@ private:
           if (call.node != node || !call.function) continue;
           for (int p = 0; p < call.function->output_count; ++p) {
             const int o = call.first_output + p;
-            if (recorded[words(1 + o)] != never)
-              component.put(call.phase, p, recorded[words(1 + o)],
+            if (const std::int64_t origin = recorded[words(layout.origin[at(o)])]; origin != never)
+              component.put(call.phase, p, origin,
                             reinterpret_cast<const double*>(&recorded[words(layout.at[at(o)])]));
           }
         }
@@ -187,67 +193,70 @@ private:
   // A fault points to its text.
   const char* kept_reason() { return reasons.emplace_back(reason).c_str(); }
 
-  void compare() {
+  void compare(int mode) {
     const std::int64_t* const replayed_frame = this->ring.oldest();
     ++result.beats;
-    for (int rank = 0; rank < cca::detail::counts_of<Graph>.order_count; ++rank) {
-      const auto& of = cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.order[at(rank)])];
-      for (int p = 0; p < of.function->output_count; ++p) {
-        const int o = of.first_output + p;
-        if (!items.has(o)) continue;
-        const std::int64_t was = recorded[words(1 + o)], is = replayed_frame[1 + o];
-        const auto size = static_cast<std::size_t>(layout.size[at(o)]);
-        const auto* const then = &recorded[words(layout.at[at(o)])];
-        const auto* const now = replayed_frame + layout.at[at(o)];
-        if (was == never && is == never) continue;
-        if (was == is && std::memcmp(then, now, sizeof(double) * size) == 0) {
-          result.samples += of.phase == cca::detail::phase_of_beat::process;  // the others were fed
-          continue;
-        }
-        differ(o, sample_text(was, then, size), sample_text(is, now, size));
-        this->ring.take();
-        return;
+    for (const int o : orders[at(mode)]) {
+      if (!items.has(o)) continue;
+      const auto origin = words(layout.origin[at(o)]);
+      const std::int64_t was = recorded[origin], is = replayed_frame[origin];
+      const auto size = static_cast<std::size_t>(layout.size[at(o)]);
+      const auto* const then = &recorded[words(layout.at[at(o)])];
+      const auto* const now = replayed_frame + layout.at[at(o)];
+      if (was == never && is == never) continue;
+      if (was == is && std::memcmp(then, now, sizeof(double) * size) == 0) {
+        const auto& call =
+            cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.outputs[at(o)].call)];
+        result.samples += call.phase == cca::detail::phase_of_beat::process;  // the others were fed
+        continue;
       }
+      differ(o, sample_text(was, then, size), sample_text(is, now, size));
+      this->ring.take();
+      return;
     }
     this->ring.take();
     const bool has_faulted = c.state() == state::faulted;
-    const std::string path = c.fault_path();
-    if (has_faulted && reason.empty())
-      differ_in_fault(path, std::string("no fault"), "the fault `" + std::string(c.fault().reason()) + "`");
-    else if (!has_faulted && !reason.empty() && !failed_component.empty())
-      differ_in_fault(failed_component, "the fault `" + reason + "`", "no fault");
-    else if (has_faulted && (path != failed_component || c.fault().reason() != reason))
-      differ_in_fault(failed_component, "the fault `" + reason + "` of `" + failed_component + "`",
-                      "the fault `" + std::string(c.fault().reason()) + "` of `" + path + "`");
+    const std::string path = c.fault_path(), now = has_faulted ? std::string(c.fault().reason()) : "";
+    const auto named = [](const std::string& why, const std::string& of) {
+      return why.empty() ? std::string("no fault") : "the fault `" + why + "` of `" + of + "`";
+    };
+    const bool by_component = has_faulted || !failed_component.empty();
+    if (by_component && (now != reason || (has_faulted && path != failed_component)))
+      differ_in_fault(reason.empty() ? path : failed_component, named(reason, failed_component),
+                      named(now, path));
   }
 
-  static std::string sample_text(std::int64_t origin, const std::int64_t* words_of, std::size_t size) {
-    if (origin == never) return "nothing";
-    std::ostringstream text;
-    text.precision(17);
-    text << '[';
-    for (std::size_t i = 0; i < size; ++i) {
-      double c;
-      std::memcpy(&c, words_of + i, sizeof c);
-      text << (i ? " " : "") << c;
-    }
-    text << "] of " << origin << " ns";
-    return text.str();
+  // Before a beat: the mode that was recorded is active.
+  bool compare_modes() {
+    if constexpr (Modes<Graph>)
+      if (!mode_recorded.empty() && c.mode() != mode_recorded) {
+        result.beat = k;
+        result.difference = "beat " + std::to_string(k) + ": recorded the mode `" + mode_recorded +
+                            "`, replayed `" + std::string(c.mode()) + "`";
+        return false;
+      }
+    return true;
+  }
+  int active_mode() const {
+    if constexpr (Modes<Graph>) return cca::detail::modes_of<Graph>::value.number_of(c.mode());
+    else return 0;
   }
   void differ(int o, const std::string& was, const std::string& is) {
     const auto& output = cca::detail::plan_of<Graph>.outputs[at(o)];
     const auto& call = cca::detail::plan_of<Graph>.calls[at(output.call)];
     result.component = cca::detail::path_of_node<Graph>(call.node);
     result.port = call.function->outputs[output.port].name;
-    result.beat = k;
-    result.difference = "`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
-                        ": recorded " + was + ", replayed " + is;
+    state_difference("`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
+                     ": recorded " + was + ", replayed " + is);
+  }
+  // It counts, unless the clock has already made the environments another program than a loop.
+  void state_difference(const std::string& what) {
+    if (!clock_says.empty()) result.ended_early = "it can't be replayed " + clock_says;
+    else result.beat = k, result.difference = what;
   }
   void differ_in_fault(const std::string& path, const std::string& was, const std::string& is) {
     result.component = path;
-    result.beat = k;
-    result.difference =
-        "`" + path + "`, beat " + std::to_string(k) + ": recorded " + was + ", replayed " + is;
+    state_difference("`" + path + "`, beat " + std::to_string(k) + ": recorded " + was + ", replayed " + is);
   }
 
   void parameters_changed(const cca::detail::controller_state<graph>&, std::int64_t) noexcept override {}
@@ -260,7 +269,8 @@ private:
   controller<graph> c;
   std::vector<std::int64_t> recorded;  // the frame of the beat k
   std::int64_t k = 0;
-  std::string reason, failed_component;
+  std::string reason, failed_component, mode_recorded, clock_says;
+  const std::vector<std::vector<int>> orders = orders_of_beats<Graph>();
   std::deque<std::string> reasons;
   bool has_samples = false, is_checked = false, is_begun = false;
   replay_result result;

@@ -5,6 +5,7 @@
 #include <cca/graph/layout/types.hpp>
 #include <cca/graph/plan/deployment/place_components.hpp>
 #include <cca/graph/plan/plan.hpp>
+#include <cca/graph/traceable.hpp>
 
 namespace cca::detail {
 
@@ -19,7 +20,7 @@ inline constexpr flat_of<D> plan_of<D> = then<D>(plan_without_places<D>, [](flat
 
 // Environment `E` of a deployment, as a graph.
 template <class D, int E>
-struct part {
+struct part : marks_of<D> {
   using cca_items = typename D::cca_items;
 };
 

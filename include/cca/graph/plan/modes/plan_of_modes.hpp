@@ -6,6 +6,7 @@
 #include <cca/graph/modes.hpp>
 #include <cca/graph/plan/modes/share.hpp>
 #include <cca/graph/plan/plan.hpp>
+#include <cca/graph/traceable.hpp>
 
 namespace cca::detail {
 
@@ -116,7 +117,7 @@ inline constexpr flat_of<M> plan_of<M> = shared_plan_of<M>.graph;
 
 // Mode I of a set, as a graph.
 template <class M, int I>
-struct mode_part {
+struct mode_part : marks_of<M> {
   using graph = typename modes_of<M>::template graph<I>;
   using cca_items = typename graph::cca_items;
 };

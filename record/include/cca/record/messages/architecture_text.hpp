@@ -7,10 +7,25 @@
 #include <sstream>
 #include <string>
 
+#include <cca/graph/modes.hpp>
 #include <cca/runtime/each_component.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca::recording::detail {
+
+template <class Graph>
+std::string architecture_text();
+
+// A set of modes: that of each mode, one after the other.
+template <class Graph>
+  requires Modes<Graph>
+std::string architecture_text() {
+  std::string text;
+  [&]<fixed_string... Name, class... G>(cca::detail::list<mode<Name, G>...>) {
+    (text.append("mode ").append(Name.view()).append("\n").append(architecture_text<G>()), ...);
+  }(typename Graph::cca_modes{});
+  return text;
+}
 
 template <class Graph>
 std::string architecture_text() {

@@ -25,8 +25,9 @@ struct recorded_sample {
 struct recorded_event {
   event_kind kind{};
   int node = -1;            // parameters
-  std::string text{};       // the state, or the reason of a fault
-  std::string component{};  // of a fault
+  std::string text{};       // the state, the mode, the reason of a fault, the environment
+  std::string component{};  // of a fault; of late samples the environment that they come from
+  bool requested = false;   // a mode, by a component
   std::vector<unsigned char> parameters{};
 };
 struct recorded_item {
@@ -60,7 +61,7 @@ public:
   }
 
 private:
-  enum class use_kind { none, sample, parameters, state, fault, lost };
+  enum class use_kind { none, sample, parameters, state, fault, lost, mode, late, skipped };
   struct channel_use {
     use_kind what = use_kind::none;
     int number = 0;  // of the output, of the node
@@ -96,6 +97,9 @@ private:
     if (topic == state_topic) use.what = use_kind::state;
     if (topic == fault_topic) use.what = use_kind::fault;
     if (topic == lost_topic) use.what = use_kind::lost;
+    if (topic == mode_topic) use.what = use_kind::mode;
+    if (topic == late_topic) use.what = use_kind::late;
+    if (topic == skipped_topic) use.what = use_kind::skipped;
     return by_channel[id] = use;
   }
 
@@ -114,6 +118,7 @@ private:
     }
     if (use.what == use_kind::lost) {
       item.lost = from.number<std::int64_t>();
+      if constexpr (Deployment<Graph>) from.text();
       return from.is_at_end();
     }
     recorded_event& e = item.event.emplace();
@@ -123,9 +128,16 @@ private:
       e.parameters.assign(m.data.begin(), m.data.end());
       return !from.is_bad();
     }
-    e.kind = use.what == use_kind::state ? event_kind::state : event_kind::fault;
+    e.kind = use.what == use_kind::state   ? event_kind::state
+             : use.what == use_kind::fault ? event_kind::fault
+             : use.what == use_kind::mode  ? event_kind::mode
+             : use.what == use_kind::late  ? event_kind::late
+                                           : event_kind::skipped;
+    if (e.kind == event_kind::skipped) from.number<std::int64_t>();
     if (e.kind == event_kind::fault) e.component = from.text();
     e.text = from.text();
+    if (e.kind == event_kind::late) e.component = from.text();
+    if (e.kind == event_kind::mode) e.requested = from.number<std::uint8_t>() != 0;
     return from.is_at_end();
   }
   static std::size_t array_size_of(int output) {

@@ -1,6 +1,6 @@
-// A graph whose resource nodes sense what a recording says, and act on nothing: the same nodes, wires and
-// ports, with `replayed<Robot>` in the place of each resource node. Its hooks don't run, so no bus is opened
-// and no world simulated.
+// A graph, deployment or set of modes whose resource nodes sense what a recording says, and act on nothing:
+// the same nodes, wires and ports, with `replayed<Robot>` in the place of each resource node. Its hooks don't
+// run, so no bus is opened and no world simulated.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,8 @@
 #include <cca/component/component.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/graph/deployment.hpp>
+#include <cca/graph/modes.hpp>
 #include <cca/graph/recordable.hpp>
 #include <cca/runtime/controller.hpp>
 
@@ -119,6 +121,20 @@ private:
 template <class Graph>
 struct replaying : Graph {};
 
+// A deployment is replayed in one loop, which computes the same.
+template <Deployment D>
+struct replaying<D> : recordable {
+  using cca_items = typename D::cca_items;
+};
+
+// Of a set of modes each mode.
+template <class Items>
+struct replaying_modes;
+template <fixed_string... Name, class... Graph>
+struct replaying_modes<cca::detail::list<mode<Name, Graph>...>> : modes<mode<Name, replaying<Graph>>...> {};
+template <Modes M>
+struct replaying<M> : replaying_modes<typename M::cca_modes>, recordable {};
+
 }  // namespace cca::recording
 
 namespace cca::detail {
@@ -133,6 +149,7 @@ struct component_in_replay<Component> {
 };
 
 template <class Graph, int Node>
+  requires(!Modes<Graph>)
 struct node_types<recording::replaying<Graph>, Node> {
   using component = typename component_in_replay<typename node_types<Graph, Node>::component>::type;
   using strategy = typename node_types<Graph, Node>::strategy;

@@ -1,0 +1,62 @@
+// In which order the outputs of a beat are compared, and how a sample looks in a message.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cca/base/array_size.hpp>
+#include <cca/graph/modes.hpp>
+#include <cca/graph/plan/modes/plan_of_modes.hpp>
+#include <cca/space/origin.hpp>
+
+namespace cca::recording::detail {
+
+// number_of(output) for each output of a loop, in the order of its beat.
+template <class Loop, class F>
+std::vector<int> outputs_in_order(F number_of) {
+  using cca::detail::array_size;
+  std::vector<int> all;
+  const auto& plan = cca::detail::plan_of<Loop>;
+  for (int rank = 0; rank < cca::detail::counts_of<Loop>.order_count; ++rank) {
+    const auto& call = plan.calls[array_size(plan.order[array_size(rank)])];
+    for (int p = 0; p < call.function->output_count; ++p) all.push_back(number_of(call.first_output + p));
+  }
+  return all;
+}
+
+// Of a graph one order, of a set of modes one for each, with the numbers of the whole set.
+template <class Graph>
+std::vector<std::vector<int>> orders_of_beats() {
+  if constexpr (Modes<Graph>) {
+    return []<int... I>(std::integer_sequence<int, I...>) {
+      return std::vector<std::vector<int>>{outputs_in_order<cca::detail::mode_part<Graph, I>>([](int output) {
+        using part = cca::detail::mode_part<Graph, I>;
+        return cca::detail::shared_plan_of<Graph>
+            .view_of(cca::detail::shown_plan<part>, cca::detail::shown_plan<Graph>)
+            .shared_output(output);
+      })...};
+    }(std::make_integer_sequence<int, cca::detail::mode_count<Graph>>{});
+  } else {
+    return {outputs_in_order<Graph>([](int output) { return output; })};
+  }
+}
+
+inline std::string sample_text(std::int64_t origin, const std::int64_t* words_of, std::size_t size) {
+  if (origin == never) return "nothing";
+  std::ostringstream text;
+  text.precision(17);
+  text << '[';
+  for (std::size_t i = 0; i < size; ++i) {
+    double c;
+    std::memcpy(&c, words_of + i, sizeof c);
+    text << (i ? " " : "") << c;
+  }
+  text << "] of " << origin << " ns";
+  return text.str();
+}
+
+}  // namespace cca::recording::detail

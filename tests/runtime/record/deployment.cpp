@@ -1,0 +1,299 @@
+// The recording of a deployment: one file with all environments of a process, in the order of the beats. As
+// one loop it is replayed bit for bit.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <cca/deployment.hpp>
+#include <cca/trace.hpp>
+
+#include "graphs.hpp"
+
+using namespace record_test;
+
+namespace laws {
+std::size_t allocations();
+}
+
+namespace {
+
+struct thinker {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, gain), (int, microseconds));
+  };
+  parameters p{0.1, 0};
+  Eigen::Vector2d s{0, 0};
+  auto process(cca::in<"x", leg_angles> x) -> cca::out<"y", slow_angles> {
+    if (p.microseconds > 0) std::this_thread::sleep_for(std::chrono::microseconds(p.microseconds));
+    s += p.gain * (x.vector() - s);
+    return s;
+  }
+};
+
+struct walking_apart : cca::graph<cca::rate<1000>,
+                                  cca::node<"thinker", thinker, cca::timed<10>>,
+                                  cca::node<"swing", swing, cca::timed<1>>,
+                                  cca::node<"counter", counter>,
+                                  cca::node<"limits", cca::limiter<leg_angles>>,
+                                  cca::node<"leg", leg>,
+                                  cca::wire<"leg.angles", "thinker.x", cca::delayed<1>>,
+                                  cca::wire<"thinker.y", "swing.slow", cca::delayed<9>>,
+                                  cca::wire<"swing.angles", "limits.command">,
+                                  cca::wire<"leg.angles", "counter.x", cca::delayed<2>>,
+                                  cca::wire<"limits.safe", "leg.command">> {};
+
+using robot = cca::environment<"robot", cca::nodes<"leg", "limits", "swing">>;
+using mind = cca::environment<"mind", cca::nodes<"thinker">>;
+using watch = cca::environment<"watch", cca::other_nodes>;
+
+struct plain : cca::deployment<walking_apart, robot, mind, watch, cca::tolerate<1000>> {};
+struct split : cca::deployment<walking_apart, robot, mind, watch, cca::tolerate<1000>>, cca::recordable {};
+struct traced : cca::deployment<walking_apart, robot, mind, watch, cca::tolerate<1000>>,
+                cca::recordable,
+                cca::traceable {};
+
+struct alone : cca::deployment<walking_apart, cca::environment<"all", cca::other_nodes>>, cca::recordable {};
+
+struct recorded_message {
+  std::string topic;
+  std::int64_t beat;
+};
+std::vector<recorded_message> messages_in(const std::string& file) {
+  std::vector<recorded_message> all;
+  cca::recording::mcap_reader from(file);
+  for (cca::recording::mcap_message m; from.next(m);) {
+    const std::string& topic = from.channels().at(m.channel).topic;
+    if (!topic.starts_with("/ros2"))
+      all.push_back({topic, cca::recording::detail::cdr_reader(m.data).number<std::int64_t>()});
+  }
+  CHECK(from.damage() == "");
+  return all;
+}
+std::map<std::string, int> count_of(const std::vector<recorded_message>& all) {
+  std::map<std::string, int> count;
+  for (const auto& m : all) ++count[m.topic];
+  return count;
+}
+
+// Until the fault of `counter`, after about 4.2 s.
+template <class D>
+std::vector<double> run_until_fault(cca::deployed<D>& d) {
+  std::vector<double> at;
+  d.load();
+  d.start();
+  d.run(cca::for_beats<1000>{});
+  d.template set<"thinker">({0.3, 0});
+  d.run(cca::for_beats<9000>{}, {}, [&](auto& running) {
+    at.push_back(running.template get<"leg">().at[0]);
+    return true;
+  });
+  return at;
+}
+
+}  // namespace
+
+TEST_CASE("a deployment is recorded into one file, in the order of the beats, and replayed as one loop") {
+  const temporary_file file("deployment");
+  {
+    cca::deployed<split> d;
+    cca::deployed<plain> other;
+    cca::recording::recorder recording(d, file.name, {.waits = true});
+    CHECK(run_until_fault(d) == run_until_fault(other));  // the same bits with and without a recording
+    REQUIRE(d.state() == cca::state::faulted);
+    recording.close();
+    CHECK(recording.problem() == "");
+    CHECK(recording.lost_beats() == 0);
+  }
+  const auto all = messages_in(file.name);
+  std::int64_t beat = 0;
+  for (const auto& m : all)
+    if (m.topic != "/cca/fault") {
+      CHECK(m.beat >= beat);
+      beat = m.beat;
+    }
+  auto count = count_of(all);
+  CHECK(count["/leg/angles"] > 3000);
+  CHECK(count["/limits/safe"] == count["/leg/angles"] - 1);  // the fault comes before
+  CHECK(count["/thinker/y"] == (count["/leg/angles"] + 9) / 10);
+  CHECK(count["/counter/steps"] > 4);
+  CHECK(count["/cca/parameters/thinker"] == 2);
+  CHECK(count["/cca/fault"] == 1);
+  CHECK(count["/cca/lost"] == 0);
+  CHECK(count["/cca/skipped"] == 0);
+  CHECK(count["/cca/late"] == 0);
+
+  const auto result = cca::recording::replay<split>(file.name);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == count["/leg/angles"]);
+  CHECK(result.fault == "`counter`: too many steps");
+
+  const auto other =
+      cca::recording::replay<split>(file.name, [](auto& c) { c.template get<"thinker">().s[0] = 1e-9; });
+  CHECK(other.difference.find("`thinker.y`, beat 0: recorded [") == 0);
+}
+
+TEST_CASE("the file says which environments are in it") {
+  const temporary_file file("environments");
+  {
+    cca::deployed<split> d;
+    cca::recording::recorder recording(d, file.name);
+  }
+  cca::recording::mcap_reader from(file.name);
+  for (cca::recording::mcap_message m; from.next(m);) {}
+  bool is_told = false;
+  for (const auto& [name, entries] : from.metadata())
+    if (name == "cca.environments") {
+      is_told = true;
+      CHECK(entries.at("all") == "robot mind watch");
+      CHECK(entries.at("here") == "robot mind watch");
+    }
+  CHECK(is_told);
+}
+
+TEST_CASE("at wall-clock speed, late samples and beats that were left out are in the file") {
+  const temporary_file file("late");
+  std::int64_t late = 0, lost = 0;
+  {
+    cca::deployed<split> d;
+    cca::recording::recorder recording(d, file.name);
+    d.load();
+    auto slow = d.get<"thinker">().p;
+    slow.microseconds = 25'000;  // its samples should come within 9 ms
+    d.set<"thinker">(slow);
+    d.start();
+    d.run(cca::for_beats<300>{}, cca::at_wall_clock());
+    d.stop();
+    late = d.late();
+    lost = d.lost_periods();
+    recording.close();
+    CHECK(recording.lost_beats() == 0);
+  }
+  REQUIRE(late > 0);
+  auto count = count_of(messages_in(file.name));
+  CHECK(count["/cca/late"] == late);
+  CHECK(count["/cca/skipped"] > 0);
+  CHECK(lost > 0);
+  const auto result = cca::recording::replay<split>(file.name);
+  INFO(result);
+  CHECK_FALSE(result);
+  CHECK(result.difference == "");
+  CHECK(result.ended_early.find("it can't be replayed from beat ") == 0);
+  CHECK(result.beats > 5);
+}
+
+TEST_CASE("the recording of a process that runs some environments is not replayed") {
+  const temporary_file file("some"), other_file("others");
+  const std::string name = "/cca_record_" + std::to_string(::getpid());
+  std::thread elsewhere([&] {
+    cca::deployed<split> d(cca::only{"mind", "watch"}, cca::shared_memory(name));
+    cca::recording::recorder recording(d, other_file.name, {.waits = true});
+    d.load();
+    d.start();
+    d.run(cca::for_beats<500>{});
+    d.stop();
+  });
+  {
+    cca::deployed<split> d(cca::only{"robot"}, cca::shared_memory(name));
+    cca::recording::recorder recording(d, file.name, {.waits = true});
+    d.load();
+    d.start();
+    d.run(cca::for_beats<500>{});
+    d.stop();
+  }
+  elsewhere.join();
+  auto here = count_of(messages_in(file.name)), there = count_of(messages_in(other_file.name));
+  CHECK(here["/leg/angles"] == 500);
+  CHECK(here["/thinker/y"] == 0);
+  CHECK(here["/cca/parameters/thinker"] == 0);
+  CHECK(there["/leg/angles"] == 0);
+  CHECK(there["/thinker/y"] == 50);
+  CHECK(there["/cca/parameters/thinker"] == 1);
+  CHECK_THROWS_WITH_AS(cca::recording::replay<split>(other_file.name),
+                       doctest::Contains("with all environments in one process"), cca::refused);
+}
+
+TEST_CASE("a recorded environment allocates nothing, and does not wait for a full ring") {
+  // The thread of a recorder allocates, so here nobody writes: the rings are full after two beats.
+  using loop = cca::detail::part<alone, 0>;
+  struct silent final : cca::detail::beat_tap<loop> {
+    silent() : beat_tap(2) {}
+    void parameters_changed(const cca::detail::controller_state<loop>&, std::int64_t) noexcept override {}
+    void moved(cca::state, std::int64_t) noexcept override {}
+    void failed(int, const char*, std::int64_t) noexcept override {}
+    void controller_is_gone() noexcept override {}
+  } tap;
+  cca::deployed<alone> d;
+  d.for_each_tap([&]<int E>(auto& pointer) { pointer.set(&tap); });
+  d.load();
+  d.start();
+  d.run(cca::for_beats<10>{});
+  std::size_t before = 0, after = 0;
+  d.run(cca::for_beats<1000>{}, {}, [&](auto& running) {
+    if (running.beat_index() == 20) before = laws::allocations();
+    if (running.beat_index() == 1000) after = laws::allocations();
+    return true;
+  });
+  CHECK(after == before);
+  CHECK(before > 0);
+  CHECK(d.beat_index() == 1010);
+  d.for_each_tap([&]<int E>(auto& pointer) { pointer.set(nullptr); });
+}
+
+TEST_CASE("a deployment is recorded and traced at once") {
+  const temporary_file file("both_deployed"), trace("both_deployed_trace");
+  cca::deployed<traced> d;
+  cca::tracer tracer(d, trace.name, {.waits = true});
+  {
+    cca::recording::recorder recording(d, file.name, {.waits = true});
+    d.load();
+    d.start();
+    d.run(cca::for_beats<1000>{});
+    d.stop();
+  }
+  d.start();
+  d.run(cca::for_beats<500>{});  // only traced
+  tracer.close();
+  const auto summary = tracer.summary();
+  REQUIRE(summary.environments.size() == 3);
+  CHECK(summary.environments[0].beats.all.count() == 1500);
+  const auto result = cca::recording::replay<traced>(file.name);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 1000);
+}
+
+TEST_CASE("beats of an environment that do not fit are counted and marked") {
+  const temporary_file file("lost_deployed");
+  std::int64_t lost = 0;
+  {
+    cca::deployed<alone> d;
+    cca::recording::recorder recording(d, file.name, {.buffered_seconds = 0});
+    d.load();
+    d.start();
+    for (int i = 0; i < 300 && recording.lost_beats() == 0; ++i)  // much faster than any file
+      if (d.run(cca::for_beats<100'000>{}) == cca::state::faulted) d.resume();
+    d.stop();
+    recording.close();
+    lost = recording.lost_beats();
+  }
+  std::int64_t marked = 0, recorded = 0;
+  cca::recording::mcap_reader reader(file.name);
+  for (cca::recording::mcap_message m; reader.next(m);) {
+    const std::string& topic = reader.channels().at(m.channel).topic;
+    cca::recording::detail::cdr_reader from(m.data);
+    from.number<std::int64_t>();
+    if (topic == "/cca/lost") marked += from.number<std::int64_t>();
+    recorded += topic == "/leg/angles";
+  }
+  CHECK(reader.damage() == "");
+  CHECK(lost > 0);
+  CHECK(marked == lost);
+  CHECK(recorded > 0);
+}

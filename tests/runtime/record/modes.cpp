@@ -1,0 +1,169 @@
+// The recording of a set of modes has the active mode and each switch, and can be replayed.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <cca/modes.hpp>
+#include <cca/trace.hpp>
+
+#include "graphs.hpp"
+
+using namespace record_test;
+
+namespace {
+
+struct gait {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, amplitude));
+  };
+  parameters p{0.3};
+  auto process(cca::in<"x", leg_angles> x, cca::beat now)
+      -> std::tuple<cca::out<"angles", leg_angles>, cca::switch_to<"stand">> {
+    phase += 6 * now.dt();
+    return {Eigen::Vector2d(p.amplitude * std::sin(phase), x[knee{}]), now.index() == 200};
+  }
+  double phase = 0;
+};
+struct stance {
+  auto process(cca::in<"x", leg_angles> x, cca::beat now)
+      -> std::tuple<cca::out<"height", steps>, cca::out<"angles", leg_angles>, cca::switch_to<"walk">> {
+    sum += x[hip{}];
+    return {sum, 0.9 * x.vector(), now.index() == stands_until};
+  }
+  double sum = 0;
+  std::int64_t stands_until = 300;
+};
+
+struct walk : cca::graph<cca::rate<1000>,
+                         cca::node<"gait", gait>,
+                         cca::node<"limits", cca::limiter<leg_angles>>,
+                         cca::node<"leg", leg>,
+                         cca::wire<"leg.angles", "gait.x">,
+                         cca::wire<"gait.angles", "limits.command">,
+                         cca::wire<"limits.safe", "leg.command">> {};
+struct stand : cca::graph<cca::rate<1000>,
+                          cca::node<"leg", leg>,
+                          cca::node<"stance", stance>,
+                          cca::node<"limits", cca::limiter<leg_angles>>,
+                          cca::wire<"leg.angles", "stance.x">,
+                          cca::wire<"stance.angles", "limits.command">,
+                          cca::wire<"limits.safe", "leg.command">> {};
+
+struct legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>, cca::recordable {};
+struct plain_legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>> {};
+struct traced_legs : cca::modes<cca::mode<"walk", walk>, cca::mode<"stand", stand>>,
+                     cca::recordable,
+                     cca::traceable {};
+
+// Components switch in the beats 200 and 300, the program before beat 500. Returns where the leg was.
+template <class Controller>
+std::vector<double> drive(Controller& c) {
+  std::vector<double> at;
+  const auto note = [&](Controller& running) { at.push_back(running.template get<"leg">().at[0]); };
+  c.load();
+  c.start();
+  c.run(cca::for_beats<250>{}, {}, note);
+  c.template set<"gait">({0.4});
+  c.run(cca::for_beats<250>{}, {}, note);
+  c.template switch_to<"stand">();
+  c.run(cca::for_beats<100>{}, {}, note);
+  c.stop();
+  return at;
+}
+
+struct switched {
+  std::int64_t beat;
+  std::string mode;
+  bool requested;
+  bool operator==(const switched&) const = default;
+};
+
+}  // namespace
+
+TEST_CASE("the recording of a set of modes has the active mode, its switches, and what each mode publishes") {
+  const temporary_file file("modes");
+  {
+    cca::controller<legs> c;
+    cca::recording::recorder recording(c, file.name, {.waits = true});
+    cca::controller<plain_legs> plain;
+    CHECK(drive(c) == drive(plain));  // the same bits with and without a recording
+    recording.close();
+    CHECK(recording.problem() == "");
+    CHECK(recording.lost_beats() == 0);
+  }
+  std::vector<switched> modes;
+  std::map<std::string, int> count;
+  cca::recording::mcap_reader all(file.name);
+  for (cca::recording::mcap_message m; all.next(m);) {
+    const std::string& topic = all.channels().at(m.channel).topic;
+    ++count[topic];
+    if (topic != "/cca/mode") continue;
+    cca::recording::detail::cdr_reader from(m.data);
+    const auto beat = from.number<std::int64_t>();
+    const std::string mode(from.text());
+    modes.push_back({beat, mode, from.number<std::uint8_t>() == 1});
+    CHECK(from.is_at_end());
+  }
+  CHECK(modes == std::vector<switched>{
+                     {0, "walk", false}, {201, "stand", true}, {301, "walk", true}, {500, "stand", false}});
+  CHECK(count["/gait/angles"] == 201 + 199);
+  CHECK(count["/stance/height"] == 100 + 100);
+  CHECK(count["/stance/angles"] == 200);
+  CHECK(count["/leg/angles"] == 600);
+  CHECK(count["/limits/safe"] == 600);
+  CHECK(count["/cca/parameters/gait"] == 2);
+  CHECK(count["/cca/lost"] == 0);
+}
+
+TEST_CASE("the recording of a set of modes is replayed bit for bit, or the first difference is named") {
+  const temporary_file file("replayed_modes");
+  {
+    cca::controller<legs> c;
+    cca::recording::recorder recording(c, file.name, {.waits = true});
+    drive(c);
+  }
+  const auto result = cca::recording::replay<legs>(file.name);
+  INFO(result);
+  CHECK(result);
+  CHECK(result.beats == 600);
+  CHECK(result.samples == 600 + 400 + 2 * 200);
+
+  const auto other =
+      cca::recording::replay<legs>(file.name, [](auto& c) { c.template get<"stance">().sum = 1e-3; });
+  CHECK(other.component == "stance");
+  CHECK(other.port == "height");
+  CHECK(other.beat == 201);
+
+  const auto longer =
+      cca::recording::replay<legs>(file.name, [](auto& c) { c.template get<"stance">().stands_until = 310; });
+  CHECK(longer.difference == "beat 301: recorded the mode `walk`, replayed `stand`");
+  CHECK(longer.beat == 301);
+}
+
+TEST_CASE("the recording of another set of modes is refused") {
+  struct other_legs : cca::modes<cca::mode<"stand", stand>, cca::mode<"walk", walk>>, cca::recordable {};
+  const temporary_file file("other_modes");
+  {
+    cca::controller<other_legs> c;
+    cca::recording::recorder recording(c, file.name);
+  }
+  CHECK_THROWS_WITH_AS(cca::recording::replay<legs>(file.name), doctest::Contains("another architecture"),
+                       cca::refused);
+}
+
+TEST_CASE("a set of modes is recorded and traced at once, or one after the other") {
+  const temporary_file file("both"), trace("both_trace");
+  cca::controller<traced_legs> c;
+  cca::controller<plain_legs> plain;
+  cca::tracer tracer(c, trace.name);
+  {
+    cca::recording::recorder recording(c, file.name, {.waits = true});
+    CHECK(drive(c) == drive(plain));
+  }
+  tracer.close();
+  CHECK(tracer.summary().environments.at(0).beats.all.count() == 600);
+  CHECK(cca::recording::replay<traced_legs>(file.name));
+}
