@@ -36,9 +36,11 @@ inline std::string transforms_schema() {
 
 class body_transforms {
 public:
-  // `world`: the frame in which the base is turned; empty: none.
-  body_transforms(body_description of, std::string world)
-      : d(std::move(of)), world(std::move(world)), memory(256 + 512 * (d.links.size() + d.ends.size() + 1)) {}
+  // `turns_in`: the frame in which the base is turned; empty: none.
+  body_transforms(body_description of, std::string turns_in)
+      : d(std::move(of)),
+        world(std::move(turns_in)),
+        memory(256 + 512 * (d.links.size() + d.ends.size() + 1)) {}
 
   const body_description& description() const { return d; }
 
