@@ -149,7 +149,9 @@ export class ArchitectureView {
     }
     this.box.replaceChildren(svg);
     this.svg = svg;
-    this.box.scrollTop = graph.node(this.parts[0].name).y * scale - this.box.clientHeight / 2;
+    const first = graph.node(this.parts[0].name);
+    this.box.scrollTop = first.y * scale - this.box.clientHeight / 2;
+    this.box.scrollLeft = first.x * scale - this.box.clientWidth / 2;
   }
 
   resize() {
