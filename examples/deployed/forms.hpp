@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/deployment.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/runtime/interruption.hpp>
 

@@ -258,6 +258,8 @@ async function openRecording(name, read) {
     const recording = await readRecording(await read(), live ? [live.description] : KNOWN);
     if (live && recording.difference) throw new Error(`this is a recording of another architecture: ${recording.difference}. build/page/out/recording.html shows the recordings of any architecture, and so does the option --page`);
     look(recording);
+    recording.seek(1);  // the first that there is to see
+    show(true);
     say(`${name}: ${recording.beats} beats${recording.isCut ? ', cut off at the end' : ''}`);
   } catch (error) {
     say(`${name}: ${error.message}`, true);

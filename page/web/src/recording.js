@@ -110,7 +110,10 @@ export class Recording {
         wires.push({ from: Number(m[2]), node: this.nodeAt(nodes, m[1].slice(0, dot)), input: m[1].slice(dot + 1), delay: Number(m[3]), policy: m[3] === '0' ? 'latest' : `delayed ${m[3]}` });
       }
     }
-    return { name: architecture.name, period: Number(architecture.ns_a_beat), nodes, outputs, wires, coordinates: at, parameters: [] };
+    const places = this.metadata.get('cca.places') ?? new Map();  // of a deployment
+    const environments = [...new Set(places.values())];
+    for (const node of nodes) node.environment = environments.indexOf(places.get(node.path));
+    return { environments, name: architecture.name, period: Number(architecture.ns_a_beat), nodes, outputs, wires, coordinates: at, parameters: [] };
   }
   nodeAt(nodes, path) { return nodes.findIndex((n) => n.path === path); }
   // From the schema: `float64 hip  # N m, -3 to 3`. A unit may have spaces, so the metadata won't do.
