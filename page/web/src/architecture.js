@@ -91,7 +91,7 @@ export class ArchitectureView {
     const graph = new dagre.graphlib.Graph({ multigraph: false, compound: true });
     const { environments = [] } = this.source.description;
     const margin = environments.length > 0 ? 34 : 12;  // for the boxes around
-    graph.setGraph({ rankdir, nodesep: 22, ranksep: rankdir === 'LR' ? 46 : 34, marginx: margin, marginy: margin });
+    graph.setGraph({ rankdir, nodesep: environments.length > 0 ? 44 : 22, ranksep: rankdir === 'LR' ? 46 : 34, marginx: margin, marginy: margin });
     environments.forEach((name, e) => graph.setNode(boxOf(e), {}));
     graph.setDefaultEdgeLabel(() => ({}));
     for (const node of drawn.values()) {
