@@ -5,7 +5,7 @@
 // Read first: stage.hpp (the simulation), remote_oncilla.hpp, recorder.hpp; forms.hpp runs it. Components and
 // graphs are those of examples/combination_of_skills. Only the wires from one environment to another are
 // different: they are delayed.
-#include <cca/graph/deployment.hpp>
+#include <cca/deployment.hpp>
 
 #include "../combination_of_skills/architecture.hpp"
 #include "recorder.hpp"

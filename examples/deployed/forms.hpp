@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <cca/cca.hpp>
-#include <cca/deployment.hpp>
 #include <cca/main/command_line.hpp>
 #include <cca/runtime/interruption.hpp>
 

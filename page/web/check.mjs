@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { createRequire } from 'node:module';
 import { launch } from './browser.mjs';
-import { checkDeployed, checkFault, checkSkills } from './check_skills.mjs';
+import { checkFault, checkSkills } from './check_skills.mjs';
 import { checkPages, checkRecording, checkRefusals } from './check_recording.mjs';
 import { checkTouch } from './check_touch.mjs';
 import { checkTrot } from './check_trot.mjs';
@@ -67,7 +67,7 @@ const position = async (page) => [await number(page, '#x'), await number(page, '
 const state = (page) => text(page, '#state');
 
 // `--only touch`: while you work on them.
-const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, deployed: checkDeployed, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages };
+const parts = { trot: checkTrot, fault: checkFault, skills: checkSkills, touch: checkTouch, recording: checkRecording, refusals: checkRefusals, pages: checkPages };
 const wanted = options.only?.split(',') ?? Object.keys(parts);
 for (const part of wanted) await parts[part]({ options, check, near, open, text, number, settle, message, press, runAhead, parameter, picture, accessible, position, state, requests });
 
