@@ -1,9 +1,12 @@
 // The architecture of a graph as JSON, computed from its type: what the page draws.
 //
-//   environments   their names, of a deployment
-//   nodes     path, whether it is a resource node, when it fires; its clock, if that is known; its
-//   environment outputs   path, node, space with domain, rate and coordinates (name, unit, limits), place in
-//   a row wires     number of the output, node and name of the input, policy, delay
+//   environments  their names, of a deployment
+//
+//   nodes         path, whether it is a resource node, when it fires; its clock, if known; its environment
+//
+//   outputs       path, node, space with domain, rate and coordinates, place in a row
+//
+//   wires         number of the output, node and name of the input, policy, delay
 #pragma once
 
 #include <string>
