@@ -44,7 +44,7 @@ public:
             double in_step,
             bool is_stopped) {
     note_energy(world);
-    r.max_force = std::max(r.max_force, force_of(world).norm());
+    r.max_force = std::max(r.max_force, force_on_tool(world).norm());
     const Eigen::Vector3d at = world.end(0).where.at;
     const auto& shown = c.template get<"recorder">().movement();
     if (step == plan::at<"repeat">) note_path(at, shown, in_step);
@@ -76,11 +76,6 @@ public:
   }
 
 private:
-  // Of the world on the tool, along the axes of the world.
-  static Eigen::Vector3d force_of(const arm_world& world) {
-    const auto& felt = world.load(0);
-    return world.end(0).where.turn * Eigen::Vector3d(felt[3], felt[4], felt[5]);
-  }
   template <class Movement>
   void note_path(const Eigen::Vector3d& at, const Movement& shown, double time) {
     const double place = time / recorder::interval;
@@ -93,7 +88,7 @@ private:
     path_count += 1;
   }
   void note_force(const arm_world& world, const scene& s, int step, double in_step) {
-    const double off = force_of(world).dot(s.normal(step == plan::at<"wipe"> ? in_step : 10)) - 10;
+    const double off = force_on_tool(world).dot(s.normal(step == plan::at<"wipe"> ? in_step : 10)) - 10;
     force += off * off;
     force_count += 1;
     if (step == plan::at<"wipe on"> && in_step > 1) late_force += off * off, late_count += 1;

@@ -39,36 +39,57 @@ struct in_simulator {
   static void after_beat(Controller&) {}
 };
 
+// What happens around the arm in a run, beat by beat. A value: a copy goes on from here.
+class course {
+public:
+  explicit course(std::uint64_t seed) : around(seed) {}
+
+  void before_beat(arm_world& world) { around.act(world, step, in_step()); }
+  // Learns, where the plan says so.
+  template <class Controller>
+  void after_beat(Controller& c) {
+    ++beats;
+    const int now = c.template get<"sequencer">().steps.step();
+    if (now == step) return;
+    step = now, began = beats;
+    if (step == plan::at<"learn">) learn(c);
+  }
+
+  double in_step() const { return 0.001 * (beats - began); }  // s since the step began
+
+  scene around;
+  int step = 0;  // of the plan
+
+private:
+  int beats = 0, began = 0;
+};
+
 // `between(controller, step)` after each beat; the run ends early if it returns false. `Place`: where the arm
 // is.
 template <class Controller, class Between, class Place = in_simulator>
 result roll_out(Controller& c, std::uint64_t seed, Between between, Place&& place = {}) {
-  scene s(seed);
+  course run(seed);
   place.put_down(c, arm_world(cca::sim::model_of<arm::description>(), scene::room()));
   auto orders = c.template get<"orders">().p;
-  orders.shift = s.shift;
+  orders.shift = run.around.shift;
   c.template set<"orders">(orders);
   referee judge(seed, c.template get<"guard">().p.energy);
   c.start();
   constexpr int most_beats = 90'000, stopped_for = 2000;
-  int stopped = 0;
-  for (int k = 0, step = 0, began = 0; k < most_beats && stopped < stopped_for; ++k) {
+  for (int k = 0, stopped = 0; k < most_beats && stopped < stopped_for; ++k) {
     arm_world& world = place.world(c);
-    s.act(world, step, 0.001 * (k - began));
+    run.before_beat(world);
     c.step();
     place.after_beat(c);
     if (c.state() == cca::state::faulted) break;
-    judge.note(c, world, s, step, 0.001 * (k - began), stopped > stopped_for / 2);
-    const int now = c.template get<"sequencer">().steps.step();
-    if (now != step) step = now, began = k + 1;
-    if (step == plan::at<"learn"> && began == k + 1) learn(c);
-    if (step == plan::at<"rest">) {
+    judge.note(c, world, run.around, run.step, run.in_step(), stopped > stopped_for / 2);
+    run.after_beat(c);
+    if (run.step == plan::at<"rest">) {
       c.template get<"operator">().pressed = true;
-      ++stopped;
       // Somebody pulls at the stopped arm, and lets go.
-      world.pull(0, stopped < 300 ? Eigen::Vector3d(10, 10, 0) : Eigen::Vector3d(0, 0, 0));
+      run.around.another = ++stopped < 300 ? Eigen::Vector3d(10, 10, 0) : Eigen::Vector3d(0, 0, 0);
     }
-    if (!between(c, step)) break;
+    if (!between(c, run.step)) break;
   }
   c.stop();
   return judge.end();

@@ -17,6 +17,12 @@ namespace touch {
 
 using arm_world = cca::sim::robot_world;
 
+// Of the world on the tool, along the axes of the world, N: the mean of the last beat.
+inline Eigen::Vector3d force_on_tool(const arm_world& world) {
+  const auto& felt = world.load(0);
+  return world.end(0).where.turn * Eigen::Vector3d(felt[3], felt[4], felt[5]);
+}
+
 class scene {
 public:
   static constexpr double table_height = 0.25, guided_for = 4;  // m, s
@@ -54,12 +60,12 @@ public:
     else if (step == plan::at<"wipe">) {
       const double share = smooth((in_step - 2) / 0.6);
       if (share > 0 && share <= 1) world.move(0, table(share * tilt, tilt_axis, share * lift).where);
-      world.pull(0, in_step > 6 && in_step < 6 + push_for ? push : Eigen::Vector3d(0, 0, 0));
+      pull(world, in_step > 6 && in_step < 6 + push_for ? push : Eigen::Vector3d(0, 0, 0));
       pushed_until = world.time() + push_for - (in_step > 6 ? in_step - 6 : 0);
     } else if (step == plan::at<"yield"> && world.time() < pushed_until) {
-      world.pull(0, push);
+      pull(world, push);
     } else {
-      world.pull(0, {0, 0, 0});
+      pull(world, {0, 0, 0});
     }
   }
 
@@ -69,7 +75,8 @@ public:
     return Eigen::AngleAxisd(share * tilt, tilt_axis) * Eigen::Vector3d::UnitZ();
   }
 
-  Eigen::Vector3d shift;  // of the second goal, 0.1 m
+  Eigen::Vector3d shift;             // of the second goal, 0.1 m
+  Eigen::Vector3d another{0, 0, 0};  // what somebody else pulls at the hand, N
 
 private:
   static double smooth(double s) {
@@ -84,17 +91,21 @@ private:
                 cca::at(0, 0, -0.02)};
   }
 
+  void pull(arm_world& world, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0}) {
+    world.pull(0, force + another, torque);
+  }
+
   // A hand that holds the flange by a spring and goes the way that it wants to show.
   void lead(arm_world& world, double time) {
     const auto now = world.end(0);
     if (time <= 0.001) begin = now.where.at, upright = now.where.turn;
-    if (time > guided_for + 1.5) return world.pull(0, {0, 0, 0});
+    if (time > guided_for + 1.5) return pull(world, {0, 0, 0});
     const double s = std::min(time / guided_for, 1.0), share = smooth(s);
     const Eigen::Vector3d wanted = begin + share * end + 64 * std::pow(s * (1 - s), 3) * bow;
     const Eigen::Matrix3d held = Eigen::AngleAxisd(share * turn.norm(), turn.normalized()) * upright;
     const Eigen::AngleAxisd off(Eigen::Matrix3d(held * now.where.turn.transpose()));
-    world.pull(0, 400 * (wanted - now.where.at) - 40 * now.velocity,
-               10 * off.angle() * off.axis() - 0.6 * now.angular_velocity);
+    pull(world, 400 * (wanted - now.where.at) - 40 * now.velocity,
+         10 * off.angle() * off.axis() - 0.6 * now.angular_velocity);
   }
 
   Eigen::Vector3d end, bow, turn, tilt_axis, push, begin{};

@@ -1,5 +1,5 @@
 #pragma once
-// The figures of runs: a table for people, a JSON list for programs, and the bounds.
+// The figures of runs: a table for people, a JSON list for programs, the bounds, and a run moment by moment.
 #include <cstdio>
 #include <ostream>
 #include <vector>
@@ -49,6 +49,19 @@ inline void write_json(std::ostream& out, const std::vector<result>& runs) {
                     {"seconds", r.seconds},
                     {"last_skill", plan::table[static_cast<std::size_t>(r.last_step)].name}});
   trot::write(out, list);
+}
+
+// The flange's position (m), the force on the tool (N), the step of the plan.
+inline constexpr const char* moment_columns = "time,x,y,z,force_x,force_y,force_z,step";
+
+template <class Controller>
+void write_moment(std::ostream& out, const Controller& c, int step) {
+  const auto& world = c.template get<"robot.simulator">().world();
+  const Eigen::Vector3d at = world.end(0).where.at, force = force_on_tool(world);
+  char line[200];
+  std::snprintf(line, sizeof line, "%.3f,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g,%d\n", world.time(), at[0],
+                at[1], at[2], force[0], force[1], force[2], step);
+  out << line;
 }
 
 }  // namespace touch

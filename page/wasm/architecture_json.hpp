@@ -1,8 +1,12 @@
 // The architecture of a graph as JSON, computed from its type: what the page draws.
 //
-//   nodes     path, whether it is a resource node, when it fires; its clock, if that is known
-//   outputs   path, node, space with domain, rate and coordinates (name, unit, limits), place in a row
-//   wires     number of the output, node and name of the input, policy, delay
+//   environments  their names, of a deployment
+//
+//   nodes         path, whether it is a resource node, when it fires; its clock, if known; its environment
+//
+//   outputs       path, node, space with domain, rate and coordinates, place in a row
+//
+//   wires         number of the output, node and name of the input, policy, delay
 #pragma once
 
 #include <string>
@@ -51,7 +55,9 @@ void add_architecture(json_text& json, std::string_view title) {
   auto plan = detail::plan_of<Graph>;
   const detail::flat_view g = plan.view();
   json.key("name").add(title).key("period").add(g.period);
-  json.key("nodes").open('[');
+  json.key("environments").open('[');
+  for (int e = 0; e < g.environment_count; ++e) json.add(g.environments[e].name);
+  json.close(']').key("nodes").open('[');
   for (int n = 0; n < g.node_count; ++n) {
     json.open('{')
         .key("path")
@@ -59,7 +65,9 @@ void add_architecture(json_text& json, std::string_view title) {
         .key("resource")
         .add(g.nodes[n].item->component->resource())
         .key("when")
-        .add(when(g, n));
+        .add(when(g, n))
+        .key("environment")
+        .add(g.nodes[n].environment);
     if (const auto& fires = g.calls[g.nodes[n].first_call].fires; fires.known())
       json.key("clock").open('{').key("period").add(fires.period).key("first").add(fires.first).close('}');
     json.close('}');

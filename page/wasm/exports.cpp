@@ -35,6 +35,7 @@ extern "C" {
 [[clang::export_name("push")]] void page_push(double x, double y, double z, double seconds) {
   of_page().push(x, y, z, seconds);
 }
+[[clang::export_name("press")]] void page_press(int button, int down) { of_page().press(button, down != 0); }
 [[clang::export_name("take_snapshot")]] void page_take_snapshot() { of_page().take_snapshot(); }
 [[clang::export_name("go_back")]] bool page_go_back(double beat) {
   return of_page().go_back(static_cast<std::int64_t>(beat));

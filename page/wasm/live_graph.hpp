@@ -3,11 +3,19 @@
 //   static constexpr const char* title;
 //   static constexpr int extra_count, pose_count;   numbers of the robot in each row, and of its poses
 //   void put_down(controller&)                      before it is loaded
-//   void after_beat(controller&)                    what the world around the robot does
+//   void before_beat(controller&), after_beat(controller&)   what the world around the robot does
 //   void add_shapes(json_text&)                     the bodies, as JSON
 //   void extra(const controller&, double*)
 //   void poses(const controller&, double*)
 //   void push(controller&, double x, double y, double z, double seconds)
+//
+// and, where the program has buttons for its operator, and a plan:
+//
+//   static constexpr std::array buttons             their names
+//   void press(controller&, int button, bool down)
+//   bool is_pressed(const controller&, int button)
+//   using plan                                      a cca::steps; the step is the port "sequencer.step"
+//   static constexpr std::array plots               first_curve: what is plotted at first
 #pragma once
 
 #include <algorithm>
@@ -25,10 +33,17 @@
 
 namespace cca::page {
 
+struct first_curve {
+  int plot;
+  const char* port;
+  int coordinate;
+};
+
 template <class Graph, class Scene>
 class live_graph final : public live_program {
   using controller_type = controller<Graph>;
   static constexpr std::size_t most_snapshots = 120;
+  static constexpr bool has_buttons = requires { Scene::buttons.size(); };
   struct snapshot {
     std::unique_ptr<controller_type> value;
     Scene scene;
@@ -45,6 +60,21 @@ public:
     json.key("coordinates").add(page_tap<Graph>::coordinates).key("kept").add(row_ring::beats);
     add_parameters(json, *c);
     scene.add_shapes(json);
+    json.key("buttons").open('[');
+    if constexpr (has_buttons)
+      for (const char* name : Scene::buttons) json.add(name);
+    json.close(']');
+    json.key("plots").open('[');
+    if constexpr (requires { Scene::plots.size(); })
+      for (const first_curve& one : Scene::plots)
+        json.open('[').add(one.plot).add(one.port).add(one.coordinate).close(']');
+    json.close(']');
+    if constexpr (requires { typename Scene::plan; }) {
+      json.key("plan").open('{').key("port").add("sequencer.step").key("steps").open('[');
+      for (int i = 0; i < Scene::plan::count; ++i)
+        json.add(Scene::plan::table[static_cast<std::size_t>(i)].name);
+      json.close(']').close('}');
+    }
     return json.close('}').text;
   }
 
@@ -62,6 +92,7 @@ public:
       // One that is there stays: what was changed since then is not in it.
       if (k % beats_a_second == 0 && (snapshots.empty() || snapshots.back().value->beat_index() < k))
         take_snapshot();
+      if constexpr (requires { scene.before_beat(*c); }) scene.before_beat(*c);
       if (!c->step()) break;
       tap->take();
       scene.after_beat(*c);
@@ -109,6 +140,11 @@ public:
 
   void push(double x, double y, double z, double seconds) override { scene.push(*c, x, y, z, seconds); }
 
+  void press([[maybe_unused]] int button, [[maybe_unused]] bool down) override {
+    if constexpr (has_buttons)
+      if (button >= 0 && button < static_cast<int>(Scene::buttons.size())) scene.press(*c, button, down);
+  }
+
   void take_snapshot() override {
     const std::int64_t k = c->beat_index();
     std::erase_if(snapshots, [&](const snapshot& s) { return s.value->beat_index() >= k; });
@@ -140,6 +176,9 @@ public:
     json.key("fault").add(why ? why.reason() : "").key("faultPath").add(c->fault_path());
     json.key("snapshots").open('[');
     for (const snapshot& s : snapshots) json.add(s.value->beat_index());
+    json.close(']').key("pressed").open('[');
+    if constexpr (has_buttons)
+      for (int i = 0; i < static_cast<int>(Scene::buttons.size()); ++i) json.add(scene.is_pressed(*c, i));
     return json.close(']').close('}').text;
   }
 

@@ -19,12 +19,13 @@ public:
   virtual void change(int transition) = 0;
   virtual std::string set(int field, double value) = 0;  // why it is refused; empty: it is set
   virtual void push(double x, double y, double z, double seconds) = 0;
+  virtual void press(int button, bool down) = 0;  // of the buttons in the description
 
   // Snapshots: copies of the controller. The beat of a snapshot is its name.
   virtual void take_snapshot() = 0;
   virtual bool go_back(std::int64_t beat) = 0;
 
-  virtual std::string status() = 0;  // JSON: beat, state, fault, snapshots
+  virtual std::string status() = 0;  // JSON: beat, state, fault, snapshots, which buttons are pressed
 
   virtual double* rows() = 0;
   virtual int row_width() = 0;

@@ -54,9 +54,10 @@ struct oncilla_scene {
       for (const double x : size) json.add(x);
       json.close(']').close('}');
     };
-    json.key("robot").open('{').key("legs").open('[');
+    json.key("robot").open('{').key("kind").add("oncilla").key("points").open('[');
     for (const char* leg : {"left front", "right front", "left hind", "right hind"}) json.add(leg);
-    json.close(']').key("bodies").open('[');
+    json.close(']').key("extra").open('{').key("position").add(0).key("forces").add(3);
+    json.key("contacts").add(15).key("fallen").add(19).close('}').key("bodies").open('[');
     body("box", {m.trunk_length, m.trunk_width, m.trunk_height}, 0);
     for (std::size_t i = 0; i < sim::leg_count; ++i) {
       body("cylinder", {m.segment_radius, m.upper_length}, 1);

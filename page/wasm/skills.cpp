@@ -15,6 +15,7 @@ using combined = cca::controller<watched_skills>;
 // The referee shows the ball to the camera and pushes, as in the program. It ends a run, but not the page's.
 struct scene : cca::page::oncilla_scene {
   static constexpr const char* title = "combination of skills";
+  using plan = skills::plan;
 
   void put_down(combined& c) {
     if (!c.get<"dmp.module">().p.files.load.assign("trot.shape"))

@@ -22,6 +22,15 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {first + (end - text.c_str()), errc()};
 }
 
+// There is one thread. Only a writer of traces waits for another, and no page has one.
+namespace this_thread {
+
+inline void yield() noexcept {}
+template <class Duration>
+void sleep_for(const Duration&) {}
+
+}  // namespace this_thread
+
 // There is one folder, and nothing is written.
 namespace filesystem {
 

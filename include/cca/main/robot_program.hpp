@@ -45,6 +45,7 @@ struct run_settings {
   bool quiet = false;                          // prints no figures
   std::string record{};                        // a file for a recording; empty: none (docs/recordings.md)
   std::vector<std::string> record_scopes{};    // of the ports to record; none: all
+  std::string page{};                          // an HTML file with the recording; empty: none (docs/page.md)
   std::string replay{};                        // a recording to replay, instead of a run
   std::string trace{};                         // a file for a trace; empty: none (docs/traces.md)
   std::map<std::string, std::string> notes{};  // for the recording: a seed, a version

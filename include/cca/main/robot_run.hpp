@@ -40,8 +40,9 @@ public:
     controller_type& c = *made;
     const interruption interrupted;
     program.prepare(c);
+    std::optional<page_type> page;
     std::optional<recorder_type> recorder;
-    begin_recording(recorder, c);
+    begin_recording(recorder, page, c);
     std::optional<tracer_type> tracer;
     begin_trace(tracer, c);
     if (program.settings.configs.empty()) c.load();
@@ -64,7 +65,7 @@ public:
     const bool has_faulted = c.state() == state::faulted;
     const std::string fault = has_faulted ? fault_of(c) : "";
     stop(c);  // before anything is written: a robot does not wait for a terminal
-    const std::string lost = end_recording(recorder), untraced = end_trace(tracer);
+    const std::string lost = end_recording(recorder, page), untraced = end_trace(tracer);
     if (has_faulted) tell(fault);
     if (!lost.empty()) tell(lost);
     if (!untraced.empty()) tell(untraced);
@@ -82,16 +83,20 @@ public:
 private:
   static constexpr bool can_record = HasRecorder<controller_type>;
   struct no_recorder {};
+  struct no_page {};
   struct no_tracer {};
   template <class Controller, bool CanRecord>
   struct choose_recorder {
     using type = no_recorder;
+    using page = no_page;
   };
   template <class Controller>
   struct choose_recorder<Controller, true> {
     using type = program_recorder<Controller>;
+    using page = program_page<Controller>;
   };
   using recorder_type = typename choose_recorder<controller_type, can_record>::type;
+  using page_type = typename choose_recorder<controller_type, can_record>::page;
 
   static constexpr bool can_trace = Traceable<typename Program::architecture>;
   using tracer_type =
@@ -109,16 +114,25 @@ private:
   }
 
   void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
+                       [[maybe_unused]] std::optional<page_type>& page,
                        [[maybe_unused]] controller_type& c) {
     const run_settings& s = program.settings;
-    if (s.record.empty()) return;
-    if constexpr (can_record) recorder.emplace(c, s.record, s.record_scopes, !s.speed);
-    else throw refused(called + ": this program can't record: see docs/recordings.md");
+    if (s.record.empty() && s.page.empty()) return;
+    if constexpr (can_record) {
+      if (!s.page.empty()) page.emplace(s.page, s.record);
+      recorder.emplace(c, page ? page->recording_file() : s.record, s.record_scopes, !s.speed);
+    } else throw refused(called + ": this program can't record: see docs/recordings.md");
   }
-  static std::string end_recording([[maybe_unused]] std::optional<recorder_type>& recorder) {
-    if constexpr (can_record)
-      if (recorder) return recorder->close();
-    return {};
+  static std::string end_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
+                                   [[maybe_unused]] std::optional<page_type>& page) {
+    std::string problem;
+    if constexpr (can_record) {
+      if (recorder) problem = recorder->close();
+      if (page)
+        if (const std::string why = page->write(); !why.empty())
+          problem += (problem.empty() ? "" : "; ") + why;
+    }
+    return problem;
   }
 
   void begin_trace([[maybe_unused]] std::optional<tracer_type>& tracer, [[maybe_unused]] controller_type& c) {

@@ -103,6 +103,14 @@ void offer_standard_options(command_line& line, Program& p) {
             s.record = text;
           },
           "records all ports into this MCAP file");
+    if (!line.has("--page"))
+      line.text(
+          "--page FILE",
+          [&s](const std::string& text) {
+            if (text.empty()) throw command_line_error("--page: expected the name of a file");
+            s.page = text;
+          },
+          "records into this HTML file, which any browser shows");
     if (!line.has("--record-only"))
       line.text(
           "--record-only S,T",
@@ -136,9 +144,10 @@ void offer_standard_options(command_line& line, Program& p) {
 
 template <class Program>
 void refuse_contradictions(const command_line& line, const Program& p) {
-  if (p.settings.record.empty() && !p.settings.record_scopes.empty())
-    throw command_line_error("--record-only: say by --record into which file");
-  if (!p.settings.replay.empty() && !(p.settings.record.empty() && p.settings.trace.empty()))
+  if (p.settings.record.empty() && p.settings.page.empty() && !p.settings.record_scopes.empty())
+    throw command_line_error("--record-only: say by --record or --page into which file");
+  if (!p.settings.replay.empty() &&
+      !(p.settings.record.empty() && p.settings.page.empty() && p.settings.trace.empty()))
     throw command_line_error("--replay: nothing is recorded or traced meanwhile");
   if constexpr (Deployment<typename Program::architecture>) {
     const auto environments = names_of_environments<typename Program::architecture>();

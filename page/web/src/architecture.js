@@ -1,4 +1,5 @@
-// The architecture as a picture: components, wires, newest values with their ages, what fires, and faults.
+// The architecture as a picture: components in their environments, wires, newest values with their ages, what
+// fires, and faults.
 import dagre from '@dagrejs/dagre';
 import { age, short } from './numbers.js';
 
@@ -12,6 +13,8 @@ function element(name, attributes = {}, ...children) {
 
 const lineHeight = 15, letter = 6.4;
 const kilo = (hz) => (hz >= 1000 ? `${hz / 1000} kHz` : `${hz} Hz`);
+const transport = 'memory';  // between the environments of one process
+const boxOf = (environment) => `environment ${environment}`;
 const rate = (when) => when.replace(/^([\d.]+) Hz$/, (_, hz) => kilo(Number(hz)));
 
 export class ArchitectureView {
@@ -25,17 +28,29 @@ export class ArchitectureView {
     this.lay();
   }
 
-  // The nodes that are drawn: components, or whole inner graphs.
-  groupOf(node) {
+  // The path of what is drawn of a node: a component, or a whole inner graph.
+  pathOf(node) {
     const { path } = this.source.description.nodes[node];
     const dot = path.indexOf('.');
     return this.isOpen || dot < 0 ? path : path.slice(0, dot);
+  }
+  // Its name in the picture. Of an inner graph in several environments each has its part.
+  groupOf(node) {
+    const path = this.pathOf(node);
+    const { nodes, environments } = this.source.description;
+    const { environment } = nodes[node];
+    const isSplit = nodes.some((other, i) => this.pathOf(i) === path && other.environment !== environment);
+    return isSplit ? `${path} in ${environments[environment]}` : path;
+  }
+  crosses(wire) {
+    const { nodes, outputs } = this.source.description;
+    return nodes[outputs[wire.from].node].environment !== nodes[wire.node].environment;
   }
 
   // The name of a port in what is drawn: with the inner path, where an inner graph is one node.
   portName(output) {
     const { path, node } = this.source.description.outputs[output];
-    return path.slice(this.groupOf(node).length + 1);
+    return path.slice(this.pathOf(node).length + 1);
   }
 
   lay() {
@@ -43,7 +58,7 @@ export class ArchitectureView {
     const drawn = new Map();
     nodes.forEach((node, i) => {
       const name = this.groupOf(i);
-      if (!drawn.has(name)) drawn.set(name, { name, nodes: [], outputs: [] });
+      if (!drawn.has(name)) drawn.set(name, { name, nodes: [], outputs: [], environment: node.environment ?? -1 });
       drawn.get(name).nodes.push(i);
     });
     const edges = new Map();
@@ -73,8 +88,11 @@ export class ArchitectureView {
   // From left to right, or from top to bottom where that is too wide.
   place(drawn, edges, rankdir) {
     const { nodes, outputs } = this.source.description;
-    const graph = new dagre.graphlib.Graph({ multigraph: false });
-    graph.setGraph({ rankdir, nodesep: 22, ranksep: rankdir === 'LR' ? 46 : 34, marginx: 12, marginy: 12 });
+    const graph = new dagre.graphlib.Graph({ multigraph: false, compound: true });
+    const { environments = [] } = this.source.description;
+    const margin = environments.length > 0 ? 34 : 12;  // for the boxes around
+    graph.setGraph({ rankdir, nodesep: environments.length > 0 ? 44 : 22, ranksep: rankdir === 'LR' ? 46 : 34, marginx: margin, marginy: margin });
+    environments.forEach((name, e) => graph.setNode(boxOf(e), {}));
     graph.setDefaultEdgeLabel(() => ({}));
     for (const node of drawn.values()) {
       node.outputs.sort((a, b) => a - b);
@@ -84,14 +102,17 @@ export class ArchitectureView {
       node.width = Math.max(110, letter * Math.max(node.label.length + 3, node.when.length, ...rows) + 20);
       node.height = 30 + (node.when ? lineHeight : 0) + node.outputs.length * lineHeight;
       graph.setNode(node.name, { width: node.width, height: node.height });
+      if (environments[node.environment]) graph.setParent(node.name, boxOf(node.environment));
     }
     for (const edge of edges.values()) {
       edge.lines = edge.wires.map((w) => {
         const name = this.portName(w.from);
         const renamed = name === w.input ? name : `${name} → ${w.input}`;
-        return w.policy === 'latest' ? renamed : `${renamed}, ${w.policy}`;
+        return [renamed, ...(this.crosses(w) ? [transport] : []), ...(w.policy === 'latest' ? [] : [w.policy])].join(', ');
       });
-      if (edge.lines.length > 4) edge.lines = [`${edge.lines.length} wires`];
+      edge.crosses = edge.wires.some((w) => this.crosses(w));
+      const delays = [...new Set(edge.wires.map((w) => w.policy))].join(' or ');
+      if (edge.lines.length > 4) edge.lines = [`${edge.lines.length} wires${edge.crosses ? `, ${transport}, ${delays}` : ''}`];
       const widest = Math.max(...edge.lines.map((l) => l.length));
       graph.setEdge(edge.from, edge.to, { width: widest * 5.6, height: edge.lines.length * 12, labelpos: 'c' });
     }
@@ -106,6 +127,14 @@ export class ArchitectureView {
     const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, width: width * scale, height: height * scale, role: 'group', 'aria-label': 'The components and their wires' });
     svg.append(element('defs', {}, element('marker', { id: 'tip', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: 'auto' },
       element('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }))));
+    (this.source.description.environments ?? []).forEach((name, e) => {
+      const box = graph.node(boxOf(e));
+      if (!box?.width) return;
+      const group = element('g', { class: 'environment', 'data-environment': name });
+      const top = box.y - box.height / 2 - 18, left = box.x - box.width / 2 - 4;
+      group.append(element('rect', { x: left, y: top, width: box.width + 8, height: box.height + 22, rx: 10 }), element('text', { x: left + 10, y: top + 15 }, name));
+      svg.append(group);
+    });
     for (const edge of edges.values()) {
       const { points, x, y } = graph.edge(edge.from, edge.to);
       let d = `M${points[0].x} ${points[0].y}`;
@@ -115,7 +144,7 @@ export class ArchitectureView {
       }
       d += ` L${points.at(-1).x} ${points.at(-1).y}`;
       const isDelayed = edge.wires.some((w) => w.delay > 0);
-      svg.append(element('path', { d, class: isDelayed ? 'wire delayed' : 'wire', 'marker-end': 'url(#tip)' }));
+      svg.append(element('path', { d, class: ['wire', isDelayed && 'delayed', edge.crosses && 'crossing'].filter(Boolean).join(' '), 'marker-end': 'url(#tip)' }));
       const text = element('text', { class: 'wire-label', 'text-anchor': 'middle' });
       edge.lines.forEach((line, i) => text.append(element('tspan', { x, y: y + 4 + (i - (edge.lines.length - 1) / 2) * 12 }, line)));
       svg.append(text);
@@ -149,7 +178,9 @@ export class ArchitectureView {
     }
     this.box.replaceChildren(svg);
     this.svg = svg;
-    this.box.scrollTop = graph.node(this.parts[0].name).y * scale - this.box.clientHeight / 2;
+    const first = graph.node(this.parts[0].name);
+    this.box.scrollTop = first.y * scale - this.box.clientHeight / 2;
+    this.box.scrollLeft = first.x * scale - this.box.clientWidth / 2;
   }
 
   resize() {

@@ -5,7 +5,20 @@ export const transitions = ['load', 'start', 'stop', 'resume', 'save'];
 
 export class Refused extends Error {}
 
-const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+// Bodies, then for each point its place and its target.
+export const poseCount = (robot) => (robot ? 7 * robot.bodies.length + 6 * robot.points.length : 0);
+export function planStep(source) {
+  const { plan, outputs } = source.description;
+  const output = plan ? outputs.findIndex((o) => o.path === plan.port) : -1;
+  const row = output < 0 ? null : source.newest();
+  return row && source.publishedIn(output) >= 0 ? row[outputs[output].at] : -1;
+}
+
+export function fromBase64(text) {
+  const letters = atob(text), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
 
 export async function startProgram(compressed, files = {}) {
   const stream = new Blob([fromBase64(compressed)]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -46,8 +59,7 @@ export class Live {
     this.rows = new Float64Array(memory.buffer, this.program.rows(), this.width * this.description.kept);
     this.origins = new Float64Array(memory.buffer, this.program.origins(), outputs);
     this.published = new Float64Array(memory.buffer, this.program.published(), outputs);
-    const poses = this.description.robot ? 7 * this.description.robot.bodies.length + 24 : 0;
-    this.poses = new Float64Array(memory.buffer, this.program.poses(), poses);
+    this.poses = new Float64Array(memory.buffer, this.program.poses(), poseCount(this.description.robot));
     this.first = Math.max(0, this.status.beat - this.description.kept);
   }
   get beat() { return this.status.beat; }
@@ -76,14 +88,30 @@ export class Live {
     }
     return [times, values];
   }
-  get hasContacts() { return Boolean(this.description.robot); }
-  contact(leg, beat) { return this.extra(beat, 15 + leg) > 0; }
-  position() { return this.beat > 0 ? [0, 1, 2].map((i) => this.extra(this.beat - 1, i)) : [...this.poses.subarray(0, 3)]; }
-  feet() {
-    if (this.beat === 0) return [];
-    return [0, 1, 2, 3].map((leg) => [0, 1, 2].map((k) => this.extra(this.beat - 1, 3 + 3 * leg + k)));
+  // Which number of a row is the first of these; undefined: this robot has none.
+  place(what) { return this.description.robot?.extra[what]; }
+  get hasContacts() { return this.place('contacts') !== undefined; }
+  contact(point, beat) { return this.extra(beat, this.place('contacts') + point) > 0; }
+  position() {
+    if (this.beat === 0) return this.description.robot.kind === 'oncilla' ? [...this.poses.subarray(0, 3)] : null;
+    return [0, 1, 2].map((i) => this.extra(this.beat - 1, this.place('position') + i));
   }
-  get fallen() { return this.beat > 0 && Boolean(this.description.robot) && this.extra(this.beat - 1, 19) > 0; }
+  // Of the world on each point of the robot, N.
+  forces() {
+    if (this.beat === 0) return [];
+    return this.description.robot.points.map((_, p) => [0, 1, 2].map((k) => this.extra(this.beat - 1, this.place('forces') + 3 * p + k)));
+  }
+  // Where each point should be.
+  targets() {
+    const { points, bodies, target } = this.description.robot;
+    if (!target) return points.map((_, p) => this.poses.subarray(7 * bodies.length + 6 * p + 3, 7 * bodies.length + 6 * p + 6));
+    const output = this.description.outputs.findIndex((o) => o.path === target);
+    const { at } = this.description.outputs[output];
+    return this.beat > 0 && this.publishedIn(output) >= 0 ? [this.newest().subarray(at, at + 3)] : [];
+  }
+  get fallen() { return this.beat > 0 && this.place('fallen') !== undefined && this.extra(this.beat - 1, this.place('fallen')) > 0; }
+  // Which step of the plan it is in; -1: none.
+  step() { return planStep(this); }
 
   // ---- what one can do ----
 
@@ -106,6 +134,7 @@ export class Live {
   change(transition) { this.call('change', transitions.indexOf(transition)); }
   beginAnew() { this.call('begin_anew'); }
   push(force, seconds) { this.call('push', ...force, seconds); }
+  press(button, down) { this.call('press', button, down ? 1 : 0); }
   takeSnapshot() { this.call('take_snapshot'); }
   goBack(beat) { return this.call('go_back', beat) !== 0; }
   // Why it is refused; empty: it is set.

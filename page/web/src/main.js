@@ -2,7 +2,7 @@
 import uPlotStyle from 'uplot/dist/uPlot.min.css';
 import { ArchitectureView } from './architecture.js';
 import { Footfalls } from './footfalls.js';
-import { Live, startProgram } from './live.js';
+import { fromBase64, Live, startProgram } from './live.js';
 import { parse, range } from './numbers.js';
 import { Plots } from './plots.js';
 import { readRecording } from './recording.js';
@@ -12,6 +12,8 @@ const $ = (id) => document.getElementById(id);
 const settings = new URLSearchParams(location.hash.slice(1));
 
 document.head.append(Object.assign(document.createElement('style'), { textContent: uPlotStyle }));
+
+const embedded = $('recording');  // what a program has put into the page (`--page`)
 
 let live = null, source = null, robot = null, architecture = null, plots = null, footfalls = null, fields = [];
 let isPlaying = false, speed = 1, last = 0, due = 0, pace = 0, ahead = 0, isDark = false;
@@ -24,7 +26,7 @@ function say(text, isRefused = false) {
 function attempt(what, action) {
   try {
     action();
-    say(what);
+    if (what) say(what);
   } catch (error) {
     say(error.message, true);
   }
@@ -52,6 +54,7 @@ function runFor(beats) {
 function frame(now) {
   const seconds = Math.min(0.25, (now - last) / 1e3);
   last = now;
+  if (!source) return requestAnimationFrame(frame);
   const before = source.beat;
   if (ahead > 0) {
     // As fast as possible, but so that the page still answers.
@@ -99,6 +102,7 @@ function show(now) {
     const position = source.position();
     $('position-box').hidden = !position;
     if (position) ['x', 'y', 'z'].forEach((axis, i) => set(axis, position[i].toFixed(4)));
+    showForce();
   }
   set('alert', state === 'faulted' ? `⚠ fault in ${faultPath || 'the loop'}: ${fault}` : source.fallen ? '⚠ the robot has fallen' : '');
   if (source.isLive) {
@@ -107,14 +111,53 @@ function show(now) {
     showSnapshots();
   } else if (document.activeElement !== $('replay-time')) $('replay-time').value = source.time;
   // Nothing is drawn that looks as before, and little while it runs on as fast as possible.
-  if (robot && source.description.robot && (changed || robot.isStale || robot.isResized) && (ahead <= 0 || drawnAgo % 8 === 0)) robot.draw(source.poses, source.feet());
+  if (robot && source.description.robot && (changed || robot.isStale || robot.isResized) && (ahead <= 0 || drawnAgo % 8 === 0)) robot.draw(source.poses, source.forces(), source.targets());
   if ((changed || isBehind) && drawnAgo >= (ahead > 0 ? 16 : 3) || now) {  // text and lines need not follow at 60 Hz
     drawnAgo = 0;
     isBehind = false;
     architecture.update();
     plots.update();
     if (source.description.robot && source.hasContacts) footfalls.update(isDark);
+    showPlan();
+    showButtons();
   }
+}
+// Of the force on the hand, along the world's axes.
+function showForce() {
+  const force = source.description.robot?.kind === 'arm' ? source.forces()[0] : null;
+  $('force-box').hidden = !force;
+  if (force) $('force').textContent = Math.hypot(...force).toFixed(2);
+}
+function buildPlan() {
+  const { plan } = source.description;
+  $('plan-box').hidden = !plan;
+  $('plan').replaceChildren(...(plan?.steps ?? []).map((name) => Object.assign(document.createElement('li'), { textContent: name })));
+}
+function showPlan() {
+  if (!source.description.plan) return;
+  const step = source.step();
+  [...$('plan').children].forEach((item, i) => {
+    if (i === step) item.setAttribute('aria-current', 'step');
+    else item.removeAttribute('aria-current');
+    item.classList.toggle('over', i < step);
+  });
+}
+function buildButtons() {
+  const names = (source.isLive && source.description.buttons) || [];
+  $('buttons').hidden = names.length === 0;
+  $('buttons').replaceChildren(...names.map((name, i) => {
+    const button = Object.assign(document.createElement('button'), { type: 'button', textContent: name, className: 'operator' });
+    button.addEventListener('click', () => attempt('', () => {
+      const down = !source.status.pressed[i];
+      source.press(i, down);
+      say(`${name}: ${down ? 'pressed' : 'released'}`);
+    }));
+    return button;
+  }));
+  showButtons();
+}
+function showButtons() {
+  [...$('buttons').children].forEach((button, i) => button.setAttribute('aria-pressed', String(source.status.pressed[i])));
 }
 
 // ---- life-cycle, snapshots, pushes ----
@@ -165,7 +208,7 @@ function listen() {
     source.push([x, y, 0], 0.1);
   }));
   document.addEventListener('keydown', (event) => {
-    if (/^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey || event.target.classList.contains('port')) return;
+    if (!source || /^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey || event.target.classList.contains('port')) return;
     if (event.key === ' ') play(!isPlaying);
     else if (event.key === '.' && source.isLive) $('step').click();
     else return;
@@ -206,31 +249,46 @@ function listen() {
 
 async function openFile(file) {
   if (!file) return;
-  play(false);
+  if (source) play(false);
   say(`reading ${file.name} …`);
+  await openRecording(file.name, async () => new Uint8Array(await file.arrayBuffer()));
+}
+async function openRecording(name, read) {
   try {
-    const recording = await readRecording(new Uint8Array(await file.arrayBuffer()), live.description.robot);
+    const recording = await readRecording(await read(), live ? [live.description] : KNOWN);
+    if (live && recording.difference) throw new Error(`this is a recording of another architecture: ${recording.difference}. build/page/out/recording.html shows the recordings of any architecture, and so does the option --page`);
     look(recording);
-    say(`${file.name}: ${recording.beats} beats${recording.isCut ? ', cut off at the end' : ''}`);
+    recording.seek(1);  // the first that there is to see
+    show(true);
+    say(`${name}: ${recording.beats} beats${recording.isCut ? ', cut off at the end' : ''}`);
   } catch (error) {
-    say(`${file.name}: ${error.message}`, true);
+    say(`${name}: ${error.message}`, true);
   }
 }
 
 // ---- parameters ----
 
+const mostShown = 24;  // of one component; more are folded
+
 function buildParameters() {
   const groups = new Map();
   fields = source.description.parameters;
   $('parameters').replaceChildren();
+  const count = (node) => fields.filter((f) => f.path.startsWith(`${node}.`)).length;
   fields.forEach((field, i) => {
     const dot = field.path.indexOf('.');
     const node = field.path.slice(0, dot), rest = field.path.slice(dot + 1);
     if (!groups.has(node)) {
       const set = document.createElement('fieldset');
       set.append(Object.assign(document.createElement('legend'), { textContent: node }));
-      groups.set(node, set);
       $('parameters').append(set);
+      groups.set(node, set);
+      if (count(node) > mostShown) {
+        const rest = document.createElement('details');
+        rest.append(Object.assign(document.createElement('summary'), { textContent: `${count(node)} numbers` }));
+        set.append(rest);
+        groups.set(node, rest);
+      }
     }
     const row = document.createElement('div');
     row.className = 'field';
@@ -294,11 +352,12 @@ function theme() {
 function look(at) {
   if (source) play(false);
   source = at;
+  document.body.classList.remove('empty');
   document.body.classList.toggle('no-robot', !source.description.robot);
   document.body.classList.toggle('no-parameters', !source.isLive || source.description.parameters.length === 0);
   for (const one of document.querySelectorAll('.live-only')) one.hidden = !source.isLive;
   for (const one of document.querySelectorAll('.recording-only')) one.hidden = source.isLive;
-  $('to-live').hidden = source === live;
+  $('to-live').hidden = !live || source === live;
   $('position-box').hidden = !source.description.robot || !source.isLive;
   $('pace-box').hidden = false;
   if (!source.isLive) $('replay-time').max = source.beats * source.period;
@@ -322,8 +381,14 @@ function look(at) {
   architecture.lay();
   if (source.description.robot) {
     robot ??= startRobot();
-    footfalls = new Footfalls($('footfalls'), $('stance'), source, source.description.robot.legs);
+    footfalls = new Footfalls($('footfalls'), $('stance'), source, source.description.robot.points);
+    $('footfalls-box').hidden = !source.hasContacts;
+    const isArm = source.description.robot.kind === 'arm';
+    $('force-name').textContent = isArm ? 'force on the tool' : 'force on a foot';
+    $('target-name').textContent = isArm ? 'where the hand should be' : 'where the targets put a foot';
   }
+  buildPlan();
+  buildButtons();
   firstPlots();
   theme();
 }
@@ -344,9 +409,13 @@ function portGroups() {
   });
   return groups.values();
 }
-// The first commands and what the robot measures of them.
+// What the page's program names; else the first commands and what the robot measures of them.
 function firstPlots() {
-  const { outputs } = source.description;
+  const { outputs, plots: named } = source.description;
+  if (named?.length > 0) {
+    for (const [plot, path, i] of named) plots.addTo(plot, outputs.findIndex((o) => o.path === path), i);
+    return;
+  }
   const find = (test) => outputs.findIndex((o) => test.test(o.path));
   const command = find(/^limits\.safe$/);
   const measured = outputs.findIndex((o, i) => i !== command && command >= 0 && o.fields.length === outputs[command].fields.length && /angle/.test(o.path) && source.description.nodes[o.node].path.startsWith('robot'));
@@ -358,17 +427,29 @@ function firstPlots() {
   if (other >= 0) plots.addPort(other);
 }
 
-startProgram(PROGRAM, FILES).then((started) => {
-  live = started;
-  look(live);
+async function start() {
+  if (PROGRAM) {
+    live = await startProgram(PROGRAM, FILES);
+    look(live);
+    live.change('load');
+    live.change('start');
+    show(true);
+    if (!settings.has('paused')) play(true);
+  } else {  // only recordings
+    document.body.classList.add('empty', 'no-parameters');
+    for (const one of document.querySelectorAll('.live-only')) one.hidden = true;
+    theme();
+  }
   listen();
-  live.change('load');
-  live.change('start');
-  show(true);
-  if (!settings.has('paused')) play(true);
+  if (embedded) {
+    document.title = embedded.dataset.name;
+    document.querySelector('h1').textContent = embedded.dataset.name;
+    await openRecording(embedded.dataset.name, () => fromBase64(embedded.textContent));
+  }
   requestAnimationFrame((now) => { last = now; frame(now); });
   document.documentElement.dataset.ready = 'true';
-}).catch((error) => {
+}
+start().catch((error) => {
   $('alert').textContent = `The page can't run: ${error.message}`;
   document.documentElement.dataset.ready = 'failed';
   throw error;

@@ -2,9 +2,12 @@
 import { McapStreamReader } from '@mcap/core';
 import { decompress } from 'fzstd';
 
+import { planStep, poseCount } from './live.js';
+
 const never = -1;
 
-export async function readRecording(bytes, robot) {
+// `known`: descriptions of controllers, whose robots and plans the recording may have.
+export async function readRecording(bytes, known) {
   const channels = new Map();
   const metadata = new Map();
   let cut = false;
@@ -25,8 +28,25 @@ export async function readRecording(bytes, robot) {
     cut = true;
   }
   const architecture = metadata.get('cca.architecture');
+  if (channels.size === 0 && cut) throw new Error('this is no recording: it ends in its first bytes');
   if (!architecture) throw new Error('this file has no architecture: cca has not recorded it');
-  return new Recording(Object.fromEntries(architecture), [...channels.values()], metadata, cut, robot);
+  return new Recording(Object.fromEntries(architecture), [...channels.values()], metadata, cut, known);
+}
+
+// What of a recorded architecture is not as in another one, in words; empty: it is the same.
+export function difference(recorded, other) {
+  const missing = (here, there) => here.find((name) => !there.includes(name));
+  const kinds = {
+    component: (d) => d.nodes.map((n) => n.path),
+    port: (d) => d.outputs.map((o) => `${o.path} of ${o.fields.length} numbers`),
+    wire: (d) => d.wires.map((w) => `${d.outputs[w.from].path} → ${d.nodes[w.node]?.path}.${w.input}${w.delay ? `, delayed ${w.delay}` : ''}`),
+  };
+  for (const [kind, names] of Object.entries(kinds)) {
+    const added = missing(names(recorded), names(other)), lacking = missing(names(other), names(recorded));
+    if (added) return `it has the ${kind} ${added}, which ${other.name} does not have`;
+    if (lacking) return `it does not have the ${kind} ${lacking} of ${other.name}`;
+  }
+  return '';
 }
 
 function take(channel, { data }) {
@@ -48,7 +68,7 @@ function take(channel, { data }) {
 }
 
 export class Recording {
-  constructor(architecture, channels, metadata, cut, robot) {
+  constructor(architecture, channels, metadata, cut, known) {
     this.isLive = false;
     this.isCut = cut;
     this.metadata = metadata;
@@ -60,7 +80,11 @@ export class Recording {
     this.beat = 0;
     this.first = 0;
     this.memory = new Float64Array(this.description.coordinates);
-    this.findRobot(robot);
+    const differences = known.map((one) => difference(this.description, one));
+    this.difference = differences.includes('') ? '' : differences[0] ?? '';
+    const same = known[differences.indexOf('')];
+    Object.assign(this.description, { plan: same?.plan, plots: same?.plots });
+    this.findRobot(same?.robot ?? known.find((one) => one.robot?.kind === 'oncilla')?.robot);
     this.seek(0);
   }
 
@@ -86,7 +110,10 @@ export class Recording {
         wires.push({ from: Number(m[2]), node: this.nodeAt(nodes, m[1].slice(0, dot)), input: m[1].slice(dot + 1), delay: Number(m[3]), policy: m[3] === '0' ? 'latest' : `delayed ${m[3]}` });
       }
     }
-    return { name: architecture.name, period: Number(architecture.ns_a_beat), nodes, outputs, wires, coordinates: at, parameters: [] };
+    const places = this.metadata.get('cca.places') ?? new Map();  // of a deployment
+    const environments = [...new Set(places.values())];
+    for (const node of nodes) node.environment = environments.indexOf(places.get(node.path));
+    return { environments, name: architecture.name, period: Number(architecture.ns_a_beat), nodes, outputs, wires, coordinates: at, parameters: [] };
   }
   nodeAt(nodes, path) { return nodes.findIndex((n) => n.path === path); }
   // From the schema: `float64 hip  # N m, -3 to 3`. A unit may have spaces, so the metadata won't do.
@@ -106,9 +133,9 @@ export class Recording {
     this.ports = { angles: this.port('angles', 8), orientation: this.port('orientation', 4), contacts: this.port('contacts', 4), loads: this.port('foot_loads', 4), targets: this.port('safe', 8) };
     const measured = this.description.outputs.findIndex((o) => o.fields.length === 8 && o.path.startsWith('robot.angles'));
     if (measured >= 0) this.ports.angles = measured;  // not the commands
-    if (!robot || this.ports.angles < 0 || this.ports.orientation < 0) return;
+    if (robot?.kind !== 'oncilla' || this.ports.angles < 0 || this.ports.orientation < 0) return;
     this.description.robot = robot;
-    this.poses = new Float64Array(7 * robot.bodies.length + 24);
+    this.poses = new Float64Array(poseCount(robot));
   }
 
   // ---- as of a live controller ----
@@ -172,10 +199,15 @@ export class Recording {
   get hasContacts() { return this.ports.contacts >= 0; }
   contact(leg, beat) { return (this.sample(this.ports.contacts, beat + 1)?.[leg] ?? 0) > 0; }
   position() { return null; }
-  feet() {
+  forces() {
     const loads = this.ports.loads >= 0 ? this.sample(this.ports.loads) : null;
     return loads ? loads.map((n) => [0, 0, n]) : [];
   }
+  targets() {
+    const at = 7 * this.description.robot.bodies.length;
+    return this.description.robot.points.map((_, p) => this.poses.subarray(at + 6 * p + 3, at + 6 * p + 6));
+  }
+  step() { return planStep(this); }
   get fallen() { return false; }
 
   // No sensor measures where the trunk is. So it stays in its place, as high as its lowest foot says.
@@ -189,7 +221,7 @@ export class Recording {
       const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
       return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
     };
-    const legs = robot.legs.map((name, leg) => {
+    const legs = robot.points.map((name, leg) => {
       const key = name.replace(' ', '_');
       const at = (joint, fallback) => { const i = names.findIndex((n) => n.includes(key) && n.includes(joint)); return i < 0 ? fallback : i; };
       const hipAt = at('hip', leg), kneeAt = at('knee', leg + 4);

@@ -1,10 +1,9 @@
-// The robot in 3D: its bodies, the forces on its feet, where the targets would put the feet, and a push by
+// The robot in 3D: its bodies, the forces on its points (feet, a hand), where these should be, and a push by
 // the mouse.
 import * as THREE from 'three';
 
-const partColours = [0x9a3b2f, 0x2f6db3, 0xc7812a, 0x2f8f6a, 0x30343a];
+const partColours = [0x9a3b2f, 0x2f6db3, 0xc7812a, 0x2f8f6a, 0x30343a, 0x9aa0a6];
 const floorSize = 40;  // m
-const newtonsPerMetre = 200;  // of a force's arrow
 const pushPerMetre = 120;     // N for a drag of one metre
 
 export class RobotView {
@@ -16,12 +15,15 @@ export class RobotView {
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.1, 30);
     this.camera.up.set(0, 0, 1);
-    this.angle = { azimuth: -1.05, height: 0.32, distance: 1.15 };
+    this.shown = source.description.robot;
+    this.isWalking = this.shown.kind === 'oncilla';  // then the view goes along
+    this.newtonsPerMetre = this.shown.newtonsPerMetre ?? 200;  // of a force's arrow
+    this.angle = { azimuth: -1.05, height: 0.32, distance: 1.15, ...this.shown.view };
     this.target = new THREE.Vector3();
     this.frames = 0;
     this.light();
     this.ground();
-    this.build(source.description.robot);
+    this.build(this.shown);
     this.listen();
   }
 
@@ -30,7 +32,8 @@ export class RobotView {
     this.sun = new THREE.DirectionalLight(0xffffff, 2.2);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(512, 512);
-    Object.assign(this.sun.shadow.camera, { left: -0.6, right: 0.6, top: 0.6, bottom: -0.6, near: 0.1, far: 4 });
+    const wide = this.isWalking ? 0.6 : 1.2;
+    Object.assign(this.sun.shadow.camera, { left: -wide, right: wide, top: wide, bottom: -wide, near: 0.1, far: 4 });
     this.scene.add(this.sun, this.sun.target);
   }
 
@@ -62,25 +65,33 @@ export class RobotView {
       let geometry;
       if (shape === 'box') geometry = new THREE.BoxGeometry(...size);
       else if (shape === 'sphere') geometry = new THREE.SphereGeometry(size[0], 20, 14);
-      else geometry = new THREE.CapsuleGeometry(size[0] * 0.8, size[1], 6, 16).rotateX(Math.PI / 2);
+      else if (shape === 'cylinder' && !this.isWalking) geometry = new THREE.CylinderGeometry(size[0], size[0], size[1], 32).rotateX(Math.PI / 2);
+      else geometry = new THREE.CapsuleGeometry(size[0] * (this.isWalking ? 0.8 : 1), size[1], 8, 20).rotateX(Math.PI / 2);
       const body = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ color: partColours[part], roughness: 0.55 }));
       body.castShadow = true;
+      body.receiveShadow = !this.isWalking;
       this.scene.add(body);
       return body;
     });
-    // Which way is forward.
+    this.handles = this.bodies.filter((_, i) => !robot.bodies[i].stands);
+    if (this.isWalking) this.addNose(robot);
+    this.forces = robot.points.map(() => this.arrow(0xd55e00, this.isWalking ? 0.0045 : 0.008));
+    if (!this.isWalking) for (const part of this.forces[0].children) Object.assign(part, { renderOrder: 1 }).material.depthTest = false;  // it points into the arm
+    this.targets = robot.points.map(() => {
+      const ring = new THREE.Mesh(new THREE.TorusGeometry(this.isWalking ? 0.017 : 0.05, this.isWalking ? 0.0028 : 0.005, 8, 28), new THREE.MeshBasicMaterial({ color: 0x0072b2 }));
+      this.scene.add(ring);
+      return ring;
+    });
+    this.pushing = this.arrow(0xcc79a7, 0.007);
+  }
+
+  // Which way is forward.
+  addNose(robot) {
     const nose = new THREE.Mesh(new THREE.ConeGeometry(0.022, 0.05, 16).rotateZ(-Math.PI / 2),
       new THREE.MeshStandardMaterial({ color: 0xf2c14e, roughness: 0.5 }));
     nose.position.x = robot.bodies[0].size[0] / 2 + 0.02;
     nose.castShadow = true;
     this.bodies[0].add(nose);
-    this.forces = robot.legs.map(() => this.arrow(0xd55e00));
-    this.targets = robot.legs.map(() => {
-      const ring = new THREE.Mesh(new THREE.TorusGeometry(0.017, 0.0028, 8, 28), new THREE.MeshBasicMaterial({ color: 0x0072b2 }));
-      this.scene.add(ring);
-      return ring;
-    });
-    this.pushing = this.arrow(0xcc79a7, 0.007);
   }
 
   arrow(colour, radius = 0.0045) {
@@ -124,12 +135,12 @@ export class RobotView {
     const onPlane = (event) => {
       ray.setFromCamera(at(event), this.camera);
       const hit = new THREE.Vector3();
-      return ray.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), -this.bodies[0].position.z), hit) ? hit : null;
+      return ray.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), -this.pushedAt().z), hit) ? hit : null;
     };
     this.canvas.addEventListener('pointerdown', (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       ray.setFromCamera(at(event), this.camera);
-      this.drag = this.onPush && ray.intersectObjects(this.bodies).length > 0 ? 'push' : 'turn';
+      this.drag = this.onPush && ray.intersectObjects(this.handles).length > 0 ? 'push' : 'turn';
       this.last = [event.clientX, event.clientY];
     });
     this.canvas.addEventListener('pointermove', (event) => {
@@ -139,7 +150,7 @@ export class RobotView {
       } else if (this.drag === 'push') {
         const hit = onPlane(event);
         if (!hit) return;
-        const force = hit.sub(this.bodies[0].position).setZ(0).multiplyScalar(pushPerMetre).clampLength(0, 60);
+        const force = hit.sub(this.pushedAt()).setZ(0).multiplyScalar(pushPerMetre).clampLength(0, 60);
         this.push = force;
         this.isStale = true;
         this.onPush([force.x, force.y, 0]);
@@ -177,7 +188,10 @@ export class RobotView {
 
   get isResized() { return Math.round(this.canvas.clientWidth * Math.min(window.devicePixelRatio, 2)) !== this.canvas.width; }
 
-  draw(poses, feetForces) {
+  // Where a push acts: on the trunk, or on the hand.
+  pushedAt() { return this.isWalking ? this.bodies[0].position : this.place; }
+
+  draw(poses, forces, targets) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
     this.isStale = false;
@@ -194,31 +208,32 @@ export class RobotView {
       body.quaternion.set(p[4], p[5], p[6], p[3]);
     });
     const rest = 7 * this.bodies.length;
-    this.forces.forEach((arrow, leg) => {
-      const foot = new THREE.Vector3(...poses.subarray(rest + 6 * leg, rest + 6 * leg + 3));
-      const force = feetForces[leg] ?? [0, 0, 0];
-      this.point(arrow, foot, new THREE.Vector3(...force).divideScalar(newtonsPerMetre));
-      this.targets[leg].position.set(...poses.subarray(rest + 6 * leg + 3, rest + 6 * leg + 6));
-      this.targets[leg].lookAt(this.camera.position);
+    this.forces.forEach((arrow, p) => {
+      const place = new THREE.Vector3(...poses.subarray(rest + 6 * p, rest + 6 * p + 3));
+      if (p === 0) this.place = place;
+      this.point(arrow, place, new THREE.Vector3(...(forces[p] ?? [0, 0, 0])).divideScalar(this.newtonsPerMetre));
+      this.targets[p].visible = Boolean(targets[p]);
+      if (targets[p]) this.targets[p].position.set(...targets[p]);
+      this.targets[p].lookAt(this.camera.position);
     });
-    const trunk = this.bodies[0].position;
-    this.point(this.pushing, trunk, this.push ? this.push.clone().divideScalar(pushPerMetre) : new THREE.Vector3());
-    this.target.set(trunk.x, trunk.y, 0.1);
+    this.point(this.pushing, this.pushedAt(), this.push ? this.push.clone().divideScalar(pushPerMetre) : new THREE.Vector3());
+    if (this.isWalking) this.target.set(this.bodies[0].position.x, this.bodies[0].position.y, 0.1);
+    else this.target.set(...this.shown.view.at);
     const { azimuth, height: up, distance } = this.angle;
     this.camera.position.set(this.target.x + distance * Math.cos(up) * Math.cos(azimuth),
       this.target.y + distance * Math.cos(up) * Math.sin(azimuth), this.target.z + distance * Math.sin(up));
     this.camera.lookAt(this.target);
-    this.sun.position.set(trunk.x + 0.5, trunk.y - 0.7, 1.6);
-    this.sun.target.position.copy(trunk);
+    this.sun.position.set(this.target.x + 0.5, this.target.y - 0.7, this.isWalking ? 1.6 : 2.4);
+    this.sun.target.position.copy(this.target);
     // The ground has no end: it goes along, by whole squares.
-    this.floor.position.set(Math.round(trunk.x / 0.2) * 0.2, Math.round(trunk.y / 0.2) * 0.2, 0);
+    this.floor.position.set(Math.round(this.target.x / 0.2) * 0.2, Math.round(this.target.y / 0.2) * 0.2, 0);
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
   }
 
-  // A pixel of the trunk, for tests and for a push by keys.
-  trunkOnScreen() {
-    const p = this.bodies[0].position.clone().project(this.camera);
+  // The pixel at which a push acts, for tests.
+  pushedOnScreen() {
+    const p = this.pushedAt().clone().project(this.camera);
     const box = this.canvas.getBoundingClientRect();
     return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
   }

@@ -5,6 +5,7 @@
 #include <cca/graph/recordable.hpp>
 #include <cca/record/mcap/reader.hpp>
 #include <cca/record/mcap/writer.hpp>
+#include <cca/record/page.hpp>
 #include <cca/record/program_recording.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/record/replay.hpp>

@@ -1,11 +1,16 @@
-// The option `--record FILE` of cca::robot_main: there where <cca/record.hpp> is included and the graph is
-// recordable. docs/recordings.md.
+// The options `--record FILE` and `--page FILE` of cca::robot_main: there where <cca/record.hpp> is included
+// and the graph is recordable. docs/recordings.md.
 #pragma once
 
+#include <cstdio>
+#include <exception>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <cca/base/refused.hpp>
+#include <cca/record/page.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
 
@@ -32,6 +37,42 @@ struct program_recorder<Host<Graph>> {
   }
 
   cca::recording::recorder<Host<Graph>> recorder;
+};
+
+// `--page`: whatever is recorded, in a page. Without a file of its own the recording is in one beside the
+// page, which goes when the page is there.
+template <class Controller>
+class program_page {
+public:
+  program_page(const std::string& name, const std::string& record)
+      : page(name),
+        empty(recording::page_without_recording()),
+        recorded(record.empty() ? name + ".part.mcap" : record),
+        is_temporary(record.empty()) {
+    if (page == recorded) throw refused("--page " + page + ": this is the file of --record");
+  }
+  program_page(const program_page&) = delete;
+  program_page& operator=(const program_page&) = delete;
+  ~program_page() {
+    if (is_temporary) std::remove(recorded.c_str());
+  }
+
+  const std::string& recording_file() const { return recorded; }
+
+  // After the recording has ended. What went wrong, as a sentence; empty: nothing.
+  std::string write() {
+    try {
+      recording::write_page(page, recorded, empty);
+      return {};
+    } catch (const std::exception& e) {
+      is_temporary = false;
+      return std::string("the page can't be written: ") + e.what() + "; the recording is in " + recorded;
+    }
+  }
+
+private:
+  std::string page, empty, recorded;
+  bool is_temporary;
 };
 
 }  // namespace cca::detail

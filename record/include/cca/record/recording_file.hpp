@@ -86,6 +86,7 @@ public:
       : file(name, s.chunk_bytes, s.compression_level) {
     std::vector<std::string> unused = s.scopes;
     const std::string text = architecture_text<Graph>();
+    if constexpr (Deployment<Graph>) file.metadata("cca.places", places_of<Graph>());
     file.metadata("cca.architecture", {{"name", std::string(cca::detail::type_name<Graph>())},
                                        {"hash", hash_of_architecture(text)},
                                        {"text", text},

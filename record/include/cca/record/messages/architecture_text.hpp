@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -53,6 +54,18 @@ std::string architecture_text() {
       text << "wire to " << path_of_node<Graph>(g.calls[in.call].node) << '.' << port_of(g, in).name
            << " from output " << in.writer << ", delayed " << in.delay << '\n';
   return text.str();
+}
+
+// Of a deployment: the environment of each component.
+template <class Graph>
+std::map<std::string, std::string> places_of() {
+  auto plan = cca::detail::plan_of<Graph>;
+  const cca::detail::flat_view g = plan.view();
+  std::map<std::string, std::string> places;
+  for (int n = 0; n < g.node_count; ++n)
+    if (const int e = g.nodes[n].environment; e >= 0 && e < g.environment_count)
+      places[cca::detail::path_of_node<Graph>(n)] = std::string(g.environments[e].name);
+  return places;
 }
 
 inline std::string hash_of_architecture(const std::string& text) {
