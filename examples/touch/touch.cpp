@@ -35,12 +35,8 @@ using controller = cca::controller<observable>;
 
 struct options {
   std::uint64_t first = 0, count = 1;
-<<<<<<< HEAD
-  std::optional<std::string> config, shape, summary;
-  deployed::observing files;
-=======
   std::optional<std::string> config, shape, summary, csv;
->>>>>>> e5d366a (The compliant arm on a page: the table, the force on the tool, the plan, the operator's stop)
+  deployed::observing files;
 
   void offer(cca::command_line& line) {
     line.whole_number("--first N", first, 0, "the first seed (0)");
@@ -48,12 +44,9 @@ struct options {
     line.text("--config FILE", config, "parameters (the defaults in the code)");
     line.text("--shape FILE", shape, "keeps what the first run has learned");
     line.text("--summary FILE", summary, "the figures as JSON: a list of runs");
-<<<<<<< HEAD
     line.text("--record FILE", files.record, "records all ports of the first run");
     line.text("--trace FILE", files.trace, "writes when each component of the first run fires");
-=======
     line.text("--csv FILE", csv, "hand, force and step of the first run, every 10 ms");
->>>>>>> e5d366a (The compliant arm on a page: the table, the force on the tool, the plan, the operator's stop)
   }
 };
 
@@ -73,15 +66,11 @@ int run(const options& o) {
       [&](std::size_t i) {
         if (interrupted) return;
         const auto c = std::make_unique<controller>(start);
-<<<<<<< HEAD
         deployed::observed_run look(*c, i == 0 ? o.files : deployed::observing(), "touch", true);
-        runs[i] = touch::roll_out(*c, o.first + i, [&](const controller&, int) { return !interrupted; });
-=======
         runs[i] = touch::roll_out(*c, o.first + i, [&](const controller& now, int step) {
           if (i == 0 && o.csv && now.beat_index() % 10 == 0) touch::write_moment(moments, now, step);
           return !interrupted;
         });
->>>>>>> e5d366a (The compliant arm on a page: the table, the force on the tool, the plan, the operator's stop)
         over[i] = !interrupted;
         if (const std::string text = look.end(); !text.empty()) seen = text;  // of one run
         const auto& module = c->get<"repeat.module">();
@@ -99,12 +88,9 @@ int run(const options& o) {
   for (const touch::result& r : runs) touch::write_row(r);
   const auto good = std::count_if(runs.begin(), runs.end(), [](const auto& r) { return touch::within(r); });
   std::printf("%d of %d runs are within all bounds\n", static_cast<int>(good), static_cast<int>(runs.size()));
-<<<<<<< HEAD
   std::fputs(seen.c_str(), stdout);
-=======
   if (o.csv)
     trot::write(*o.csv, [&](std::ostream& file) { file << touch::moment_columns << '\n' << moments.str(); });
->>>>>>> e5d366a (The compliant arm on a page: the table, the force on the tool, the plan, the operator's stop)
   if (o.summary) trot::write(*o.summary, [&](std::ostream& file) { touch::write_json(file, runs); });
   if (interrupted) return interrupted.exit_code();
   return good == static_cast<std::ptrdiff_t>(runs.size()) ? 0 : 1;
