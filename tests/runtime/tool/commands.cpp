@@ -293,6 +293,7 @@ TEST_SUITE("jog") {
 namespace {
 
 struct board {
+  using reading = hw::board_reading;
   static constexpr std::size_t bus = 0;
   static bool decode(const hw::can_frame&, hw::board_reading&) { return false; }
 };
