@@ -85,7 +85,8 @@ private:
   using vector6 = cca::detail::vector6;
 
   int links() const { return static_cast<int>(model_->links.size()); }
-  static std::size_t slot(int link) { return static_cast<std::size_t>(link + 1); }  // -1: the base
+  // Link -1 is the base and has slot 0.
+  static std::size_t slot(int link) { return static_cast<std::size_t>(link + std::ptrdiff_t{1}); }
   double speed(std::size_t c) const { return motion_[first_ + static_cast<Eigen::Index>(c)]; }
 
   void move_base(double step) {
