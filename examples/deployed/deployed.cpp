@@ -46,12 +46,8 @@ struct options {
         "--form F", [this](std::size_t i) { form = form_names[i]; }, form_names,
         "only threads, shared_memory or dds, beside the loop (every form)");
     line.text("--summary FILE", summary, "the figures as JSON: a list of forms");
-    line.text("--record FILE", run.files.record,
-              "records all ports, of each form and process into a file, as\n"
-              "FILE.threads.wall_clock.mcap");
-    line.text("--trace FILE", run.files.trace,
-              "writes when each component fires, for ui.perfetto.dev: of each form and\n"
-              "process a file, as FILE.threads.wall_clock.json");
+    deployed::offer_observing<cca::deployed<deployed::split>>(
+        line, run.files, "of each form\nand process, whose names are added to FILE");
     line.text("--only E", only,
               "one environment in this process; others run the rest. It reaches them by\n"
               "--form: shared_memory or dds (shared_memory)");

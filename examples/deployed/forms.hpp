@@ -166,6 +166,7 @@ outcome run_processes(const std::string& transport,
       const observing files = s.files.of(transport, pace_name, one);
       if (!files.trace.empty()) words.insert(words.end(), {"--trace", files.trace});
       if (!files.record.empty()) words.insert(words.end(), {"--record", files.record});
+      if (!files.page.empty()) words.insert(words.end(), {"--page", files.page});
       others.push_back(process(words));
     }
     observed_run look(d, s.files.of(transport, pace_name, "simulation"), transport, pace_name == fast);

@@ -1,13 +1,15 @@
 #pragma once
-// The trace and the recording of a form: for each form and process a file.
+// The trace, the recording and the page of a run, and the options that ask for them.
 #include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cca/cca.hpp>
 #include <cca/deployment.hpp>
+#include <cca/main/command_line.hpp>
 #include <cca/trace.hpp>
 
 #if __has_include(<cca/record.hpp>)
@@ -18,7 +20,7 @@
 namespace deployed {
 
 struct observing {
-  std::string trace{}, record{};  // files; empty: none
+  std::string trace{}, record{}, page{};  // files; empty: none
 
   // "run.json" of a form, and of a process: "run.threads.wall_clock.json".
   observing of(std::string_view form, std::string_view pace, std::string_view process = {}) const {
@@ -31,30 +33,49 @@ struct observing {
         if (!part.empty()) (file += '.') += part;
       return (file += end).string();
     };
-    return {named(trace), named(record)};
+    return {named(trace), named(record), named(page)};
   }
 };
+
+// `of_what`: of which runs, as "of the first run".
+template <class Played>
+void offer_observing(cca::command_line& line, observing& files, const std::string& of_what) {
+  if constexpr (cca::detail::HasRecorder<Played>) {
+    line.text("--record FILE", files.record, "records all ports " + of_what);
+    line.text("--page FILE", files.page, "the recording as HTML, which any browser shows, " + of_what);
+  }
+  line.text("--trace FILE", files.trace, "when each component fires, for ui.perfetto.dev, " + of_what);
+}
 
 // `waits`: nothing is on a clock, so the loops may wait for the files.
 template <class Played>
 class observed_run {
+  static constexpr bool can_record = cca::detail::HasRecorder<Played>;
+
 public:
   observed_run(Played& played, const observing& files, const std::string& name, bool waits) {
     if (!files.trace.empty())
       trace.emplace(played, files.trace, cca::trace_settings{.name = name, .waits = waits});
-    if constexpr (cca::detail::HasRecorder<Played>)
-      if (!files.record.empty()) recorded.emplace(played, files.record, std::vector<std::string>{}, waits);
+    if constexpr (can_record) {
+      if (!files.page.empty()) page.emplace(files.page, files.record);
+      const std::string file = page ? page->recording_file() : files.record;
+      if (!file.empty()) recorded.emplace(played, file, std::vector<std::string>{}, waits);
+    }
   }
   // The summary of the trace, and what could not be written.
   std::string end() {
     std::ostringstream text;
-    if constexpr (cca::detail::HasRecorder<Played>)
-      if (recorded)
-        if (const std::string problem = recorded->close(); !problem.empty()) text << problem << '\n';
+    const auto tell = [&text](const std::string& problem) {
+      if (!problem.empty()) text << problem << '\n';
+    };
+    if constexpr (can_record) {
+      if (recorded) tell(recorded->close());
+      if (page) tell(page->write());
+    }
     if (!trace) return text.str();
     trace->close();
     text << trace->summary();
-    if (const std::string problem = trace->problem(); !problem.empty()) text << problem << '\n';
+    tell(trace->problem());
     return text.str();
   }
 
@@ -65,14 +86,17 @@ private:
   };
   template <class Of, bool CanRecord>
   struct choose {
-    using type = nothing;
+    using recorder = nothing;
+    using page = nothing;
   };
   template <class Of>
   struct choose<Of, true> {
-    using type = cca::detail::program_recorder<Of>;
+    using recorder = cca::detail::program_recorder<Of>;
+    using page = cca::detail::program_page<Of>;
   };
   std::optional<cca::tracer<Played>> trace;
-  std::optional<typename choose<Played, cca::detail::HasRecorder<Played>>::type> recorded;
+  std::optional<typename choose<Played, can_record>::page> page;
+  std::optional<typename choose<Played, can_record>::recorder> recorded;
 };
 
 }  // namespace deployed

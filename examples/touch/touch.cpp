@@ -44,8 +44,7 @@ struct options {
     line.text("--config FILE", config, "parameters (the defaults in the code)");
     line.text("--shape FILE", shape, "keeps what the first run has learned");
     line.text("--summary FILE", summary, "the figures as JSON: a list of runs");
-    line.text("--record FILE", files.record, "records all ports of the first run");
-    line.text("--trace FILE", files.trace, "writes when each component of the first run fires");
+    deployed::offer_observing<controller>(line, files, "of the first run");
     line.text("--csv FILE", csv, "hand, force and step of the first run, every 10 ms");
   }
 };

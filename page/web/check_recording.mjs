@@ -139,3 +139,25 @@ export async function checkPages(tools) {
   check('--page: the fault of the field, with its cause', (await text(page, '#alert')) === '⚠ fault in guard: the hip is faster than 10 rad/s', await text(page, '#alert'));
   await page.close();
 }
+
+// A robot that the page does not know, as its recording describes it: the arm.
+export async function checkDescribed(tools) {
+  const { options, check, open, text, settle, accessible, picture } = tools;
+  const [, ...rows] = readFileSync(options['touch-path'], 'utf8').trim().split('\n').map((l) => l.split(',').map(Number));
+  const page = await open(options['touch-recording']);
+  const shown = await page.evaluate(() => ({ kind: window.ccaPage.source.description.robot?.kind, bodies: window.ccaPage.robot?.bodies.length }));
+  check('--page: an arm is drawn from /robot_description', shown.kind === 'described' && shown.bodies >= 14, shown);
+  let worst = 0;
+  for (const seconds of [2, 5, 10, 14]) {
+    const [time, ...hand] = rows.reduce((best, row) => (Math.abs(row[0] - seconds) < Math.abs(best[0] - seconds) ? row : best));
+    const at = await page.evaluate((t) => { const { source } = window.ccaPage; source.seek(t / source.period); return [...source.robot.frames.values()].at(-1).at; }, time);
+    worst = Math.max(worst, Math.hypot(...at.map((x, i) => x - hand[i])));
+  }
+  check('--page: the arm moves: its hand is where the program says, within what it moves in 20 ms', worst < 0.01, worst);
+  await page.$eval('#replay-time', (e) => { e.value = 10; e.dispatchEvent(new Event('input')); });
+  await settle(page);
+  check('--page: the plan of the arm', (await text(page, '#plan')).includes('wipe'), await text(page, '#plan'));
+  await accessible(page, '--page, an arm');
+  await picture(page, 'page-of-arm');
+  await page.close();
+}

@@ -381,8 +381,10 @@ function look(at) {
   architecture.lay();
   if (source.description.robot) {
     robot ??= startRobot();
+    robot?.show(source.description.robot);
     footfalls = new Footfalls($('footfalls'), $('stance'), source, source.description.robot.points);
     $('footfalls-box').hidden = !source.hasContacts;
+    $('points-hint').hidden = source.description.robot.points.length === 0;
     const isArm = source.description.robot.kind === 'arm';
     $('force-name').textContent = isArm ? 'force on the tool' : 'force on a foot';
     $('target-name').textContent = isArm ? 'where the hand should be' : 'where the targets put a foot';

@@ -2,7 +2,9 @@
 import { McapStreamReader } from '@mcap/core';
 import { decompress } from 'fzstd';
 
-import { planStep, poseCount } from './live.js';
+import { DescribedRobot } from './described_robot.js';
+import { planStep } from './live.js';
+import { RecordedOncilla } from './recorded_oncilla.js';
 
 const never = -1;
 
@@ -18,7 +20,7 @@ export async function readRecording(bytes, known) {
     for (let record; (record = reader.nextRecord());) {
       if (record.type === 'Schema') schemas.set(record.id, new TextDecoder().decode(record.data));
       else if (record.type === 'Channel') {
-        if (!channels.has(record.id)) channels.set(record.id, { topic: record.topic, metadata: record.metadata, schema: schemas.get(record.schemaId), beats: [], origins: [], values: [], texts: [] });
+        if (!channels.has(record.id)) channels.set(record.id, { topic: record.topic, metadata: record.metadata, schema: schemas.get(record.schemaId), beats: [], origins: [], values: [], texts: [], times: [], messages: [] });
       } else if (record.type === 'Message') take(channels.get(record.channelId), record);
       else if (record.type === 'Metadata') metadata.set(record.name, record.metadata);
     }
@@ -49,7 +51,7 @@ export function difference(recorded, other) {
   return '';
 }
 
-function take(channel, { data }) {
+function take(channel, { data, logTime }) {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   if (channel.topic === '/cca/state' || channel.topic === '/cca/fault') {
     const texts = [];
@@ -60,6 +62,9 @@ function take(channel, { data }) {
     }
     channel.beats.push(Number(view.getBigInt64(4, true)));
     channel.texts.push(texts);
+  } else if (channel.topic === '/robot_description' || channel.topic === '/tf') {
+    channel.times.push(Number(logTime) * 1e-9);
+    channel.messages.push(data.slice());
   } else if (channel.metadata.has('axes')) {  // a port; beside it are messages for other viewers
     channel.beats.push(Number(view.getBigInt64(4, true)));
     channel.origins.push(Number(view.getBigInt64(12, true)) * 1e-9);
@@ -76,6 +81,7 @@ export class Recording {
     this.channels = new Map(channels.map((c) => [c.topic, c]));
     this.description = this.describe(architecture);
     this.beats = 0;
+    for (const c of channels) for (const time of c.times) c.beats.push(Math.round(time / this.period));  // of a viewer's message
     for (const c of channels) if (c.metadata.has('axes') && c.beats.length > 0) this.beats = Math.max(this.beats, c.beats.at(-1) + 1);
     this.beat = 0;
     this.first = 0;
@@ -84,7 +90,7 @@ export class Recording {
     this.difference = differences.includes('') ? '' : differences[0] ?? '';
     const same = known[differences.indexOf('')];
     Object.assign(this.description, { plan: same?.plan, plots: same?.plots });
-    this.findRobot(same?.robot ?? known.find((one) => one.robot?.kind === 'oncilla')?.robot);
+    this.findRobot((same ?? known.find((one) => one.robot?.kind === 'oncilla'))?.robot);
     this.seek(0);
   }
 
@@ -129,13 +135,12 @@ export class Recording {
   port(ending, size) {
     return this.description.outputs.findIndex((o) => o.path.endsWith(`.${ending}`) && (!size || o.fields.length === size));
   }
-  findRobot(robot) {
-    this.ports = { angles: this.port('angles', 8), orientation: this.port('orientation', 4), contacts: this.port('contacts', 4), loads: this.port('foot_loads', 4), targets: this.port('safe', 8) };
-    const measured = this.description.outputs.findIndex((o) => o.fields.length === 8 && o.path.startsWith('robot.angles'));
-    if (measured >= 0) this.ports.angles = measured;  // not the commands
-    if (robot?.kind !== 'oncilla' || this.ports.angles < 0 || this.ports.orientation < 0) return;
-    this.description.robot = robot;
-    this.poses = new Float64Array(poseCount(robot));
+  // An Oncilla is drawn as on a live page, any other robot as the recording describes it (cca::shows).
+  findRobot(known) {
+    this.contacts = this.port('contacts', 4);
+    const described = DescribedRobot.in(this), other = described && !/oncilla/.test(described.name);
+    this.robot = (other ? null : RecordedOncilla.in(this, known)) ?? described;
+    if (this.robot) this.description.robot = this.robot.shown;
   }
 
   // ---- as of a live controller ----
@@ -147,7 +152,7 @@ export class Recording {
     const state = this.last('/cca/state'), fault = this.last('/cca/fault');
     this.status = { beat: this.beat, state: state?.[0] ?? '', fault: fault?.[1] ?? '', faultPath: fault?.[0] ?? '', snapshots: [] };
     if (fault && this.beat >= this.beats) this.status.state = 'faulted';
-    if (this.poses) this.pose();
+    this.robot?.pose(this);
   }
   last(topic) {
     const channel = this.channels.get(topic);
@@ -196,57 +201,12 @@ export class Recording {
     }
     return [times, values];
   }
-  get hasContacts() { return this.ports.contacts >= 0; }
-  contact(leg, beat) { return (this.sample(this.ports.contacts, beat + 1)?.[leg] ?? 0) > 0; }
+  get hasContacts() { return this.contacts >= 0 && this.description.robot?.points.length === 4; }
+  contact(leg, beat) { return (this.sample(this.contacts, beat + 1)?.[leg] ?? 0) > 0; }
   position() { return null; }
-  forces() {
-    const loads = this.ports.loads >= 0 ? this.sample(this.ports.loads) : null;
-    return loads ? loads.map((n) => [0, 0, n]) : [];
-  }
-  targets() {
-    const at = 7 * this.description.robot.bodies.length;
-    return this.description.robot.points.map((_, p) => this.poses.subarray(at + 6 * p + 3, at + 6 * p + 6));
-  }
+  get poses() { return this.robot?.poses; }
+  forces() { return this.robot.forces(this); }
+  targets() { return this.robot.targets(this); }
   step() { return planStep(this); }
   get fallen() { return false; }
-
-  // No sensor measures where the trunk is. So it stays in its place, as high as its lowest foot says.
-  pose() {
-    const { robot } = this.description;
-    const angles = this.sample(this.ports.angles), q = this.sample(this.ports.orientation), targets = this.ports.targets >= 0 ? this.sample(this.ports.targets) : null;
-    if (!angles || !q) return;
-    const names = this.description.outputs[this.ports.angles].fields.map((f) => f.name);
-    const turn = (v) => {  // by the quaternion x y z w
-      const [x, y, z, w] = q;
-      const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
-      return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
-    };
-    const legs = robot.points.map((name, leg) => {
-      const key = name.replace(' ', '_');
-      const at = (joint, fallback) => { const i = names.findIndex((n) => n.includes(key) && n.includes(joint)); return i < 0 ? fallback : i; };
-      const hipAt = at('hip', leg), kneeAt = at('knee', leg + 4);
-      const chain = (hip, knee) => {
-        const [upper, middle, lower, toe] = robot.segments;
-        const along = (p, angle, length) => [p[0] + length * Math.sin(angle), 0, p[2] - length * Math.cos(angle)];
-        const k = along([0, 0, 0], hip, upper), a = along(k, hip - knee, middle), t = along(a, hip, lower), foot = along(t, hip, toe);
-        const half = (p, r) => [(p[0] + r[0]) / 2, 0, (p[2] + r[2]) / 2];
-        return { centres: [half([0, 0, 0], k), half(k, a), half(a, t), foot], angles: [hip, hip - knee, hip, hip], foot };
-      };
-      const place = (v) => turn([v[0] + robot.hips[leg][0], v[1] + robot.hips[leg][1], v[2] + robot.hips[leg][2]]);
-      const now = chain(angles[hipAt], angles[kneeAt]);
-      return { centres: now.centres.map(place), angles: now.angles, foot: place(now.foot), target: targets ? place(chain(targets[hipAt], targets[kneeAt]).foot) : place(now.foot) };
-    });
-    const height = -Math.min(...legs.map((l) => l.foot[2])) + robot.bodies.at(-1).size[0];
-    const up = (v) => [v[0], v[1], v[2] + height];
-    this.poses.set([0, 0, height, q[3], q[0], q[1], q[2]], 0);
-    legs.forEach((leg, i) => {
-      leg.centres.forEach((centre, part) => {
-        const s = Math.sin(-leg.angles[part] / 2), c = Math.cos(leg.angles[part] / 2);  // about y
-        const [x, y, z, w] = q;
-        const turned = [w * c - y * s, x * c - z * s, y * c + w * s, z * c + x * s];
-        this.poses.set([...up(centre), ...turned], 7 * (1 + 4 * i + part));
-      });
-      this.poses.set([...up(leg.foot), ...up(leg.target)], 7 * robot.bodies.length + 6 * i);
-    });
-  }
 }

@@ -15,16 +15,25 @@ export class RobotView {
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.1, 30);
     this.camera.up.set(0, 0, 1);
-    this.shown = source.description.robot;
-    this.isWalking = this.shown.kind === 'oncilla';  // then the view goes along
-    this.newtonsPerMetre = this.shown.newtonsPerMetre ?? 200;  // of a force's arrow
-    this.angle = { azimuth: -1.05, height: 0.32, distance: 1.15, ...this.shown.view };
     this.target = new THREE.Vector3();
     this.frames = 0;
     this.light();
     this.ground();
-    this.build(this.shown);
+    this.show(source.description.robot);
     this.listen();
+  }
+
+  // Of another source.
+  show(robot) {
+    if (this.shown === robot) return;
+    if (this.shown) this.scene.remove(...this.bodies, ...this.forces, ...this.targets, this.pushing);
+    this.shown = robot;
+    this.isWalking = robot.kind === 'oncilla';  // then the view goes along
+    this.newtonsPerMetre = robot.newtonsPerMetre ?? 200;  // of a force's arrow
+    this.angle = { azimuth: -1.05, height: 0.32, distance: 1.15, ...robot.view };
+    this.aimSun();
+    this.build(robot);
+    this.isStale = true;
   }
 
   light() {
@@ -32,9 +41,12 @@ export class RobotView {
     this.sun = new THREE.DirectionalLight(0xffffff, 2.2);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(512, 512);
+    this.scene.add(this.sun, this.sun.target);
+  }
+  aimSun() {
     const wide = this.isWalking ? 0.6 : 1.2;
     Object.assign(this.sun.shadow.camera, { left: -wide, right: wide, top: wide, bottom: -wide, near: 0.1, far: 4 });
-    this.scene.add(this.sun, this.sun.target);
+    this.sun.shadow.camera.updateProjectionMatrix();
   }
 
   ground() {
@@ -76,7 +88,7 @@ export class RobotView {
     this.handles = this.bodies.filter((_, i) => !robot.bodies[i].stands);
     if (this.isWalking) this.addNose(robot);
     this.forces = robot.points.map(() => this.arrow(0xd55e00, this.isWalking ? 0.0045 : 0.008));
-    if (!this.isWalking) for (const part of this.forces[0].children) Object.assign(part, { renderOrder: 1 }).material.depthTest = false;  // it points into the arm
+    if (!this.isWalking) for (const part of this.forces.flatMap((f) => f.children)) Object.assign(part, { renderOrder: 1 }).material.depthTest = false;  // it points into the arm
     this.targets = robot.points.map(() => {
       const ring = new THREE.Mesh(new THREE.TorusGeometry(this.isWalking ? 0.017 : 0.05, this.isWalking ? 0.0028 : 0.005, 8, 28), new THREE.MeshBasicMaterial({ color: 0x0072b2 }));
       this.scene.add(ring);
