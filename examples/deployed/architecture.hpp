@@ -6,6 +6,8 @@
 // graphs are those of examples/combination_of_skills. Only the wires from one environment to another are
 // different: they are delayed.
 #include <cca/deployment.hpp>
+#include <cca/graph/shows.hpp>
+#include <cca/robots/oncilla/legged_body.hpp>
 
 #include "../combination_of_skills/architecture.hpp"
 #include "recorder.hpp"
@@ -102,6 +104,7 @@ struct split
           cca::environment<"mind", cca::nodes<"sequencer", "orders", "inverse_kinematics", "heading">>,
           cca::environment<"reflexes", cca::other_nodes>,
           cca::tolerate<100'000>>,  // no robot falls on anybody: a simulation goes on
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation">,
       cca::recordable,
       cca::traceable {};
 // [deployment end]

@@ -23,7 +23,9 @@
 #include <vector>
 
 #include <cca/cca.hpp>
+#include <cca/graph/shows.hpp>
 #include <cca/main.hpp>
+#include <cca/robots/oncilla/legged_body.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #if __has_include(<cca/record.hpp>)
@@ -42,7 +44,7 @@ struct wishes {
   std::string role;
   bool lock_step = false, quiet = false;
   std::vector<std::string> names;
-  std::string record, trace;
+  std::string record, page, trace;
 
   void offer(cca::command_line& line) {
     line.number("--seconds S", seconds, 0.001, 36000, "how long (5)");
@@ -57,14 +59,18 @@ struct wishes {
                 "wall-clock or lock-step (wall-clock)");
     line.flag("--quiet", quiet, "prints no figures");
     line.text("--record FILE", record, "records all ports of the controller into this MCAP file");
+    line.text("--page FILE", page, "records into this HTML file, which any browser shows");
     line.text("--trace FILE", trace, "writes when each component fires, for ui.perfetto.dev");
   }
-  void set(cca::run_settings& s) const { s.seconds = seconds, s.record = record, s.trace = trace; }
+  void set(cca::run_settings& s) const {
+    s.seconds = seconds;
+    s.record = record, s.page = page, s.trace = trace;
+  }
   void refuse_contradictions() const {
     if (role.empty() != names.empty())
       throw cca::command_line_error("--role and --buses come together: the role, and five CAN interfaces");
-    if (role == "drives" && !(record.empty() && trace.empty()))
-      throw cca::command_line_error("--record and --trace: of the controller, not of the drives");
+    if (role == "drives" && !(record.empty() && page.empty() && trace.empty()))
+      throw cca::command_line_error("--record, --page and --trace: of the controller, not of the drives");
   }
 
 private:
@@ -96,7 +102,11 @@ int report(Controller& c) {
 
 // It can be looked at.
 template <class Bus>
-struct observed : two_environments<Bus>, cca::recordable, cca::traceable {};
+struct observed
+    : two_environments<Bus>,
+      cca::recordable,
+      cca::traceable,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation"> {};
 
 // Both ends in this process.
 struct in_one_process : cca::robot_program<observed<memory_end>> {
