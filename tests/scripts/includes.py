@@ -123,11 +123,11 @@ def folder_problems(root):
 
     In include/cca no two headers have the same file name. The headers directly in it are exempt: each stands for a folder
     or for a way to use the library (`mapping.hpp` for mapping/, `modes.hpp`), and may include the header of its name. A
-    header that only forwards from its former place is exempt, too.
+    header that only forwards, such as the short path of a drive, is exempt, too, and does not count in its folder.
     """
     names = collections.defaultdict(list)
     for base in [f"{base}/cca" for base in ROOTS] + FOLDERS_OF_PROGRAMS:
-        count = collections.Counter(header.parent.relative_to(root) for header in (root / base).rglob("*.hpp"))
+        count = collections.Counter(header.parent.relative_to(root) for header in (root / base).rglob("*.hpp") if not is_forwarder(header.read_text()))
         for folder, headers in sorted(count.items()):
             if headers > MOST_HEADERS:
                 yield f"{folder}: {headers} headers, more than {MOST_HEADERS}: make folders of its parts"

@@ -4,7 +4,8 @@
 usage: snippets.py [--write] [ROOT of the repository]
 
 A block of a .md file that follows `<!-- from <file>: <name> -->` must equal the lines of <file> between the comments that
-end in `[<name>]` and `[<name> end]`; indentation may differ. --write copies the lines into the page.
+end in `[<name>]` and `[<name> end]`; indentation may differ. --write copies the lines into the page. A comment
+`<!-- from ... -->` that no block follows is an error.
 In README.md every C++ block must be cut from a file in this way.
 """
 import pathlib
@@ -13,6 +14,8 @@ import sys
 import textwrap
 
 BLOCK = re.compile(r"(?:<!-- from (?P<file>\S+): (?P<name>[^>]+?) -->\n+)?^```(?P<language>\w*)\n(?P<code>.*?)^```$", re.M | re.S)
+
+MARK = re.compile(r"^<!-- from \S+: [^>]+? -->$", re.M)
 
 
 def region(source, name):
@@ -27,6 +30,11 @@ def check(page, root, write):
     """Yields the problems of one .md file."""
     text = page.read_text()
     fresh, last = [], 0
+    with_blocks = {block.start() for block in BLOCK.finditer(text)}
+    for mark in MARK.finditer(text):
+        if mark.start() not in with_blocks:
+            line = text.count("\n", 0, mark.start()) + 1
+            yield f"{page.relative_to(root)}:{line}: no block of code follows {mark[0]}; write an empty one, and tests/scripts/snippets.py --write fills it"
     for block in BLOCK.finditer(text):
         line = text.count("\n", 0, block.start("code"))
         where = f"{page.relative_to(root)}:{line}"

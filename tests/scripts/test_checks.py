@@ -133,6 +133,14 @@ class Includes(Tree):
         self.write("include/cca/motor/h1.hpp", "// Moved.\n#pragma once\n\n#include <cca/graph/h1.hpp>\n")
         self.assertEqual(len(list(includes.problems(self.root))), 3)
 
+    def test_short_paths_do_not_count(self):
+        for i in range(20):
+            self.write(f"hardware/include/cca/hardware/h{i}.hpp", "// Why.\n#pragma once\n")
+        self.write("hardware/include/cca/hardware/drive.hpp", "// For programs.\n#pragma once\n\n#include <cca/hardware/drives/drive.hpp>\n")
+        self.assertEqual(list(includes.problems(self.root)), [])
+        self.write("hardware/include/cca/hardware/h20.hpp", "// Why.\n#pragma once\n")
+        self.assertEqual(len(list(includes.problems(self.root))), 1)
+
     def test_folders_of_programs(self):
         for i in range(20):
             self.write(f"tools/a/h{i}.hpp", "")
@@ -180,6 +188,11 @@ class Snippets(Tree):
     def test_no_source(self):
         page = self.write("README.md", "```cpp\nf();\n```\n\n<!-- from b.cpp: part -->\n```cpp\nf();\n```\n")
         self.assertEqual(len(list(snippets.check(page, self.root, False))), 2)
+
+    def test_no_block(self):
+        self.write("a.cpp", self.SOURCE)
+        page = self.write("README.md", "Write `<!-- from a.cpp: part -->`.\n\n<!-- from a.cpp: part -->\n\nText.\n")
+        self.assertEqual(len(list(snippets.check(page, self.root, False))), 1)
 
 
 class Rules(Tree):

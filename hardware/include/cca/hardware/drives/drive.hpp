@@ -26,9 +26,9 @@
 //                             replies
 //   D::damp()                 frames after which it only damps, where a set point without stiffness can't say
 //                             that
-//   D::most_damping(k)        the damping that it can have with the stiffness k, where that is less than its
-//   limit D::is_off(report)         the report says that the drive holds nothing, where that is not the
-//   activity
+//   D::most_damping(k)        the damping that it can have with the stiffness k, where that is less than the
+//                             drive's limit
+//   D::is_off(report)         the report says that the drive holds nothing, where that is not the activity
 //                             `disabled` or `faulted`
 //
 // Models: mit.hpp, odrive.hpp, moteus.hpp, cia402.hpp. docs/drives.md.
