@@ -127,7 +127,8 @@ export async function checkPages(tools) {
   check('--page: nothing of a live controller is offered', await page.$$eval('.live-only', (all) => all.every((e) => e.offsetParent === null)), 'hidden');
   await accessible(page, '--page');
   await picture(page, 'page-of-recording');
-  await page.setViewport({ width: 360, height: 740, deviceScaleFactor: 1, isMobile: true, hasTouch: true });
+  await page.close();
+  page = await open(options['trot-page'], 'paused', { width: 360, height: 740, deviceScaleFactor: 1, isMobile: true, hasTouch: true });
   await settle(page, 10);
   check('--page: 360 pixels are enough', (await page.evaluate(() => document.documentElement.scrollWidth)) <= 360, await page.evaluate(() => document.documentElement.scrollWidth));
   await picture(page, 'page-of-recording-narrow', true);

@@ -15,6 +15,8 @@
 #include <string>
 #include <thread>
 
+#include <cca/base/compiler.hpp>
+
 #include "../runtime/deployment/alarmed.hpp"
 #include "../runtime/deployment/robot_and_mind.hpp"
 #include "process.hpp"
@@ -295,14 +297,8 @@ inline long resident_kilobytes() {
   return 0;
 }
 
-// Kilobytes in half a second. The thread sanitizer's own memory grows, too.
-#if defined(__SANITIZE_THREAD__)
-inline constexpr long most_growth = 8192;
-#elif defined(__has_feature)
-inline constexpr long most_growth = __has_feature(thread_sanitizer) ? 8192 : 512;
-#else
-inline constexpr long most_growth = 512;
-#endif
+// Kilobytes in half a second. A sanitizer's own memory grows, too.
+inline constexpr long most_growth = CCA_SANITIZED ? 8192 : 512;
 
 // A reader that stops costs the writer neither beats nor memory.
 template <class Meeting>
