@@ -19,6 +19,7 @@ import math
 import os
 import pathlib
 import re
+import resource
 import shutil
 import statistics
 import subprocess
@@ -46,7 +47,7 @@ INCLUDES = ["-isystem", "/usr/include/eigen3", "-I", str(ROOT / "include"), "-I"
 def run(command, **options):
     done = subprocess.run(command, text=True, capture_output=True, **options)
     if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{done.stderr[:3000]}")
+        sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr[:3000]}")
     return done
 
 
@@ -368,8 +369,12 @@ def listing(work):
 def latency(work):
     """Round trips between one driver and its reflectors, over each transport, beside the bare means of the transport."""
     rows = []
+
+    def large_stack():  # what eight reflectors send of 1 MiB in a beat does not fit 8 MiB
+        resource.setrlimit(resource.RLIMIT_STACK, (1 << 30, resource.getrlimit(resource.RLIMIT_STACK)[1]))
+
     for fan_out in FAN_OUTS:
-        out = run([str(PROGRAMS / f"latency_{fan_out}"), *(["--quick"] if QUICK else [])]).stdout
+        out = run([str(PROGRAMS / f"latency_{fan_out}"), *(["--quick"] if QUICK else [])], preexec_fn=large_stack).stdout
         rows += [json.loads(line) for line in out.splitlines()]
         print("latency", fan_out, [f"{r['transport']} {r['form']} {r['bytes']} B: {r['mean_us']} us" for r in rows if r["fan_out"] == fan_out], flush=True)
     keys = ("mean_us", "p50_us", "p99_us", "variance_us2", "jitter_us", "set_up_us")

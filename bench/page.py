@@ -288,6 +288,8 @@ How to read the figures:
   Jitter is the mean difference between two round trips that follow each other; set-up goes from nothing to the first message that came back.
 - If there are fewer cores than driver and reflectors, they take turns on them: then the figures are those of the system's scheduler, and so are raw's, which gives way after 64 looks.
   With a core each, driver and reflectors are pinned.
+- Samples are values, so a beat keeps them on the stack: what eight reflectors send of 1 MiB does not fit the usual 8 MiB.
+  The programs run with a stack of 1 GiB (`ulimit -s`); with 16 reflectors 1 MiB is left out, because that takes 9 GB to compile.
 
 {"".join(block + chr(10) for block in blocks)}{measured(part)}"""
 
