@@ -54,7 +54,7 @@ function shapesOf(urdf) {
         place: { at: numbers(origin, 'xyz', identity.at), turn: fromAngles(numbers(origin, 'rpy', [0, 0, 0])) } });
     }
   });
-  return { name: xml.documentElement.getAttribute('name') ?? '', shapes };
+  return shapes;
 }
 
 export class DescribedRobot {
@@ -66,7 +66,7 @@ export class DescribedRobot {
     return robot.shapes.length > 0 ? robot : null;
   }
   constructor(urdf, tf) {
-    Object.assign(this, shapesOf(urdf));
+    this.shapes = shapesOf(urdf);
     this.tf = tf;
     this.poses = new Float64Array(7 * this.shapes.length);
     this.put(tf.messages[0]);

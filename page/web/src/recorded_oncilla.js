@@ -2,6 +2,10 @@
 // where the commands put them.
 import { poseCount } from './live.js';
 
+const axesOf = (recording, output) => recording.description.outputs[output].fields.map((f) => f.name);
+const axisAt = (axes, leg, joint) => axes.findIndex((name) => name.includes(leg.replace(' ', '_')) && name.includes(joint));
+const isOncilla = (shown, axes) => shown.points.every((leg) => axisAt(axes, leg, 'hip') >= 0 && axisAt(axes, leg, 'knee') >= 0);
+
 export class RecordedOncilla {
   // `shown`: how a live page draws an Oncilla. Null: the recording has none.
   static in(recording, shown) {
@@ -9,7 +13,7 @@ export class RecordedOncilla {
     const measured = recording.description.outputs.findIndex((o) => o.fields.length === 8 && o.path.startsWith('robot.angles'));
     const angles = measured >= 0 ? measured : recording.port('angles', 8);  // else the commands
     const orientation = recording.port('orientation', 4);
-    if (angles < 0 || orientation < 0) return null;
+    if (angles < 0 || orientation < 0 || !isOncilla(shown, axesOf(recording, angles))) return null;
     return new RecordedOncilla(shown, { angles, orientation, loads: recording.port('foot_loads', 4), targets: recording.port('safe', 8) });
   }
   constructor(shown, ports) {
@@ -32,16 +36,14 @@ export class RecordedOncilla {
     const robot = this.shown;
     const angles = recording.sample(this.ports.angles), q = recording.sample(this.ports.orientation), targets = this.ports.targets >= 0 ? recording.sample(this.ports.targets) : null;
     if (!angles || !q) return;
-    const names = recording.description.outputs[this.ports.angles].fields.map((f) => f.name);
+    const axes = axesOf(recording, this.ports.angles);
     const turn = (v) => {  // by the quaternion x y z w
       const [x, y, z, w] = q;
       const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
       return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
     };
     const legs = robot.points.map((name, leg) => {
-      const key = name.replace(' ', '_');
-      const at = (joint, fallback) => { const i = names.findIndex((n) => n.includes(key) && n.includes(joint)); return i < 0 ? fallback : i; };
-      const hipAt = at('hip', leg), kneeAt = at('knee', leg + 4);
+      const hipAt = axisAt(axes, name, 'hip'), kneeAt = axisAt(axes, name, 'knee');
       const chain = (hip, knee) => {
         const [upper, middle, lower, toe] = robot.segments;
         const along = (p, angle, length) => [p[0] + length * Math.sin(angle), 0, p[2] - length * Math.cos(angle)];

@@ -138,8 +138,7 @@ export class Recording {
   // An Oncilla is drawn as on a live page, any other robot as the recording describes it (cca::shows).
   findRobot(known) {
     this.contacts = this.port('contacts', 4);
-    const described = DescribedRobot.in(this), other = described && !/oncilla/.test(described.name);
-    this.robot = (other ? null : RecordedOncilla.in(this, known)) ?? described;
+    this.robot = RecordedOncilla.in(this, known) ?? DescribedRobot.in(this);
     if (this.robot) this.description.robot = this.robot.shown;
   }
 
