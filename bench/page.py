@@ -117,7 +117,7 @@ A skeleton takes more instructions where it does more than the loop by hand:
 - The mean of a decimation takes the oldest origin of its samples (18).
 - An interpolation reads a slower wire at its own rate.
   It finds the age of the sample by a division of the beat's index, and its result takes the older origin of two (30).
-- A delay between the stages of a pipeline keeps each sample with its origin and its beat (15 per delay).
+- A delay between the stages of a pipeline keeps each sample with its origin and its beat, also past a beat that a fault cuts (22 per delay).
   By hand, a stage's own state is what the next stage reads one beat later.
 
 For a farm on threads, only the work of the loop in its own thread is counted: two rings for each worker, one for tasks and one for results.
