@@ -12,6 +12,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include <Eigen/Geometry>
+
 #include "../examples/touch/architecture.hpp"
 #include "program.hpp"
 
@@ -122,10 +124,10 @@ struct skills {
                     cca::out<"place", touch::place_on_table>,
                     cca::out<"place_velocity", cca::velocity_of<touch::place_on_table>>> {
     const moment& m = played(now.index());
-    return {m.step,           cca::status_of(m.pressed ? touch::button::pressed : touch::button::released),
-            m.way,            m.way_twist,
-            m.repeated,       m.repeated_twist,
-            m.centre,         m.place,
+    return {m.step,          cca::status_of(m.pressed ? touch::button::pressed : touch::button::released),
+            m.way,           m.way_twist,
+            m.repeated,      m.repeated_twist,
+            m.centre,        m.place,
             m.place_velocity};
   }
   void act(cca::in<"pushed", cca::contact_port> pushed) {
@@ -462,8 +464,11 @@ struct loop {
     vector7 value;
     for (int i = 0; i < 7; ++i) {
       const double goal = std::isfinite(command[i]) ? command[i] : 0;
-      value[i] = at_most(at_most(limits::range[std::size_t(i)].upper, last[i] + limits::rate[std::size_t(i)].upper * dt),
-                         at_least(at_least(limits::range[std::size_t(i)].lower, last[i] + limits::rate[std::size_t(i)].lower * dt), goal));
+      value[i] = at_most(
+          at_most(limits::range[std::size_t(i)].upper, last[i] + limits::rate[std::size_t(i)].upper * dt),
+          at_least(at_least(limits::range[std::size_t(i)].lower,
+                            last[i] + limits::rate[std::size_t(i)].lower * dt),
+                   goal));
       if (value[i] != command[i]) {
         ++interventions;
         if (first_intervention < 0) first_intervention = k;
@@ -478,8 +483,9 @@ struct loop {
     bool changed = false;
     for (std::size_t i = 0; i < 7; ++i) {
       const int a = static_cast<int>(i);
-      value[a] = at_most(at_most(limits::range[i].upper, last[a] + limits::rate[i].upper * dt),
-                         at_least(at_least(limits::range[i].lower, last[a] + limits::rate[i].lower * dt), command[a]));
+      value[a] = at_most(
+          at_most(limits::range[i].upper, last[a] + limits::rate[i].upper * dt),
+          at_least(at_least(limits::range[i].lower, last[a] + limits::rate[i].lower * dt), command[a]));
       changed |= value[a] != command[a];
     }
     if (changed) [[unlikely]]

@@ -50,8 +50,12 @@ struct policy;
 
 template <class... In, int... Units, class Activation, Space To>
 struct policy<policy_inputs<In...>, hidden_layers<Units...>, Activation, To> {
-  static_assert(sizeof...(In) > 0, "cca::policy: it has no inputs");
-  static_assert(To::size == To::axes::count, "cca::policy: its output has more than one number per axis");
+  static_assert(sizeof...(In) > 0,
+                "mapping.bad_policy: this policy has no inputs, so its network sees nothing; name its "
+                "observations in cca::policy_inputs<cca::in<...>, ...>");
+  static_assert(To::size == To::axes::count,
+                "mapping.bad_policy: the output of this policy has more than one number per axis, as a pose "
+                "has; let it publish a space with one number per axis, which has limits");
   using network = feed_forward<Activation, (In::space::size + ...), Units..., To::size>;
 
   struct parameters {
