@@ -13,9 +13,7 @@ struct arm_chain : cca::serial_chain<base, hand, cca::axes<bend>> {
 struct robot : cca::body<base, cca::part<"arm", arm_chain>> {};
 
 #if CCA_REJECT
-using stiffness = cca::stiffness_at<cca::tip_of<robot, "hand">, base>;
+cca::stiffness_at<cca::tip_of<robot, "hand">, base> stiffness;
 #else
-using stiffness = cca::stiffness_at<cca::tip_of<robot, "arm">, base>;
+cca::stiffness_at<cca::tip_of<robot, "arm">, base> stiffness;
 #endif
-
-stiffness softest;

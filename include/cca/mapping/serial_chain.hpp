@@ -143,9 +143,10 @@ inline constexpr auto chain_links = [] {
     if (const auto name = Chain::joints[i].follows; !name.empty())
       links[i].coordinate = axis_by_name(typename Chain::axes(), name);
   if constexpr (DynamicChain<Chain>) {
-    static_assert(Chain::links.size() == Chain::joints.size(),
-                  "mapping.bad_chain: the `links` of this chain are more or fewer than its `joints`; give the "
-                  "inertia of the link behind each joint, in their order");
+    static_assert(
+        Chain::links.size() == Chain::joints.size(),
+        "mapping.bad_chain: the `links` of this chain are more or fewer than its `joints`; give the "
+        "inertia of the link behind each joint, in their order");
     for (std::size_t i = 0; i < links.size(); ++i) links[i].inertia = Chain::links[i];
   }
   return links;

@@ -15,7 +15,8 @@
 //
 // The coordinates of a body are those of its parts, in order of declaration: `axes_of<Body>`. A joint may
 // follow an axis of another part: `cca::prismatic(cca::along_y).driven_by("left_finger", -1)`. Errors:
-// body.cycle, body.unattached, body.duplicate. Cost: constants. Example: tests/runtime/body/example.cpp; docs/body.md.
+// body.cycle, body.unattached, body.duplicate. Cost: constants. Example: tests/runtime/body/example.cpp;
+// docs/body.md.
 #pragma once
 
 #include <array>

@@ -80,14 +80,15 @@ struct tree_facts<Body, std::tuple<Parts...>> {
     return tree;
   }();
 
-  static_assert(
-      [] {
-        for (const body_link& l : value.links)
-          if (l.coordinate < 0) return false;
-        return true;
-      }(),
-      "body.unknown_axis: a joint of this body follows an axis that no part of the body has; correct the name "
-      "in `driven_by`, or add the part that has this axis");
+  static constexpr bool axes_exist = [] {
+    for (const body_link& l : value.links)
+      if (l.coordinate < 0) return false;
+    return true;
+  }();
+  static_assert(axes_exist,
+                "body.unknown_axis: a joint of this body follows an axis that no part of the body has; "
+                "correct the name "
+                "in `driven_by`, or add the part that has this axis");
 };
 
 template <class Body>

@@ -15,7 +15,8 @@
 //   };
 //
 // The limits stand at the axes of the body: those of `angle` are also the stops of the joints. What a
-// command needs a limit of is in commands.hpp. Errors: robot.description. Example: robots/arm; docs/robots.md.
+// command needs a limit of is in commands.hpp. Errors: robot.description. Example: robots/arm;
+// docs/robots.md.
 #pragma once
 
 #include <array>

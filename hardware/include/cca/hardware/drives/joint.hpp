@@ -10,8 +10,8 @@
 // Angle of the joint = sign (angle of the drive / gear) + offset; gear is turns of the drive's output per
 // turn of the joint. Torque of the joint = sign gear (torque of the drive). All drives on one bus state the
 // same bit rates, by default 1 Mbit/s, and 5 for fast FD frames (checked by robot_buses.hpp). The limits are
-// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits. Cost:
-// constants, and some multiplications. docs/hardware.md.
+// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits,
+// drive.bad_joint. Cost: constants, and some multiplications. docs/hardware.md.
 #pragma once
 
 #include <array>
@@ -61,10 +61,12 @@ struct joint {
   static constexpr bit_rates rates = Rates;
 
   static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
-                "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1, and `wraps` is the width "
-                "of a range, or 0");
+                "drive.bad_joint: the mounting of this joint is impossible: `gear` is above 0 (a drive that "
+                "turns the other way round has `sign` -1), `sign` is 1 or -1, and `wraps` is the width of a "
+                "range, or 0");
   static_assert(Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping,
-                "cca::hardware::joint: `safe_damping` is at most `most_damping` of its servo");
+                "drive.bad_joint: `safe_damping` of this joint's servo, with which it stops, is negative or "
+                "above its `most_damping`; raise `most_damping`, or stop more softly");
   static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
                     cca::detail::axis_has_limits<Axis, cca::velocity> &&
                     cca::detail::axis_has_limits<Axis, cca::torque>,
