@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: the spaces of a body's dynamics are of joint angles, velocities, accelerations and torques
-// Angles and torques were exchanged.
+// The weight of an arm depends on where it is, not on how it moves.
 #include <cca/robot/body_components.hpp>
 
 struct shoulder : cca::dimension<"shoulder"> {
@@ -23,7 +23,7 @@ struct velocities : cca::space<cca::joint_velocities, cca::axes<shoulder, elbow>
 struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow>> {};
 
 #if CCA_REJECT
-cca::gravity_compensation<arm, torques, angles> gravity;
+cca::gravity_compensation<arm, velocities, torques> gravity;
 #else
 cca::gravity_compensation<arm, angles, torques> gravity;
 #endif

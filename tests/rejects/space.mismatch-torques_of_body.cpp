@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: the torques of a body have exactly the axes of the body, all of them and no others
-// A torque that is missing would leave a joint without gravity compensation.
+// A torque of an axis that the body doesn't have would be nobody's.
 #include <cca/robot/body_components.hpp>
 
 struct shoulder : cca::dimension<"shoulder"> {
@@ -20,8 +20,9 @@ struct chain : cca::serial_chain<mount, hand, cca::axes<shoulder, elbow>> {
 struct arm : cca::body<mount, cca::part<"arm", chain>> {};
 struct angles : cca::space<cca::joint_angles, cca::axes<shoulder, elbow>> {};
 struct velocities : cca::space<cca::joint_velocities, cca::axes<shoulder, elbow>> {};
+struct gripper : cca::dimension<"gripper"> {};
 #if CCA_REJECT
-struct torques : cca::space<cca::joint_torques, cca::axes<shoulder>> {};
+struct torques : cca::space<cca::joint_torques, cca::axes<shoulder, elbow, gripper>> {};
 #else
 struct torques : cca::space<cca::joint_torques, cca::axes<elbow, shoulder>> {};
 #endif

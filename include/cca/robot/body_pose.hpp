@@ -43,7 +43,7 @@ constexpr void attach(Base& tree, std::size_t& used, std::size_t part, int on, i
     auto& l = tree.links[used];
     l = body_link_of(Chain::joints[i], static_cast<int>(i), end.link, end.where, first_coordinate);
     if (const auto name = Chain::joints[i].follows; !name.empty()) l.coordinate = axis_by_name(Axes(), name);
-    if constexpr (DynamicChain<Chain>) l.inertia = Chain::links[i];
+    l.inertia = inertia_of_link<Chain>(i);
     end = {static_cast<int>(used++), {}};
   }
   tree.ends[part] = {end.link, end.where * Chain::tip};
