@@ -129,7 +129,7 @@ constexpr auto check_layers() {
 template <class Activation, int Inputs, int... Others>
 struct feed_forward {
   static_assert(sizeof...(Others) >= 1, "cca::feed_forward: it needs a number of outputs");
-  using checked = decltype(detail::check_layers < Inputs > 0 && ((Others > 0) && ...)>());
+  using checked = decltype(detail::check_layers<(Inputs > 0 && ((Others > 0) && ...))>());
   static constexpr int outputs = std::array{Others...}.back();
   static constexpr int weight_count = detail::weights_of_layers<Inputs, Others...>;
   using input = Eigen::Matrix<double, Inputs, 1>;
