@@ -45,5 +45,5 @@ using bus = cca::hardware::memory_bus<3, 16>::end_type;
 #if CCA_REJECT
 struct robot : cca::hardware::robot<arm, bus, upper, lower> {};
 #else
-struct robot : cca::hardware::robot<arm, bus, upper, lower, cca::hardware::load_board<0x200, 1>> {};
+struct robot : cca::hardware::robot<arm, bus, upper, lower, cca::hardware::load_board<0x100, 1, 1>> {};
 #endif

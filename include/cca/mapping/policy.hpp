@@ -56,7 +56,9 @@ struct policy<policy_inputs<In...>, hidden_layers<Units...>, Activation, To> {
   static_assert(To::size == To::axes::count,
                 "mapping.bad_policy: the output of this policy has more than one number per axis, as a pose "
                 "has; let it publish a space with one number per axis, which has limits");
-  using network = feed_forward<Activation, (In::space::size + ...), Units..., To::size>;
+  // Without inputs only the message above, not the errors that follow from it.
+  static constexpr int observed = sizeof...(In) > 0 ? (In::space::size + ... + 0) : 1;
+  using network = feed_forward<Activation, observed, Units..., To::size>;
 
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (text<200>, file));
