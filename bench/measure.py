@@ -3,7 +3,7 @@
 the three forms give the same bits, counts, times, and writes bench/figures.json and docs/performance.md.
 
     measure.py                 everything (an hour on two cores at rest); `cmake --workflow --preset bench` does this
-    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, drives, dynamics, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
+    measure.py --only compile  one part: trot, synthetic, skeletons, copies, skills, arm, drives, dynamics, learning, policies, modes, observed, compile, listing; the others keep their figures in figures.json;
                                several parts: --only compile --only synthetic
     measure.py --quick         a reduced set in some minutes: trot at -O2 and -O3, graphs of up to 100 nodes
     measure.py --page          only the page, from figures.json
@@ -38,6 +38,8 @@ SIZES = (10, 30, 100, 300)
 COPIES_FLAGS = ["-O3", "-march=x86-64-v3"]
 SKILLS_FLAGS = (["-O2"], ["-O3"])
 SKILLS_BEATS = (2000, 14000)  # begins when the robot sees the ball; then every skill runs
+ARM_FORMS = ("graph", "by_hand", "shared")
+ARM_BEATS = (3072, 6144)  # the second time through what is played back
 SYNTHETIC_BEATS = (200, 600)  # whole periods of the slowest clock, few enough for 300 virtual components under callgrind
 FAN_OUTS = (1, 2, 4, 8, 16)
 COMPILE_SIZES = (10, 30, 100, 300, 1000)
@@ -168,6 +170,25 @@ def skills(work):
             row["graph"]["calls"] = calls_of(loop_of(program))
             rows.append(row)
             print("skills", compiler, *flags, {f: row[f]["instructions"] for f in ("graph", "by_hand")}, flush=True)
+    return rows
+
+
+def arm(work):
+    """The arm's torque loop: the graph, the same by hand, and by hand with kinematics and mass matrix once a beat."""
+    rows = []
+    for compiler in COMPILERS:
+        for flags in SKILLS_FLAGS:
+            program = work / "arm"
+            build(compiler, [*flags, "-ffp-contract=off"], HERE / "arm_controller.cpp", program)
+            run([str(program), "check", str(ARM_BEATS[1])])
+            row = {"compiler": compiler, "flags": " ".join(flags)}
+            for form in ARM_FORMS:
+                row[form] = {"instructions": instructions(program, form, lengths=ARM_BEATS)}
+            for line in run([str(program), "figures"]).stdout.splitlines():
+                form, allocations, size = line.split()
+                row[form].update(allocations=float(allocations), bytes=int(size))
+            rows.append(row)
+            print("arm", compiler, *flags, {f: row[f]["instructions"] for f in ARM_FORMS}, flush=True)
     return rows
 
 
@@ -453,7 +474,7 @@ def machine():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "drives": drives, "dynamics": dynamics, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
+    parts = {"trot": trot, "synthetic": synthetic, "skeletons": skeletons, "copies": copies, "skills": skills, "arm": arm, "drives": drives, "dynamics": dynamics, "learning": learning, "policies": policies, "modes": modes, "observed": observed, "latency": latency, "realtime": realtime, "compile": compile_times, "listing": listing}
     parser.add_argument("--only", choices=parts, action="append")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--page", action="store_true")

@@ -161,7 +161,8 @@ public:
   static constexpr int size = Chain::axes::count;
   static constexpr std::size_t count = Chain::joints.size();
   static_assert(detail::coordinates_exist<Chain>,
-                "cca::serial_chain: a joint is driven by a coordinate for which the chain has no axis");
+                "mapping.bad_chain: a joint is driven by a coordinate for which the chain has no axis; add "
+                "the axis to the chain, or correct the number or the name in `driven_by`");
   using vector_type = Eigen::Matrix<double, size, 1>;
   using jacobian_type = Eigen::Matrix<double, 6, size>;
 

@@ -50,9 +50,15 @@ struct policy;
 
 template <class... In, int... Units, class Activation, Space To>
 struct policy<policy_inputs<In...>, hidden_layers<Units...>, Activation, To> {
-  static_assert(sizeof...(In) > 0, "cca::policy: it has no inputs");
-  static_assert(To::size == To::axes::count, "cca::policy: its output has more than one number per axis");
-  using network = feed_forward<Activation, (In::space::size + ...), Units..., To::size>;
+  static_assert(sizeof...(In) > 0,
+                "mapping.bad_policy: this policy has no inputs, so its network sees nothing; name its "
+                "observations in cca::policy_inputs<cca::in<...>, ...>");
+  static_assert(To::size == To::axes::count,
+                "mapping.bad_policy: the output of this policy has more than one number per axis, as a pose "
+                "has; let it publish a space with one number per axis, which has limits");
+  // Without inputs only the message above, not the errors that follow from it.
+  static constexpr int observed = sizeof...(In) > 0 ? (In::space::size + ... + 0) : 1;
+  using network = feed_forward<Activation, observed, Units..., To::size>;
 
   struct parameters {
     BOOST_HANA_DEFINE_STRUCT(parameters, (text<200>, file));

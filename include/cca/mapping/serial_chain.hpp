@@ -136,17 +136,26 @@ constexpr std::array<body_link, Count> links_of(const std::array<joint, Count>& 
   return links;
 }
 
+// Of the link behind a joint; without `links` it weighs nothing.
+template <class Chain>
+constexpr link_inertia inertia_of_link(std::size_t joint) {
+  if constexpr (DynamicChain<Chain>) {
+    static_assert(
+        Chain::links.size() == Chain::joints.size(),
+        "mapping.bad_chain: the `links` of this chain are more or fewer than its `joints`; give the "
+        "inertia of the link behind each joint, in their order");
+    if (joint < Chain::links.size()) return Chain::links[joint];
+  }
+  return {};
+}
+
 template <class Chain>
 inline constexpr auto chain_links = [] {
   auto links = links_of(Chain::joints);
   for (std::size_t i = 0; i < links.size(); ++i)
     if (const auto name = Chain::joints[i].follows; !name.empty())
       links[i].coordinate = axis_by_name(typename Chain::axes(), name);
-  if constexpr (DynamicChain<Chain>) {
-    static_assert(Chain::links.size() == Chain::joints.size(),
-                  "cca::serial_chain: `links` needs one entry for each of the `joints`");
-    for (std::size_t i = 0; i < links.size(); ++i) links[i].inertia = Chain::links[i];
-  }
+  for (std::size_t i = 0; i < links.size(); ++i) links[i].inertia = inertia_of_link<Chain>(i);
   return links;
 }();
 

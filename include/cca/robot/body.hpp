@@ -15,7 +15,8 @@
 //
 // The coordinates of a body are those of its parts, in order of declaration: `axes_of<Body>`. A joint may
 // follow an axis of another part: `cca::prismatic(cca::along_y).driven_by("left_finger", -1)`. Errors:
-// body.cycle, body.unattached. Cost: constants. Example: tests/runtime/body/example.cpp; docs/body.md.
+// body.cycle, body.unattached, body.duplicate. Cost: constants. Example: tests/runtime/body/example.cpp;
+// docs/body.md.
 #pragma once
 
 #include <array>
@@ -144,9 +145,12 @@ struct joined_axes<axes<A...>, axes<B...>, Rest...> : joined_axes<axes<A..., B..
 template <class Base, class... Parts>
 constexpr auto check_body() {
   using all = attachments<Base, Parts...>;
-  static_assert(all::distinct, "cca::body: two of its parts have the same name");
+  static_assert(all::distinct,
+                "body.duplicate: two parts of this body have the same name, by which kinematics and "
+                "descriptions find them; give each part a name of its own");
   static_assert(repeated_in<typename joined_axes<typename Parts::chain::axes...>::type>::first() < 0,
-                "cca::body: two of its parts share an axis; give each part axes of its own");
+                "body.duplicate: two parts of this body share an axis; give each part axes of its own, and "
+                "let a joint that follows an axis of another part name it by `driven_by`");
   if constexpr (decltype(check_cycles<all, 0, Parts...>())::value) return check_attached<all, 0, Parts...>();
   else return std::false_type{};
 }

@@ -43,7 +43,7 @@ constexpr void attach(Base& tree, std::size_t& used, std::size_t part, int on, i
     auto& l = tree.links[used];
     l = body_link_of(Chain::joints[i], static_cast<int>(i), end.link, end.where, first_coordinate);
     if (const auto name = Chain::joints[i].follows; !name.empty()) l.coordinate = axis_by_name(Axes(), name);
-    if constexpr (DynamicChain<Chain>) l.inertia = Chain::links[i];
+    l.inertia = inertia_of_link<Chain>(i);
     end = {static_cast<int>(used++), {}};
   }
   tree.ends[part] = {end.link, end.where * Chain::tip};
@@ -55,7 +55,9 @@ template <class Body, class... Parts>
 struct tree_facts<Body, std::tuple<Parts...>> {
   static constexpr std::size_t count = sizeof...(Parts), links = (Parts::chain::joints.size() + ... + 0u);
   static_assert((own_coordinates_exist<typename Parts::chain> && ...),
-                "cca::body: a joint is driven by a coordinate for which its chain has no axis");
+                "body.unknown_axis: a joint of this body is driven by a coordinate for which its chain has "
+                "no axis; add the axis to the chain, or correct the number in `driven_by`, which counts "
+                "the axes of the chain from 0");
 
   static constexpr auto value = [] {
     body_tree<links, count> tree;
@@ -78,13 +80,15 @@ struct tree_facts<Body, std::tuple<Parts...>> {
     return tree;
   }();
 
-  static_assert(
-      [] {
-        for (const body_link& l : value.links)
-          if (l.coordinate < 0) return false;
-        return true;
-      }(),
-      "cca::body: a joint follows an axis that no part of the body has");
+  static constexpr bool axes_exist = [] {
+    for (const body_link& l : value.links)
+      if (l.coordinate < 0) return false;
+    return true;
+  }();
+  static_assert(axes_exist,
+                "body.unknown_axis: a joint of this body follows an axis that no part of the body has; "
+                "correct the name "
+                "in `driven_by`, or add the part that has this axis");
 };
 
 template <class Body>
@@ -155,7 +159,9 @@ private:
   template <fixed_string Part>
   static constexpr std::size_t number() {
     constexpr int i = part_index<Type>(Part.view());
-    static_assert(i >= 0, "cca::body_pose: this body has no part with that name");
+    static_assert(i >= 0,
+                  "body.unknown_part: this body has no part with that name; the names are those in "
+                  "cca::part<name, chain>");
     return i < 0 ? 0 : static_cast<std::size_t>(i);
   }
 

@@ -125,6 +125,21 @@ struct floating_gripper : gripper {
   static constexpr bool floats = true;
 };
 
+// Each coordinate moves its only joint through a gear: the leader has a ratio too.
+struct geared_chain : cca::serial_chain<trunk, toe, cca::axes<hip, knee>> {
+  static constexpr std::array joints{
+      cca::revolute({0, 1, 0.1}, cca::at(0.1, 0.05, 0)).driven_by("hip", -0.5, 0.2),
+      cca::prismatic({0.1, 0, 1}, cca::at(0, 0, -0.1)).driven_by("knee", 0.2, -0.05)};
+  static constexpr auto tip = cca::at(0, 0, -0.08);
+  static constexpr std::array links{
+      cca::link_inertia{0.15, {0.001, 0, -0.05}, {2e-4, 2e-4, 3e-5, 0, 1e-6, 0}},
+      cca::link_inertia{0.12, {0, 0.002, -0.04}, {1.5e-4, 1.4e-4, 2e-5, 0, 0, 1e-6}}};
+};
+struct geared : leg {
+  struct body : cca::body<trunk, cca::part<"leg", geared_chain, cca::driven_by<"hip", "knee">>> {};
+  static constexpr bool floats = false;
+};
+
 template <class R>
 using pose_of = cca::body_pose<typename R::body>;
 
@@ -222,6 +237,10 @@ TEST_SUITE("coupled joints") {
   TEST_CASE("joints that follow those of other parts do, on a fixed and a floating base") {
     CHECK(worst_error<gripper>(22, nothing<gripper>) < agreed);
     CHECK(worst_error<floating_gripper>(23, nothing<floating_gripper>) < agreed);
+  }
+
+  TEST_CASE("a coordinate that moves its only joint through a gear does") {
+    CHECK(worst_error<geared>(26, nothing<geared>) < agreed);
   }
 
   TEST_CASE("followers stay where they belong, to rounding") {

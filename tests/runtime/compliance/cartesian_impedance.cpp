@@ -150,6 +150,40 @@ TEST_SUITE("Cartesian impedance") {
     CHECK((wrench.head<3>() + turn * Eigen::Vector3d(2, 0, 0)).norm() < 1e-9);
   }
 
+  TEST_CASE("each optional input acts as the formula says") {
+    impedance servo;
+    servo.p.damping_ratio = 0, servo.p.posture_damping = 0;
+    vector6 stiff, damp, twist, push;
+    stiff << 10, 20, 30, 100, 200, 300;
+    damp << 1, 2, 3, 10, 20, 30;
+    twist << 0.1, -0.2, 0.3, 0.05, 0.1, -0.15;
+    push << 0.5, -0.4, 0.3, 2, 3, -4;
+    vector dq;
+    dq << 0.1, 0.2, -0.1, 0.3, 0.2, -0.2, 0.1;
+    const Eigen::Vector3d moved(0.01, -0.02, 0.03);
+    const Eigen::Vector4d leans = cca::rotation::about(Eigen::Vector3d(0.6, 0.8, 0), 0.5);
+    pose7 reference = pose_at(bent);
+    reference.head<3>() -= moved;
+    using tip = impedance::tip;
+    using base = impedance::base;
+    const auto all = servo.process(
+        given<wanted_pose<impedance>>(reference), angles_of(bent), velocities_of(dq), beat_of(0),
+        given<cca::optional_in<"reference_twist", cca::motion_of<tip, base>>>(twist),
+        given<cca::optional_in<"stiffness", cca::stiffness_at<tip, base>>>(stiff),
+        given<cca::optional_in<"damping", cca::damping_at<tip, base>>>(damp),
+        given<cca::optional_in<"feedforward", cca::load_on<tip, base>>>(push), {},
+        given<cca::optional_in<"attitude", cca::base_attitude>>(leans));
+    const cca::body_pose<arm> now(bent);
+    const auto jacobian = now.jacobian<"arm">();
+    vector6 wanted = push + damp.cwiseProduct(twist - jacobian * dq);
+    wanted.tail<3>() -= stiff.tail<3>().cwiseProduct(moved);
+    CHECK((std::get<1>(all).vector() - wanted).norm() < 1e-9);
+    const Eigen::Vector3d down =
+        cca::rotation::matrix(leans).transpose() * Eigen::Vector3d(0, 0, -9.81);  // along the leaning base
+    const vector torques = jacobian.transpose() * wanted + cca::gravity_torques(now, down);
+    CHECK((in_order(std::get<0>(all).vector()) - torques).norm() < 1e-9);
+  }
+
   TEST_CASE("it creates no energy, whatever touches the arm") {
     const double base = largest_growth<impedance>(4, false), cut = largest_growth<impedance>(5, true),
                  hand = largest_growth<along_hand>(6, false), cut_hand = largest_growth<along_hand>(7, true);

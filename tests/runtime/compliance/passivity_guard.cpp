@@ -77,6 +77,13 @@ simulated pushed() {
   return body;
 }
 
+// What the tank holds when `t` is asked for at these angles and velocities.
+double asked(guard& keeper, const vector& t, const vector& q, const vector& dq) {
+  return std::get<1>(keeper.process(given<cca::in<"torques", torques>>(reversed(t)), angles_of(q),
+                                    velocities_of(dq), {0, 1'000'000, 1}, {}))
+      .vector()[0];
+}
+
 }  // namespace
 
 TEST_SUITE("passivity guard") {
@@ -157,6 +164,46 @@ TEST_SUITE("passivity guard") {
       work = std::max(0.0, work + wanted.dot(body.q - before));
     }
     CHECK(least < 4.9);
+  }
+
+  TEST_CASE("while it saw no angles nothing flows into the tank, but what was taken counts") {
+    const vector push = vector::Constant(2), still = vector::Zero(), lost = vector::Constant(no_number);
+    for (const double way : {-0.01, 0.01}) {
+      CAPTURE(way);
+      const vector there = bent + vector::Constant(way);
+      const double work = push.dot(there - bent);
+      for (const bool gap : {false, true}) {
+        guard keeper;
+        keeper.p.energy = 1, keeper.p.most = 5;
+        keeper.on_start();
+        CHECK(asked(keeper, push, bent, still) == 1);
+        if (gap) CHECK(asked(keeper, push, lost, still) == 1);
+        CHECK(asked(keeper, push, there, still) ==
+              doctest::Approx(1 - (gap ? std::max(0.0, work) : work)).epsilon(1e-9));
+      }
+    }
+  }
+
+  TEST_CASE("an angle that jumped leaves a debt of at most 1 J") {
+    guard keeper;
+    keeper.p.energy = 1, keeper.p.most = 5;
+    keeper.on_start();
+    asked(keeper, vector::Constant(2), bent, vector::Zero());
+    CHECK(asked(keeper, vector::Zero(), bent + vector::Constant(10), vector::Zero()) == -1);
+  }
+
+  TEST_CASE("the account is that of the torques within the limits of the axes") {
+    guard keeper;
+    keeper.p.energy = 1, keeper.p.most = 1e6;
+    keeper.on_start();
+    const vector push = 300 * vector::Unit(0), moved = -1e-3 * vector::Unit(0);
+    const auto first =
+        keeper.process(given<cca::in<"torques", torques>>(reversed(push)), angles_of(bent),
+                       velocities_of(-vector::Unit(0)), {0, 1'000'000, 1}, {});  // it brakes, so it passes
+    REQUIRE(is(std::get<3>(first), cca::guard::passing));
+    REQUIRE(in_order(std::get<0>(first).vector())[0] == 200);
+    CHECK(asked(keeper, vector::Zero(), bent + moved, vector::Zero()) ==
+          doctest::Approx(1 + 0.2).epsilon(1e-9));
   }
 
   TEST_CASE("numbers that it can't use") {

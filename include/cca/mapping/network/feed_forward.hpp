@@ -116,12 +116,20 @@ struct layers {
   }
 };
 
+// In a function; mapping.hpp says why.
+template <bool AllHaveUnits>
+constexpr auto check_layers() {
+  static_assert(AllHaveUnits,
+                "mapping.bad_policy: a layer of this network has no units; each number in "
+                "cca::hidden_layers<...> is at least 1");
+}
+
 }  // namespace detail
 
 template <class Activation, int Inputs, int... Others>
 struct feed_forward {
   static_assert(sizeof...(Others) >= 1, "cca::feed_forward: it needs a number of outputs");
-  static_assert(Inputs > 0 && ((Others > 0) && ...), "cca::feed_forward: a layer has no units");
+  using checked = decltype(detail::check_layers<(Inputs > 0 && ((Others > 0) && ...))>());
   static constexpr int outputs = std::array{Others...}.back();
   static constexpr int weight_count = detail::weights_of_layers<Inputs, Others...>;
   using input = Eigen::Matrix<double, Inputs, 1>;

@@ -54,7 +54,9 @@ namespace detail {
 template <class Body, fixed_string Part>
 struct end_of_part {
   static constexpr int index = part_index<Body>(Part.view());
-  static_assert(index >= 0, "cca: this body has no part with that name");
+  static_assert(index >= 0,
+                "body.unknown_part: this body has no part with that name, so nothing ends there; the names "
+                "are those in cca::part<name, chain>");
   using frame = typename std::tuple_element_t<static_cast<std::size_t>(index < 0 ? 0 : index),
                                               typename Body::parts>::chain::tip_frame;
 };

@@ -15,8 +15,8 @@
 //   };
 //
 // The limits stand at the axes of the body: those of `angle` are also the stops of the joints. What a
-// command needs a limit of is in commands.hpp. Errors: a static_assert for each part that is missing or has
-// the wrong size. Example: robots/arm; docs/robots.md.
+// command needs a limit of is in commands.hpp. Errors: robot.description. Example: robots/arm;
+// docs/robots.md.
 #pragma once
 
 #include <array>
@@ -131,26 +131,44 @@ constexpr bool all_parts_exist(sensors<Sensors...>) {
 template <class R>
 using sensors_of = typename detail::sensors_of<R>::type;
 
-// A function that any user of a description calls first.
+namespace detail {
+
+template <class R>
+constexpr void check_places() {
+  using body = typename R::body;
+  static_assert(moves_mass<body>,
+                "robot.description: a link of this body has no mass, so no torque could move it; give each "
+                "link an inertia, in `links` of its chain");
+  static_assert(!floats<R> || cca::detail::base_inertia_of<body>().mass > 0,
+                "robot.description: this robot floats, but the base of its body has no mass; add "
+                "`static constexpr cca::link_inertia base{...};` to the body");
+  static_assert(shapes_exist<R>,
+                "robot.description: a shape is on a part or on a link that the body doesn't have; correct "
+                "the name of the part, or the number of the link, which counts from 0 in each part");
+  static_assert(springs_exist<R>,
+                "robot.description: a spring or cable ends on a part or on a link that the body doesn't "
+                "have; correct the name of the part, or the number of the link, which counts from 0 in each "
+                "part");
+  static_assert(all_parts_exist<body>(robots::sensors_of<R>()),
+                "robot.description: a force sensor is at the end of a part that the body doesn't have; "
+                "correct the second name in cca::robots::force_sensor<name, part>");
+}
+
+}  // namespace detail
+
+// A function that any user of a description calls first. Only the first mistake is reported.
 template <class R>
 constexpr bool check_description() {
   static_assert(Described<R>,
-                "cca::robots: a description has a `body`, a `rate`, `commands` and `drives`; see "
-                "cca/robots/description.hpp");
-  static_assert(R::drives.size() == static_cast<std::size_t>(axes_of_robot<R>::count),
-                "cca::robots: `drives` needs one entry for each axis of the body");
-  static_assert(detail::moves_mass<typename R::body>,
-                "cca::robots: a link of this body has no mass: give each link an inertia, in `links` of its "
-                "chain");
-  static_assert(!floats<R> || cca::detail::base_inertia_of<typename R::body>().mass > 0,
-                "cca::robots: this robot floats, so its body needs the inertia of its base: "
-                "`static constexpr cca::link_inertia base{...};`");
-  static_assert(detail::shapes_exist<R>,
-                "cca::robots: a shape is on a part or on a link that the body doesn't have");
-  static_assert(detail::springs_exist<R>,
-                "cca::robots: a spring or cable is on a part or on a link that the body doesn't have");
-  static_assert(detail::all_parts_exist<typename R::body>(sensors_of<R>()),
-                "cca::robots: a force sensor is at the end of a part that the body doesn't have");
+                "robot.description: this description of a robot lacks a `body`, a `rate`, `commands` or "
+                "`drives`; state all four, as in cca/robots/description.hpp");
+  if constexpr (Described<R>) {
+    constexpr bool drives = R::drives.size() == static_cast<std::size_t>(axes_of_robot<R>::count);
+    static_assert(drives,
+                  "robot.description: `drives` has more or fewer entries than the body has axes; give one "
+                  "for each axis, in the order of cca::axes_of<body>, also for a passive joint");
+    if constexpr (drives) detail::check_places<R>();
+  }
   return true;
 }
 

@@ -7,8 +7,8 @@
 //
 //   controller.get<"robot.simulator">().put_down(cca::sim::robot_world(cca::sim::model_of<R>(), room));
 //
-// Errors: robot.unlimited_command, where a command arrives without a limiter; space.missing_limits; a
-// static_assert for what a description lacks. Cost: a beat of physics; nothing of the graph is left in the
+// Errors: robot.unlimited_command, where a command arrives without a limiter; space.missing_limits;
+// robot.description. Cost: a beat of physics; nothing of the graph is left in the
 // loop. Example: tests/runtime/any_robot/arm.cpp; docs/robots.md.
 #pragma once
 

@@ -10,8 +10,8 @@
 // Angle of the joint = sign (angle of the drive / gear) + offset; gear is turns of the drive's output per
 // turn of the joint. Torque of the joint = sign gear (torque of the drive). All drives on one bus state the
 // same bit rates, by default 1 Mbit/s, and 5 for fast FD frames (checked by robot_buses.hpp). The limits are
-// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits. Cost:
-// constants, and some multiplications. docs/hardware.md.
+// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits,
+// drive.bad_joint. Cost: constants, and some multiplications. docs/hardware.md.
 #pragma once
 
 #include <array>
@@ -46,6 +46,27 @@ struct joint_bounds {
   constexpr bool holds(double x) const { return lower <= x && x <= upper; }
 };
 
+namespace detail {
+
+// In a function; cca/mapping/mapping.hpp says why.
+template <class Axis, mounting Mounting, joint_servo Servo>
+constexpr auto check_joint() {
+  static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
+                "drive.bad_joint: the mounting of this joint is impossible: `gear` is above 0 (a drive that "
+                "turns the other way round has `sign` -1), `sign` is 1 or -1, and `wraps` is the width of a "
+                "range, or 0");
+  static_assert(Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping,
+                "drive.bad_joint: `safe_damping` of this joint's servo, with which it stops, is negative or "
+                "above its `most_damping`; raise `most_damping`, or stop more softly");
+  static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
+                    cca::detail::axis_has_limits<Axis, cca::velocity> &&
+                    cca::detail::axis_has_limits<Axis, cca::torque>,
+                "space.missing_limits: the axis of this joint lacks limits of angle, velocity or torque; a "
+                "drive is commanded only within limits, so state all three in its dimension");
+}
+
+}  // namespace detail
+
 template <class Axis,
           Drive Device,
           mounting Mounting,
@@ -60,17 +81,7 @@ struct joint {
   static constexpr std::size_t bus = Bus;
   static constexpr bit_rates rates = Rates;
 
-  static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
-                "cca::hardware::joint: a gear is greater than 0, a sign is 1 or -1, and `wraps` is the width "
-                "of a range, or 0");
-  static_assert(Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping,
-                "cca::hardware::joint: `safe_damping` is at most `most_damping` of its servo");
-  static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
-                    cca::detail::axis_has_limits<Axis, cca::velocity> &&
-                    cca::detail::axis_has_limits<Axis, cca::torque>,
-                "space.missing_limits: the axis of this joint lacks limits of angle, velocity or torque; a "
-                "drive is commanded only "
-                "within limits, so state all three in its dimension");
+  using checked = decltype(detail::check_joint<Axis, Mounting, Servo>());
 
   static constexpr double angle_of(double drive_angle) {
     return Mounting.sign * drive_angle / Mounting.gear + Mounting.offset;

@@ -16,9 +16,8 @@
 //
 // Give it its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller
 // enables the drives. Until they are enabled, and after a trip, the controller runs and nothing moves.
-// Errors: robot.unlimited_command, space.missing_limits, bus.overloaded, drive.duplicate_id, and a
-// static_assert for drives that don't fit R. Example:
-// tests/runtime/robot_on_drives/one_joint.cpp; docs/robots.md,
+// Errors: robot.unlimited_command, space.missing_limits, bus.overloaded, drive.duplicate_id,
+// robot.description, robot.drives. Example: tests/runtime/robot_on_drives/one_joint.cpp; docs/robots.md,
 // docs/hardware.md.
 #pragma once
 
@@ -69,28 +68,50 @@ constexpr bool has_sensors(robots::sensors<Sensors...>) {
 
 template <class R, class... Drives>
 struct robot_drives {
-  static_assert(robots::check_description<R>());
   static constexpr std::size_t count = robots::axes_of_robot<R>::count;
-  static_assert(sizeof...(Drives) == count || sizeof...(Drives) == count + 1,
-                "cca::hardware::robot<R, Bus, Drives...>: one joint for each axis of the body, and then the "
-                "board, if there is one");
   using joints = first_joints<count, Drives...>;
   using board = std::tuple_element_t<count, std::tuple<Drives..., no_board>>;
-  static_assert(std::is_same_v<typename joints::axes, robots::axes_of_robot<R>>,
-                "cca::hardware::robot<R, Bus, Drives...>: its joints come in the order of the body's axes");
-  static_assert(
-      cca::detail::hz_of<typename R::rate> == 1000,
-      "cca::hardware::robot<R, Bus, Drives...>: the rate of R must be 1 kHz, since the safety chain "
-      "counts beats of a millisecond");
-  static_assert(
-      has_sensors<board>(robots::sensors_of<R>()),
-      "cca::hardware::robot<R, Bus, Drives...>: R has force sensors: give a cca::hardware::load_board "
-      "with as many, after the joints");
-  static_assert(all_follow<joints, typename R::commands>,
-                "cca::hardware::robot<R, Bus, Drives...>: a drive with gains of its own takes positions or "
-                "velocities; give R these `commands` alone, or use a drive that takes torque");
   using sound = typename robot_buses<typename R::rate, board, joints>::sound;
 };
+
+// Only the first mistake is reported.
+template <class R, class... Drives>
+constexpr auto check_drives() {
+  static_assert(robots::check_description<R>());
+  constexpr std::size_t count = robots::axes_of_robot<R>::count;
+  constexpr bool enough = sizeof...(Drives) == count || sizeof...(Drives) == count + 1;
+  static_assert(enough,
+                "robot.drives: this robot has more or fewer drives than its body has axes; after the bus, "
+                "list one cca::hardware::joint for each axis, and then the board, if there is one");
+  if constexpr (enough) {
+    using joints = typename robot_drives<R, Drives...>::joints;
+    using board = typename robot_drives<R, Drives...>::board;
+    constexpr bool in_order = std::is_same_v<typename joints::axes, robots::axes_of_robot<R>>;
+    constexpr bool at_1_kHz = cca::detail::hz_of<typename R::rate> == 1000;
+    constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
+    constexpr bool follows = all_follow<joints, typename R::commands>;
+    static_assert(in_order,
+                  "robot.drives: the joints of this robot are not in the order of its body's axes; list them "
+                  "in the order of cca::axes_of<body>");
+    if constexpr (in_order)
+      static_assert(at_1_kHz,
+                    "robot.drives: the rate of this robot is not 1 kHz, but the safety chain counts beats of "
+                    "a millisecond; write `using rate = cca::rate<1000>`, and let slower nodes be "
+                    "cca::timed<N>");
+    if constexpr (in_order && at_1_kHz)
+      static_assert(senses,
+                    "robot.drives: this robot has force sensors, but no board that reads as many; add a "
+                    "cca::hardware::load_board with their number after the joints");
+    if constexpr (in_order && at_1_kHz && senses)
+      static_assert(follows,
+                    "robot.drives: a drive of this robot has gains of its own, so it follows positions or "
+                    "velocities, but the description has other `commands`; leave those out, or use a drive "
+                    "that takes torque");
+    return std::bool_constant<in_order && at_1_kHz && senses && follows>{};
+  } else {
+    return std::false_type{};
+  }
+}
 
 template <class R>
 struct driven_joints_of {
@@ -108,12 +129,24 @@ using robot_on_drives = robots::graph_of_robot<R,
                                                safety_wires<"synchronizer", "damping_stop">,
                                                safety_readings<"synchronizer", "damping_stop">>;
 
+// After a mistake there is no graph, so that nothing else is reported.
+template <bool Fits, class R, class Bus, class... Drives>
+struct robot_that_fits {
+  using type = graph<>;
+};
+template <class R, class Bus, class... Drives>
+struct robot_that_fits<true, R, Bus, Drives...> {
+  using type = robot_on_drives<R,
+                               Bus,
+                               typename robot_drives<R, Drives...>::board,
+                               typename robot_drives<R, Drives...>::joints>;
+};
+
 }  // namespace detail
 
 template <class R, class Bus, class... Drives>
-struct robot : detail::robot_on_drives<R,
-                                       Bus,
-                                       typename detail::robot_drives<R, Drives...>::board,
-                                       typename detail::robot_drives<R, Drives...>::joints> {};
+struct robot
+    : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
+          type {};
 
 }  // namespace cca::hardware
