@@ -18,12 +18,23 @@ def three(row, what):
     return " / ".join(number(row[f][what]) for f in FORMS)
 
 
+RARE = ("look_for", "fail", "advance_in_parts", "__clang_call_terminate")
+
+
 def short(name):
-    """A function's name without its arguments; marks the rare calls: a sequence's search for a path, a fault."""
-    rare = re.search(r"cca::(sequence|controller)<.*::(look_for|fail)\b", name)
+    """The last two parts of a function's name, without arguments; marks those that are called rarely (see `skills`)."""
     if "part_of_beat" in name:
         return "part_of_beat"
-    return f"{rare[1]}::{rare[2]} (rare)" if rare else name.split("(")[0]
+    if name.startswith("_ZN"):  # objdump can't read it: then at least its class
+        parts = [m[2] for m in re.finditer(r"(\d+)([a-z_]+)", name) if int(m[1]) == len(m[2])]
+        parts = parts[:2]
+    else:
+        plain = name.split("(")[0]
+        while re.search(r"<[^<>]*>", plain):
+            plain = re.sub(r"<[^<>]*>", "", plain)
+        parts = plain.split(" ")[-1].split("::")[-2:]
+        parts = ["controller" if p == "loop_host" else p for p in parts]
+    return "::".join(parts) + (" (rare)" if parts[-1] in RARE else "")
 
 
 def calls(row):
@@ -165,7 +176,7 @@ Each run checks that the two give the same bits.
 Each cell reads graph / by hand; the goal is a ratio of at most 1.05.
 
 {table(["compiler", "flags", "instructions per beat", "graph : by hand", "calls left in the graph's beat", "allocations per beat", "bytes of state"], rows)}
-Rare calls: a sequence looks for the path of a condition once; a fault ends the run.
+Rare calls: a sequence looks for the path of a condition once; a step of an equation is divided where it is too long for its parameters; a fault ends the run.
 
 {measured(part)}"""
 
