@@ -8,8 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <new>
+#include <vector>
 
 #include <cca/base/inlining.hpp>
 
@@ -20,7 +19,7 @@ class frame_ring {
 public:
   // At least so many frames.
   explicit frame_ring(std::size_t least)
-      : frames(std::bit_ceil(least)), memory(allocate((frames + 1) * Words)) {
+      : frames(std::bit_ceil(least)), memory(((frames + 1) * Words + 7) / 8) {
     find_room();
   }
 
@@ -40,7 +39,7 @@ public:
     const std::uint64_t room = frames - (written - taken.load(std::memory_order_acquire));
     const std::uint64_t index = written & (frames - 1);
     is_kept = room > 0;
-    at = memory.get() + (is_kept ? index : frames) * Words;
+    at = begin + (is_kept ? index : frames) * Words;
     left = static_cast<std::int64_t>(is_kept ? std::min(room, frames - index) : 1);
     return is_kept;
   }
@@ -50,7 +49,7 @@ public:
   // The oldest frame that has not been taken; null: none.
   const std::int64_t* oldest() const noexcept {
     const std::uint64_t n = taken.load(std::memory_order_relaxed);
-    return n == put.load(std::memory_order_acquire) ? nullptr : memory.get() + (n & (frames - 1)) * Words;
+    return n == put.load(std::memory_order_acquire) ? nullptr : begin + (n & (frames - 1)) * Words;
   }
   bool is_almost_full() const noexcept {
     return put.load(std::memory_order_acquire) - taken.load(std::memory_order_relaxed) > frames - frames / 4;
@@ -63,21 +62,13 @@ private:
     return find_room();
   }
 
-  struct release {
-    void operator()(std::int64_t* words) const {
-      ::operator delete(static_cast<void*>(words), std::align_val_t{64});
-    }
+  struct alignas(64) cache_line {
+    std::int64_t words[8];
   };
-  // Written once, so that no beat is the first to touch a page.
-  static std::int64_t* allocate(std::size_t count) {
-    auto* const words =
-        static_cast<std::int64_t*>(::operator new(count * sizeof(std::int64_t), std::align_val_t{64}));
-    std::fill_n(words, count, std::int64_t{0});
-    return words;
-  }
 
   std::uint64_t frames;
-  std::unique_ptr<std::int64_t, release> memory;
+  std::vector<cache_line> memory;  // written once, so that no beat is the first to touch a page
+  std::int64_t* begin = reinterpret_cast<std::int64_t*>(memory.data());
   alignas(64) std::int64_t* at = nullptr;
   std::int64_t left = 0;  // frames up to the end of the room or of the memory, this one included
   bool is_kept = false;   // this one

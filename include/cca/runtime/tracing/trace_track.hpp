@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <thread>
+#include <vector>
 
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/component/lifecycle.hpp>
@@ -31,8 +29,8 @@ public:
   explicit trace_track(const room& r)
       : most_in_beat(r.in_beat),
         size(std::bit_ceil(std::max(r.events, 4 * r.in_beat))),
-        memory(std::make_unique<trace_event[]>(size)),
-        frame(std::make_unique<std::int64_t[]>(r.words)),
+        memory(size),
+        frame(r.words),
         waits(r.waits) {}
   trace_track(const trace_track&) = delete;
   trace_track& operator=(const trace_track&) = delete;
@@ -66,7 +64,7 @@ public:
     if (is_kept) put({begun, last, {beat}, 0, trace_kind::beat});
     commit();
     while (waits && !has_room(most_in_beat) && !is_abandoned.load(std::memory_order_acquire))
-      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      monotonic_clock::sleep_until(monotonic_clock::now() + 100'000);
   }
 
   // ---- between two beats ----
@@ -82,7 +80,7 @@ public:
   void moved(state to) noexcept { mark(now(static_cast<std::int32_t>(to), trace_kind::state)); }
   void switched(int mode) noexcept { mark(now(mode, trace_kind::mode)); }
 
-  std::int64_t* unread_frame() noexcept { return frame.get(); }
+  std::int64_t* unread_frame() noexcept { return frame.data(); }
   void controller_is_gone() noexcept { is_detached = true; }
 
   // ---- the reader's ----
@@ -135,8 +133,8 @@ private:
   }
 
   std::size_t most_in_beat, size;
-  std::unique_ptr<trace_event[]> memory;
-  std::unique_ptr<std::int64_t[]> frame;
+  std::vector<trace_event> memory;
+  std::vector<std::int64_t> frame;
   bool waits = false, is_kept = false, is_detached = false;
   std::int32_t first_name = 0;
   std::uint64_t at = 0;  // the next event
