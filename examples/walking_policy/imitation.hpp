@@ -25,8 +25,8 @@ struct layer {
   constexpr int end() const { return at + (from + 1) * to; }
   constexpr int size() const { return end() - at; }
 };
-inline constexpr layer last_layer{policy::network::weight_count - (units + 1) * policy::network::outputs, units,
-                                  policy::network::outputs};
+inline constexpr layer last_layer{policy::network::weight_count - (units + 1) * policy::network::outputs,
+                                  units, policy::network::outputs};
 
 class imitation {
 public:
@@ -93,7 +93,10 @@ private:
     }
     const double n = static_cast<double>(all.size());
     const auto spread = [n](auto sum, auto squares) {
-      return (squares / n - (sum / n).cwiseAbs2()).cwiseMax(smallest_spread * smallest_spread).cwiseSqrt().eval();
+      return (squares / n - (sum / n).cwiseAbs2())
+          .cwiseMax(smallest_spread * smallest_spread)
+          .cwiseSqrt()
+          .eval();
     };
     fitted_.centre = x / n;
     fitted_.scale = spread(x, xx).cwiseInverse();
@@ -133,12 +136,12 @@ private:
     double* g = gradient_.data();
     weights(g, last_layer) = back * two.transpose();
     bias(g, last_layer) = back.rowwise().sum();
-    rows<units> back_two = (weights(w, last_layer).transpose() * back).cwiseProduct(
-        (1 - two.array().square()).matrix());
+    rows<units> back_two =
+        (weights(w, last_layer).transpose() * back).cwiseProduct((1 - two.array().square()).matrix());
     weights(g, second_layer) = back_two * one.transpose();
     bias(g, second_layer) = back_two.rowwise().sum();
-    rows<units> back_one = (weights(w, second_layer).transpose() * back_two).cwiseProduct(
-        (1 - one.array().square()).matrix());
+    rows<units> back_one =
+        (weights(w, second_layer).transpose() * back_two).cwiseProduct((1 - one.array().square()).matrix());
     weights(g, first_layer) = back_one * x_.transpose();
     bias(g, first_layer) = back_one.rowwise().sum();
   }

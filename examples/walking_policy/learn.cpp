@@ -11,6 +11,7 @@
 //    observations is used, and so the search has 264 numbers instead of 1,992.
 //
 // The same seed gives the same bits on any number of cores.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -35,15 +36,15 @@
 namespace {
 
 using parameters = walking::policy::network::parameters;
-constexpr int judged = 1000;                   // walking_policy_seeds begins there
-constexpr int review_every = 5;                // generations
+constexpr int judged = 1000;                     // walking_policy_seeds begins there
+constexpr int review_every = 5;                  // generations
 constexpr double slowest = 0.35, fastest = 0.7;  // m/s, commanded in training
 
 struct options {
   std::string out = "walk.policy", imitated;
   std::uint64_t seed = 1;
-  int rounds = 3, runs = 16, passes = 40, generations = 60, directions = 12, reviews = 8;
-  double seconds = 6;
+  int rounds = 3, runs = 12, passes = 30, generations = 20, directions = 8, reviews = 8;
+  double seconds = 4;
   bool quick = false, quiet = false;
 
   void offer(cca::command_line& line) {
@@ -51,11 +52,11 @@ struct options {
     line.text("--imitated FILE", imitated, "the weights before the evolution");
     line.whole_number("--seed N", seed, 0, "of the training (1)");
     line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (3)");
-    line.number("--runs N", runs, 1, 1000, "of a round (16)");
-    line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (40)");
-    line.number("--generations N", generations, 0, 1e4, "of the evolution (60)");
-    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (12)");
-    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (6)");
+    line.number("--runs N", runs, 1, 1000, "of a round (12)");
+    line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (30)");
+    line.number("--generations N", generations, 0, 1e4, "of the evolution (20)");
+    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (8)");
+    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (4)");
     line.flag("--quick", quick, "a few short runs, to try the program");
     line.flag("--quiet", quiet, "no progress bar");
   }
@@ -85,10 +86,10 @@ public:
     const int generations = evolve();
     bar_.done();
     save(o_.out);
-    std::printf("seed %llu, %d generations; %zu runs of up to %.0f s, disturbances 1 to %llu; %.0f s on %u cores\n",
-                static_cast<unsigned long long>(o_.seed), generations, runs_.load(), o_.seconds,
-                static_cast<unsigned long long>(last_disturbance_), seconds(),
-                std::thread::hardware_concurrency());
+    std::printf(
+        "seed %llu, %d generations; %zu runs of up to %.0f s, disturbances 1 to %llu; %.0f s on %u cores\n",
+        static_cast<unsigned long long>(o_.seed), generations, runs_.load(), o_.seconds,
+        static_cast<unsigned long long>(last_disturbance_), seconds(), std::thread::hardware_concurrency());
     std::printf("written to %s\n", o_.out.c_str());
     if (!interrupted_) return 0;
     std::cerr << "walking_policy_learn: interrupted; these are the weights of --generations " << generations
@@ -142,9 +143,9 @@ private:
       cca::controller<walking::school> c = start;
       walking::command_speed(c, trials[i].speed);
       c.get<"notebook">().lessons.reserve(trot::beats_in(o_.seconds) / walking::period);
-      const auto run = walking::roll_out(
-          c, cca::sim::terrain::flat(), cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds), o_.seconds,
-          [&] { return !interrupted_; });
+      const auto run = walking::roll_out(c, cca::sim::terrain::flat(),
+                                         cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds),
+                                         o_.seconds, [&] { return !interrupted_; });
       kept[i] = c.get<"notebook">().lessons;
       fell[i] = run.fell;
     });
@@ -160,7 +161,8 @@ private:
   // Returns after how many generations it was reviewed last. Only means that a review has found better count.
   int evolve() {
     walking::augmented_random_search search(
-        Eigen::Map<Eigen::VectorXd>(weights_.weights.data() + walking::last_layer.at, walking::last_layer.size()),
+        Eigen::Map<Eigen::VectorXd>(weights_.weights.data() + walking::last_layer.at,
+                                    walking::last_layer.size()),
         {o_.directions, (o_.directions + 1) / 2, 0.03, 0.02}, o_.seed);
     double best = review(search.mean());
     parameters kept = weights_;
@@ -206,8 +208,7 @@ private:
   // The same trials each time, so that their means can be compared.
   double review(const Eigen::VectorXd& last) {
     std::vector<double> values(review_.size());
-    on_all_cores(values.size(), "review",
-                 [&](std::size_t i) { values[i] = worth(last, review_[i]); });
+    on_all_cores(values.size(), "review", [&](std::size_t i) { values[i] = worth(last, review_[i]); });
     double sum = 0;
     for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
@@ -256,7 +257,7 @@ int main(int count, char** words) {
     if (o.quick) o.shorten();
     if (o.disturbances() >= judged)
       throw cca::command_line_error("this takes the disturbances 1 to " + std::to_string(o.disturbances()) +
-                                    ": those from " + std::to_string(judged) + " are for the judgement");
+                                    ": those from " + std::to_string(judged) + " on are for the judgement");
     return training(o).run();
   });
 }

@@ -30,10 +30,9 @@ trot::recording begin(Controller& c,
                       const cca::sim::disturbance& disturbance,
                       double seconds) {
   auto& simulator = c.template get<"robot.simulator">();
-  simulator.put_down(
-      cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
-                      trot::put_down(trot::gait().p, disturbance)),
-      disturbance);
+  simulator.put_down(cca::sim::world(cca::sim::oncilla_defaults, ground.with_friction(disturbance.friction),
+                                     trot::put_down(trot::gait().p, disturbance)),
+                     disturbance);
   trot::recording run;
   run.begin(simulator.world(), trot::beats_in(seconds));
   return run;

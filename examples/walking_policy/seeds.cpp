@@ -46,7 +46,8 @@ struct options {
     line.number("--seconds S", seconds, 3, 3600, "of each, simulated (20)");
     line.number("--speed V", speed, 0.1, 1, "m/s (the parameters' speed)");
     trot::offer_terrain(line, ground);
-    line.text("--summary FILE", summary, "falls, speed, drift and slip, of all and of each, as one JSON object");
+    line.text("--summary FILE", summary,
+              "falls, speed, drift and slip, of all and of each, as one JSON object");
   }
 };
 
@@ -104,11 +105,12 @@ int judge(const options& o) {
     const bool good = walking::walks(s, commanded);
     falls += s.fell;
     walked += good;
-    std::printf("  seed %4llu  %6.2f m  cruise %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f "
-                "m/s  transport %.2f%s%s\n",
-                static_cast<unsigned long long>(seed), s.distance, s.cruise, s.drift, s.max_roll * 57.2958,
-                s.max_pitch * 57.2958, s.foot_slip, s.cost_of_transport, s.fell ? "  FELL" : "",
-                good ? "" : "  beyond the bounds");
+    std::printf(
+        "  seed %4llu  %6.2f m  cruise %.3f m/s  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f "
+        "m/s  transport %.2f%s%s\n",
+        static_cast<unsigned long long>(seed), s.distance, s.cruise, s.drift, s.max_roll * 57.2958,
+        s.max_pitch * 57.2958, s.foot_slip, s.cost_of_transport, s.fell ? "  FELL" : "",
+        good ? "" : "  beyond the bounds");
     list.push_back({{"seed", seed},
                     {"fell", s.fell},
                     {"seconds", s.seconds},
@@ -128,11 +130,12 @@ int judge(const options& o) {
                most_slip = greatest(runs, [](const auto& s) { return s.foot_slip; }),
                transport = mean(runs, [](const auto& s) { return s.cost_of_transport; }),
                aside = greatest(runs, [](const auto& s) { return std::abs(s.drift) / s.distance; });
-  std::printf("%zu of %zu seeds walk, %.0f s each, %s, commanded %.2f m/s: %zu fell; speed %.3f m/s on average; "
-              "cruise %.3f, %.3f at least; drift up to %.1f %%; slip %.3f m/s on average, %.3f at most; cost of "
-              "transport %.2f\n",
-              walked, runs.size(), o.seconds, o.ground.name().c_str(), commanded, falls, speed, cruise, least,
-              100 * aside, slip, most_slip, transport);
+  std::printf(
+      "%zu of %zu seeds walk, %.0f s each, %s, commanded %.2f m/s: %zu fell; speed %.3f m/s on average; "
+      "cruise %.3f, %.3f at least; drift up to %.1f %%; slip %.3f m/s on average, %.3f at most; cost of "
+      "transport %.2f\n",
+      walked, runs.size(), o.seconds, o.ground.name().c_str(), commanded, falls, speed, cruise, least,
+      100 * aside, slip, most_slip, transport);
   if (!o.summary.empty())
     trot::write(o.summary, [&](std::ostream& file) {
       trot::write(file, trot::json{{"seeds", runs.size()},
@@ -157,7 +160,8 @@ int judge(const options& o) {
 
 int main(int count, char** words) {
   options o;
-  cca::command_line line("the learned gait from many disturbances that were not used in training, on all cores");
+  cca::command_line line(
+      "the learned gait from many disturbances that were not used in training, on all cores");
   o.offer(line);
   return cca::run_program(count, words, line, [&] { return judge(o); });
 }

@@ -53,6 +53,7 @@ private:
 
 struct notebook : notebook_of<observations> {};
 
+// [school]
 struct school : cca::graph<cca::rate<1000>,
                            cca::node<"gait", learned_gait>,
                            cca::node<"posture", trot::posture, cca::timed<period>>,
@@ -82,5 +83,6 @@ struct school : cca::graph<cca::rate<1000>,
                            cca::wire<"gait.course", "notebook.course", cca::latest>,
                            cca::wire<"robot.angles", "notebook.angles", cca::latest>,
                            cca::wire<"teacher.angles", "notebook.taught", cca::latest>> {};
+// [school end]
 
 }  // namespace walking

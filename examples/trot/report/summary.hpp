@@ -74,7 +74,7 @@ inline void write_json(std::ostream& out,
                        const std::optional<costs>& c,
                        const circumstances& where) {
   using detail::in_degrees;
-  const auto measured = [&](double costs::*figure) { return c ? json((*c).*figure) : json(); };
+  const auto measured = [&](double costs::* figure) { return c ? json((*c).*figure) : json(); };
   const auto of_legs = [](const std::array<double, 4>& numbers) {
     json object;
     for (std::size_t i = 0; i < 4; ++i) object[std::string(leg_keys[i])] = numbers[i];
