@@ -43,8 +43,8 @@ constexpr double slowest = 0.35, fastest = 0.7;  // m/s, commanded in training
 struct options {
   std::string out = "walk.policy", imitated;
   std::uint64_t seed = 1;
-  int rounds = 3, runs = 12, passes = 30, generations = 20, directions = 8, reviews = 8;
-  double seconds = 4;
+  int rounds = 3, runs = 12, passes = 30, generations = 60, directions = 12, reviews = 8;
+  double seconds = 8, noise = 0.015, step = 0.003;
   bool quick = false, quiet = false;
 
   void offer(cca::command_line& line) {
@@ -54,9 +54,11 @@ struct options {
     line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (3)");
     line.number("--runs N", runs, 1, 1000, "of a round (12)");
     line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (30)");
-    line.number("--generations N", generations, 0, 1e4, "of the evolution (20)");
-    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (8)");
-    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (4)");
+    line.number("--generations N", generations, 0, 1e4, "of the evolution (60)");
+    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (12)");
+    line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.015)");
+    line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.003)");
+    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (8)");
     line.flag("--quick", quick, "a few short runs, to try the program");
     line.flag("--quiet", quiet, "no progress bar");
   }
@@ -163,7 +165,7 @@ private:
     walking::augmented_random_search search(
         Eigen::Map<Eigen::VectorXd>(weights_.weights.data() + walking::last_layer.at,
                                     walking::last_layer.size()),
-        {o_.directions, (o_.directions + 1) / 2, 0.03, 0.02}, o_.seed);
+        {o_.directions, o_.directions, o_.noise, o_.step}, o_.seed);
     double best = review(search.mean());
     parameters kept = weights_;
     int reviewed = 0;
