@@ -43,7 +43,7 @@ constexpr double slowest = 0.35, fastest = 0.7;  // m/s, commanded in training
 struct options {
   std::string out = "walk.policy", imitated;
   std::uint64_t seed = 1;
-  int rounds = 3, runs = 12, passes = 30, generations = 60, directions = 12, reviews = 8;
+  int rounds = 3, runs = 12, passes = 30, generations = 20, directions = 12, reviews = 8;
   double seconds = 8, noise = 0.015, step = 0.003;
   bool quick = false, quiet = false;
 
@@ -54,7 +54,7 @@ struct options {
     line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (3)");
     line.number("--runs N", runs, 1, 1000, "of a round (12)");
     line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (30)");
-    line.number("--generations N", generations, 0, 1e4, "of the evolution (60)");
+    line.number("--generations N", generations, 0, 1e4, "of the evolution (20)");
     line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (12)");
     line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.015)");
     line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.003)");
