@@ -37,7 +37,8 @@ inline double in_degrees(double radians) { return radians * 57.29577951308232; }
 
 }  // namespace detail
 
-inline void write_table(std::ostream& out, const statistics& s, const costs& c) {
+// Without costs, where they were not measured.
+inline void write_table(std::ostream& out, const statistics& s, const std::optional<costs>& c) {
   using detail::formatted, detail::in_degrees;
   const auto row = [&](const char* name, const std::string& value) {
     out << "  " << name << std::string(22 - std::char_traits<char>::length(name), ' ') << value << '\n';
@@ -62,13 +63,18 @@ inline void write_table(std::ostream& out, const statistics& s, const costs& c) 
                    formatted(", pitch up to %.1f deg", in_degrees(s.max_pitch)));
   row("cost of transport",
       formatted("%.2f (positive mechanical work / weight / distance)", s.cost_of_transport));
-  row("real-time factor", formatted("%.1f", c.real_time_factor));
-  row("a beat", formatted("controller %.0f ns, ", c.controller_ns_per_beat) +
-                    formatted("physics %.0f ns", c.physics_ns_per_beat));
+  if (!c) return;
+  row("real-time factor", formatted("%.1f", c->real_time_factor));
+  row("a beat", formatted("controller %.0f ns, ", c->controller_ns_per_beat) +
+                    formatted("physics %.0f ns", c->physics_ns_per_beat));
 }
 
-inline void write_json(std::ostream& out, const statistics& s, const costs& c, const circumstances& where) {
+inline void write_json(std::ostream& out,
+                       const statistics& s,
+                       const std::optional<costs>& c,
+                       const circumstances& where) {
   using detail::in_degrees;
+  const auto measured = [&](double costs::* figure) { return c ? json((*c).*figure) : json(); };
   const auto of_legs = [](const std::array<double, 4>& numbers) {
     json object;
     for (std::size_t i = 0; i < 4; ++i) object[std::string(leg_keys[i])] = numbers[i];
@@ -88,9 +94,9 @@ inline void write_json(std::ostream& out, const statistics& s, const costs& c, c
                   {"slip_of_foot_m_s", of_legs(s.slip_of_foot)},
                   {"friction_power_w", s.friction_power},
                   {"cost_of_transport", s.cost_of_transport},
-                  {"real_time_factor", c.real_time_factor},
-                  {"controller_ns_per_beat", c.controller_ns_per_beat},
-                  {"physics_ns_per_beat", c.physics_ns_per_beat},
+                  {"real_time_factor", measured(&costs::real_time_factor)},
+                  {"controller_ns_per_beat", measured(&costs::controller_ns_per_beat)},
+                  {"physics_ns_per_beat", measured(&costs::physics_ns_per_beat)},
                   {"seed", where.seed ? json(*where.seed) : json()},
                   {"terrain", where.terrain}});
 }

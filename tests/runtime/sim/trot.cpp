@@ -282,8 +282,8 @@ TEST_SUITE("trot") {
     const trot::recording recorded = run(2.5, 0);
     const trot::statistics s = trot::evaluate(recorded);
     std::ostringstream table, json, csv, svg;
-    trot::write_table(table, s, {});
-    trot::write_json(json, s, {}, {0, "flat"});
+    trot::write_table(table, s, trot::costs{});
+    trot::write_json(json, s, trot::costs{}, {0, "flat"});
     trot::write_csv(csv, recorded);
     trot::write_svg(svg, recorded, "a test");
     CHECK(table.str().find("cost of transport") != std::string::npos);

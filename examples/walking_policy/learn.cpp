@@ -1,0 +1,265 @@
+// Trains the walking policy in the simulator, on all cores, and writes its weights.
+//
+//   walking_policy_learn --out walk.policy
+//
+// 1. It imitates the trot of examples/trot. The trot drives, and the network learns what it would do. Then
+//    the policy drives, and the network also learns what the trot would do where the policy has led the robot
+//    (Ross, Gordon, Bagnell, A reduction of imitation learning and structured prediction to no-regret online
+//    learning, AISTATS 2011: DAgger).
+// 2. It changes the weights of the last layer by an evolution strategy (evolution.hpp), so that the robot
+//    keeps the commanded speed with less slip and work. The other layers stay: what they compute from the
+//    observations is used, and so the search has 264 numbers instead of 1,992.
+//
+// The same seed gives the same bits on any number of cores.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <cca/cca.hpp>
+#include <cca/main/run_program.hpp>
+#include <cca/runtime/interruption.hpp>
+
+#include "../trot/report/parallel.hpp"
+#include "../trot/report/progress.hpp"
+#include "../trot/report/statistics.hpp"
+#include "evolution.hpp"
+#include "imitation.hpp"
+#include "rollout.hpp"
+#include "worth.hpp"
+
+namespace {
+
+using parameters = walking::policy::network::parameters;
+constexpr int judged = 1000;                     // walking_policy_seeds begins there
+constexpr int review_every = 5;                  // generations
+constexpr double slowest = 0.35, fastest = 0.7;  // m/s, commanded in training
+
+struct options {
+  std::string out = "walk.policy", imitated;
+  std::uint64_t seed = 1;
+  int rounds = 3, runs = 12, passes = 30, generations = 20, directions = 12, reviews = 8;
+  double seconds = 8, noise = 0.015, step = 0.003;
+  bool quick = false, quiet = false;
+
+  void offer(cca::command_line& line) {
+    line.text("--out FILE", out, "the weights (walk.policy)");
+    line.text("--imitated FILE", imitated, "the weights before the evolution");
+    line.whole_number("--seed N", seed, 0, "of the training (1)");
+    line.number("--rounds N", rounds, 1, 100, "of imitation; in the first the trot drives (3)");
+    line.number("--runs N", runs, 1, 1000, "of a round (12)");
+    line.number("--passes N", passes, 1, 10000, "over all lessons, in a round (30)");
+    line.number("--generations N", generations, 0, 1e4, "of the evolution (20)");
+    line.number("--directions N", directions, 2, 1000, "of a generation, two runs each (12)");
+    line.number("--noise X", noise, 1e-6, 1, "of the evolution: how far it looks, in each weight (0.015)");
+    line.number("--step X", step, 1e-6, 1, "of the evolution: how far it goes (0.003)");
+    line.number("--seconds S", seconds, 3, 100, "of a run, simulated (8)");
+    line.flag("--quick", quick, "a few short runs, to try the program");
+    line.flag("--quiet", quiet, "no progress bar");
+  }
+  int disturbances() const { return reviews + rounds * runs + generations; }
+  void shorten() {
+    rounds = 2, runs = 2, passes = 2, generations = 2, directions = 2, reviews = 2, seconds = 3;
+  }
+};
+
+// The circumstances of a run. Each disturbance of the training is counted, so that a judge can take others.
+struct trial {
+  std::uint64_t seed;
+  double speed;
+};
+
+class training {
+public:
+  explicit training(const options& o)
+      : o_(o), speeds_(o.seed), bar_("learn", !o.quiet), start_(std::chrono::steady_clock::now()) {
+    for (int i = 0; i < o.reviews; ++i) review_.push_back(draw());
+  }
+
+  int run() {
+    imitate();
+    if (interrupted_) return ended();
+    if (!o_.imitated.empty()) save(o_.imitated);
+    const int generations = evolve();
+    bar_.done();
+    save(o_.out);
+    std::printf(
+        "seed %llu, %d generations; %zu runs of up to %.0f s, disturbances 1 to %llu; %.0f s on %u cores\n",
+        static_cast<unsigned long long>(o_.seed), generations, runs_.load(), o_.seconds,
+        static_cast<unsigned long long>(last_disturbance_), seconds(), std::thread::hardware_concurrency());
+    std::printf("written to %s\n", o_.out.c_str());
+    if (!interrupted_) return 0;
+    std::cerr << "walking_policy_learn: interrupted; these are the weights of --generations " << generations
+              << '\n';
+    return interrupted_.exit_code();
+  }
+
+private:
+  trial draw() { return {++last_disturbance_, speeds_.between(slowest, fastest)}; }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  int ended() {
+    bar_.done();
+    std::cerr << "walking_policy_learn: interrupted; nothing is written\n";
+    return interrupted_.exit_code();
+  }
+  void save(const std::string& file) const {
+    walking::policy learned;
+    learned.weights = weights_;
+    learned.save(file);
+  }
+
+  void imitate() {
+    std::vector<walking::lesson> lessons = attend(true), fresh;
+    walking::imitation fit(weights_, lessons, o_.seed);
+    for (int round = 1; !interrupted_; ++round) {
+      fit.learn(lessons, o_.passes);
+      say("imitation %d: %zu lessons, error %.4f rad, falls %zu", round, lessons.size(), fit.error(lessons),
+          falls_);
+      if (round == o_.rounds) break;
+      fresh = attend(false);
+      lessons.insert(lessons.end(), fresh.begin(), fresh.end());
+    }
+  }
+
+  // Runs of the teacher or of the policy, each with a disturbance of its own; the lessons in the order of the
+  // runs.
+  std::vector<walking::lesson> attend(bool by_teacher) {
+    cca::controller<walking::school> start;
+    start.get<"gait.policy">().weights = weights_;
+    if (by_teacher) start.get<"gait.policy">().weights.weights[0] = 1;  // it does not drive
+    start.get<"driver">().by_teacher = by_teacher;
+    start.load();
+    std::vector<trial> trials;
+    for (int i = 0; i < o_.runs; ++i) trials.push_back(draw());
+    std::vector<std::vector<walking::lesson>> kept(trials.size());
+    std::vector<char> fell(trials.size(), 0);
+    on_all_cores(trials.size(), "imitation", [&](std::size_t i) {
+      ++runs_;
+      cca::controller<walking::school> c = start;
+      walking::command_speed(c, trials[i].speed);
+      c.get<"notebook">().lessons.reserve(trot::beats_in(o_.seconds) / walking::period);
+      const auto run = walking::roll_out(c, cca::sim::terrain::flat(),
+                                         cca::sim::disturbance::from_seed(trials[i].seed, o_.seconds),
+                                         o_.seconds, [&] { return !interrupted_; });
+      kept[i] = c.get<"notebook">().lessons;
+      fell[i] = run.fell;
+    });
+    std::vector<walking::lesson> all;
+    falls_ = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      all.insert(all.end(), kept[i].begin(), kept[i].end());
+      falls_ += fell[i] != 0;
+    }
+    return all;
+  }
+
+  // Returns after how many generations it was reviewed last. Only means that a review has found better count.
+  int evolve() {
+    walking::augmented_random_search search(
+        Eigen::Map<Eigen::VectorXd>(weights_.weights.data() + walking::last_layer.at,
+                                    walking::last_layer.size()),
+        {o_.directions, o_.directions, o_.noise, o_.step}, o_.seed);
+    double best = review(search.mean());
+    parameters kept = weights_;
+    int reviewed = 0;
+    say("imitated: worth %.4f", best);
+    for (int generation = 1; generation <= o_.generations && !interrupted_; ++generation) {
+      const auto points = search.ask();
+      const trial same = draw();  // for all points of the generation
+      std::vector<double> values(points.size());
+      on_all_cores(points.size(), "evolution", [&](std::size_t i) { values[i] = worth(points[i], same); });
+      if (interrupted_) break;
+      search.tell(values);
+      if (generation % review_every != 0 && generation != o_.generations) continue;
+      const double now = review(search.mean());
+      if (interrupted_) break;
+      reviewed = generation;
+      say("generation %d: worth %.4f", generation, now);
+      if (now > best) best = now, kept = with(search.mean());
+    }
+    weights_ = kept;
+    return reviewed;
+  }
+
+  parameters with(const Eigen::VectorXd& last) const {
+    parameters all = weights_;
+    std::copy(last.begin(), last.end(), all.weights.begin() + walking::last_layer.at);
+    return all;
+  }
+
+  double worth(const Eigen::VectorXd& last, const trial& t) {
+    ++runs_;
+    walking::controller c;
+    c.get<"gait.policy">().weights = with(last);
+    c.load();
+    walking::command_speed(c, t.speed);
+    return walking::worth(
+        trot::evaluate(walking::roll_out(c, cca::sim::terrain::flat(),
+                                         cca::sim::disturbance::from_seed(t.seed, o_.seconds), o_.seconds,
+                                         [&] { return !interrupted_; })),
+        t.speed, o_.seconds);
+  }
+
+  // The same trials each time, so that their means can be compared.
+  double review(const Eigen::VectorXd& last) {
+    std::vector<double> values(review_.size());
+    on_all_cores(values.size(), "review", [&](std::size_t i) { values[i] = worth(last, review_[i]); });
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+  }
+
+  template <class Job>
+  void on_all_cores(std::size_t count, const char* what, Job job) {
+    trot::on_all_cores(
+        count,
+        [&](std::size_t i) {
+          if (!interrupted_) job(i);
+        },
+        [&](std::size_t done) {
+          bar_.show(0.999 * static_cast<double>(done) / static_cast<double>(count), what);
+        });
+  }
+
+  template <class... Values>
+  void say(const char* format, Values... values) {
+    if (o_.quiet || interrupted_) return;
+    bar_.done();
+    std::printf(format, values...);
+    std::printf("; %.0f s\n", seconds());
+    std::fflush(stdout);
+  }
+
+  const options& o_;
+  const cca::interruption interrupted_{};  // ctrl-c: the evolution keeps what it has; an imitation is lost
+  cca::sim::uniform_numbers speeds_;
+  std::uint64_t last_disturbance_ = 0;
+  std::vector<trial> review_;
+  parameters weights_;
+  std::atomic<std::size_t> runs_ = 0;
+  std::size_t falls_ = 0;
+  trot::progress_bar bar_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+  options o;
+  cca::command_line line("trains a walking policy in the simulator, on all cores");
+  o.offer(line);
+  return cca::run_program(count, words, line, [&] {
+    if (o.quick) o.shorten();
+    if (o.disturbances() >= judged)
+      throw cca::command_line_error("this takes the disturbances 1 to " + std::to_string(o.disturbances()) +
+                                    ": those from " + std::to_string(judged) + " on are for the judgement");
+    return training(o).run();
+  });
+}

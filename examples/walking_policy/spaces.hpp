@@ -1,0 +1,30 @@
+#pragma once
+// The spaces of the learned gait, besides those of the robot and of the trot.
+#include <cca/cca.hpp>
+
+#include "../trot/spaces.hpp"
+
+namespace walking {
+
+namespace oncilla = cca::robots::oncilla;
+
+struct cosine : cca::dimension<"cosine"> {};
+struct sine : cca::dimension<"sine"> {};
+struct amplitude : cca::dimension<"amplitude"> {};
+struct aside : cca::dimension<"aside"> {};
+struct slope : cca::dimension<"slope"> {};
+
+// The policy observes and commands at this rate.
+using slow = cca::rate<100>;
+inline constexpr int period = 10;  // in beats of the robot
+
+// A hand that turns once in a stride, and how far the legs shall swing: 0, stand.
+struct stride_clock : cca::space<cca::number, cca::axes<cosine, sine, amplitude>, slow> {};
+// The unit vector of gravity.
+struct downwards
+    : cca::space<cca::cartesian_position<oncilla::trunk_frame>, cca::axes<cca::x, cca::y, cca::z>, slow> {};
+// Yaw, rad; its integral, rad s; the mean pitch, rad.
+struct course : cca::space<cca::number, cca::axes<trot::yaw, aside, slope>, slow> {};
+struct commanded_angles : cca::space<cca::joint_angles, oncilla::leg_axes, slow> {};
+
+}  // namespace walking
