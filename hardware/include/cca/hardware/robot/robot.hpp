@@ -87,27 +87,27 @@ constexpr auto check_drives() {
     using joints = typename robot_drives<R, Drives...>::joints;
     using board = typename robot_drives<R, Drives...>::board;
     constexpr bool in_order = std::is_same_v<typename joints::axes, robots::axes_of_robot<R>>;
-    constexpr bool at_1_kHz = cca::detail::hz_of<typename R::rate> == 1000;
+    constexpr bool at_one_khz = cca::detail::hz_of<typename R::rate> == 1000;
     constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
     constexpr bool follows = all_follow<joints, typename R::commands>;
     static_assert(in_order,
                   "robot.drives: the joints of this robot are not in the order of its body's axes; list them "
                   "in the order of cca::axes_of<body>");
     if constexpr (in_order)
-      static_assert(at_1_kHz,
+      static_assert(at_one_khz,
                     "robot.drives: the rate of this robot is not 1 kHz, but the safety chain counts beats of "
                     "a millisecond; write `using rate = cca::rate<1000>`, and let slower nodes be "
                     "cca::timed<N>");
-    if constexpr (in_order && at_1_kHz)
+    if constexpr (in_order && at_one_khz)
       static_assert(senses,
                     "robot.drives: this robot has force sensors, but no board that reads as many; add a "
                     "cca::hardware::load_board with their number after the joints");
-    if constexpr (in_order && at_1_kHz && senses)
+    if constexpr (in_order && at_one_khz && senses)
       static_assert(follows,
                     "robot.drives: a drive of this robot has gains of its own, so it follows positions or "
                     "velocities, but the description has other `commands`; leave those out, or use a drive "
                     "that takes torque");
-    return std::bool_constant<in_order && at_1_kHz && senses && follows>{};
+    return std::bool_constant<in_order && at_one_khz && senses && follows>{};
   } else {
     return std::false_type{};
   }
