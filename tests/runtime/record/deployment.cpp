@@ -277,7 +277,7 @@ TEST_CASE("beats of an environment that do not fit are counted and marked") {
     cca::recording::recorder recording(d, file.name, {.buffered_seconds = 0});
     d.load();
     d.start();
-    for (int i = 0; i < 300 && recording.lost_beats() == 0; ++i)  // much faster than any file
+    for (int i = 0; i < 10'000 && recording.lost_beats() == 0; ++i)  // at times faster than any file
       if (d.run(cca::for_beats<100'000>{}) == cca::state::faulted) d.resume();
     d.stop();
     recording.close();
