@@ -1,42 +1,21 @@
 // A robot as its recording describes it: shapes from /robot_description (URDF), their places from /tf.
+import { CdrReader } from './cdr.js';
+import { about, product, turned } from './rotation.js';
+
 const identity = { at: [0, 0, 0], turn: [0, 0, 0, 1] };
 
-// Quaternions are x y z w.
-function times([ax, ay, az, aw], [bx, by, bz, bw]) {
-  return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz];
-}
-function turned([x, y, z, w], v) {
-  const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
-  return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
-}
 function behind(outer, inner) {
   const at = turned(outer.turn, inner.at);
-  return { at: outer.at.map((x, i) => x + at[i]), turn: times(outer.turn, inner.turn) };
+  return { at: outer.at.map((x, i) => x + at[i]), turn: product(outer.turn, inner.turn) };
 }
 function fromAngles([roll, pitch, yaw]) {
-  const about = (axis, angle) => { const q = [0, 0, 0, Math.cos(angle / 2)]; q[axis] = Math.sin(angle / 2); return q; };
-  return times(about(2, yaw), times(about(1, pitch), about(0, roll)));
+  return product(about(2, yaw), product(about(1, pitch), about(0, roll)));
 }
 
-// Plain CDR, little endian: numbers are aligned to their size, counted from behind the four bytes of the head.
-class Reader {
-  constructor(bytes) {
-    this.view = new DataView(bytes.buffer, bytes.byteOffset + 4, bytes.byteLength - 4);
-    this.at = 0;
-  }
-  skip(size) { this.at = Math.ceil(this.at / size) * size + size; return this.at - size; }
-  int() { return this.view.getUint32(this.skip(4), true); }
-  numbers(count) { return Array.from({ length: count }, () => this.view.getFloat64(this.skip(8), true)); }
-  text() {
-    const size = this.int(), from = this.view.byteOffset + this.at;
-    this.at += size;
-    return new TextDecoder().decode(new Uint8Array(this.view.buffer, from, size - 1));
-  }
-}
 function transformsOf(message) {
-  const from = new Reader(message);
-  return Array.from({ length: from.int() }, () => {
-    from.int(), from.int();  // the stamp
+  const from = new CdrReader(message);
+  return Array.from({ length: from.count() }, () => {
+    from.count(), from.count();  // the stamp
     return { parent: from.text(), child: from.text(), place: { at: from.numbers(3), turn: from.numbers(4) } };
   });
 }
@@ -62,7 +41,7 @@ export class DescribedRobot {
   static in(recording) {
     const [description, tf] = ['/robot_description', '/tf'].map((topic) => recording.channels.get(topic));
     if (!description?.messages.length || !tf?.messages.length) return null;
-    const robot = new DescribedRobot(new Reader(description.messages[0]).text(), tf);
+    const robot = new DescribedRobot(new CdrReader(description.messages[0]).text(), tf);
     return robot.shapes.length > 0 ? robot : null;
   }
   constructor(urdf, tf) {

@@ -1,6 +1,7 @@
 // An Oncilla in a recording: drawn from its joint angles and its orientation, with the loads on its feet and
 // where the commands put them.
 import { poseCount } from './live.js';
+import { about, product, turned } from './rotation.js';
 
 const axesOf = (recording, output) => recording.description.outputs[output].fields.map((f) => f.name);
 const axisAt = (axes, leg, joint) => axes.findIndex((name) => name.includes(leg.replace(' ', '_')) && name.includes(joint));
@@ -37,11 +38,6 @@ export class RecordedOncilla {
     const angles = recording.sample(this.ports.angles), q = recording.sample(this.ports.orientation), targets = this.ports.targets >= 0 ? recording.sample(this.ports.targets) : null;
     if (!angles || !q) return;
     const axes = axesOf(recording, this.ports.angles);
-    const turn = (v) => {  // by the quaternion x y z w
-      const [x, y, z, w] = q;
-      const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
-      return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
-    };
     const legs = robot.points.map((name, leg) => {
       const hipAt = axisAt(axes, name, 'hip'), kneeAt = axisAt(axes, name, 'knee');
       const chain = (hip, knee) => {
@@ -51,7 +47,7 @@ export class RecordedOncilla {
         const half = (p, r) => [(p[0] + r[0]) / 2, 0, (p[2] + r[2]) / 2];
         return { centres: [half([0, 0, 0], k), half(k, a), half(a, t), foot], angles: [hip, hip - knee, hip, hip], foot };
       };
-      const place = (v) => turn([v[0] + robot.hips[leg][0], v[1] + robot.hips[leg][1], v[2] + robot.hips[leg][2]]);
+      const place = (v) => turned(q, [v[0] + robot.hips[leg][0], v[1] + robot.hips[leg][1], v[2] + robot.hips[leg][2]]);
       const now = chain(angles[hipAt], angles[kneeAt]);
       return { centres: now.centres.map(place), angles: now.angles, foot: place(now.foot), target: targets ? place(chain(targets[hipAt], targets[kneeAt]).foot) : place(now.foot) };
     });
@@ -60,10 +56,8 @@ export class RecordedOncilla {
     this.poses.set([0, 0, height, q[3], q[0], q[1], q[2]], 0);
     legs.forEach((leg, i) => {
       leg.centres.forEach((centre, part) => {
-        const s = Math.sin(-leg.angles[part] / 2), c = Math.cos(leg.angles[part] / 2);  // about y
-        const [x, y, z, w] = q;
-        const turned = [w * c - y * s, x * c - z * s, y * c + w * s, z * c + x * s];
-        this.poses.set([...up(centre), ...turned], 7 * (1 + 4 * i + part));
+        const [x, y, z, w] = product(q, about(1, -leg.angles[part]));
+        this.poses.set([...up(centre), w, x, y, z], 7 * (1 + 4 * i + part));
       });
       this.poses.set([...up(leg.foot), ...up(leg.target)], 7 * robot.bodies.length + 6 * i);
     });

@@ -2,6 +2,7 @@
 import { McapStreamReader } from '@mcap/core';
 import { decompress } from 'fzstd';
 
+import { CdrReader } from './cdr.js';
 import { DescribedRobot } from './described_robot.js';
 import { planStep } from './live.js';
 import { RecordedOncilla } from './recorded_oncilla.js';
@@ -52,23 +53,19 @@ export function difference(recorded, other) {
 }
 
 function take(channel, { data, logTime }) {
-  const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
+  const from = new CdrReader(data);
   if (channel.topic === '/cca/state' || channel.topic === '/cca/fault') {
+    channel.beats.push(from.integer());
     const texts = [];
-    for (let at = 12; at + 4 <= data.byteLength;) {
-      const size = view.getUint32(at, true);
-      texts.push(new TextDecoder().decode(data.subarray(at + 4, at + 3 + size)));
-      at += Math.ceil((4 + size) / 4) * 4;
-    }
-    channel.beats.push(Number(view.getBigInt64(4, true)));
+    while (!from.isOver) texts.push(from.text());
     channel.texts.push(texts);
   } else if (channel.topic === '/robot_description' || channel.topic === '/tf') {
     channel.times.push(Number(logTime) * 1e-9);
     channel.messages.push(data.slice());
   } else if (channel.metadata.has('axes')) {  // a port; beside it are messages for other viewers
-    channel.beats.push(Number(view.getBigInt64(4, true)));
-    channel.origins.push(Number(view.getBigInt64(12, true)) * 1e-9);
-    for (let at = 20; at < data.byteLength; at += 8) channel.values.push(view.getFloat64(at, true));
+    channel.beats.push(from.integer());
+    channel.origins.push(from.integer() * 1e-9);
+    while (!from.isOver) channel.values.push(from.number());
   }
 }
 
