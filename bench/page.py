@@ -14,8 +14,12 @@ def number(x):
     return f"{x:,.0f}" if x >= 100 else f"{x:.1f}"
 
 
+def each(row, what, forms):
+    return " / ".join(number(row[f][what]) for f in forms)
+
+
 def three(row, what):
-    return " / ".join(number(row[f][what]) for f in FORMS)
+    return each(row, what, FORMS)
 
 
 RARE = ("look_for", "fail", "advance_in_parts", "__clang_call_terminate")
@@ -26,8 +30,7 @@ def short(name):
     if "part_of_beat" in name:
         return "part_of_beat"
     if name.startswith("_ZN"):  # objdump can't read it: then at least its class
-        parts = [m[2] for m in re.finditer(r"(\d+)([a-z_]+)", name) if int(m[1]) == len(m[2])]
-        parts = parts[:2]
+        parts = [m[2] for m in re.finditer(r"(\d+)([a-z_]+)", name) if int(m[1]) == len(m[2])][:2]
     else:
         plain = name.split("(")[0]
         while re.search(r"<[^<>]*>", plain):
@@ -160,7 +163,7 @@ Each cell reads graph / by hand.
 
 
 def both(row, what):
-    return " / ".join(number(row[f][what]) for f in ("graph", "by_hand"))
+    return each(row, what, ("graph", "by_hand"))
 
 
 def skills(part):
@@ -182,10 +185,8 @@ Rare calls: a sequence looks for the path of a condition once; a step of an equa
 
 
 def arm(part):
-    def cell(row, what):
-        return " / ".join(number(row[f][what]) for f in ("graph", "by_hand", "shared"))
-    rows = [[r["compiler"], f"`{r['flags']}`", cell(r, "instructions"), f"**{ratio(r)}**",
-             f"{r['graph']['instructions'] / r['shared']['instructions']:.2f}", cell(r, "allocations"), cell(r, "bytes")] for r in part["data"]]
+    rows = [[r["compiler"], f"`{r['flags']}`", each(r, "instructions", ("graph", "by_hand", "shared")), f"**{ratio(r)}**",
+             f"{r['graph']['instructions'] / r['shared']['instructions']:.2f}", each(r, "allocations", ("graph", "by_hand", "shared")), each(r, "bytes", ("graph", "by_hand", "shared"))] for r in part["data"]]
     worst = max(r["graph"]["instructions"] / r["by_hand"]["instructions"] for r in part["data"])
     return f"""## The arm's torque loop
 
