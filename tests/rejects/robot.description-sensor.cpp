@@ -1,4 +1,4 @@
-// EXPECT: robot\.description: a force sensor is at the end of a part that the body doesn't have
+// EXPECT: robot\.description: a sensor is at the end of a part that the body doesn't have
 // The first name is that of the port, the second that of the part.
 #include <cca/robots/description.hpp>
 

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cca/robot/dynamics/forward_dynamics.hpp>
 #include <cca/sim/robot/robot_world.hpp>
 
 #include "../body/random_links.hpp"
@@ -77,6 +78,49 @@ inline cca::sim::moving_frame random_base(laws::source& random) {
 
 inline double error(const vector& found, const vector& wanted) {
   return (found - wanted).norm() / (1 + wanted.norm());
+}
+
+template <class R>
+using pose_of = cca::body_pose<typename R::body>;
+
+// What the dynamics of the library say: of the coordinates, then of the base.
+template <class R>
+vector wanted(const motion& s, const vector& extra) {
+  using pose = pose_of<R>;
+  constexpr int n = pose::size;
+  const typename pose::vector_type q = s.q, dq = s.dq, torques = s.torques + extra.head(n);
+  const Eigen::Matrix3d& turn = s.base.where.turn;
+  cca::base_motion base;
+  base.gravity = turn.transpose() * base.gravity;
+  vector a = vector::Zero(n + 6);
+  if constexpr (cca::robots::floats<R>) {
+    base.angular_velocity = turn.transpose() * s.base.angular_velocity;
+    const Eigen::Matrix<double, 6, 1> wrench = extra.tail<6>();
+    const auto found = cca::floating_forward_dynamics(pose(q), dq, torques, base, wrench);
+    a << found.accelerations, turn * found.base.angular_acceleration, turn * found.base.acceleration;
+  } else {
+    a.head<n>() = cca::forward_dynamics(pose(q), dq, torques, base);
+  }
+  return a;
+}
+
+template <class R>
+double worst_error(unsigned seed, auto extra, const cca::sim::robot_model& model = cca::sim::model_of<R>()) {
+  constexpr int n = pose_of<R>::size;
+  laws::source random{std::mt19937_64{seed}};
+  double worst = 0;
+  for (int round = 0; round < 40; ++round) {
+    motion s{random_vector(random, n, 1), random_vector(random, n, 3), random_vector(random, n, 2),
+             random_base(random)};
+    if (!cca::robots::floats<R>) s.base.angular_velocity.setZero(), s.base.velocity.setZero();
+    worst = std::max(worst, error(accelerations(without_losses(model), s), wanted<R>(s, extra(s))));
+  }
+  MESSAGE("largest relative error: ", worst);
+  return worst;
+}
+template <class R>
+vector nothing(const motion&) {
+  return vector::Zero(pose_of<R>::size + 6);
 }
 
 }  // namespace world_test

@@ -140,50 +140,6 @@ struct geared : leg {
   static constexpr bool floats = false;
 };
 
-template <class R>
-using pose_of = cca::body_pose<typename R::body>;
-
-// What the dynamics of the library say: of the coordinates, then of the base.
-template <class R>
-vector wanted(const motion& s, const vector& extra) {
-  using pose = pose_of<R>;
-  constexpr int n = pose::size;
-  const typename pose::vector_type q = s.q, dq = s.dq, torques = s.torques + extra.head(n);
-  const Eigen::Matrix3d& turn = s.base.where.turn;
-  cca::base_motion base;
-  base.gravity = turn.transpose() * base.gravity;
-  vector a = vector::Zero(n + 6);
-  if constexpr (robots::floats<R>) {
-    base.angular_velocity = turn.transpose() * s.base.angular_velocity;
-    const Eigen::Matrix<double, 6, 1> wrench = extra.tail<6>();
-    const auto found = cca::floating_forward_dynamics(pose(q), dq, torques, base, wrench);
-    a << found.accelerations, turn * found.base.angular_acceleration, turn * found.base.acceleration;
-  } else {
-    a.head<n>() = cca::forward_dynamics(pose(q), dq, torques, base);
-  }
-  return a;
-}
-
-template <class R>
-double worst_error(unsigned seed, auto extra) {
-  constexpr int n = pose_of<R>::size;
-  laws::source random{std::mt19937_64{seed}};
-  double worst = 0;
-  for (int round = 0; round < 40; ++round) {
-    motion s{random_vector(random, n, 1), random_vector(random, n, 3), random_vector(random, n, 2),
-             random_base(random)};
-    if (!robots::floats<R>) s.base.angular_velocity.setZero(), s.base.velocity.setZero();
-    worst =
-        std::max(worst, error(accelerations(without_losses(sim::model_of<R>()), s), wanted<R>(s, extra(s))));
-  }
-  MESSAGE("largest relative error: ", worst);
-  return worst;
-}
-template <class R>
-vector nothing(const motion&) {
-  return vector::Zero(pose_of<R>::size + 6);
-}
-
 // Of strung_leg, along the base's axes: the two ends of its cable and of its spring.
 struct ends {
   Eigen::Vector3d cable_from, cable_to, spring_from, spring_to;

@@ -12,6 +12,7 @@ using namespace test;
 
 namespace {
 const sim::oncilla_model& m = sim::oncilla_defaults;
+const cca::robots::cable_drive cable{m.cable_stiffness, m.cable_damping};
 
 double spring_energy(double knee) {
   const double s = sim::diagonal_stretch(m, knee);
@@ -73,16 +74,16 @@ TEST_SUITE("sim leg") {
   TEST_CASE("the cable pulls or hangs slack, it never pushes") {
     sim::cable_winch winch;
     winch.position = 1;
-    CHECK(winch.pull(m, 1.2, 0) == 0);
-    CHECK(winch.pull(m, 0.99, 0) == doctest::Approx(0.01 * m.cable_stiffness));
-    CHECK(winch.pull(m, 0.99, 100) == 0);
-    CHECK(winch.pull(m, 0.0, 0) == m.knee_motor.torque);
+    CHECK(winch.pull(m.knee_motor, cable, 1.2, 0) == 0);
+    CHECK(winch.pull(m.knee_motor, cable, 0.99, 0) == doctest::Approx(0.01 * m.cable_stiffness));
+    CHECK(winch.pull(m.knee_motor, cable, 0.99, 100) == 0);
+    CHECK(winch.pull(m.knee_motor, cable, 0.0, 0) == m.knee_motor.torque);
     const double before = winch.position;
     winch.aim(2, 1e-3);
-    winch.wind(m, 1e-3);  // stalled: it holds, but winds no further
+    winch.wind(m.knee_motor, 1e-3);  // stalled: it holds, but winds no further
     CHECK(winch.position == before);
     winch.aim(0, 1e-3);
-    winch.wind(m, 1e-3);  // it can always let go
+    winch.wind(m.knee_motor, 1e-3);  // it can always let go
     CHECK(winch.position == doctest::Approx(before - 1e-3 * m.knee_motor.no_load_speed));
   }
 
@@ -94,8 +95,8 @@ TEST_SUITE("sim leg") {
       for (int k = 1; k <= 20; ++k) {
         winch.aim(1e-3 * k, beat);  // 1 rad/s, against a knee that holds
         for (int i = 0; i < steps_per_beat; ++i) {
-          winch.wind(m, dt);
-          greatest = std::max(greatest, winch.pull(m, 0, 0));
+          winch.wind(m.knee_motor, dt);
+          greatest = std::max(greatest, winch.pull(m.knee_motor, cable, 0, 0));
         }
         CHECK(winch.position == doctest::Approx(1e-3 * k));
       }

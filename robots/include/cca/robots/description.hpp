@@ -8,8 +8,8 @@
 //
 //     // optional
 //     static constexpr std::array shapes{...};                               // shape.hpp
-//     static constexpr std::array line_springs{...};                         // springs, cables:
-//     line_spring.hpp using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;
+//     static constexpr std::array line_springs{...};                         // line_spring.hpp
+//     using sensors = cca::robots::sensors<cca::robots::force_sensor<"flange_load", "arm">>;  // sensors.hpp
 //     static constexpr bool floats = true;   // nothing holds the base; it needs body::base
 //     static constexpr std::array<double, 7> start{...};                     // coordinates, rad
 //   };
@@ -25,11 +25,12 @@
 #include <tuple>
 
 #include <cca/robot/body_pose.hpp>
+#include <cca/robots/cable_drive.hpp>
 #include <cca/robots/commands.hpp>
 #include <cca/robots/line_spring.hpp>
 #include <cca/robots/motor_line.hpp>
+#include <cca/robots/sensors.hpp>
 #include <cca/robots/shape.hpp>
-#include <cca/space/twist_wrench.hpp>
 
 namespace cca::robots {
 
@@ -41,18 +42,8 @@ struct joint_drive {
   double friction = 0;     // N m s/rad
   double spring = 0;       // N m/rad, of a spring in the joint
   double spring_rest = 0;  // rad, where that spring is slack
+  cable_drive cable{};     // with a stiffness: the motor winds it, and acts by it alone
 };
-
-// A force sensor where a part ends: the load of the world on all that is attached there, about the origin
-// and along the axes of the part's tip frame. An ideal one: it reads contacts, not the weight of the tool.
-template <fixed_string Name, fixed_string Part>
-struct force_sensor {
-  static constexpr auto name = Name;
-  static constexpr auto part = Part;
-};
-
-template <class... Sensors>
-struct sensors {};
 
 template <class Type> concept Described = Body<typename Type::body> && requires {
   typename Type::rate;
@@ -123,7 +114,9 @@ constexpr bool springs_exist = [] {
 
 template <class Body, class... Sensors>
 constexpr bool all_parts_exist(sensors<Sensors...>) {
-  return ((part_index<Body>(Sensors::part.view()) >= 0) && ...);
+  return (((is_inertial<Sensors> && Sensors::part.view().empty()) ||
+           part_index<Body>(Sensors::part.view()) >= 0) &&
+          ...);
 }
 
 }  // namespace detail
@@ -150,8 +143,8 @@ constexpr void check_places() {
                 "have; correct the name of the part, or the number of the link, which counts from 0 in each "
                 "part");
   static_assert(all_parts_exist<body>(robots::sensors_of<R>()),
-                "robot.description: a force sensor is at the end of a part that the body doesn't have; "
-                "correct the second name in cca::robots::force_sensor<name, part>");
+                "robot.description: a sensor is at the end of a part that the body doesn't have; correct the "
+                "name of the part, the second one in cca::robots::force_sensor<name, part>");
 }
 
 }  // namespace detail

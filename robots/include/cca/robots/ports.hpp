@@ -50,15 +50,12 @@ struct measured_joint : cca::space<raw_joint, axes<Axis>, typename R::rate> {};
 template <class R, class Axis>
 struct wanted_joint : cca::space<raw_commands, axes<Axis>, typename R::rate> {};
 
-// What a force sensor reads.
+// What a sensor reads.
 template <class R, class Sensor>
-struct sensed_load
-    : cca::space<wrench<typename std::tuple_element_t<part_index<typename R::body>(Sensor::part.view()),
-                                                      typename R::body::parts>::chain::tip_frame,
-                        typename std::tuple_element_t<part_index<typename R::body>(Sensor::part.view()),
-                                                      typename R::body::parts>::chain::tip_frame>,
-                 axes<x, y, z>,
-                 typename R::rate> {};
+struct sensed
+    : cca::space<typename Sensor::template domain<typename R::body>, axes<x, y, z>, typename R::rate> {};
+template <class R, class Sensor>
+using sensed_load = sensed<R, Sensor>;
 
 namespace detail {
 

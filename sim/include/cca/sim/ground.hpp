@@ -1,10 +1,9 @@
 // The terrain in the engine, and the robot's parts that can touch it.
 //
 // Each part is tested against the strips of ground below it from left to right, without a space or broad
-// phase of the engine: their order would depend on addresses, and the same run would give other bits. A
-// single box of the engine serves as ground: it is moved under the part, so the ground has no end and needs
-// no memory. Parts don't collide with each other. Contacts are springs and dampers, given to the engine as
-// ERP and CFM, so they don't depend on the step.
+// phase of the engine: their order would depend on addresses, and the same run would give other bits. Parts
+// don't collide with each other. Contacts are springs and dampers, given to the engine as ERP and CFM, so
+// they don't depend on the step.
 //
 // Friction is a pyramid: along each of two axes at most `mu` times the load. The engine can compute that
 // limit itself (dContactApprox1), but it takes the load that there would be without friction. On a light toe
@@ -13,22 +12,21 @@
 // trunk, which touch the ground only in a fall or at an edge, use the engine's.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <ode/ode.h>
 
 #include <cca/sim/attitude.hpp>
 #include <cca/sim/engine.hpp>
 #include <cca/sim/oncilla_model.hpp>
+#include <cca/sim/robot/ground_strips.hpp>
 #include <cca/sim/terrain.hpp>
 
 namespace cca::sim {
 
 class ground {
 public:
-  ground(const oncilla_model& m, const terrain& shape) : shape_(shape), box_(dCreateBox(nullptr, 1, 1, 1)) {
+  ground(const oncilla_model& m, const terrain& shape) : strips_(shape) {
     prototype_.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1;
     prototype_.mu = shape.friction();
     const double stiff = m.step * m.contact_stiffness;
@@ -53,22 +51,12 @@ public:
   }
 
 private:
-  static constexpr double depth = 1.0, width = 2.0;
-  static constexpr double margin = 0.2;  // m beyond the part, so it never touches an edge that isn't there
-
   template <class OnContact>
   void touch(const engine& e, dGeomID part, const dSurfaceParameters& surface, OnContact& on_contact) const {
-    std::array<dReal, 6> bounds;  // of the part: x, y, z, each from and to
-    dGeomGetAABB(part, bounds.data());
-    const double y = (bounds[2] + bounds[3]) / 2;
-    shape_.strips_between(bounds[0], bounds[1], [&](const ground_strip& strip) {
-      const double begin = std::max(strip.begin, bounds[0] - margin),
-                   end = std::min(strip.end, bounds[1] + margin);
-      if (bounds[4] > std::max(strip.height(begin), strip.height(end))) return;
-      put_box(strip, begin, end, y);
+    strips_.each_under(part, [&](dGeomID box) {
       std::array<dContact, 4> contacts;
       const int count =
-          dCollide(part, box_.get(), static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
+          dCollide(part, box, static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
       for (int i = 0; i < count; ++i) {
         dContact& c = contacts[static_cast<std::size_t>(i)];
         c.surface = surface;
@@ -79,19 +67,7 @@ private:
     });
   }
 
-  // Makes the top of the box the ground from `begin` to `end`.
-  void put_box(const ground_strip& strip, double begin, double end, double y) const {
-    const double c = std::cos(strip.pitch), n = std::sin(strip.pitch);
-    const double length = (end - begin) / c, along = length / 2, down = depth / 2;
-    dGeomBoxSetLengths(box_.get(), length, width, depth);
-    dGeomSetPosition(box_.get(), begin + along * c + down * n, y, strip.height(begin) + along * n - down * c);
-    dMatrix3 rotation;
-    dRFromAxisAndAngle(rotation, 0, -1, 0, strip.pitch);
-    dGeomSetRotation(box_.get(), rotation);
-  }
-
-  terrain shape_;
-  engine_handle<dxGeom> box_;
+  ground_strips strips_;
   dSurfaceParameters prototype_{};
 };
 

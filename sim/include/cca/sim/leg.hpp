@@ -108,8 +108,9 @@ public:
       r.knee.torque = limit_torque(m.knee_motor, pull, r.knee.velocity);
       motors.cable = {r.knee.angle, 0, r.knee.velocity, r.knee.torque};
     } else {
-      motors.cable.wind(m, dt);
-      r.knee.torque = motors.cable.pull(m, r.knee.angle, r.knee.velocity);
+      motors.cable.wind(m.knee_motor, dt);
+      r.knee.torque = motors.cable.pull(m.knee_motor, {m.cable_stiffness, m.cable_damping}, r.knee.angle,
+                                        r.knee.velocity);
     }
     const double flexing =
         r.knee.torque - diagonal_spring_torque(m, r.knee.angle) - m.joint_friction * r.knee.velocity;

@@ -4,8 +4,7 @@
 // Units: rad, rad/s, N m, N, m/s^2. Rate: 1 kHz.
 #pragma once
 
-#include <string_view>
-
+#include <cca/robots/inertial.hpp>
 #include <cca/robots/oncilla/axes.hpp>
 #include <cca/robots/record.hpp>
 #include <cca/space/domain.hpp>
@@ -18,36 +17,12 @@ using robot_rate = cca::rate<1000>;
 struct world_frame {};  // x forward at the start, z up
 struct trunk_frame {};  // x forward, y left, z up, in the trunk's centre
 
-namespace detail {
-
-// A domain type with one number per axis and no methods of its own.
-template <class Quantity>
-struct sensor_numbers {
-  using quantity = Quantity;
-  static constexpr bool actuated = false;
-  static constexpr int width(int axes) { return axes; }
-  static constexpr double zero(int, int) { return 0; }
-  template <class Self>
-  struct methods {};
-};
-
-}  // namespace detail
-
-struct linear_acceleration {
-  double lower, upper;
-  static constexpr std::string_view unit = "m/s^2";
-  static constexpr auto on_nan = nan_policy::zero;
-};
-
-// The readings of an inertial unit besides its orientation, along the axes of a frame.
-template <class Frame>
-struct angular_velocity : detail::sensor_numbers<cca::velocity> {};
-// Acceleration minus gravity, the reading of an accelerometer: upwards, 9.81 m/s^2 at rest.
-template <class Frame>
-struct specific_force : detail::sensor_numbers<linear_acceleration> {};
+using robots::angular_velocity;
+using robots::linear_acceleration;
+using robots::specific_force;
 
 // The vertical part of the ground's force on a foot; 0: no contact.
-struct foot_load : detail::sensor_numbers<cca::force> {};
+struct foot_load : robots::detail::sensor_numbers<cca::force> {};
 
 // The whole robot.
 struct leg_angles : cca::space<cca::joint_angles, leg_axes, robot_rate> {};

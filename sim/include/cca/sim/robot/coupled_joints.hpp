@@ -8,6 +8,9 @@
 //   v  = argmin |J(q) v - V*|^2 in the metric of the masses: once at the old q, which gives q + h v, then
 //   there
 //
+// A joint that keeps its link parallel to the one before its leader is a constraint of the engine instead
+// (tree_in_engine.hpp); a robot that has no other followers needs no projection.
+//
 // The projection at the new q turns the velocities with the joints, as the engine's own constraints do in the
 // step after; so the accelerations are right to the same order as those of joints that are not coupled. A
 // contact is solved in the engine's step, for a joint that moves alone; what it takes from one joint the
@@ -29,14 +32,10 @@ namespace cca::sim {
 
 class coupled_joints {
 public:
-  explicit coupled_joints(std::shared_ptr<const robot_model> model)
+  coupled_joints(std::shared_ptr<const robot_model> model, const tree_in_engine& tree)
       : model_(std::move(model)), first_(model_->floats ? 6 : 0) {
-    std::vector<bool> has_joint(model_->drives.size(), false);
-    for (const auto& l : model_->links) {
-      const auto c = static_cast<std::size_t>(l.coordinate);
-      exist_ = exist_ || has_joint[c];
-      has_joint[c] = true;
-    }
+    for (std::size_t i = 0; i < model_->links.size(); ++i)
+      exist_ = exist_ || !(tree.leads(i) || tree.is_held_parallel(i));
     if (!exist_) return;
     const auto n = first_ + static_cast<Eigen::Index>(model_->drives.size());
     jacobians_.assign(model_->links.size() + 1, Eigen::MatrixXd::Zero(6, n));

@@ -55,9 +55,10 @@ struct robot_model {
   std::vector<double> start;                // over the coordinates, rad
   std::vector<placed_shape> shapes;
   std::vector<placed_spring> line_springs;
-  std::vector<place_on_link> sensors;
-  std::vector<place_on_link> ends;  // of the parts, in order of declaration
-  double beat = 0.001;              // s
+  std::vector<place_on_link> sensors;         // of forces
+  std::vector<place_on_link> inertial_units;  // where there is a gyroscope, say; one for each such sensor
+  std::vector<place_on_link> ends;            // of the parts, in order of declaration
+  double beat = 0.001;                        // s
 };
 
 namespace detail {
@@ -67,9 +68,21 @@ std::vector<joint_stops> stops_of(axes<Axes...>) {
   return {joint_stops{cca::detail::lower_limit_of<Axes, angle>, cca::detail::upper_limit_of<Axes, angle>}...};
 }
 
+template <class Body, class Sensor>
+void place_sensor(robot_model& m, std::vector<int>& sensed_parts) {
+  const int part = part_index<Body>(Sensor::part.view());
+  const place_on_link where = part < 0 ? place_on_link{} : m.ends[static_cast<std::size_t>(part)];
+  if (robots::is_inertial<Sensor>) return m.inertial_units.push_back(where);
+  sensed_parts.push_back(part);
+  m.sensors.push_back(where);
+}
+
+// Returns the parts of the force sensors.
 template <class Body, class... Sensors>
-std::vector<int> parts_of_sensors(robots::sensors<Sensors...>) {
-  return {part_index<Body>(Sensors::part.view())...};
+std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
+  std::vector<int> sensed_parts;
+  (place_sensor<Body, Sensors>(m, sensed_parts), ...);
+  return sensed_parts;
 }
 
 inline placed_shape placed(const robots::shape_on& s,
@@ -129,8 +142,7 @@ robot_model model_of() {
   m.start.assign(m.drives.size(), 0);
   if constexpr (requires { R::start.size(); }) m.start.assign(R::start.begin(), R::start.end());
   for (const auto& end : tree.ends) m.ends.push_back({end.link, end.where});
-  const std::vector<int> sensed = detail::parts_of_sensors<body>(robots::sensors_of<R>());
-  for (const int part : sensed) m.sensors.push_back(m.ends.at(static_cast<std::size_t>(part)));
+  const std::vector<int> sensed = detail::place_sensors<body>(m, robots::sensors_of<R>());
   if constexpr (requires { R::shapes.size(); }) {
     const auto links = detail::links_by_part<body>();
     for (const robots::shape_on& s : R::shapes) {

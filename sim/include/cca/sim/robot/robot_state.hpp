@@ -10,6 +10,7 @@
 
 #include <cca/mapping/placement.hpp>
 #include <cca/sim/robot/body_state.hpp>
+#include <cca/sim/robot/cable_winch.hpp>
 #include <cca/sim/robot/joint_law.hpp>
 
 namespace cca::sim {
@@ -19,11 +20,20 @@ struct outer_load {
   std::array<double, 3> force{}, torque{};
 };
 
+// What an inertial unit reads, along its own axes.
+struct inertial_reading {
+  std::array<double, 4> orientation{0, 0, 0, 1};  // x y z w, turns the unit's axes into the world's
+  std::array<double, 3> angular_velocity{};       // rad/s
+  std::array<double, 3> specific_force{};         // m/s^2, acceleration minus gravity, mean over the beat
+};
+
 struct robot_state {
   std::vector<body_state> bodies;            // the base, if it floats; the links; the balls
   std::vector<joint_law> laws;               // over the coordinates
   std::vector<joint_reading> joints;         // over the coordinates; torques are means over the beat
   std::vector<std::array<double, 6>> loads;  // of the force sensors: torque, then force; means over the beat
+  std::vector<cable_winch> winches;          // over the coordinates
+  std::vector<inertial_reading> inertial;    // of the inertial units
   std::vector<outer_load> pulls;             // at the ends of the parts
   std::vector<double> pressing;              // N, of each pair of shapes
   std::vector<std::array<double, 7>> boxes;  // translation, then rotation
@@ -36,7 +46,8 @@ struct robot_state {
       const auto* bytes = reinterpret_cast<const unsigned char*>(all.data());
       for (std::size_t i = 0; i < all.size() * sizeof(all[0]); ++i) h = (h ^ bytes[i]) * 0x100000001b3U;
     };
-    add(bodies), add(laws), add(joints), add(loads), add(pulls), add(pressing), add(boxes);
+    add(bodies), add(laws), add(joints), add(loads), add(winches), add(inertial), add(pulls), add(pressing),
+        add(boxes);
     add(std::array<std::int64_t, 1>{beats});
     return h;
   }

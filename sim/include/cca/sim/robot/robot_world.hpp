@@ -5,6 +5,7 @@
 //   w.advance(laws);                      one law for each coordinate (joint_law.hpp)
 //   w.joints()[3].angle                   rad; torques are means over the beat
 //   w.load(0)                             of the first force sensor, in its frame
+//   w.inertial(0).orientation             of the first inertial sensor
 //
 // A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical.
 // `save` and `restore` do the same with a plain value, for worlds of the same model and scene. `pull` and
@@ -56,7 +57,7 @@ public:
         step_(step_of(*model_, settings)),
         engine_(settings.engine),
         tree_(engine_.id(), model_, mount()),
-        coupled_(model_),
+        coupled_(model_, tree_),
         shapes_(engine_.id(), *model_, *scene_, tree_),
         touching_(scene_->contact, step_) {
     touching_.set_pairs(shapes_.pairs());
@@ -64,6 +65,9 @@ public:
     state_.laws.assign(model_->drives.size(), {});
     state_.joints.assign(model_->drives.size(), {});
     state_.loads.assign(model_->sensors.size(), {});
+    state_.winches.assign(model_->drives.size(), {});
+    state_.inertial.assign(model_->inertial_units.size(), {});
+    unit_speeds_.assign(model_->inertial_units.size(), Eigen::Vector3d::Zero());
     state_.pulls.assign(model_->ends.size(), {});
     const std::vector<double> rest(model_->drives.size(), 0.0);
     place(model_->start, rest);
@@ -91,7 +95,12 @@ public:
     if (q.size() != state_.joints.size() || dq.size() != q.size())
       throw std::invalid_argument("cca::sim::robot_world: one angle and one speed for each coordinate");
     tree_.place(q, dq, base);
-    for (std::size_t c = 0; c < q.size(); ++c) state_.joints[c] = {q[c], dq[c], 0};
+    for (std::size_t c = 0; c < q.size(); ++c) {
+      state_.joints[c] = {q[c], dq[c], 0};
+      state_.winches[c] = {.position = q[c]};
+    }
+    note_unit_speeds();
+    sense_inertia();
   }
 
   // One beat. A law that isn't finite is ignored: the drive keeps the last one.
@@ -99,9 +108,13 @@ public:
     prepare_engine();
     for (std::size_t c = 0; c < std::min(laws.size(), state_.laws.size()); ++c)
       if (laws[c].is_finite()) state_.laws[c] = laws[c];
+    for (std::size_t c = 0; c < state_.winches.size(); ++c)
+      state_.winches[c].aim(state_.laws[c].position, model_->beat);
+    note_unit_speeds();
     for (joint_reading& r : state_.joints) r.torque = 0;
     for (auto& load : state_.loads) load.fill(0);
     for (int i = 0; i < settings_.steps_per_beat; ++i) step();
+    sense_inertia();
     ++state_.beats;
   }
 
@@ -122,16 +135,11 @@ public:
   // The torque about the sensor's origin, then the force of the world, along the sensor's axes.
   const std::array<double, 6>& load(std::size_t sensor) const { return state_.loads.at(sensor); }
 
+  const inertial_reading& inertial(std::size_t unit) const { return state_.inertial.at(unit); }
+
   // The true state, which no sensor of the robot measures; in the world.
   moving_frame frame(int link) const { return tree_.frame(link); }
-  moving_frame end(std::size_t part) const {
-    const place_on_link& e = model_->ends.at(part);
-    moving_frame f = tree_.frame(e.link);
-    const Eigen::Vector3d arm = f.where.turn * cca::detail::as_vector(e.where.translation);
-    f.where = f.where * e.where;
-    f.velocity += cca::detail::cross(f.angular_velocity, arm);
-    return f;
-  }
+  moving_frame end(std::size_t part) const { return at(model_->ends.at(part)); }
   Eigen::Vector3d ball_position(std::size_t i) const {
     return Eigen::Vector3d::Map(dBodyGetPosition(shapes_.balls().at(i)));
   }
@@ -196,13 +204,16 @@ private:
 
   void step() {
     const double share = 1.0 / settings_.steps_per_beat;
+    tree_.hold_parallel();
     if (coupled_.exist()) coupled_.begin(tree_);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
       if (!tree_.leads(i)) continue;
       const auto c = static_cast<std::size_t>(model_->links[i].coordinate);
       const robots::joint_drive& d = model_->drives[c];
       joint_reading& r = state_.joints[c];
-      const double motor = limit_torque(d.motor, state_.laws[c](r.angle, r.velocity), r.velocity);
+      const double motor = d.cable.stiffness > 0
+                               ? pull_of_cable(c)
+                               : limit_torque(d.motor, state_.laws[c](r.angle, r.velocity), r.velocity);
       r.torque += share * motor;
       tree_.push(i, motor - d.friction * r.velocity - d.spring * (r.angle - d.spring_rest));
     }
@@ -214,12 +225,55 @@ private:
     dJointGroupEmpty(engine_.contacts());
     if (coupled_.exist()) return coupled_.end(tree_, state_.joints, step_);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
+      if (tree_.is_held_parallel(i)) continue;
       const auto& l = model_->links[i];
       joint_reading& r = state_.joints[static_cast<std::size_t>(l.coordinate)];
       const auto now = tree_.read(i);
       const double turn = l.kind == joint_kind::revolute ? 2 * std::numbers::pi / l.ratio : 0;
       r.angle = turn == 0 ? now.position : now.position + turn * std::round((r.angle - now.position) / turn);
       r.velocity = now.speed;
+    }
+  }
+
+  // A law without stiffness pulls with its torque, else the pulley goes to its position.
+  double pull_of_cable(std::size_t c) {
+    const robots::joint_drive& d = model_->drives[c];
+    const joint_law& law = state_.laws[c];
+    const joint_reading& r = state_.joints[c];
+    cable_winch& winch = state_.winches[c];
+    if (law.stiffness > 0) {
+      winch.wind(d.motor, step_);
+      return winch.pull(d.motor, d.cable, r.angle, r.velocity);
+    }
+    const double pull = std::max(0.0, limit_torque(d.motor, law(r.angle, r.velocity), r.velocity));
+    winch = {.position = r.angle, .speed = r.velocity, .torque = pull};
+    return pull;
+  }
+
+  // A place on a link, with its motion.
+  moving_frame at(const place_on_link& p) const {
+    moving_frame f = tree_.frame(p.link);
+    const Eigen::Vector3d arm = f.where.turn * cca::detail::as_vector(p.where.translation);
+    f.where = f.where * p.where;
+    f.velocity += cca::detail::cross(f.angular_velocity, arm);
+    return f;
+  }
+
+  void note_unit_speeds() {
+    for (std::size_t i = 0; i < unit_speeds_.size(); ++i)
+      unit_speeds_[i] = at(model_->inertial_units[i]).velocity;
+  }
+
+  void sense_inertia() {
+    for (std::size_t i = 0; i < unit_speeds_.size(); ++i) {
+      const moving_frame now = at(model_->inertial_units[i]);
+      inertial_reading& r = state_.inertial[i];
+      Eigen::Vector4d::Map(r.orientation.data()) = cca::detail::quaternion_of(now.where.turn);
+      const Eigen::Matrix3d into_unit = now.where.turn.transpose();
+      Eigen::Vector3d::Map(r.angular_velocity.data()) = into_unit * now.angular_velocity;
+      Eigen::Vector3d::Map(r.specific_force.data()) =
+          into_unit *
+          ((now.velocity - unit_speeds_[i]) / model_->beat + Eigen::Vector3d(0, 0, settings_.engine.gravity));
     }
   }
 
@@ -269,6 +323,7 @@ private:
   shapes_in_engine shapes_;
   touching touching_;
   robot_state state_;
+  std::vector<Eigen::Vector3d> unit_speeds_;  // of the inertial units at the beginning of the beat, m/s
 };
 
 }  // namespace cca::sim

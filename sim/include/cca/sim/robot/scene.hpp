@@ -1,7 +1,9 @@
-// What stands around a robot: a floor, boxes that don't move by themselves (tables, walls), and balls.
+// What stands around a robot: a floor or a terrain, boxes that don't move by themselves (tables, walls), and
+// balls.
 //
 //   cca::sim::scene room;
 //   room.floor = 0;                                                      // its height, m
+//   room.ground = cca::sim::terrain::steps(0.006);                       // or terrain, with its own friction
 //   const auto table = room.add(cca::sim::fixed_box{{0.6, 0.8, 0.04}, cca::at(0.5, 0, 0.3)});
 //   room.add(cca::sim::ball{.radius = 0.05, .mass = 0.2, .position = {0.5, 0, 0.5}});
 //
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include <cca/mapping/placement.hpp>
+#include <cca/sim/terrain.hpp>
 
 namespace cca::sim {
 
@@ -36,6 +39,7 @@ struct contact_numbers {
 
 struct scene {
   std::optional<double> floor;
+  std::optional<terrain> ground;
   std::vector<fixed_box> boxes;
   std::vector<ball> balls;
   contact_numbers contact{};

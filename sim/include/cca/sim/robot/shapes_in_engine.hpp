@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <ode/ode.h>
 
 #include <cca/sim/engine.hpp>
+#include <cca/sim/robot/ground_strips.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 #include <cca/sim/robot/scene.hpp>
 #include <cca/sim/robot/touching.hpp>
@@ -24,6 +26,7 @@ public:
     for (const placed_shape& s : model.shapes) add_robot_shape(s, model, tree);
     for (const ball& b : around.balls) add_ball(world, b);
     if (around.floor) floor_.reset(dCreatePlane(nullptr, 0, 0, 1, *around.floor));
+    if (around.ground) ground_ = std::make_unique<ground_strips>(*around.ground);
     for (const fixed_box& b : around.boxes) {
       boxes_.emplace_back(dCreateBox(nullptr, b.size[0], b.size[1], b.size[2]));
       put_box(boxes_.size() - 1, b.where);
@@ -35,6 +38,7 @@ public:
     std::vector<touching::pair> all;
     const auto with_what_stands = [&](dGeomID moves, int shape) {
       if (floor_) all.push_back({moves, floor_.get(), shape});
+      if (ground_) all.push_back({moves, nullptr, shape, ground_.get()});
       for (const auto& b : boxes_) all.push_back({moves, b.get(), shape});
     };
     for (std::size_t i = 0; i < robot_.size(); ++i) {
@@ -118,6 +122,7 @@ private:
   std::vector<engine_handle<dxGeom>> robot_, boxes_, ball_shapes_;
   std::vector<dBodyID> balls_;
   engine_handle<dxGeom> floor_;
+  std::unique_ptr<ground_strips> ground_;  // at one address: pairs point to it
   std::vector<std::array<double, 7>> box_places_;
 };
 

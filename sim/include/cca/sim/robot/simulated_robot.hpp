@@ -2,8 +2,8 @@
 // resource nodes of the joints; `act` takes what they want and advances the world by a beat.
 //
 //   sense   out one port for each joint, under its axis' name: measured_joint<R, Axis>
-//           out one port for each force sensor, under its name: wrench, torque (N m) then force (N), the mean
-//               over the last beat
+//           out one port for each sensor, under its name (cca/robots/sensors.hpp); loads and accelerations
+//               are means over the last beat
 //   act     in  one port for each joint: wanted_joint<R, Axis>
 //
 //   After a fault, and while the controller is stopped, the motors only damp; each `step()` is still a beat
@@ -45,9 +45,8 @@ public:
   const robot_world& world() const { return world_; }
 
   auto sense() -> std::tuple<out<Axes::label, robots::measured_joint<R, Axes>>...,
-                             out<Sensors::name, robots::sensed_load<R, Sensors>>...> {
-    std::size_t sensor = 0;
-    return {joint<Axes>()..., load(sensor++, std::type_identity<Sensors>())...};
+                             out<Sensors::name, robots::sensed<R, Sensors>>...> {
+    return {joint<Axes>()..., reading(std::type_identity<Sensors>())...};
   }
 
   void act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) {
@@ -78,9 +77,16 @@ private:
   }
 
   template <class Sensor>
-  out<Sensor::name, robots::sensed_load<R, Sensor>> load(std::size_t i, std::type_identity<Sensor>) const {
-    return typename robots::sensed_load<R, Sensor>::vector_type(
-        Eigen::Matrix<double, 6, 1>::Map(world_.load(i).data()));
+  out<Sensor::name, robots::sensed<R, Sensor>> reading(std::type_identity<Sensor>) const {
+    using vector = typename robots::sensed<R, Sensor>::vector_type;
+    constexpr std::size_t i = robots::detail::place_in_kind<Sensor>(robots::sensors<Sensors...>());
+    if constexpr (Sensor::kind == robots::sensor_kind::load)
+      return vector(vector::Map(world_.load(i).data()));
+    else if constexpr (Sensor::kind == robots::sensor_kind::orientation)
+      return vector(vector::Map(world_.inertial(i).orientation.data()));
+    else if constexpr (Sensor::kind == robots::sensor_kind::angular_velocity)
+      return vector(vector::Map(world_.inertial(i).angular_velocity.data()));
+    else return vector(vector::Map(world_.inertial(i).specific_force.data()));
   }
 
   robot_world world_{model_of<R>()};

@@ -17,6 +17,7 @@
 
 #include <cca/base/eigen.hpp>
 #include <cca/sim/engine.hpp>
+#include <cca/sim/robot/ground_strips.hpp>
 #include <cca/sim/robot/scene.hpp>
 
 namespace cca::sim {
@@ -40,7 +41,8 @@ public:
   // first shape is the robot's come first.
   struct pair {
     dGeomID first, second;
-    int shape = -1;  // of the robot
+    int shape = -1;                         // of the robot
+    const ground_strips* ground = nullptr;  // then there is no second shape
   };
   void set_pairs(std::vector<pair> pairs) {
     pairs_ = std::move(pairs);
@@ -53,15 +55,14 @@ public:
     contacts_.clear();
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const pair& p = pairs_[i];
-      if (!boxes_meet(p.first, p.second)) continue;
       std::array<dContact, most> found;
-      const int count = dCollide(p.first, p.second, most, &found[0].geom, sizeof(dContact));
+      const int count = meet(p, found);
       for (int k = 0; k < count; ++k) {
         dContact& c = found[static_cast<std::size_t>(k)];
         c.surface = surface_;
-        c.surface.mu = friction_ * load_of[i] / count;
+        c.surface.mu = (p.ground ? p.ground->friction() : friction_) * load_of[i] / count;
         const dJointID joint = dJointCreateContact(e.id(), e.contacts(), &c);
-        dJointAttach(joint, dGeomGetBody(p.first), dGeomGetBody(p.second));
+        dJointAttach(joint, dGeomGetBody(p.first), p.ground ? nullptr : dGeomGetBody(p.second));
         contact& kept = contacts_.emplace_back();
         kept.pair = i;
         for (int n = 0; n < 3; ++n) kept.at[n] = c.geom.pos[n], kept.normal[n] = c.geom.normal[n];
@@ -91,6 +92,18 @@ private:
     Eigen::Vector3d at, normal;  // the normal points into the first shape
     dJointFeedback feedback;
   };
+
+  static int meet(const pair& p, std::array<dContact, most>& found) {
+    int count = 0;
+    const auto collide = [&](dGeomID other) {
+      if (count < most)
+        count += dCollide(p.first, other, most - count, &found[static_cast<std::size_t>(count)].geom,
+                          sizeof(dContact));
+    };
+    if (p.ground) p.ground->each_under(p.first, collide);
+    else if (boxes_meet(p.first, p.second)) collide(p.second);
+    return count;
+  }
 
   static bool boxes_meet(dGeomID a, dGeomID b) {
     std::array<dReal, 6> x, y;

@@ -6,6 +6,8 @@
 //
 // The base is fixed in the world, or floats: then it is a body too. Of several joints of one coordinate the
 // first without a ratio leads: it alone is pushed and has stops; the others follow it (coupled_joints.hpp).
+// One that turns back what its parent turned keeps its link parallel to the one before (a pantograph): the
+// engine itself holds it, by an angular motor whose stops are zero.
 // Errors: std::invalid_argument, outside of the loop, for what the engine can't represent: a coordinate
 // without a joint, a link without mass, an inertia that is not positive definite.
 #pragma once
@@ -51,6 +53,9 @@ public:
     place(middle, std::vector<double>(middle.size(), 0.0), {mount, vector::Zero(), vector::Zero()});
     joints_.reserve(links_.size());
     for (std::size_t i = 0; i < links_.size(); ++i) joints_.push_back(joint(world, i));
+    held_.assign(links_.size(), nullptr);
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      if (turns_back(i)) held_[i] = parallel(world, i);
   }
 
   // Puts all bodies where these coordinates, speeds and the motion of the base have them. The motion of a
@@ -121,8 +126,15 @@ public:
     return leads_[static_cast<std::size_t>(model_->links[i].coordinate)] == static_cast<int>(i);
   }
 
-  // The force of a coordinate on its joint, which leads,
-  // for the next step, N m (a slider: N).
+  bool is_held_parallel(std::size_t i) const { return held_[i] != nullptr; }
+
+  // Before each step: the engine's motors don't know the angles that they hold.
+  void hold_parallel() const {
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      if (held_[i]) dJointSetAMotorAngle(held_[i], 0, deviation(i));
+  }
+
+  // The force of a coordinate on its joint, which leads, for the next step, N m (a slider: N).
   void push(std::size_t i, double force) const {
     const auto& l = model_->links[i];
     const dBodyID child = links_[i], parent = body_of(l.parent);
@@ -223,11 +235,49 @@ private:
     return j;
   }
 
+  // A hinge directly behind its leader, about the same axis, as far back as the leader goes.
+  bool turns_back(std::size_t i) const {
+    const auto& l = model_->links[i];
+    if (leads(i) || l.parent < 0 || !leads(static_cast<std::size_t>(l.parent))) return false;
+    const auto& leader = model_->links[static_cast<std::size_t>(l.parent)];
+    const vector axis = Eigen::Map<const Eigen::Matrix3d>(l.turn.data()) * cca::detail::as_vector(l.axis);
+    return l.coordinate == leader.coordinate && l.kind == joint_kind::revolute && leader.kind == l.kind &&
+           l.ratio == -1 && leader.ratio == 1 && (axis - cca::detail::as_vector(leader.axis)).norm() < 1e-12;
+  }
+
+  // How far the link of such a hinge has turned from where it belongs, about its axis, rad.
+  double deviation(std::size_t i) const {
+    const auto& l = model_->links[i];
+    const auto& leader = model_->links[static_cast<std::size_t>(l.parent)];
+    Eigen::Matrix3d home =
+        frame(leader.parent).where.turn * Eigen::Map<const Eigen::Matrix3d>(leader.turn.data());
+    cca::detail::turn_about(home, leader, leader.rest + l.rest);
+    const Eigen::Matrix3d m =
+        (home * Eigen::Map<const Eigen::Matrix3d>(l.turn.data())).transpose() * turn(links_[i]);
+    const vector twice_sine(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
+    return std::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
+  }
+
+  dJointID parallel(dWorldID world, std::size_t i) const {
+    constexpr int in_first_body = 1;
+    const auto& l = model_->links[i];
+    const vector axis = turn(links_[i]) * cca::detail::as_vector(l.axis);
+    const dJointID j = dJointCreateAMotor(world, nullptr);
+    dJointAttach(j, links_[i], body_of(model_->links[static_cast<std::size_t>(l.parent)].parent));
+    dJointSetAMotorMode(j, dAMotorUser);
+    dJointSetAMotorNumAxes(j, 1);
+    dJointSetAMotorAxis(j, 0, in_first_body, axis[0], axis[1], axis[2]);
+    dJointSetAMotorParam(j, dParamLoStop, 0);
+    dJointSetAMotorParam(j, dParamHiStop, 0);
+    return j;
+  }
+
   std::shared_ptr<const robot_model> model_;
   std::vector<dBodyID> links_;
   std::vector<moving_frame> frames_;  // those of the last `place`
   std::vector<dJointID> joints_;
-  std::vector<int> leads_;  // over the coordinates
+  std::vector<dJointID> held_;  // null: not held parallel
+  std::vector<int> leads_;      // over the coordinates
   dBodyID base_ = nullptr;
   rigid mount_;
 };

@@ -1,0 +1,98 @@
+// The sensors of a described robot (description.hpp), each one port under its name.
+//
+//   using sensors = cca::robots::sensors<
+//       cca::robots::force_sensor<"flange_load", "arm">,            // wrench: N m, then N
+//       cca::robots::orientation_sensor<"orientation", my_world>,   // unit quaternion, x y z w
+//       cca::robots::gyroscope<"angular_velocity">,                 // rad/s
+//       cca::robots::accelerometer<"acceleration", "head">>;        // m/s^2; 9.81 upwards at rest
+//
+// A sensor sits where the part of its last argument ends, and reads along the axes of that frame. One of the
+// last three, without a part, sits in the origin of the base. `my_world` is the frame in which an orientation
+// is given: that in which the robot is put down, z up. Errors: robot.description.
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+
+#include <cca/base/fixed_string.hpp>
+#include <cca/robot/body.hpp>
+#include <cca/robots/inertial.hpp>
+#include <cca/space/twist_wrench.hpp>
+
+namespace cca::robots {
+
+enum class sensor_kind { load, orientation, angular_velocity, specific_force };
+
+namespace detail {
+
+// The frame in which a part ends; no part: the base.
+template <class Body, fixed_string Part>
+constexpr auto frame_of_sensor() {
+  if constexpr (Part.view().empty()) {
+    return std::type_identity<typename Body::base_frame>();
+  } else {
+    constexpr int index = part_index<Body>(Part.view());
+    using part = std::tuple_element_t<static_cast<std::size_t>(index), typename Body::parts>;
+    return std::type_identity<typename part::chain::tip_frame>();
+  }
+}
+template <class Body, fixed_string Part>
+using sensor_frame = typename decltype(frame_of_sensor<Body, Part>())::type;
+
+template <fixed_string Name, fixed_string Part, sensor_kind Kind>
+struct sensor {
+  static constexpr auto name = Name;
+  static constexpr auto part = Part;
+  static constexpr sensor_kind kind = Kind;
+};
+
+}  // namespace detail
+
+// The load of the world on all that is attached where a part ends, about the origin and along the axes of the
+// part's tip frame. An ideal one: it reads contacts, not the weight of the tool.
+template <fixed_string Name, fixed_string Part>
+struct force_sensor : detail::sensor<Name, Part, sensor_kind::load> {
+  template <class Body>
+  using domain = wrench<detail::sensor_frame<Body, Part>, detail::sensor_frame<Body, Part>>;
+};
+
+template <fixed_string Name, class World, fixed_string Part = "">
+struct orientation_sensor : detail::sensor<Name, Part, sensor_kind::orientation> {
+  template <class Body>
+  using domain = orientation<World>;
+};
+
+template <fixed_string Name, fixed_string Part = "">
+struct gyroscope : detail::sensor<Name, Part, sensor_kind::angular_velocity> {
+  template <class Body>
+  using domain = angular_velocity<detail::sensor_frame<Body, Part>>;
+};
+
+template <fixed_string Name, fixed_string Part = "">
+struct accelerometer : detail::sensor<Name, Part, sensor_kind::specific_force> {
+  template <class Body>
+  using domain = specific_force<detail::sensor_frame<Body, Part>>;
+};
+
+template <class... Sensors>
+struct sensors {};
+
+template <class Sensor>
+inline constexpr bool is_inertial = Sensor::kind != sensor_kind::load;
+
+namespace detail {
+
+// The place of a sensor among those that are inertial as well, or not.
+template <class Sensor, class... All>
+constexpr std::size_t place_in_kind(sensors<All...>) {
+  std::size_t place = 0;
+  bool found = false;
+  ((found = found || std::is_same_v<All, Sensor>,
+    place += !found && is_inertial<All> == is_inertial<Sensor> ? 1 : 0),
+   ...);
+  return place;
+}
+
+}  // namespace detail
+}  // namespace cca::robots

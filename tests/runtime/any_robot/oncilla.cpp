@@ -1,0 +1,267 @@
+// The Oncilla as a described robot: its legs stand in the engine as the closed form has them, and the trot of
+// the examples walks with it on flat ground, slopes and steps, as with the world that was made for it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/robots/oncilla/description.hpp>
+#include <cca/sim/robot.hpp>
+
+#include "../../../examples/trot/rollout.hpp"
+#include "accelerations.hpp"
+
+namespace laws {
+std::size_t allocations();
+}
+
+namespace oncilla = cca::robots::oncilla;
+namespace robots = cca::robots;
+namespace sim = cca::sim;
+using namespace world_test;
+
+namespace {
+
+using described = oncilla::description;
+using all_angles = robots::angles<described>;
+using all_axes = robots::axes_of_robot<described>;
+constexpr sim::oncilla_model numbers{};
+
+// From the ports of the described robot to those of the Oncilla that the trot uses.
+struct hips_and_knees {
+  auto process(cca::in<"all", all_angles> all) -> cca::out<"angles", oncilla::leg_angles> {
+    return part(all.vector(), oncilla::leg_axes());
+  }
+
+private:
+  template <class... Axes>
+  static oncilla::leg_angles::vector_type part(const all_angles::vector_type& all, cca::axes<Axes...>) {
+    return oncilla::leg_angles::vector_type{all[all_axes::index_of<Axes>]...};
+  }
+};
+
+// [all joints]
+struct all_joints {
+  static constexpr bool preserves_limits = true;
+
+  auto process(cca::in<"command", oncilla::leg_angles> wanted) -> cca::out<"position", all_angles> {
+    return whole(wanted.vector(), all_axes());
+  }
+
+private:
+  template <class... Axes>
+  static all_angles::vector_type whole(const oncilla::leg_angles::vector_type& wanted, cca::axes<Axes...>) {
+    return all_angles::vector_type{one<Axes>(wanted)...};
+  }
+  template <class Axis>
+  static double one(const oncilla::leg_angles::vector_type& wanted) {
+    if constexpr (oncilla::leg_axes::contains<Axis>) return wanted[oncilla::leg_axes::index_of<Axis>];
+    else return 0;  // no abduction; the toes are passive
+  }
+};
+
+struct described_oncilla : cca::graph<cca::rate<1000>,
+                                      cca::node<"body", sim::robot<described>>,
+                                      cca::node<"joints", all_joints>,
+                                      cca::node<"legs", hips_and_knees>,
+                                      cca::wire<"joints.position", "body.position">,
+                                      cca::wire<"body.angles", "legs.all">,
+                                      cca::expose<"joints.command", "command">,
+                                      cca::expose<"legs.angles", "angles">,
+                                      cca::expose<"body.orientation", "orientation">> {};
+// [all joints end]
+
+struct described_trot : trot::architecture<described_oncilla> {};
+
+// The coordinates of a posture.
+std::vector<double> coordinates(const sim::initial_posture& posture) {
+  std::vector<double> q;
+  for (const sim::leg_posture& leg : posture.legs) q.insert(q.end(), {leg.abduction, leg.hip, leg.knee, 0.0});
+  return q;
+}
+
+// Level, the lowest foot just above the ground.
+sim::robot_world put_down(const sim::initial_posture& posture,
+                          const sim::scene& around,
+                          const sim::robot_world_settings& settings = {}) {
+  double lowest = 0;
+  for (const sim::leg_posture& leg : posture.legs)
+    lowest = std::min(lowest, sim::foot_position(numbers, {leg.hip, leg.knee}).z);
+  sim::robot_world w(sim::model_of<described>(), around, settings);
+  sim::moving_frame base;
+  base.where.at[2] = -lowest + numbers.foot_radius + 0.001 + numbers.trunk_above_hips;
+  base.velocity = Eigen::Vector3d::Map(posture.trunk_velocity.data());
+  const std::vector<double> q = coordinates(posture);
+  w.place(q, std::vector<double>(q.size(), 0.0), base);
+  return w;
+}
+
+sim::scene on(const sim::terrain& ground) {
+  sim::scene s;
+  s.ground = ground;
+  return s;
+}
+
+struct walk {
+  double speed = 0;  // m/s, after two seconds
+  double slip = 0;   // m/s, of the feet, weighted by load, after two seconds
+  double aside = 0;  // m
+  bool fell = false;
+};
+
+cca::controller<described_trot> ready(const sim::terrain& ground, std::uint64_t seed, double seconds) {
+  cca::controller<described_trot> controller;
+  controller.load();
+  const auto disturbance = sim::disturbance::from_seed(seed, seconds);
+  controller.get<"robot.body.simulator">().put_down(
+      put_down(trot::put_down(controller.get<"gait">().p, disturbance),
+               on(ground.with_friction(disturbance.friction))));
+  return controller;
+}
+
+walk walked(const sim::terrain& ground, std::uint64_t seed, double seconds) {
+  auto controller = ready(ground, seed, seconds);
+  const auto& simulator = controller.get<"robot.body.simulator">();
+  controller.start();
+  walk w;
+  double load = 0, slipping = 0, begun_at = 0;
+  const auto beats = static_cast<std::size_t>(1000 * seconds);
+  for (std::size_t k = 0; k < beats && !w.fell; ++k) {
+    REQUIRE(controller.step());
+    const sim::robot_world& world = simulator.world();
+    const sim::moving_frame trunk = world.frame(-1);
+    const Eigen::Vector3d up = trunk.where.turn.col(2);
+    w.fell = up[2] < std::cos(oncilla::degrees(30));
+    if (k == 2000) begun_at = trunk.where.at[0];
+    if (k < 2000) continue;
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const sim::moving_frame foot = world.end(leg);
+      const double pressing = (foot.where.turn * Eigen::Vector3d::Map(world.load(leg).data() + 3))[2];
+      const Eigen::Vector3d contact =
+          foot.velocity +
+          cca::detail::cross(foot.angular_velocity, Eigen::Vector3d(0, 0, -numbers.foot_radius));
+      load += pressing;
+      slipping += pressing * contact.head<2>().norm();
+    }
+  }
+  const Eigen::Vector3d at = simulator.world().frame(-1).where.at;
+  w.speed = (at[0] - begun_at) / (seconds - 2);
+  w.slip = slipping / load;
+  w.aside = at[1];
+  return w;
+}
+
+}  // namespace
+
+TEST_SUITE("oncilla as a described robot") {
+  TEST_CASE("it weighs what the robot weighs, and its feet are where the closed form has them") {
+    const sim::robot_model m = sim::model_of<described>();
+    double mass = m.base.mass;
+    for (const auto& l : m.links) mass += l.inertia.mass;
+    CHECK(mass == doctest::Approx(numbers.mass()));
+
+    sim::initial_posture posture;
+    for (std::size_t leg = 0; leg < 4; ++leg)
+      posture.legs[leg] = {0.3 * static_cast<double>(leg) - 0.4, 0.8 + 0.4 * static_cast<double>(leg), 0.1};
+    const sim::robot_world w = put_down(posture, {});
+    const Eigen::Vector3d trunk = w.frame(-1).where.at;
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const auto foot = sim::foot_position(numbers, {posture.legs[leg].hip, posture.legs[leg].knee});
+      const auto hip = oncilla::leg_geometry(leg).hip.translation;
+      const double side = oncilla::side_of(leg);
+      CHECK(w.end(leg).where.at.isApprox(
+          trunk + Eigen::Vector3d(hip[0] + foot.x, hip[1] - side * foot.z * std::sin(0.1),
+                                  hip[2] + foot.z * std::cos(0.1)),
+          1e-9));
+      CHECK(w.tension(leg) ==
+            doctest::Approx(numbers.spring_rate * sim::diagonal_stretch(numbers, posture.legs[leg].knee)));
+    }
+  }
+
+  TEST_CASE("it stands: the feet carry its weight, the accelerometer reads gravity") {
+    const sim::initial_posture posture = sim::standing_posture();
+    cca::controller<described_trot> controller;
+    controller.load();
+    auto throttle = controller.get<"throttle">().p;
+    throttle.start = 100;
+    controller.set<"throttle">(throttle);
+    auto& simulator = controller.get<"robot.body.simulator">();
+    simulator.put_down(put_down(posture, on(sim::terrain::flat())));
+    controller.start();
+    for (int k = 0; k < 2000; ++k) REQUIRE(controller.step());
+    const sim::robot_world& w = simulator.world();
+    double load = 0;
+    Eigen::Vector3d felt = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 2000; ++k) {
+      REQUIRE(controller.step());
+      for (std::size_t leg = 0; leg < 4; ++leg)
+        load += (w.end(leg).where.turn * Eigen::Vector3d::Map(w.load(leg).data() + 3))[2] / 2000;
+      felt += Eigen::Vector3d::Map(w.inertial(0).specific_force.data()) / 2000;
+      const Eigen::Matrix3d upper = w.frame(1).where.turn, lower = w.frame(3).where.turn;
+      CHECK((upper - lower).norm() < 1e-6);  // the pantograph
+    }
+    CHECK(load == doctest::Approx(numbers.mass() * numbers.gravity).epsilon(0.01));
+    CHECK(felt[2] == doctest::Approx(numbers.gravity).epsilon(0.01));
+    CHECK(felt.head<2>().norm() < 0.5);
+    CHECK(Eigen::Vector4d::Map(w.inertial(0).orientation.data()).norm() == doctest::Approx(1));
+  }
+
+  TEST_CASE("without contact it accelerates as its dynamics say, pantographs and all") {
+    sim::robot_model m = sim::model_of<described>();
+    m.line_springs.clear();
+    CHECK(worst_error<described>(27, nothing<described>, m) < 1e-6);
+  }
+
+  TEST_CASE("a copy in the middle of a trot goes on with the same bits, and a beat allocates nothing") {
+    auto first = ready(sim::terrain::steps(0.006, 0.2, 1, 0.3), 5, 4);
+    first.start();
+    for (int k = 0; k < 2000; ++k) REQUIRE(first.step());
+    auto second = first;
+    const auto before = laws::allocations();
+    for (int k = 0; k < 500; ++k) first.step();
+    CHECK(laws::allocations() == before);
+    for (int k = 0; k < 500; ++k) second.step();
+    CHECK(first.get<"robot.body.simulator">().world().hash() ==
+          second.get<"robot.body.simulator">().world().hash());
+  }
+
+  TEST_CASE("the trot walks with it as with the world that was made for the Oncilla") {
+    double here = 0, there = 0;
+    constexpr int seeds = 4;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const walk w = walked(sim::terrain::flat(), seed, 8);
+      MESSAGE("seed ", seed, ": ", w.speed, " m/s, slip ", w.slip, ", aside ", w.aside,
+              std::string(w.fell ? ", fell" : ""));
+      CHECK(!w.fell);
+      CHECK(w.slip < 0.15);
+      here += w.speed / seeds;
+
+      trot::trotting controller;
+      controller.load();
+      const trot::recording run =
+          trot::roll_out(controller, sim::terrain::flat(), sim::disturbance::from_seed(seed, 8), 8,
+                         [](const sim::world&, double) {});
+      REQUIRE(run.moments.size() == 8000);
+      there += (run.moments.back().position[0] - run.moments[2000].position[0]) / 6 / seeds;
+    }
+    MESSAGE("mean speed, m/s: ", here, ", in the other world: ", there);
+    CHECK(here == doctest::Approx(there).epsilon(0.05));
+  }
+
+  TEST_CASE("on slopes and steps") {
+    for (const auto& ground : {sim::terrain::slope(oncilla::degrees(6)),
+                               sim::terrain::slope(oncilla::degrees(-6)), sim::terrain::steps(0.006)}) {
+      const walk w = walked(ground, 4, 10);
+      MESSAGE(ground.name(), ": ", w.speed, " m/s, slip ", w.slip, std::string(w.fell ? ", fell" : ""));
+      CHECK(!w.fell);
+      CHECK(w.speed > 0.4);
+    }
+  }
+}
