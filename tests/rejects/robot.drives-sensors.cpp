@@ -1,4 +1,4 @@
-// EXPECT: robot\.drives: this robot has force sensors, but no board that reads as many
+// EXPECT: robot\.drives: this robot has sensors, but no board that reads as many
 // In the simulator a force sensor needs nothing else; a real one is on a bus.
 #include <cca/hardware/cia402.hpp>
 #include <cca/hardware/memory_bus.hpp>

@@ -39,9 +39,9 @@ struct pole {
                                   robots::gyroscope<"turning", "pole">,
                                   robots::accelerometer<"felt", "pole">,
                                   robots::accelerometer<"of_base">>;
-  // [inertial end]
   static constexpr std::array<robots::joint_drive, 1> drives{{{.motor = {5, 50}}}};
 };
+// [inertial end]
 
 struct torque : cca::space<cca::joint_torques, cca::axes<swing>, cca::rate<1000>> {};
 struct still {
@@ -124,9 +124,9 @@ TEST_SUITE("inertial sensors") {
     m.floats = true;
     m.base = {1, {}, {0.1, 0.1, 0.1}};
     sim::robot_world w(m);
-    CHECK(w.inertial(3).specific_force[2] == doctest::Approx(9.81));  // nothing moves yet
+    CHECK(w.inertial(1).specific_force[2] == doctest::Approx(9.81));  // nothing moves yet
     for (int k = 0; k < 50; ++k) w.advance({});
-    CHECK(Eigen::Vector3d::Map(w.inertial(3).specific_force.data()).norm() < 1e-6);
+    CHECK(Eigen::Vector3d::Map(w.inertial(1).specific_force.data()).norm() < 1e-6);
   }
 }
 

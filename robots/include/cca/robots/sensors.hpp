@@ -11,7 +11,9 @@
 // is given: that in which the robot is put down, z up. Errors: robot.description.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -83,15 +85,45 @@ inline constexpr bool is_inertial = Sensor::kind != sensor_kind::load;
 
 namespace detail {
 
-// The place of a sensor among those that are inertial as well, or not.
+template <class... All>
+constexpr std::size_t load_count(sensors<All...>) {
+  return (std::size_t{!is_inertial<All>} + ... + 0);
+}
+
 template <class Sensor, class... All>
-constexpr std::size_t place_in_kind(sensors<All...>) {
+constexpr std::size_t place_among_loads(sensors<All...>) {
   std::size_t place = 0;
   bool found = false;
-  ((found = found || std::is_same_v<All, Sensor>,
-    place += !found && is_inertial<All> == is_inertial<Sensor> ? 1 : 0),
-   ...);
+  ((found = found || std::is_same_v<All, Sensor>, place += !found && !is_inertial<All> ? 1 : 0), ...);
   return place;
+}
+
+// Inertial sensors of one part are one unit. The part of each unit, in the order in which they first occur.
+template <class... All>
+struct inertial_units {
+  std::array<std::string_view, sizeof...(All)> parts{};
+  std::size_t count = 0;
+
+  constexpr inertial_units() { (add(All::part.view(), is_inertial<All>), ...); }
+  constexpr std::size_t place_of(std::string_view part) const {
+    std::size_t i = 0;
+    while (i < count && parts[i] != part) ++i;
+    return i;
+  }
+
+private:
+  constexpr void add(std::string_view part, bool inertial) {
+    if (inertial && place_of(part) == count) parts[count++] = part;
+  }
+};
+
+template <class... All>
+constexpr std::size_t unit_count(sensors<All...>) {
+  return inertial_units<All...>().count;
+}
+template <class Sensor, class... All>
+constexpr std::size_t unit_of(sensors<All...>) {
+  return inertial_units<All...>().place_of(Sensor::part.view());
 }
 
 }  // namespace detail

@@ -6,7 +6,7 @@
 //
 // R: a description (cca/robots/description.hpp), whose rate is 1 kHz: the safety chain counts beats of a
 // millisecond. Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each axis of R's body, in their
-// order; then a load_board, if R has force sensors. Ports, nodes and wires are those of every described robot
+// order; then a robot_board, if R has sensors. Ports, nodes and wires are those of every described robot
 // (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and the
 // drives, and the limits of the axes bound it.
 //
@@ -59,11 +59,23 @@ inline constexpr bool all_follow<joint_list<J...>, robots::commands<Commands...>
   return all;
 }();
 
+template <class Board>
+constexpr std::size_t loads_of = 0;
+template <class Board>
+  requires requires { Board::sensors; }
+constexpr std::size_t loads_of<Board> = Board::sensors;
+template <class Board>
+constexpr std::size_t inertial_units_of = 0;
+template <class Board>
+  requires requires { Board::inertial_units; }
+constexpr std::size_t inertial_units_of<Board> = Board::inertial_units;
+
+// Whether the board has all force sensors, and an inertial unit where each of the others sits.
 template <class Board, class... Sensors>
-constexpr bool has_sensors(robots::sensors<Sensors...>) {
-  if constexpr (sizeof...(Sensors) == 0) return true;
-  else if constexpr (requires { Board::sensors; }) return Board::sensors == sizeof...(Sensors);
-  else return false;
+constexpr bool has_sensors(robots::sensors<Sensors...> all) {
+  constexpr auto reads = [](std::size_t has, std::size_t needs) { return needs == 0 || has == needs; };
+  return reads(loads_of<Board>, robots::detail::load_count(all)) &&
+         reads(inertial_units_of<Board>, robots::detail::unit_count(all));
 }
 
 template <class R, class... Drives>
@@ -100,8 +112,9 @@ constexpr auto check_drives() {
                     "cca::timed<N>");
     if constexpr (in_order && at_one_khz)
       static_assert(senses,
-                    "robot.drives: this robot has force sensors, but no board that reads as many; add a "
-                    "cca::hardware::load_board with their number after the joints");
+                    "robot.drives: this robot has sensors, but no board that reads as many; after the joints "
+                    "add a cca::hardware::robot_board with the number of its force sensors and of the places "
+                    "where it has inertial ones");
     if constexpr (in_order && at_one_khz && senses)
       static_assert(follows,
                     "robot.drives: a drive of this robot has gains of its own, so it follows positions or "

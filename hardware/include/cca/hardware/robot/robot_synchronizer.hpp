@@ -3,9 +3,9 @@
 //
 //   sense   out one port an axis: robots::measured_joint<R, Axis> (rad, rad/s, N m), NaN until the drive has
 //               reported, and where the report is too old
-//           out one port a force sensor, under its name: robots::sensed_load, nothing until the board has
-//           sent
-//               it. The sensors of R are those of the board, in the same order
+//           out one port a sensor, under its name: robots::sensed, nothing until the board has sent it. The
+//               force sensors of R are those of the board, in the same order; so are the places of the
+//               inertial ones, and its inertial units
 //           out "joints" joint_states for the guards
 //   act     in "set_points" of the guards
 //
@@ -34,12 +34,11 @@ public:
   using joints = joint_list<J...>;
 
   auto sense() -> std::tuple<out<J::axis::label, robots::measured_joint<R, typename J::axis>>...,
-                             maybe<Sensors::name, robots::sensed_load<R, Sensors>>...,
+                             maybe<Sensors::name, robots::sensed<R, Sensors>>...,
                              out<"joints", joint_states<joints>>> {
     this->read();
-    [[maybe_unused]] std::size_t sensor = 0;
     return drives::each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense()){this->measured(I)..., load<Sensors>(sensor++)..., this->states()};
+      return decltype(sense()){this->measured(I)..., reading_of<Sensors>()..., this->states()};
     });
   }
 
@@ -49,10 +48,23 @@ public:
 
 private:
   template <class Sensor>
-  maybe<Sensor::name, robots::sensed_load<R, Sensor>> load(std::size_t i) const {
-    const auto& now = this->reading.loads[i];
-    if (!(now[0] - now[0] == 0)) return {};
-    return typename robots::sensed_load<R, Sensor>::vector_type(Eigen::Matrix<double, 6, 1>::Map(now.data()));
+  maybe<Sensor::name, robots::sensed<R, Sensor>> reading_of() const {
+    using vector = typename robots::sensed<R, Sensor>::vector_type;
+    const auto& numbers = numbers_of<Sensor>();
+    if (!(numbers[0] - numbers[0] == 0)) return {};
+    return vector(vector::Map(numbers.data()));
+  }
+  template <class Sensor>
+  const auto& numbers_of() const {
+    using all = robots::sensors<Sensors...>;
+    if constexpr (Sensor::kind == robots::sensor_kind::load) {
+      return this->reading.loads[robots::detail::place_among_loads<Sensor>(all())];
+    } else {
+      const auto& unit = this->reading.inertial[robots::detail::unit_of<Sensor>(all())];
+      if constexpr (Sensor::kind == robots::sensor_kind::orientation) return unit.orientation;
+      else if constexpr (Sensor::kind == robots::sensor_kind::angular_velocity) return unit.angular_velocity;
+      else return unit.specific_force;
+    }
   }
 };
 

@@ -56,7 +56,7 @@ struct robot_model {
   std::vector<placed_shape> shapes;
   std::vector<placed_spring> line_springs;
   std::vector<place_on_link> sensors;         // of forces
-  std::vector<place_on_link> inertial_units;  // where there is a gyroscope, say; one for each such sensor
+  std::vector<place_on_link> inertial_units;  // one for each place with inertial sensors
   std::vector<place_on_link> ends;            // of the parts, in order of declaration
   double beat = 0.001;                        // s
 };
@@ -68,20 +68,20 @@ std::vector<joint_stops> stops_of(axes<Axes...>) {
   return {joint_stops{cca::detail::lower_limit_of<Axes, angle>, cca::detail::upper_limit_of<Axes, angle>}...};
 }
 
-template <class Body, class Sensor>
-void place_sensor(robot_model& m, std::vector<int>& sensed_parts) {
-  const int part = part_index<Body>(Sensor::part.view());
-  const place_on_link where = part < 0 ? place_on_link{} : m.ends[static_cast<std::size_t>(part)];
-  if (robots::is_inertial<Sensor>) return m.inertial_units.push_back(where);
-  sensed_parts.push_back(part);
-  m.sensors.push_back(where);
-}
-
 // Returns the parts of the force sensors.
 template <class Body, class... Sensors>
 std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
+  const auto end_of = [&m](int part) {
+    return part < 0 ? place_on_link{} : m.ends[static_cast<std::size_t>(part)];
+  };
   std::vector<int> sensed_parts;
-  (place_sensor<Body, Sensors>(m, sensed_parts), ...);
+  (void)((robots::is_inertial<Sensors> ||
+          (sensed_parts.push_back(part_index<Body>(Sensors::part.view())), true)) &&
+         ...);
+  for (const int part : sensed_parts) m.sensors.push_back(end_of(part));
+  const robots::detail::inertial_units<Sensors...> units;
+  for (std::size_t i = 0; i < units.count; ++i)
+    m.inertial_units.push_back(end_of(part_index<Body>(units.parts[i])));
   return sensed_parts;
 }
 

@@ -5,7 +5,7 @@
 //   w.advance(laws);                      one law for each coordinate (joint_law.hpp)
 //   w.joints()[3].angle                   rad; torques are means over the beat
 //   w.load(0)                             of the first force sensor, in its frame
-//   w.inertial(0).orientation             of the first inertial sensor
+//   w.inertial(0).orientation             of the first inertial unit
 //
 // A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical.
 // `save` and `restore` do the same with a plain value, for worlds of the same model and scene. `pull` and

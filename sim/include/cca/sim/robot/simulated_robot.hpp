@@ -79,14 +79,19 @@ private:
   template <class Sensor>
   out<Sensor::name, robots::sensed<R, Sensor>> reading(std::type_identity<Sensor>) const {
     using vector = typename robots::sensed<R, Sensor>::vector_type;
-    constexpr std::size_t i = robots::detail::place_in_kind<Sensor>(robots::sensors<Sensors...>());
-    if constexpr (Sensor::kind == robots::sensor_kind::load)
-      return vector(vector::Map(world_.load(i).data()));
-    else if constexpr (Sensor::kind == robots::sensor_kind::orientation)
-      return vector(vector::Map(world_.inertial(i).orientation.data()));
-    else if constexpr (Sensor::kind == robots::sensor_kind::angular_velocity)
-      return vector(vector::Map(world_.inertial(i).angular_velocity.data()));
-    else return vector(vector::Map(world_.inertial(i).specific_force.data()));
+    return vector(vector::Map(numbers_of<Sensor>().data()));
+  }
+  template <class Sensor>
+  const auto& numbers_of() const {
+    using all = robots::sensors<Sensors...>;
+    if constexpr (Sensor::kind == robots::sensor_kind::load) {
+      return world_.load(robots::detail::place_among_loads<Sensor>(all()));
+    } else {
+      const inertial_reading& unit = world_.inertial(robots::detail::unit_of<Sensor>(all()));
+      if constexpr (Sensor::kind == robots::sensor_kind::orientation) return unit.orientation;
+      else if constexpr (Sensor::kind == robots::sensor_kind::angular_velocity) return unit.angular_velocity;
+      else return unit.specific_force;
+    }
   }
 
   robot_world world_{model_of<R>()};
