@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -19,8 +18,7 @@
 #include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/file.hpp"
-#include "../trot/report/parallel.hpp"
-#include "../trot/report/progress.hpp"
+#include "../trot/report/finished_runs.hpp"
 #include "command_line.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"
@@ -114,7 +112,7 @@ int run(const options& o) {
   skills::combined start;
   skills::load(start, o.shape, o.config);
 
-  std::vector<skills::finished_run> runs;
+  std::vector<skills::circumstances> all;
   for (std::uint64_t seed = o.first; seed < o.first + o.count; ++seed)
     for (std::size_t paw = 0; paw < skills::paw_names.size(); ++paw)
       for (std::size_t where = 0; where < skills::target_names.size(); ++where) {
@@ -122,28 +120,16 @@ int run(const options& o) {
         c.seed = seed;
         c.paw = static_cast<skills::paw_side>(paw);
         c.where = static_cast<skills::target>(where);
-        runs.push_back({c, {}});
+        all.push_back(c);
       }
 
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
-  std::vector<char> over(runs.size(), 0);
-  trot::progress_bar bar("runs");
-  trot::on_all_cores(
-      runs.size(),
-      [&](std::size_t i) {
-        if (interrupted) return;
+  const std::vector<skills::finished_run> runs =
+      trot::finished_runs("combination_of_skills_runs", all.size(), interrupted, [&](std::size_t i) {
         skills::combined controller = start;
-        runs[i].what = skills::roll_out(controller, runs[i].where,
-                                        [&](const skills::combined&) { return !interrupted; });
-        over[i] = !interrupted;
-      },
-      [&](std::size_t finished) {
-        bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
+        return skills::finished_run{all[i],
+                                    skills::roll_out(controller, all[i], [&] { return !interrupted; })};
       });
-  bar.done();
-  std::size_t i = 0;
-  std::erase_if(runs, [&](const skills::finished_run&) { return !over[i++]; });
-  if (interrupted) std::cerr << "combination_of_skills_runs: interrupted after " << runs.size() << " runs\n";
 
   print(runs);
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -20,8 +19,7 @@
 
 #include "../deployed/observed_run.hpp"
 #include "../trot/report/file.hpp"
-#include "../trot/report/parallel.hpp"
-#include "../trot/report/progress.hpp"
+#include "../trot/report/finished_runs.hpp"
 #include "rollout.hpp"
 #include "summary.hpp"
 
@@ -54,34 +52,22 @@ int run(const options& o) {
   if (o.config) start.load(*o.config);
   else start.load();
 
-  std::vector<touch::result> runs(o.count);
-  std::vector<char> over(runs.size(), 0);
   std::string seen;
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
   std::ostringstream moments;           // of the first run
-  trot::progress_bar bar("touch");
-  trot::on_all_cores(
-      runs.size(),
-      [&](std::size_t i) {
-        if (interrupted) return;
+  const std::vector<touch::result> runs =
+      trot::finished_runs("touch", o.count, interrupted, [&](std::size_t i) {
         const auto c = std::make_unique<controller>(start);
         deployed::observed_run look(*c, i == 0 ? o.files : deployed::observing(), "touch", true);
-        runs[i] = touch::roll_out(*c, o.first + i, [&](const controller& now, int step) {
+        const touch::result r = touch::roll_out(*c, o.first + i, [&](const controller& now, int step) {
           if (i == 0 && o.csv && now.beat_index() % 10 == 0) touch::write_moment(moments, now, step);
           return !interrupted;
         });
-        over[i] = !interrupted;
         if (const std::string text = look.end(); !text.empty()) seen = text;  // of one run
         const auto& module = c->get<"repeat.module">();
-        if (i == 0 && o.shape && over[i]) module.learning.save(*o.shape, module.constants());
-      },
-      [&](std::size_t finished) {
-        bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
+        if (i == 0 && o.shape && !interrupted) module.learning.save(*o.shape, module.constants());
+        return r;
       });
-  bar.done();
-  std::size_t i = 0;
-  std::erase_if(runs, [&](const touch::result&) { return !over[i++]; });
-  if (interrupted) std::cerr << "touch: interrupted after " << runs.size() << " runs\n";
 
   touch::write_heading();
   for (const touch::result& r : runs) touch::write_row(r);

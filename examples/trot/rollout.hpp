@@ -34,36 +34,41 @@ inline std::size_t beats_in(double seconds) {
   return static_cast<std::size_t>(std::llround(seconds * 1e9 / static_cast<double>(trotting::period())));
 }
 
-// Puts the robot down for a run of this time, and begins to record it. The controller must be loaded and not
-// started.
-template <class Controller>  // of simulated_trot, or of a graph derived from it
+// Puts the robot down where a gait stands, for a run of this time, and begins to record it. The controller
+// must be loaded and not started.
+template <class Controller>  // of any architecture with this robot
 recording begin(Controller& controller,
+                const gait::parameters& stands,
                 const cca::sim::terrain& ground,
                 const cca::sim::disturbance& disturbance,
                 double seconds,
                 const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
   // The robot's posture, the ground and the disturbance: [put down]
   auto& simulator = controller.template get<"robot.simulator">();
-  simulator.put_down(cca::sim::world(model, ground.with_friction(disturbance.friction),
-                                     put_down(controller.template get<"gait">().p, disturbance)),
-                     disturbance);
+  simulator.put_down(
+      cca::sim::world(model, ground.with_friction(disturbance.friction), put_down(stands, disturbance)),
+      disturbance);
   // [put down end]
   recording run;
   run.begin(simulator.world(), beats_in(seconds));
   return run;
 }
 
-// A whole run, as fast as possible. Calls between(world, part of the run) after each beat, and ends if it
-// returns false.
-template <class Between>
-recording roll_out(trotting& controller,
-                   const cca::sim::terrain& ground,
-                   const cca::sim::disturbance& disturbance,
-                   double seconds,
-                   Between between,
-                   const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
-  recording run = begin(controller, ground, disturbance, seconds, model);
-  const cca::sim::world& world = controller.get<"robot.simulator">().world();
+// The trot, where its own gait stands.
+template <class Controller>  // of simulated_trot, or of a graph derived from it
+recording begin(Controller& controller,
+                const cca::sim::terrain& ground,
+                const cca::sim::disturbance& disturbance,
+                double seconds,
+                const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
+  return begin(controller, controller.template get<"gait">().p, ground, disturbance, seconds, model);
+}
+
+// Starts the controller and steps as fast as possible, until the time is over, the robot falls, or
+// between(world, part of the run), called after each beat, returns false.
+template <class Controller, class Between>
+recording walked(Controller& controller, recording run, double seconds, Between between) {
+  const cca::sim::world& world = controller.template get<"robot.simulator">().world();
   const std::size_t beats = beats_in(seconds);
   controller.start();
   for (std::size_t k = 1; k <= beats && !run.fell && controller.step(); ++k) {
@@ -71,6 +76,17 @@ recording roll_out(trotting& controller,
     if (!goes_on(between, world, static_cast<double>(k) / static_cast<double>(beats))) break;
   }
   return run;
+}
+
+// A whole run of the trot.
+template <class Between>
+recording roll_out(trotting& controller,
+                   const cca::sim::terrain& ground,
+                   const cca::sim::disturbance& disturbance,
+                   double seconds,
+                   Between between,
+                   const cca::sim::oncilla_model& model = cca::sim::oncilla_defaults) {
+  return walked(controller, begin(controller, ground, disturbance, seconds, model), seconds, between);
 }
 
 }  // namespace trot

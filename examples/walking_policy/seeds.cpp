@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,9 +21,8 @@
 
 #include "../trot/report/command_line.hpp"
 #include "../trot/report/file.hpp"
+#include "../trot/report/finished_runs.hpp"
 #include "../trot/report/json.hpp"
-#include "../trot/report/parallel.hpp"
-#include "../trot/report/progress.hpp"
 #include "../trot/report/statistics.hpp"
 #include "rollout.hpp"
 #include "worth.hpp"
@@ -78,26 +76,13 @@ int judge(const options& o) {
   if (o.speed) walking::command_speed(start, *o.speed);
   const double commanded = start.get<"gait.throttle">().p.speed;
 
-  std::vector<run_of_seed> runs(o.count);
-  std::vector<char> over(runs.size(), 0);
-  trot::progress_bar bar("seeds");
-  trot::on_all_cores(
-      runs.size(),
-      [&](std::size_t i) {
-        if (interrupted) return;
+  const std::vector<run_of_seed> runs =
+      trot::finished_runs("walking_policy_seeds", o.count, interrupted, [&](std::size_t i) {
         walking::controller c = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
-        runs[i] = {o.first + i, trot::evaluate(walking::roll_out(c, o.ground, disturbance, o.seconds,
-                                                                 [&] { return !interrupted; }))};
-        over[i] = !interrupted;
-      },
-      [&](std::size_t finished) {
-        bar.show(static_cast<double>(finished) / static_cast<double>(runs.size()));
+        return run_of_seed{o.first + i, trot::evaluate(walking::roll_out(c, o.ground, disturbance, o.seconds,
+                                                                         [&] { return !interrupted; }))};
       });
-  bar.done();
-  std::size_t next = 0;
-  std::erase_if(runs, [&](const run_of_seed&) { return !over[next++]; });
-  if (interrupted) std::cerr << "walking_policy_seeds: interrupted after " << runs.size() << " runs\n";
 
   std::size_t falls = 0, walked = 0;
   trot::json list = trot::json::array();

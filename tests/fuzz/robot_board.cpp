@@ -36,7 +36,8 @@ void survives_encoding(const board::reading& r) {
   fuzz::must(near(again.inertial[0].specific_force, r.inertial[0].specific_force, acceleration_step));
   // Half a step, and the error of its length.
   if (turned)
-    fuzz::must(near(again.inertial[0].orientation, r.inertial[0].orientation, [](std::size_t) { return 2e-4; }));
+    fuzz::must(
+        near(again.inertial[0].orientation, r.inertial[0].orientation, [](std::size_t) { return 2e-4; }));
   fuzz::must(again.status == r.status && again.frames == 1);
 }
 

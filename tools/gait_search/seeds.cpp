@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -20,9 +19,8 @@
 #include "../../examples/trot/report/bounds.hpp"
 #include "../../examples/trot/report/command_line.hpp"
 #include "../../examples/trot/report/file.hpp"
+#include "../../examples/trot/report/finished_runs.hpp"
 #include "../../examples/trot/report/json.hpp"
-#include "../../examples/trot/report/parallel.hpp"
-#include "../../examples/trot/report/progress.hpp"
 #include "../../examples/trot/rollout.hpp"
 #include "../../examples/trot/report/statistics.hpp"
 
@@ -53,28 +51,18 @@ int run(const options& o) {
   if (o.config.empty()) start.load();
   else start.load(o.config);
 
-  std::vector<trot::statistics> all(o.count);
-  std::vector<char> over(o.count, 0);
-  trot::progress_bar bar("seeds");
-  trot::on_all_cores(
-      all.size(),
-      [&](std::size_t i) {
-        if (interrupted) return;
+  struct run_of_seed {
+    std::uint64_t seed;
+    trot::statistics figures;
+  };
+  const std::vector<run_of_seed> all =
+      trot::finished_runs("trot_seeds", o.count, interrupted, [&](std::size_t i) {
         trot::trotting controller = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
-        all[i] = trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
-                                               [&](const cca::sim::world&, double) { return !interrupted; }));
-        over[i] = !interrupted;
-      },
-      [&](std::size_t finished) {
-        bar.show(static_cast<double>(finished) / static_cast<double>(all.size()));
+        return run_of_seed{o.first + i,
+                           trot::evaluate(trot::roll_out(controller, o.ground, disturbance, o.seconds,
+                                                         [&] { return !interrupted; }))};
       });
-  bar.done();
-  std::vector<std::uint64_t> seeds;
-  for (std::size_t i = 0; i < over.size(); ++i)
-    if (over[i]) all[seeds.size()] = all[i], seeds.push_back(o.first + i);
-  all.resize(seeds.size());
-  if (interrupted) std::cerr << "trot_seeds: interrupted after " << all.size() << " runs\n";
 
   const double commanded = start.get<"gait">().p.duty;
   std::size_t falls = 0, beyond = 0;
@@ -83,12 +71,11 @@ int run(const options& o) {
          most_slip = 0;
   double speed = 0, cruise = 0, slip = 0, friction = 0;  // means over the runs that stood
   std::array<double, 4> duty{};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const trot::statistics& s = all[i];
+  for (const auto& [seed, s] : all) {
     const double off_duty = trot::farthest_off_duty(s, commanded);
     const bool kept = trot::keeps(s, commanded);
     beyond += !kept;
-    runs.push_back({{"seed", seeds[i]},
+    runs.push_back({{"seed", seed},
                     {"fell", s.fell},
                     {"speed_m_s", s.speed},
                     {"cruise_speed_m_s", s.cruise},
@@ -101,7 +88,7 @@ int run(const options& o) {
           "  seed %3zu  %.3f m/s, cruise %.3f  drift %+.3f m  roll %4.1f  pitch %4.1f deg  slip %.3f m/s  "
           "duty "
           "%.2f %.2f %.2f %.2f%s%s\n",
-          static_cast<std::size_t>(seeds[i]), s.speed, s.cruise, s.drift, s.max_roll * 57.2958,
+          static_cast<std::size_t>(seed), s.speed, s.cruise, s.drift, s.max_roll * 57.2958,
           s.max_pitch * 57.2958, s.foot_slip, s.duty_factor[0], s.duty_factor[1], s.duty_factor[2],
           s.duty_factor[3], s.fell ? "  FELL" : "", kept ? "" : "  beyond the bounds");
     roll = std::max(roll, s.max_roll);

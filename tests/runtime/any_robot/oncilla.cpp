@@ -246,8 +246,7 @@ TEST_SUITE("oncilla as a described robot") {
       trot::trotting controller;
       controller.load();
       const trot::recording run =
-          trot::roll_out(controller, sim::terrain::flat(), sim::disturbance::from_seed(seed, 8), 8,
-                         [](const sim::world&, double) {});
+          trot::roll_out(controller, sim::terrain::flat(), sim::disturbance::from_seed(seed, 8), 8, [] {});
       REQUIRE(run.moments.size() == 8000);
       there += (run.moments.back().position[0] - run.moments[2000].position[0]) / 6 / seeds;
     }
