@@ -16,7 +16,7 @@
 #include <cca/runtime/interruption.hpp>
 
 #include "architecture.hpp"
-#include "observed_run.hpp"
+#include "observing.hpp"
 #include "process.hpp"
 #include "transports.hpp"
 #include "wake_up.hpp"
@@ -76,12 +76,12 @@ inline const std::vector<std::string> all_environments{"simulation", "robot", "r
 
 inline outcome run_loop(const settings& s, const cca::interruption& interrupted) {
   cca::controller<split> loop;
-  observed_run look(loop, s.files.of("loop", fast), "loop", true);
+  cca::observed_run look(loop, s.files.of("loop", fast), "loop", true);
   set_up(loop, s, all_environments);
   loop.run(cca::for_some_beats{s.most_beats}, {},
            [&](const auto& c) { return !interrupted && !c.template get<"robot.simulator">().is_over(); });
   outcome one = result_of("loop", fast, loop);
-  one.traced = look.end();
+  one.traced = end(look);
   return one;
 }
 
@@ -129,10 +129,10 @@ template <class Pace>
 outcome run_threads(const settings& s, Pace pace, const cca::interruption& interrupted) {
   constexpr bool is_timed = !std::is_same_v<Pace, cca::as_fast_as_possible>;
   cca::deployed<split> d;
-  observed_run look(d, s.files.of("threads", is_timed ? wall_clock : fast), "threads", !is_timed);
+  cca::observed_run look(d, s.files.of("threads", is_timed ? wall_clock : fast), "threads", !is_timed);
   set_up(d, s, all_environments);
   outcome one = run_deployed("threads", d, s.most_beats, pace, interrupted);
-  one.traced = look.end();
+  one.traced = end(look);
   return one;
 }
 
@@ -169,10 +169,10 @@ outcome run_processes(const std::string& transport,
       if (!files.page.empty()) words.insert(words.end(), {"--page", files.page});
       others.push_back(process(words));
     }
-    observed_run look(d, s.files.of(transport, pace_name, "simulation"), transport, pace_name == fast);
+    cca::observed_run look(d, s.files.of(transport, pace_name, "simulation"), transport, pace_name == fast);
     set_up(d, s, {"simulation"});
     outcome one = run_deployed(transport, d, s.most_beats, pace, interrupted);
-    one.traced = look.end();
+    one.traced = end(look);
     if (interrupted) return one;
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (others[i].wait() != 0) one.failure += " the process of `" + elsewhere[i] + "` failed";
@@ -198,7 +198,7 @@ inline int run_environment(const std::string& name,
   return with_transport(transport, address, [&](const auto& connection) {
     const cca::interruption interrupted;
     cca::deployed<split> d(cca::only(std::vector{name}), connection);
-    observed_run look(d, s.files, name, false);
+    cca::observed_run look(d, s.files, name, false);
     set_up(d, s, {name});
     bool is_ended = false;  // by another process
     while (d.beat_index() < s.most_beats && !d.fault() && !interrupted && !is_ended) {
@@ -209,7 +209,7 @@ inline int run_environment(const std::string& name,
     const std::string fault = d.fault() ? d.fault().reason() : "";
     if (d.state() == cca::state::started || d.state() == cca::state::faulted) d.stop();
     std::fputs(told_of(d.figures(), name).c_str(), stdout);
-    std::fputs(look.end().c_str(), stderr);
+    std::fputs(end(look).c_str(), stderr);
     if (name == "simulation")
       std::printf("%lld beats; from paw to ball: %s\n", static_cast<long long>(d.beat_index()),
                   distance_of(d.template get<"robot.simulator">().judgement()).c_str());

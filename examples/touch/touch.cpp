@@ -17,7 +17,7 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
-#include "../deployed/observed_run.hpp"
+#include "../deployed/observing.hpp"
 #include "../trot/report/file.hpp"
 #include "../trot/report/finished_runs.hpp"
 #include "rollout.hpp"
@@ -58,12 +58,12 @@ int run(const options& o) {
   const std::vector<touch::result> runs =
       trot::finished_runs("touch", o.count, interrupted, [&](std::size_t i) {
         const auto c = std::make_unique<controller>(start);
-        deployed::observed_run look(*c, i == 0 ? o.files : deployed::observing(), "touch", true);
+        cca::observed_run look(*c, i == 0 ? o.files : deployed::observing(), "touch", true);
         const touch::result r = touch::roll_out(*c, o.first + i, [&](const controller& now, int step) {
           if (i == 0 && o.csv && now.beat_index() % 10 == 0) touch::write_moment(moments, now, step);
           return !interrupted;
         });
-        if (const std::string text = look.end(); !text.empty()) seen = text;  // of one run
+        if (const std::string text = deployed::end(look); !text.empty()) seen = text;  // of one run
         const auto& module = c->get<"repeat.module">();
         if (i == 0 && o.shape && !interrupted) module.learning.save(*o.shape, module.constants());
         return r;

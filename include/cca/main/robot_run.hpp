@@ -8,7 +8,6 @@
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,11 +16,11 @@
 #include <cca/component/lifecycle.hpp>
 #include <cca/config/files.hpp>
 #include <cca/main/counted_pace.hpp>
+#include <cca/main/observed_run.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
-#include <cca/trace/tracer.hpp>
 
 namespace cca::detail {
 
@@ -40,16 +39,11 @@ public:
     controller_type& c = *made;
     const interruption interrupted;
     program.prepare(c);
-    std::optional<page_type> page;
-    std::optional<recorder_type> recorder;
-    begin_recording(recorder, page, c);
-    std::optional<tracer_type> tracer;
-    begin_trace(tracer, c);
+    observed_run<controller_type> look(c, files(), called, !program.settings.speed);
     if (program.settings.configs.empty()) c.load();
     for (const std::string& file : program.settings.configs) c.load(file);
     program.loaded(c);
-    if constexpr (can_record)
-      if (recorder) recorder->note(program.settings.notes);
+    look.note(program.settings.notes);
     is_to_stop = true;
     try {
       c.start();
@@ -65,43 +59,20 @@ public:
     const bool has_faulted = c.state() == state::faulted;
     const std::string fault = has_faulted ? fault_of(c) : "";
     stop(c);  // before anything is written: a robot does not wait for a terminal
-    const std::string lost = end_recording(recorder, page), untraced = end_trace(tracer);
+    const std::vector<std::string> problems = look.close();
     if (has_faulted) tell(fault);
-    if (!lost.empty()) tell(lost);
-    if (!untraced.empty()) tell(untraced);
+    for (const std::string& problem : problems) tell(problem);
     if (!ended_by_others.empty()) tell(ended_by_others);
     if (interrupted) tell("interrupted " + at(c));
-    if (!program.settings.quiet) print_figures(figures_of(c)), print_summary(tracer);
+    if (!program.settings.quiet) print_figures(figures_of(c)), std::cout << look.summary() << std::flush;
     const int own = program.finish(c);
-    const bool is_all_written = lost.empty() && untraced.empty();
-    return has_faulted                                 ? exit_code::fault
-           : interrupted                               ? interrupted.exit_code()
-           : !is_all_written && own == exit_code::done ? exit_code::error
-                                                       : own;
+    return has_faulted                                   ? exit_code::fault
+           : interrupted                                 ? interrupted.exit_code()
+           : !problems.empty() && own == exit_code::done ? exit_code::error
+                                                         : own;
   }
 
 private:
-  static constexpr bool can_record = HasRecorder<controller_type>;
-  struct no_recorder {};
-  struct no_page {};
-  struct no_tracer {};
-  template <class Controller, bool CanRecord>
-  struct choose_recorder {
-    using type = no_recorder;
-    using page = no_page;
-  };
-  template <class Controller>
-  struct choose_recorder<Controller, true> {
-    using type = program_recorder<Controller>;
-    using page = program_page<Controller>;
-  };
-  using recorder_type = typename choose_recorder<controller_type, can_record>::type;
-  using page_type = typename choose_recorder<controller_type, can_record>::page;
-
-  static constexpr bool can_trace = Traceable<typename Program::architecture>;
-  using tracer_type =
-      typename std::conditional_t<can_trace, box<cca::tracer<controller_type>>, box<no_tracer>>::type;
-
   // The same controller with what the recorded robot sensed; the program's own functions are not called.
   int replay() {
     if constexpr (HasReplay<controller_type>) {
@@ -113,45 +84,9 @@ private:
     }
   }
 
-  void begin_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
-                       [[maybe_unused]] std::optional<page_type>& page,
-                       [[maybe_unused]] controller_type& c) {
+  run_files files() const {
     const run_settings& s = program.settings;
-    if (s.record.empty() && s.page.empty()) return;
-    if constexpr (can_record) {
-      if (!s.page.empty()) page.emplace(s.page, s.record);
-      recorder.emplace(c, page ? page->recording_file() : s.record, s.record_scopes, !s.speed);
-    } else throw refused(called + ": this program can't record: see docs/recordings.md");
-  }
-  static std::string end_recording([[maybe_unused]] std::optional<recorder_type>& recorder,
-                                   [[maybe_unused]] std::optional<page_type>& page) {
-    std::string problem;
-    if constexpr (can_record) {
-      if (recorder) problem = recorder->close();
-      if (page)
-        if (const std::string why = page->write(); !why.empty())
-          problem += (problem.empty() ? "" : "; ") + why;
-    }
-    return problem;
-  }
-
-  void begin_trace([[maybe_unused]] std::optional<tracer_type>& tracer, [[maybe_unused]] controller_type& c) {
-    const run_settings& s = program.settings;
-    if (s.trace.empty()) return;
-    if constexpr (can_trace) tracer.emplace(c, s.trace, trace_settings{.name = called, .waits = !s.speed});
-    else throw refused(called + ": this program can't be traced: see docs/traces.md");
-  }
-  static std::string end_trace([[maybe_unused]] std::optional<tracer_type>& tracer) {
-    if constexpr (can_trace)
-      if (tracer) {
-        tracer->close();
-        if (std::string why = tracer->problem(); !why.empty()) return "the trace is incomplete: " + why;
-      }
-    return {};
-  }
-  static void print_summary([[maybe_unused]] const std::optional<tracer_type>& tracer) {
-    if constexpr (can_trace)
-      if (tracer) std::cout << tracer->summary() << std::flush;
+    return {s.record, s.page, s.trace, s.record_scopes};
   }
 
   void run(controller_type& c, const interruption& interrupted) {
