@@ -1,5 +1,5 @@
 // EXPECT: robot\.description: a sensor is at the end of a part that the body doesn't have
-// The first name is that of the port, the second that of the part.
+// The body has no part `hand`: that is the frame in which its part `arm` ends.
 #include <cca/robots/description.hpp>
 
 struct mount : cca::frame<"mount"> {};

@@ -1,5 +1,5 @@
 // EXPECT: space\.mismatch: this space lacks an axis of the body; it must have all axes of the body
-// Where a body is, and what it weighs there, depends on all of its joints.
+// The body has two joints, and its pose and its gravity torques need the angle of each.
 #include <cca/robot/body_components.hpp>
 
 struct shoulder : cca::dimension<"shoulder"> {
