@@ -84,13 +84,23 @@ struct wound {
   using commands = robots::commands<robots::position_command>;
   // [cable drive]
   static constexpr std::array drives{robots::joint_drive{.motor = {6, 16},
-                                                         .stiffness = 80,
                                                          .friction = 0.1,
                                                          .spring = 4,
                                                          .spring_rest = -0.5,
                                                          .cable = {.stiffness = 80, .damping = 0.4}}};
   // [cable drive end]
 };
+struct position : cca::space<cca::joint_angles, cca::axes<swing>, cca::rate<1000>> {};
+struct one_radian {
+  auto process() -> cca::out<"position", position> { return 1.0; }
+};
+struct winding : cca::graph<cca::rate<1000>,
+                            cca::node<"goal", one_radian, cca::timed<1>>,
+                            cca::node<"limits", cca::limiter<position>>,
+                            cca::node<"robot", sim::robot<wound>>,
+                            cca::wire<"goal.position", "limits.command">,
+                            cca::wire<"limits.safe", "robot.position">> {};
+
 sim::joint_law to(double position) { return {.position = position, .stiffness = 80, .damping = 1}; }
 
 void go(sim::robot_world& w, const sim::joint_law& law, int beats) {
@@ -131,6 +141,14 @@ TEST_SUITE("inertial sensors") {
 }
 
 TEST_SUITE("a motor that winds a cable") {
+  TEST_CASE("a position reaches it through the robot's port") {
+    cca::controller<winding> c;
+    c.load();
+    c.start();
+    for (int k = 0; k < 3000; ++k) REQUIRE(c.step());
+    CHECK(c.get<"robot.simulator">().world().joints()[0].angle == doctest::Approx(78 / 84.0).epsilon(1e-3));
+  }
+
   TEST_CASE("it pulls the joint against its spring, as far as the stretch of the cable lets it") {
     sim::robot_world w(sim::model_of<wound>());
     go(w, to(1), 3000);

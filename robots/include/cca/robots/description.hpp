@@ -43,6 +43,9 @@ struct joint_drive {
   double spring = 0;       // N m/rad, of a spring in the joint
   double spring_rest = 0;  // rad, where that spring is slack
   cable_drive cable{};     // with a stiffness: the motor winds it, and acts by it alone
+
+  // Of what a position command pulls with.
+  constexpr double position_stiffness() const { return cable.stiffness > 0 ? cable.stiffness : stiffness; }
 };
 
 template <class Type> concept Described = Body<typename Type::body> && requires {

@@ -132,10 +132,8 @@ struct description {
   static constexpr const body_numbers& of = oncilla::body;
   static constexpr joint_drive abduction{.motor = of.abduction_motor, .stiffness = 80, .damping = 0.8};
   static constexpr joint_drive hip{.motor = of.hip_motor, .stiffness = 30, .damping = 0.375};
-  static constexpr joint_drive knee{.motor = of.knee_motor,
-                                    .stiffness = 80,
-                                    .friction = of.joint_friction,
-                                    .cable = {.stiffness = 80, .damping = 0.4}};
+  static constexpr joint_drive knee{
+      .motor = of.knee_motor, .friction = of.joint_friction, .cable = {.stiffness = 80, .damping = 0.4}};
   static constexpr joint_drive toe{.friction = of.toe_damping, .spring = of.toe_stiffness};
   static constexpr std::array<joint_drive, 16> drives{abduction, hip, knee, toe, abduction, hip, knee, toe,
                                                       abduction, hip, knee, toe, abduction, hip, knee, toe};

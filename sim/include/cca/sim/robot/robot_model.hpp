@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -75,9 +76,10 @@ std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
     return part < 0 ? place_on_link{} : m.ends[static_cast<std::size_t>(part)];
   };
   std::vector<int> sensed_parts;
-  (void)((robots::is_inertial<Sensors> ||
-          (sensed_parts.push_back(part_index<Body>(Sensors::part.view())), true)) &&
-         ...);
+  const auto keep = [&](bool inertial, std::string_view part) {
+    if (!inertial) sensed_parts.push_back(part_index<Body>(part));
+  };
+  (keep(robots::is_inertial<Sensors>, Sensors::part.view()), ...);
   for (const int part : sensed_parts) m.sensors.push_back(end_of(part));
   const robots::detail::inertial_units<Sensors...> units;
   for (std::size_t i = 0; i < units.count; ++i)

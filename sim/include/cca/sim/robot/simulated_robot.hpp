@@ -54,9 +54,9 @@ public:
     std::array<joint_law, count> laws;
     for (std::size_t i = 0; i < count; ++i) {
       const robots::joint_drive& d = world_.model().drives[i];
-      laws[i] =
-          servos_[i].follow(commands[i], {d.stiffness, d.damping, d.motor.torque, d.motor.no_load_speed},
-                            world_.joints()[i].angle, world_.model().beat);
+      laws[i] = servos_[i].follow(commands[i],
+                                  {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed},
+                                  world_.joints()[i].angle, world_.model().beat);
     }
     world_.advance(laws);
   }
