@@ -21,7 +21,7 @@
 // counter: so no reading mixes two measurements, and a lost frame makes it old. An orientation that is not of
 // unit length (within 2 %) is refused. `frames` counts the readings of the sensor that has sent the fewest,
 // so a board of which one sensor is silent is silent. A number out of range is clamped. Cost: some dozen
-// instructions a frame. docs/hardware.md.
+// instructions a frame. docs/robots.md.
 #pragma once
 
 #include <algorithm>
