@@ -30,7 +30,7 @@ struct camera {
 };
 struct viewer {
   void process(cca::in<"x", reading> x, cca::beat now) {
-    age = now.time() - x.origin();
+    if (x.origin() != cca::never) age = now.time() - x.origin();
     news += x.fresh();
   }
   std::int64_t age = 0;
