@@ -34,6 +34,13 @@ struct cable_winch {
                          : 0.0;
     return torque;
   }
+
+  // Pulls with a torque: the pulley goes wherever it has to.
+  double pull_with(motor_line motor, double wanted_torque, double angle, double joint_speed) {
+    torque = std::max(0.0, limit_torque(motor, wanted_torque, joint_speed));
+    position = angle, speed = joint_speed;
+    return torque;
+  }
 };
 
 }  // namespace cca::sim

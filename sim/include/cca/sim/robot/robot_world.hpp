@@ -31,6 +31,7 @@
 
 #include <cca/sim/engine.hpp>
 #include <cca/sim/robot/coupled_joints.hpp>
+#include <cca/sim/robot/inertial_units.hpp>
 #include <cca/sim/robot/motor_torque.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 #include <cca/sim/robot/robot_state.hpp>
@@ -58,6 +59,7 @@ public:
         engine_(settings.engine),
         tree_(engine_.id(), model_, mount()),
         coupled_(model_, tree_),
+        units_(model_, settings.engine.gravity),
         shapes_(engine_.id(), *model_, *scene_, tree_),
         touching_(scene_->contact, step_) {
     touching_.set_pairs(shapes_.pairs());
@@ -66,8 +68,7 @@ public:
     state_.joints.assign(model_->drives.size(), {});
     state_.loads.assign(model_->sensors.size(), {});
     state_.winches.assign(model_->drives.size(), {});
-    state_.inertial.assign(model_->inertial_units.size(), {});
-    unit_speeds_.assign(model_->inertial_units.size(), Eigen::Vector3d::Zero());
+    state_.inertial.assign(units_.count(), {});
     state_.pulls.assign(model_->ends.size(), {});
     const std::vector<double> rest(model_->drives.size(), 0.0);
     place(model_->start, rest);
@@ -99,8 +100,8 @@ public:
       state_.joints[c] = {q[c], dq[c], 0};
       state_.winches[c] = {.position = q[c]};
     }
-    note_unit_speeds();
-    sense_inertia();
+    units_.begin(tree_);
+    units_.read(tree_, state_.inertial);
   }
 
   // One beat. A law that isn't finite is ignored: the drive keeps the last one.
@@ -110,11 +111,11 @@ public:
       if (laws[c].is_finite()) state_.laws[c] = laws[c];
     for (std::size_t c = 0; c < state_.winches.size(); ++c)
       state_.winches[c].aim(state_.laws[c].position, model_->beat);
-    note_unit_speeds();
+    units_.begin(tree_);
     for (joint_reading& r : state_.joints) r.torque = 0;
     for (auto& load : state_.loads) load.fill(0);
     for (int i = 0; i < settings_.steps_per_beat; ++i) step();
-    sense_inertia();
+    units_.read(tree_, state_.inertial);
     ++state_.beats;
   }
 
@@ -139,7 +140,7 @@ public:
 
   // The true state, which no sensor of the robot measures; in the world.
   moving_frame frame(int link) const { return tree_.frame(link); }
-  moving_frame end(std::size_t part) const { return at(model_->ends.at(part)); }
+  moving_frame end(std::size_t part) const { return tree_.at(model_->ends.at(part)); }
   Eigen::Vector3d ball_position(std::size_t i) const {
     return Eigen::Vector3d::Map(dBodyGetPosition(shapes_.balls().at(i)));
   }
@@ -245,36 +246,7 @@ private:
       winch.wind(d.motor, step_);
       return winch.pull(d.motor, d.cable, r.angle, r.velocity);
     }
-    const double pull = std::max(0.0, limit_torque(d.motor, law(r.angle, r.velocity), r.velocity));
-    winch = {.position = r.angle, .speed = r.velocity, .torque = pull};
-    return pull;
-  }
-
-  // A place on a link, with its motion.
-  moving_frame at(const place_on_link& p) const {
-    moving_frame f = tree_.frame(p.link);
-    const Eigen::Vector3d arm = f.where.turn * cca::detail::as_vector(p.where.translation);
-    f.where = f.where * p.where;
-    f.velocity += cca::detail::cross(f.angular_velocity, arm);
-    return f;
-  }
-
-  void note_unit_speeds() {
-    for (std::size_t i = 0; i < unit_speeds_.size(); ++i)
-      unit_speeds_[i] = at(model_->inertial_units[i]).velocity;
-  }
-
-  void sense_inertia() {
-    for (std::size_t i = 0; i < unit_speeds_.size(); ++i) {
-      const moving_frame now = at(model_->inertial_units[i]);
-      inertial_reading& r = state_.inertial[i];
-      Eigen::Vector4d::Map(r.orientation.data()) = cca::detail::quaternion_of(now.where.turn);
-      const Eigen::Matrix3d into_unit = now.where.turn.transpose();
-      Eigen::Vector3d::Map(r.angular_velocity.data()) = into_unit * now.angular_velocity;
-      Eigen::Vector3d::Map(r.specific_force.data()) =
-          into_unit *
-          ((now.velocity - unit_speeds_[i]) / model_->beat + Eigen::Vector3d(0, 0, settings_.engine.gravity));
-    }
+    return winch.pull_with(d.motor, law(r.angle, r.velocity), r.angle, r.velocity);
   }
 
   void pull_at(std::size_t part) const {
@@ -291,8 +263,7 @@ private:
   void feel(const touch& t, double share) {
     const int sensor = model_->shapes[t.shape].sensor;
     if (sensor < 0) return;
-    const place_on_link& s = model_->sensors[static_cast<std::size_t>(sensor)];
-    const rigid f = tree_.frame(s.link).where * s.where;
+    const rigid f = tree_.at(model_->sensors[static_cast<std::size_t>(sensor)]).where;
     const Eigen::Vector3d torque = f.turn.transpose() * cca::detail::cross(t.at - f.at, t.force),
                           force = f.turn.transpose() * t.force;
     auto& load = state_.loads[static_cast<std::size_t>(sensor)];
@@ -320,10 +291,10 @@ private:
   engine engine_;
   tree_in_engine tree_;
   coupled_joints coupled_;
+  inertial_units units_;
   shapes_in_engine shapes_;
   touching touching_;
   robot_state state_;
-  std::vector<Eigen::Vector3d> unit_speeds_;  // of the inertial units at the beginning of the beat, m/s
 };
 
 }  // namespace cca::sim

@@ -47,20 +47,12 @@ private:
   };
 
   static line line_of(const placed_spring& s, const tree_in_engine& tree) {
-    const moving_frame a = point(s.from, tree), b = point(s.to, tree);
+    const moving_frame a = tree.at(s.from), b = tree.at(s.to);
     line l{a.where.at, b.where.at, b.where.at - a.where.at, 0, 0};
     l.length = l.along.norm();
     l.along = l.length > 0 ? vector(l.along / l.length) : vector::Zero();
     l.speed = (b.velocity - a.velocity).dot(l.along);
     return l;
-  }
-
-  static moving_frame point(const place_on_link& p, const tree_in_engine& tree) {
-    moving_frame f = tree.frame(p.link);
-    const vector arm = f.where.turn * cca::detail::as_vector(p.where.translation);
-    f.where.at += arm;
-    f.velocity += cca::detail::cross(f.angular_velocity, arm);
-    return f;
   }
 
   static double tension(const placed_spring& s, const line& l) {

@@ -101,6 +101,15 @@ public:
     return f;
   }
 
+  // The same of a place on a link.
+  moving_frame at(const place_on_link& p) const {
+    moving_frame f = frame(p.link);
+    const vector arm = f.where.turn * cca::detail::as_vector(p.where.translation);
+    f.where = f.where * p.where;
+    f.velocity += cross(f.angular_velocity, arm);
+    return f;
+  }
+
   // A joint's coordinate, from (-pi, pi] for a hinge, and its speed.
   struct motion {
     double position, speed;
