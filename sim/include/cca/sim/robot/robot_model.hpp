@@ -76,7 +76,7 @@ std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
     return part < 0 ? place_on_link{} : m.ends[static_cast<std::size_t>(part)];
   };
   std::vector<int> sensed_parts;
-  const auto keep = [&](bool inertial, std::string_view part) {
+  [[maybe_unused]] const auto keep = [&](bool inertial, std::string_view part) {
     if (!inertial) sensed_parts.push_back(part_index<Body>(part));
   };
   (keep(robots::is_inertial<Sensors>, Sensors::part.view()), ...);
