@@ -60,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                              : std::fabs(r.loads[k][i]) <=
                                                    32768 * (i < 3 ? board::torque_step : board::force_step));
     }
-    const inertial_report& unit = r.inertial[0];
+    const cca::robots::inertial_reading& unit = r.inertial[0];
     fuzz::must((r.complete[board::sensors] == 0) == std::isnan(unit.specific_force[0]));
     double square = 0;
     for (const double x : unit.orientation) square += x * x;

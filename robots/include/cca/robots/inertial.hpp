@@ -1,9 +1,10 @@
-// What an inertial unit reads, as domain types: angular velocity and specific force along the axes of a
-// frame.
+// What an inertial unit reads, as numbers and as domain types.
 //
-// The orientation is cca::orientation<World>. Units: rad/s, m/s^2. The sensors are in sensors.hpp.
+// Its orientation is a sample of cca::orientation<World>. Units: rad/s, m/s^2. The sensors are in
+// sensors.hpp.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include <cca/space/domain.hpp>
@@ -13,7 +14,7 @@ namespace cca::robots {
 
 namespace detail {
 
-// A domain type with one number per axis and no methods of its own.
+// A domain type with one number for each axis. Its samples have no methods besides those of all samples.
 template <class Quantity>
 struct sensor_numbers {
   using quantity = Quantity;
@@ -37,5 +38,12 @@ struct angular_velocity : detail::sensor_numbers<cca::velocity> {};
 // Acceleration minus gravity, the reading of an accelerometer: upwards, 9.81 m/s^2 at rest.
 template <class Frame>
 struct specific_force : detail::sensor_numbers<linear_acceleration> {};
+
+// Along the unit's own axes.
+struct inertial_reading {
+  std::array<double, 4> orientation{0, 0, 0, 1};  // x y z w, turns the unit's axes into the world's
+  std::array<double, 3> angular_velocity{};       // rad/s
+  std::array<double, 3> specific_force{};         // m/s^2, acceleration minus gravity
+};
 
 }  // namespace cca::robots

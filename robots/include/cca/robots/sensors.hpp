@@ -126,5 +126,13 @@ constexpr std::size_t unit_of(sensors<All...>) {
   return inertial_units<All...>().place_of(Sensor::part.view());
 }
 
+// What a sensor tells of its unit.
+template <class Sensor>
+const auto& share_of(const inertial_reading& unit) {
+  if constexpr (Sensor::kind == sensor_kind::orientation) return unit.orientation;
+  else if constexpr (Sensor::kind == sensor_kind::angular_velocity) return unit.angular_velocity;
+  else return unit.specific_force;
+}
+
 }  // namespace detail
 }  // namespace cca::robots

@@ -15,12 +15,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include <cca/hardware/drives/board_numbers.hpp>
 #include <cca/hardware/drives/drive.hpp>
-#include <cca/hardware/drives/wire_number.hpp>
 
 namespace cca::hardware {
 
@@ -64,38 +63,30 @@ struct sensor_board {
                                                       {standard(Base + loads)},
                                                       {standard(Base + angles)}}};
   static constexpr std::array<can_filter, 1> requests{{{standard(Base + targets)}}};
-  static constexpr double angle_step = 1e-4, speed_step = 1e-3, force_step = 5e-3, load_step = 1e-2,
-                          part = 1.0 / 32767;
+  static constexpr double angle_step = 1e-4, speed_step = 1e-3, force_step = 5e-3, load_step = 1e-2;
 
   static constexpr bool decode(const can_frame& f, board_reading& r) noexcept {
     if (f.id.extended || f.fd || f.remote || f.length != 8 || f.id.number < Base + orientation ||
         f.id.number > Base + angles)
       return false;
-    const auto number = [&](std::size_t i) {
-      return static_cast<double>(static_cast<std::int16_t>(detail::got<std::uint16_t>(f.payload(), 2 * i)));
-    };
+    const auto number = [&](std::size_t i, double step) { return detail::board_number(f, i, step); };
     switch (f.id.number - Base) {
-      case orientation: {
-        double square = 0;
-        for (std::size_t i = 0; i < 4; ++i) square += number(i) * part * number(i) * part;
-        if (!(square > 0.96 && square < 1.04)) return false;
-        const double length = std::sqrt(square);
-        for (std::size_t i = 0; i < 4; ++i) r.orientation[i] = number(i) * part / length;
+      case orientation:
+        if (!detail::take_board_orientation(f, r.orientation)) return false;
         break;
-      }
       case motion:
-        for (std::size_t i = 0; i < 3; ++i) r.angular_velocity[i] = number(i) * speed_step;
+        for (std::size_t i = 0; i < 3; ++i) r.angular_velocity[i] = number(i, speed_step);
         for (std::size_t i = 0; i < 4; ++i) r.contact[i] = f.data[6] >> i & 1;
         break;
       case force:
-        for (std::size_t i = 0; i < 3; ++i) r.specific_force[i] = number(i) * force_step;
+        for (std::size_t i = 0; i < 3; ++i) r.specific_force[i] = number(i, force_step);
         r.status = f.data[6];
         break;
       case loads:
-        for (std::size_t i = 0; i < 4; ++i) r.foot_load[i] = number(i) * load_step;
+        for (std::size_t i = 0; i < 4; ++i) r.foot_load[i] = number(i, load_step);
         break;
       default:
-        for (std::size_t i = 0; i < 4; ++i) r.abduction[i] = number(i) * angle_step;
+        for (std::size_t i = 0; i < 4; ++i) r.abduction[i] = number(i, angle_step);
     }
     ++r.frames;
     return true;
@@ -108,14 +99,14 @@ struct sensor_board {
       all[i] = {.id = standard(Base + orientation + i), .length = 8};
     can_frame &turning = all[place_of(motion)], &accelerating = all[place_of(force)];
     for (std::size_t i = 0; i < 4; ++i) {
-      put(all[place_of(orientation)], i, r.orientation[i], part);
-      put(all[place_of(loads)], i, r.foot_load[i], load_step);
-      put(all[place_of(angles)], i, r.abduction[i], angle_step);
+      detail::put_board_number(all[place_of(orientation)], i, r.orientation[i], detail::orientation_step);
+      detail::put_board_number(all[place_of(loads)], i, r.foot_load[i], load_step);
+      detail::put_board_number(all[place_of(angles)], i, r.abduction[i], angle_step);
       turning.data[6] = static_cast<std::uint8_t>(turning.data[6] | r.contact[i] << i);
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      put(turning, i, r.angular_velocity[i], speed_step);
-      put(accelerating, i, r.specific_force[i], force_step);
+      detail::put_board_number(turning, i, r.angular_velocity[i], speed_step);
+      detail::put_board_number(accelerating, i, r.specific_force[i], force_step);
     }
     accelerating.data[6] = r.status;
     turning.data[7] = accelerating.data[7] = counter;
@@ -126,7 +117,7 @@ struct sensor_board {
   static can_frame abduct(const std::array<double, 4>& wanted) noexcept {
     can_frame f{.id = standard(Base + targets), .length = 8};
     for (std::size_t i = 0; i < 4; ++i) {
-      if (detail::is_finite(wanted[i])) put(f, i, wanted[i], angle_step);
+      if (detail::is_finite(wanted[i])) detail::put_board_number(f, i, wanted[i], angle_step);
       else detail::put<std::uint16_t>(f.data, 2 * i, 0x8000);
     }
     return f;
@@ -138,13 +129,6 @@ struct sensor_board {
       if (const auto n = detail::got<std::uint16_t>(f.payload(), 2 * i); n != 0x8000)
         wanted[i] = static_cast<std::int16_t>(n) * angle_step;
     return true;
-  }
-
-private:
-  static void put(can_frame& f, std::size_t at, double number, double step) {
-    bool cut = false;
-    const double steps = detail::is_finite(number) ? number / step : 0;
-    detail::put(f.data, 2 * at, static_cast<std::uint16_t>(detail::nearest_integer(steps, 16, cut)));
   }
 };
 

@@ -1,17 +1,14 @@
 // A board with the force sensors and inertial units of a robot on its bus: our own protocol, classic frames,
 // little-endian. Two frames for each force sensor and three for each inertial unit, in each beat.
 //
-//   id            bytes
-//   base + 2 k    0-5 force of sensor k, x y z, along its axes: i16, 10 mN;          6 status, 0: fine; 7
-//   counter
-//   ... + 1       0-5 torque about its origin, x y z, along its axes: i16, 1 mN m;                      7
-//   counter units + 3 k   0-7 orientation of unit k in the world: x y z w, i16, 1/32767 each
-//   ... + 1       0-5 angular velocity, along its axes: i16, 1 mrad/s;                                  7
-//   counter
-//   ... + 2       0-5 specific force, along its axes: i16, 5 mm/s^2;                 6 status, 0: fine; 7
-//   counter
+//   id             bytes
+//   base + 2 k     force of sensor k, x y z, along its axes: i16, 10 mN; status; counter
+//   base + 2 k + 1   torque about its origin, x y z, along its axes: i16, 1 mN m; -; counter
+//   units + 3 k    orientation of unit k in the world: x y z w, i16, 1/32767 each
+//   units + 3 k + 1  angular velocity, x y z, along its axes: i16, 1 mrad/s; -; counter
+//   units + 3 k + 2  specific force, x y z, along its axes: i16, 5 mm/s^2; status; counter
 //
-// where units = base + 2 * Loads.
+// where units = base + 2 * Loads. Bytes 0-5 are the three numbers, 6 the status (0: fine), 7 the counter.
 //
 //   using board = cca::hardware::robot_board<0x40, 1, 1, 3>;   // one load and one inertial unit, on bus 3
 //
@@ -26,29 +23,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string_view>
 
+#include <cca/hardware/drives/board_numbers.hpp>
 #include <cca/hardware/drives/drive.hpp>
-#include <cca/hardware/drives/wire_number.hpp>
+#include <cca/robots/inertial.hpp>
 
 namespace cca::hardware {
-
-// Of an inertial unit, along its axes. Not a number: not sent yet.
-struct inertial_report {
-  std::array<double, 4> orientation{};       // x y z w
-  std::array<double, 3> angular_velocity{};  // rad/s
-  std::array<double, 3> specific_force{};    // m/s^2, acceleration minus gravity
-};
 
 template <std::size_t Loads, std::size_t Units>
 struct robot_board_reading {
   // Torque (N m), then force (N) of each sensor, as in wrench<At, In>. Not a number: not sent yet.
   std::array<std::array<double, 6>, Loads> loads{};
-  std::array<inertial_report, Units> inertial{};
+  std::array<robots::inertial_reading, Units> inertial{};
   std::uint8_t status = 0;
   std::uint64_t frames = 0;
 
@@ -93,8 +83,7 @@ struct robot_board {
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = {standard(Base + i)};
     return all;
   }();
-  static constexpr double force_step = 1e-2, torque_step = 1e-3, speed_step = 1e-3, acceleration_step = 5e-3,
-                          part = 1.0 / 32767;
+  static constexpr double force_step = 1e-2, torque_step = 1e-3, speed_step = 1e-3, acceleration_step = 5e-3;
 
   static constexpr bool decode(const can_frame& f, reading& r) noexcept {
     if (f.id.extended || f.fd || f.remote || f.length != 8 || f.id.number < Base ||
@@ -106,21 +95,23 @@ struct robot_board {
       const auto& half = r.halves[at / 2];
       auto& load = r.loads[at / 2];
       if (completes(f, r, at / 2))
-        for (std::size_t i = 0; i < 3; ++i) load[i] = number(f, i) * torque_step, load[3 + i] = half.first[i];
+        for (std::size_t i = 0; i < 3; ++i)
+          load[i] = detail::board_number(f, i, torque_step), load[3 + i] = half.first[i];
       return true;
     }
     const std::size_t unit = (at - first_of_units) / 3;
-    inertial_report& now = r.inertial[unit];
+    robots::inertial_reading& now = r.inertial[unit];
     switch ((at - first_of_units) % 3) {
       case 0:
-        return take_orientation(f, now);
+        return detail::take_board_orientation(f, now.orientation);
       case 1:
         keep(f, speed_step, r.halves[Loads + unit]);
         return true;
       default:
         if (completes(f, r, Loads + unit)) {
           now.angular_velocity = r.halves[Loads + unit].first;
-          for (std::size_t i = 0; i < 3; ++i) now.specific_force[i] = number(f, i) * acceleration_step;
+          for (std::size_t i = 0; i < 3; ++i)
+            now.specific_force[i] = detail::board_number(f, i, acceleration_step);
         }
         return take_status(f, r);
     }
@@ -134,7 +125,7 @@ struct robot_board {
       all[at] = {.id = standard(static_cast<std::uint32_t>(Base + at)), .length = 8};
     const auto three = [&](std::size_t at, const double* numbers, double step) {
       can_frame& f = all[at];
-      for (std::size_t i = 0; i < 3; ++i) put(f, i, numbers[i] / step);
+      for (std::size_t i = 0; i < 3; ++i) detail::put_board_number(f, i, numbers[i], step);
       f.data[7] = counter;
     };
     for (std::size_t k = 0; k < Loads; ++k) {
@@ -144,7 +135,8 @@ struct robot_board {
     }
     for (std::size_t k = 0; k < Units; ++k) {
       const std::size_t at = first_of_units + 3 * k;
-      for (std::size_t i = 0; i < 4; ++i) put(all[at], i, r.inertial[k].orientation[i] / part);
+      for (std::size_t i = 0; i < 4; ++i)
+        detail::put_board_number(all[at], i, r.inertial[k].orientation[i], detail::orientation_step);
       three(at + 1, r.inertial[k].angular_velocity.data(), speed_step);
       three(at + 2, r.inertial[k].specific_force.data(), acceleration_step);
       all[at + 2].data[6] = r.status;
@@ -155,18 +147,8 @@ struct robot_board {
 private:
   static constexpr std::size_t first_of_units = 2 * Loads;
 
-  static constexpr double number(const can_frame& f, std::size_t i) {
-    return static_cast<double>(static_cast<std::int16_t>(detail::got<std::uint16_t>(f.payload(), 2 * i)));
-  }
-  static constexpr void put(can_frame& f, std::size_t i, double steps) {
-    bool cut = false;
-    detail::put(
-        f.data, 2 * i,
-        static_cast<std::uint16_t>(detail::nearest_integer(detail::is_finite(steps) ? steps : 0, 16, cut)));
-  }
-
   static constexpr void keep(const can_frame& f, double step, typename reading::half& half) {
-    for (std::size_t i = 0; i < 3; ++i) half.first[i] = number(f, i) * step;
+    for (std::size_t i = 0; i < 3; ++i) half.first[i] = detail::board_number(f, i, step);
     half.counter = f.data[7], half.waits = true;
   }
   // Whether this frame is the other half of the measurement that waits; then it is one more.
@@ -180,14 +162,6 @@ private:
   }
   static constexpr bool take_status(const can_frame& f, reading& r) {
     r.status = f.data[6];
-    return true;
-  }
-  static constexpr bool take_orientation(const can_frame& f, inertial_report& now) {
-    double square = 0;
-    for (std::size_t i = 0; i < 4; ++i) square += number(f, i) * part * number(f, i) * part;
-    if (!(square > 0.96 && square < 1.04)) return false;
-    const double length = std::sqrt(square);
-    for (std::size_t i = 0; i < 4; ++i) now.orientation[i] = number(f, i) * part / length;
     return true;
   }
 };

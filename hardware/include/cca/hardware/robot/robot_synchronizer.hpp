@@ -60,10 +60,7 @@ private:
     if constexpr (Sensor::kind == robots::sensor_kind::load) {
       return this->reading.loads[robots::detail::place_among_loads<Sensor>(all())];
     } else {
-      const auto& unit = this->reading.inertial[robots::detail::unit_of<Sensor>(all())];
-      if constexpr (Sensor::kind == robots::sensor_kind::orientation) return unit.orientation;
-      else if constexpr (Sensor::kind == robots::sensor_kind::angular_velocity) return unit.angular_velocity;
-      else return unit.specific_force;
+      return robots::detail::share_of<Sensor>(this->reading.inertial[robots::detail::unit_of<Sensor>(all())]);
     }
   }
 };

@@ -1,8 +1,7 @@
 // The Oncilla described like any other robot: `cca::sim::robot<cca::robots::oncilla::description>`.
 //
-//   in   "position"   over axes_of<walking_body>: abduction, hip, knee and toe of the left front, right
-//   front,
-//                     left hind and right hind leg, rad. The toes have no motor
+//   in   "position"   over axes_of<walking_body>: abduction, hip, knee and toe of the left front leg, then of
+//                     right front, left hind and right hind, rad. The toes have no motor
 //   out  "angles", "velocities", "torques"                         over the same axes
 //        "orientation", "angular_velocity", "acceleration"         of the trunk
 //        "left_front_load", "right_front_load", "left_hind_load", "right_hind_load"   on the feet

@@ -1,5 +1,5 @@
-// The inertial units of a robot in the engine, and what they read after a beat (robot_state.hpp). Ideal ones:
-// without noise, bias or delay.
+// Computes what the inertial units of a simulated robot read in a beat. They are ideal: without noise, bias
+// or delay.
 #pragma once
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <cca/mapping/placement.hpp>
+#include <cca/robots/inertial.hpp>
 #include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/cable_winch.hpp>
 #include <cca/sim/robot/joint_law.hpp>
@@ -20,12 +21,7 @@ struct outer_load {
   std::array<double, 3> force{}, torque{};
 };
 
-// What an inertial unit reads, along its own axes.
-struct inertial_reading {
-  std::array<double, 4> orientation{0, 0, 0, 1};  // x y z w, turns the unit's axes into the world's
-  std::array<double, 3> angular_velocity{};       // rad/s
-  std::array<double, 3> specific_force{};         // m/s^2, acceleration minus gravity, mean over the beat
-};
+using robots::inertial_reading;
 
 struct robot_state {
   std::vector<body_state> bodies;            // the base, if it floats; the links; the balls
@@ -33,7 +29,7 @@ struct robot_state {
   std::vector<joint_reading> joints;         // over the coordinates; torques are means over the beat
   std::vector<std::array<double, 6>> loads;  // of the force sensors: torque, then force; means over the beat
   std::vector<cable_winch> winches;          // over the coordinates
-  std::vector<inertial_reading> inertial;    // of the inertial units
+  std::vector<inertial_reading> inertial;    // of the inertial units; forces are means over the beat
   std::vector<outer_load> pulls;             // at the ends of the parts
   std::vector<double> pressing;              // N, of each pair of shapes
   std::vector<std::array<double, 7>> boxes;  // translation, then rotation

@@ -87,10 +87,7 @@ private:
     if constexpr (Sensor::kind == robots::sensor_kind::load) {
       return world_.load(robots::detail::place_among_loads<Sensor>(all()));
     } else {
-      const inertial_reading& unit = world_.inertial(robots::detail::unit_of<Sensor>(all()));
-      if constexpr (Sensor::kind == robots::sensor_kind::orientation) return unit.orientation;
-      else if constexpr (Sensor::kind == robots::sensor_kind::angular_velocity) return unit.angular_velocity;
-      else return unit.specific_force;
+      return robots::detail::share_of<Sensor>(world_.inertial(robots::detail::unit_of<Sensor>(all())));
     }
   }
 

@@ -124,9 +124,7 @@ public:
       return {((c.where.at - home.at).dot(axis) - l.rest) / l.ratio,
               (c.velocity - p.velocity - cross(p.angular_velocity, arm)).dot(axis) / l.ratio};
     }
-    const Eigen::Matrix3d m = home.turn.transpose() * c.where.turn;
-    const vector twice_sine(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
-    const double angle = std::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
+    const double angle = angle_about(l, home.turn.transpose() * c.where.turn);
     return {(angle - l.rest) / l.ratio, (c.angular_velocity - p.angular_velocity).dot(axis) / l.ratio};
   }
 
@@ -258,11 +256,13 @@ private:
   double deviation(std::size_t i) const {
     const auto& l = model_->links[i];
     const auto& leader = model_->links[static_cast<std::size_t>(l.parent)];
-    Eigen::Matrix3d home =
-        frame(leader.parent).where.turn * Eigen::Map<const Eigen::Matrix3d>(leader.turn.data());
-    cca::detail::turn_about(home, leader, leader.rest + l.rest);
-    const Eigen::Matrix3d m =
-        (home * Eigen::Map<const Eigen::Matrix3d>(l.turn.data())).transpose() * turn(links_[i]);
+    rigid home = home_of(frame(leader.parent).where, leader);
+    cca::detail::turn_about(home.turn, leader, leader.rest + l.rest);
+    return angle_about(l, home_of(home, l).turn.transpose() * turn(links_[i]));
+  }
+
+  // Of a rotation about the axis of a joint, from (-pi, pi].
+  static double angle_about(const cca::detail::body_link& l, const Eigen::Matrix3d& m) {
     const vector twice_sine(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
     return std::atan2(twice_sine.dot(cca::detail::as_vector(l.axis)), m.trace() - 1);
   }
