@@ -1,4 +1,5 @@
-// A robot's board: what it says reaches the ports of a described robot, whole and in its own places.
+// The board of a described robot: each reading comes to the port of its sensor, and none mixes two
+// measurements.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -7,28 +8,17 @@
 #include <doctest/doctest.h>
 
 #include <cca/cca.hpp>
-#include <cca/hardware/cia402.hpp>
-#include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/robot/robot.hpp>
 #include <cca/hardware/virtual_drives/virtual_of.hpp>
 #include <cca/hardware/virtual_robot.hpp>
 
+#include "pendulum.hpp"
+
 namespace {
 
-namespace hw = cca::hardware;
 namespace robots = cca::robots;
 
-struct swing : cca::dimension<"swing"> {
-  static constexpr auto limits = cca::limits{cca::angle{-2, 2}, cca::velocity{-8, 8}, cca::torque{-3, 3}};
-};
-struct stand : cca::frame<"stand"> {};
-struct bob : cca::frame<"bob"> {};
-struct chain : cca::serial_chain<stand, bob, cca::axes<swing>> {
-  static constexpr std::array joints{cca::revolute(cca::along_y)};
-  static constexpr auto tip = cca::at(0, 0, -0.3);
-  static constexpr std::array links{cca::link_inertia{0.5, {0, 0, -0.2}, {0.001, 0.001, 0.001, 0, 0, 0}}};
-};
-struct pendulum_body : cca::body<stand, cca::part<"rod", chain, cca::driven_by<"swing">>> {};
+using namespace pendulum_test;
 
 // The units of the board: the end of the rod, then the base, in the order in which they first occur.
 struct pendulum {
@@ -42,18 +32,8 @@ struct pendulum {
   static constexpr std::array drives{robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6}};
 };
 
-struct geared_motor {
-  static constexpr std::string_view name = "EPOS4";
-  static constexpr double counts = 4096, torque = 0.05;
-};
-struct swing_joint : hw::joint<swing,
-                               hw::cia402<geared_motor, 1, hw::cia402_mode::torque>,
-                               hw::mounting{.gear = 40},
-                               hw::joint_servo{.stiffness = 20, .damping = 0.6, .safe_damping = 0.5}> {};
 struct board : hw::robot_board<0x40, 0, 2, 1> {};
 
-using wire = hw::memory_bus<3, 16>;
-using end_of_wire = wire::end_type;
 struct on_drive : hw::robot<pendulum, end_of_wire, swing_joint, board> {};
 
 using xyz = cca::axes<cca::x, cca::y, cca::z>;
