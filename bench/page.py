@@ -185,8 +185,9 @@ Rare calls: a sequence looks for the path of a condition once; a step of an equa
 
 
 def arm(part):
-    rows = [[r["compiler"], f"`{r['flags']}`", each(r, "instructions", ("graph", "by_hand", "shared")), f"**{ratio(r)}**",
-             f"{r['graph']['instructions'] / r['shared']['instructions']:.2f}", each(r, "allocations", ("graph", "by_hand", "shared")), each(r, "bytes", ("graph", "by_hand", "shared"))] for r in part["data"]]
+    forms = ("graph", "by_hand", "shared")
+    rows = [[r["compiler"], f"`{r['flags']}`", each(r, "instructions", forms), f"**{ratio(r)}**",
+             f"{r['graph']['instructions'] / r['shared']['instructions']:.2f}", each(r, "allocations", forms), each(r, "bytes", forms)] for r in part["data"]]
     worst = max(r["graph"]["instructions"] / r["by_hand"]["instructions"] for r in part["data"])
     return f"""## The arm's torque loop
 
