@@ -1,8 +1,8 @@
 // The architectures of the round trips: a driver publishes a message, each reflector publishes what it read.
 //
-// Between environments all wires are `delayed<1>`: what the driver publishes in beat k is reflected in beat
-// k + 1 and read in beat k + 2, so a round trip is two beats. Within one loop no wire needs a delay: the
-// driver is a resource node, and a round trip is one beat.
+// Between environments all wires are `delayed<1>`: what the driver publishes in an even beat is reflected in
+// the odd one behind it and read in the next even one, so a round trip is two beats. Within one loop no wire
+// needs a delay: the driver is a resource node, and a round trip is one beat.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ struct record {
   std::int64_t wrong = 0;  // messages that came back changed
 };
 
-// Begins a round trip in every even beat, with one reading of the clock: the end of the one before.
+// Begins a round trip when it fires, with one reading of the clock: the end of the one before.
 template <int Words, class Reflectors>
 struct driver;
 template <int Words, int... Reflector>
@@ -73,13 +73,11 @@ struct driver<Words, std::integer_sequence<int, Reflector...>> {
     const auto number = static_cast<double>(now.index());
     if (now.index() >= 2 && !(came_back(reflected, number - 2) && ...)) [[unlikely]]
       ++found->wrong;
-    if (now.index() % 2 == 0) {
-      const std::int64_t time = nanoseconds();
-      if (now.index() == 2) found->first = time;
-      if (now.index() >= 2 && found->count < found->times.size())
-        found->times[found->count++] = 1e-3 * static_cast<double>(time - begun);
-      begun = time;
-    }
+    const std::int64_t time = nanoseconds();
+    if (now.index() == 2) found->first = time;
+    if (now.index() >= 2 && found->count < found->times.size())
+      found->times[found->count++] = 1e-3 * static_cast<double>(time - begun);
+    begun = time;
     return numbered_message<Words>(number);
   }
 };
@@ -114,8 +112,8 @@ template <int Words, int... Reflector>
 struct round_trips<Words, std::integer_sequence<int, Reflector...>>
     : cca::graph<
           cca::rate<1000>,
-          cca::node<"driver", driver<Words, std::integer_sequence<int, Reflector...>>, cca::timed<1>>,
-          cca::node<name_of<Reflector>, reflector<Words>, cca::timed<1>>...,
+          cca::node<"driver", driver<Words, std::integer_sequence<int, Reflector...>>, cca::timed<2>>,
+          cca::node<name_of<Reflector>, reflector<Words>>...,
           cca::wire<"driver.y", numbered("", Reflector, ".x"), cca::delayed<1>>...,
           cca::wire<numbered("", Reflector, ".y"), numbered("driver.", Reflector, ""), cca::delayed<1>>...> {
 };

@@ -23,7 +23,7 @@ struct amount {
 
   // Through the system's network: discovery takes long, and so does a round trip.
   amount over_network() const {
-    return {std::min(rounds, 3), std::min<std::size_t>(round_trips, 300), std::min<std::size_t>(warm_up, 20)};
+    return {std::min(rounds, 9), std::min<std::size_t>(round_trips, 300), std::min<std::size_t>(warm_up, 20)};
   }
 };
 

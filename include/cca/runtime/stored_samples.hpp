@@ -14,6 +14,7 @@
 #include <utility>
 
 #include <cca/base/array_size.hpp>
+#include <cca/base/copy_block.hpp>
 #include <cca/base/eigen.hpp>
 #include <cca/base/inlining.hpp>
 #include <cca/component/fault.hpp>
@@ -41,11 +42,15 @@ public:
 
   template <class Vector>
   CCA_INLINE void store(const Vector& v, std::int64_t origin) {
-    vector() = v;
+    if constexpr (Size >= least_block && requires { v.data(); }) copy_block<Size>(vector().data(), v.data());
+    else vector() = v;
     time = origin;
   }
 
 private:
+  // From so many coordinates on, a copy as a block is faster than Eigen's loop.
+  static constexpr int least_block = 32;
+
   alignas(vector_type) unsigned char bytes[sizeof(vector_type)];
   std::int64_t time = never;
 };

@@ -20,14 +20,16 @@ namespace cca::dds::detail {
 struct leaving_output {
   int environment = 0;
   std::string topic, type;
-  std::size_t size = 0;    // numbers of a sample
-  std::int32_t depth = 0;  // samples that readers may be behind
+  std::size_t size = 0;       // numbers of a sample
+  std::int32_t depth = 0;     // samples that readers may be behind
+  std::uint64_t readers = 0;  // a bit for each environment that reads it
 };
 
 struct environment_facts {
   std::string_view name;
-  // What it has sent tells how far it is: it can't fault, and its clocks are known.
-  bool samples_tell = false;
+  // What it has sent tells how far it is: it can't fault, and its clocks are known. And it tells that to all
+  // who have to know.
+  bool samples_tell = false, samples_tell_all = false;
 };
 
 struct deployment_facts {
@@ -64,11 +66,11 @@ class own_exchange {
 public:
   virtual ~own_exchange() = default;
 
-  // For the sending thread. `take`: the next sample of an output as a message; false: there is none.
+  // For the thread that sends. `take`: the next sample of an output as a message; false: there is none.
   virtual void read(std::size_t environment, status& to) const = 0;
   virtual bool take(std::size_t output, std::uint64_t& next, words& message) const = 0;
 
-  // For the receiving thread. `at`: when the status came, by this machine's clock.
+  // For the thread that receives. `at`: when the status came, by this machine's clock.
   virtual void write(std::size_t environment, const status& from, std::int64_t at) = 0;
   virtual void forget(std::size_t environment) = 0;  // as if it had never begun
   virtual void put(std::size_t output, std::span<const std::uint64_t> message) = 0;

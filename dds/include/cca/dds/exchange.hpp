@@ -46,6 +46,9 @@ public:
   std::int64_t newest_run_before() const override { return transport->newest_run_before(); }
   void check() const override { transport->check(); }
   bells* rings() const override { return &own_rings; }
+  bool works_in_environment() const override { return transport->works_in_environment(); }
+  void send() const noexcept override { transport->send(); }
+  bool receive(std::int64_t longest) const noexcept override { return transport->receive_instead(longest); }
 
 private:
   static constexpr std::size_t environment_count = cca::detail::environment_count<D>;
@@ -54,8 +57,9 @@ private:
   static deployment_facts facts_of(const cca::detail::environments_here<D>& here) {
     deployment_facts all;
     [&]<int... E>(std::integer_sequence<int, E...>) {
-      (all.environments.push_back(
-           {cca::detail::name_of_environment<D>(E), cca::detail::samples_tell<D, E, Output...>}),
+      (all.environments.push_back({cca::detail::name_of_environment<D>(E),
+                                   cca::detail::samples_tell<D, E, Output...>,
+                                   cca::detail::samples_show_progress_to_all<D, E>}),
        ...);
     }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
     for (std::size_t e = 0; e < environment_count; ++e)
@@ -63,7 +67,7 @@ private:
     (all.outputs.push_back(facts_of_output<Output>()), ...);
     all.manifest = cca::detail::manifest_of<D>();
     all.limits = {cca::detail::counts_of<D>.period, cca::detail::exchange<D>::calls_and_one,
-                  cca::detail::counts_of<D>.node_count};
+                  cca::detail::counts_of<D>.node_count, cca::detail::most_ahead<D>};
     return all;
   }
   template <int Number>
@@ -73,10 +77,19 @@ private:
     const space_schema schema(*port.space);
     std::string name = "cca/" + cca::detail::path_of_node<D>(node) + "." + std::string(port.name);
     std::ranges::replace(name, '.', '/');
-    return {cca::detail::plan_of<D>.nodes[node].environment, name,
+    return {cca::detail::plan_of<D>.nodes[node].environment,
+            name,
             "cca::sample_" + deployment_facts::as_text(schema.hash()),
             static_cast<std::size_t>(schema.field_count()),
-            cca::detail::ring_capacity(cca::detail::crossings_of<D>.largest_delay[Number])};
+            cca::detail::ring_capacity<D, Number>,
+            readers_of<Number>()};
+  }
+  template <int Number>
+  static constexpr std::uint64_t readers_of() {
+    return []<int... E>(std::integer_sequence<int, E...>) {
+      return (std::uint64_t{0} | ... |
+              (std::uint64_t{cca::detail::arrives<cca::detail::part<D, E>>::holds(Number)} << E));
+    }(std::make_integer_sequence<int, cca::detail::environment_count<D>>{});
   }
 
   // In an order in which all that a number promises has been written when it is read: first the numbers of
@@ -186,7 +199,7 @@ private:
   std::shared_ptr<refusals> refused;
   mutable bells own_rings;
   cca::detail::exchange<D> own{};
-  std::optional<replica> transport;  // last: its threads use the exchange
+  mutable std::optional<replica> transport;  // last: its threads use the exchange
 };
 
 }  // namespace cca::dds::detail

@@ -29,6 +29,7 @@ using cca::detail::no_position;
 struct bounds {
   std::int64_t period = 1, calls_and_one = 1;
   int nodes = 0;
+  std::int64_t ahead = 0;  // beats that an environment may be ahead
 
   std::int64_t last_beat() const { return (std::int64_t{1} << 62) / std::max(period, calls_and_one); }
   // How far ahead of all that is known here a message may be: a process that has not been heard for two
@@ -152,7 +153,7 @@ public:
     const auto number = static_cast<std::int64_t>(message[0]), k = static_cast<std::int64_t>(message[1]);
     if (number < next || number > (std::int64_t{1} << 62)) return "a number that does not follow";
     const std::int64_t last = newest < 0 ? of.last_beat() : std::min(of.last_beat(), newest + of.window());
-    if (k < std::max<std::int64_t>(beat - cca::detail::most_ahead, 0) || k > last)
+    if (k < std::max<std::int64_t>(beat - of.ahead, 0) || k > last)
       return "a beat that can't be";  // after a fault an environment may go back by what it was ahead
     next = number + 1;
     beat = k;

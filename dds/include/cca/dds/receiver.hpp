@@ -1,6 +1,6 @@
-// Writes what other processes publish into the exchange of this one, in a thread of its own, after it has
-// checked it. A status waits here until the samples that it counts have come: so no reader sees a position
-// before the samples that belong to it.
+// Writes what other processes publish, and environments here read, into the exchange of this one, after it
+// has checked it. A status waits here until the samples that it counts have come: so no reader sees a
+// position before the samples that belong to it.
 #pragma once
 
 #include <algorithm>
@@ -53,10 +53,10 @@ public:
   // The newest run that others began before they listened to this process.
   std::int64_t newest_run_before() const { return run_before.load(std::memory_order_acquire); }
 
-  // Waits a little, then does what there is to do.
-  void work() {
+  // Waits until something comes, but not for long (ns). Then does what there is to do.
+  void work(std::int64_t longest) {
     dds_attach_t some[8];
-    dds_waitset_wait(wakes.get(), some, 8, DDS_MSECS(20));
+    dds_waitset_wait(wakes.get(), some, 8, longest);
     const std::int64_t now = cca::detail::monotonic_clock::now();
     if (now - cleared_at > lease / 10) {
       known.forget_the_lost();
@@ -74,7 +74,7 @@ public:
 
 private:
   struct output {
-    std::size_t number;
+    std::size_t number, place;  // among all, and among those of its environment
     channel_reader reader;
     arriving_numbers arrived{};
   };
@@ -127,9 +127,11 @@ private:
     e.holder = who;
     e.accepted_at = now;
     const std::size_t outputs = facts.outputs_of(e.number).size();
-    for (const std::size_t o : facts.outputs_of(e.number)) {
+    for (std::size_t at = 0; at < outputs; ++at) {
+      const std::size_t o = facts.outputs_of(e.number)[at];
       const leaving_output& out = facts.outputs[o];
-      e.outputs.push_back({o, {in, out.topic, out.type, sample_message::head + out.size}});
+      if ((out.readers & facts.here) == 0) continue;
+      e.outputs.push_back({o, at, {in, out.topic, out.type, sample_message::head + out.size}});
       attach(e.outputs.back().reader.get());
     }
     e.statuses = std::make_unique<channel_reader>(in, facts.status_topic(e.number), facts.status_type(),
@@ -166,8 +168,8 @@ private:
   }
   void apply(environment& e) {
     while (e.held) {
-      for (std::size_t o = 0; o < e.outputs.size(); ++o)
-        if (!e.outputs[o].arrived.has_come(e.held->message.published[o])) return;
+      for (const output& o : e.outputs)
+        if (!o.arrived.has_come(e.held->message.published[o.place])) return;
       if (peers[e.number].has_left) return;
       numbers.write(e.number, e.held->message, e.held->at);
       e.has_status = true;

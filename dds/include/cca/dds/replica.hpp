@@ -1,7 +1,10 @@
 // The transport of one process: it looks for the other processes, then a thread sends and a thread receives.
+// Where one environment runs here, its own thread does the work of both as fast as possible.
 #pragma once
 
 #include <atomic>
+#include <bit>
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -38,7 +41,7 @@ public:
     look_for_others();
     known.settle();
     from_here.emplace(in, facts, numbers, peers, rings.leaving);
-    receiving = std::thread([this] { receive(); });
+    receiving = std::thread([this] { receive_all(); });
     sending = std::thread([this] { from_here->run([this] { return is_over.load(); }); });
   }
   ~replica() {
@@ -61,6 +64,17 @@ public:
   }
   std::int64_t newest_run_before() const { return to_here.newest_run_before(); }
 
+  // ---- in the thread of the only environment ----
+
+  bool works_in_environment() const { return std::has_single_bit(facts.here); }
+  void send() noexcept {
+    if (!from_here->try_to_send()) rings.leaving.ring();
+  }
+  bool receive_instead(std::int64_t longest) noexcept {
+    replaced_at = cca::detail::monotonic_clock::now();
+    return receive(longest);
+  }
+
   void check() const {
     const std::lock_guard lock(one_at_a_time);
     if (!complaint.empty()) throw cca::refused("cca::dds: " + complaint);
@@ -72,7 +86,7 @@ private:
     const std::int64_t begin = cca::detail::monotonic_clock::now();
     std::int64_t waited = 0;
     do {
-      to_here.work();
+      to_here.work(longest_wait);
       look();
       check();
       waited = cca::detail::monotonic_clock::now() - begin;
@@ -83,19 +97,29 @@ private:
     const std::lock_guard lock(one_at_a_time);
     if (complaint.empty()) complaint = found;
   }
-  void receive() {
+  // The receiving thread rests while an environment does its work.
+  void receive_all() {
     while (!is_over) {
-      try {
-        to_here.work();
-        rings.arriving.ring();
-        look();
-      } catch (const std::exception& e) {
-        const std::lock_guard lock(one_at_a_time);
-        complaint = e.what();
-      }
+      const std::int64_t now = cca::detail::monotonic_clock::now();
+      if (now - replaced_at < longest_rest) cca::detail::monotonic_clock::sleep_until(now + longest_rest);
+      else if (receive(longest_wait)) rings.arriving.ring();
     }
   }
+  // False: another thread is at it.
+  bool receive(std::int64_t longest) noexcept {
+    const std::unique_lock alone(receives, std::try_to_lock);
+    if (!alone) return false;
+    try {
+      to_here.work(longest);
+      look();
+    } catch (const std::exception& e) {
+      const std::lock_guard lock(one_at_a_time);
+      complaint = e.what();
+    }
+    return true;
+  }
 
+  static constexpr std::int64_t longest_wait = 20'000'000, longest_rest = 2'000'000;
   static constexpr std::int64_t shortest_look = 60'000'000, longest_look = 300'000'000;
 
   deployment_facts facts;
@@ -110,6 +134,8 @@ private:
   std::optional<sender> from_here;
   mutable std::mutex one_at_a_time;
   std::string complaint;  // why this process has to go
+  std::mutex receives;
+  std::atomic<std::int64_t> replaced_at{0};  // when an environment received last (ns)
   std::atomic<bool> is_over{false};
   std::thread sending, receiving;
 };

@@ -1,5 +1,5 @@
 // Sends what the environments of this process publish, in a thread of its own: a beat only writes its
-// numbers.
+// numbers. As fast as possible the only environment of a process sends itself, between two beats.
 //
 // It sleeps until an environment rings: when a beat begins and when it is done. Every millisecond it looks at
 // what changes between runs. A status goes out after the samples that it counts, and at least every 100 ms.
@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -35,18 +36,26 @@ public:
   void run(F is_over) {
     while (!is_over()) {
       const std::uint32_t before = news.count();
-      const std::int64_t now = cca::detail::monotonic_clock::now();
-      std::int64_t sleep = longest_sleep;
-      for (auto& one : all) sleep = std::min(sleep, send(*one, now, 0));
+      std::int64_t sleep = 0;
+      {
+        const std::lock_guard lock(one_at_a_time);
+        sleep = send_all();
+      }
       news.wait(before, sleep);
     }
     for (auto& one : all) send(*one, cca::detail::monotonic_clock::now(), status::is_leaving);
     for (auto& one : all) one->writer.wait_for_readers();
   }
 
+  // Instead, in the thread of an environment. False: this one has to send what is left.
+  bool try_to_send() {
+    const std::unique_lock lock(one_at_a_time, std::try_to_lock);
+    return lock && send_all() != shortest_sleep;
+  }
+
 private:
   static constexpr std::int64_t shortest_sleep = 50'000, longest_sleep = 1'000'000;
-  static constexpr std::int64_t longest_silence = 100'000'000, longest_hold = 500'000;
+  static constexpr std::int64_t longest_silence = 100'000'000;
 
   struct output {
     std::size_t number;
@@ -78,6 +87,12 @@ private:
   };
 
   // How long until the next look at the latest.
+  std::int64_t send_all() {
+    const std::int64_t now = cca::detail::monotonic_clock::now();
+    std::int64_t sleep = longest_sleep;
+    for (auto& one : all) sleep = std::min(sleep, send(*one, now, 0));
+    return sleep;
+  }
   std::int64_t send(environment& e, std::int64_t now, std::int64_t flags) {
     numbers.read(e.number, e.now);  // before the samples: they are at least those that its position promises
     for (std::size_t o = 0; o < e.outputs.size(); ++o) {
@@ -93,7 +108,7 @@ private:
     e.now.write_to(e.message);
     const std::int64_t silence = now - e.sent_at;
     if (e.message == e.sent && silence < longest_silence) return longest_sleep;
-    if (may_wait(e) && silence < longest_hold) return longest_hold - silence;
+    if (may_wait(e) && silence < longest_hold(e)) return std::min(longest_hold(e) - silence, longest_sleep);
     std::swap(e.message, e.sent);
     e.message = e.sent;
     e.message[status::begun_age] = static_cast<std::uint64_t>(age);
@@ -102,13 +117,20 @@ private:
     return longest_sleep;
   }
   // As fast as possible, and nothing is new but how far it is: if its samples tell that, a status in each
-  // beat would only cost time.
+  // beat would only cost time. Where all environments meet after each beat, all wait for it.
   bool may_wait(const environment& e) const {
     const auto behind = static_cast<std::ptrdiff_t>(e.outputs.size());
-    return facts.environments[e.number].samples_tell && (e.now[status::flags] & status::is_exact) != 0 &&
+    return facts.environments[e.number].samples_tell &&
+           (e.now[status::flags] & (status::is_exact | status::all_meet)) == status::is_exact &&
            e.message.size() == e.sent.size() && e.message[status::flags] == e.sent[status::flags] &&
            std::equal(e.message.begin() + status::position + 1, e.message.end() - behind,
                       e.sent.begin() + status::position + 1);
+  }
+  // Somebody may wait for a status only if it can't see from samples how far this environment is.
+  std::int64_t longest_hold(const environment& e) const {
+    if (facts.environments[e.number].samples_tell_all) return 10'000'000;
+    const auto at = [](const words& message) { return static_cast<std::int64_t>(message[status::position]); };
+    return at(e.message) - at(e.sent) < 2 * facts.limits.calls_and_one ? 500'000 : 0;
   }
   // All there are. False: a reader holds them up.
   bool send_samples(output& o) {
@@ -124,6 +146,7 @@ private:
   const contacts& peers;
   cca::detail::bell& news;
   std::vector<std::unique_ptr<environment>> all;
+  std::mutex one_at_a_time;
 };
 
 }  // namespace cca::dds::detail

@@ -1,8 +1,11 @@
 // What goes from one environment to another: outputs that are read there, with their delays.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include <cca/graph/plan/deployment/part.hpp>
 #include <cca/runtime/state.hpp>
@@ -67,5 +70,35 @@ struct arrives {
     return plan_of<Part>.outputs[o].storage == storage_kind::arriving;
   }
 };
+
+// How many beats an environment may be ahead of those that read from it, and of the first one, as fast as
+// possible. More than that smooths nothing: the samples of a ring stay in the caches while it is short.
+template <class D>
+inline constexpr std::int64_t most_ahead = 4 + std::min(std::ranges::max(crossings_of<D>.largest_delay), 16);
+
+// When beat k may begin in an environment by the samples that it reads from another one, then that one is not
+// further behind than `most_ahead`: nobody has to look how far it is.
+template <class D, int From, int To>
+inline constexpr bool samples_show_progress = [] {
+  return []<int... Output>(std::integer_sequence<int, Output...>) {
+    auto plan = plan_of<D>;
+    const flat_view g = plan.view();
+    const int delay = crossings_of<D>.least_delay[From][To];
+    [[maybe_unused]] const auto shows = [&](const output& from) {
+      const clock ticks = published(g, from);
+      return environment_of(g, from.call) == From && ticks.known() &&
+             ticks.first + delay <= most_ahead<D> + 1 && ticks.period - 1 + delay <= most_ahead<D>;
+    };
+    return samples_tell<D, From, Output...> && (shows(plan.outputs[Output]) || ...);
+  }(chosen<counts_of<D>.output_count, arrives<part<D, To>>>{});
+}();
+
+// Those that write to an environment, and all if it is the first, see from its samples how far it is.
+template <class D, int From>
+inline constexpr bool samples_show_progress_to_all = []<int... To>(std::integer_sequence<int, To...>) {
+  return ((To == From || (crossings_of<D>.least_delay[To][From] == 0 && From != 0) ||
+           samples_show_progress<D, From, To>) &&
+          ...);
+}(std::make_integer_sequence<int, environment_count<D>>{});
 
 }  // namespace cca::detail

@@ -187,7 +187,7 @@ private:
       const finished_run all_at_one_beat{*this, together, terms};
       loops.for_each([&]<int E>(auto& loop) {
         if (here[E])
-          loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead,
+          loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead<D>,
                        terms.beat);
       });
       together.begin();

@@ -34,6 +34,7 @@ public:
     state.shared = &exchanged;
     state.others = others;
     state.rings = others ? others->rings() : nullptr;
+    state.courier = is_exact && others && others->works_in_environment() ? others : nullptr;
     state.is_exact = is_exact;
     state.ahead = ahead;
     state.is_cut = false;
@@ -147,7 +148,7 @@ private:
   std::int64_t position(int rank = 0) const { return exchange<D>::position_of(k, rank); }
   void announce() {
     tell_reached();
-    state.move_to(position());
+    state.announce(position());
   }
   std::int64_t begun() { return shared().environments[0].begun.load(std::memory_order_acquire); }
   bool goes_on() { return shared().fault_position() == no_position && shared().stop_at() == no_position; }
@@ -226,7 +227,7 @@ private:
 
   // False: a fault or the end has come before it.
   bool wait_until_it_may_begin() noexcept {
-    for (learned_patience patience(state.habit, state.arriving());; patience.wait()) {
+    for (learned_patience patience = state.be_patient();; patience.wait()) {
       const bool may_begin = state.may_begin(k);
       if (shared().fault_position() < position() || shared().stop_at() <= k) return false;
       if (may_begin) return true;
@@ -236,7 +237,7 @@ private:
 
   // Waits until all others have done the beats before k. False: one of them faulted or stopped.
   bool all_have_come() noexcept {
-    for (learned_patience patience(state.habit, state.arriving()); goes_on(); patience.wait()) {
+    for (learned_patience patience = state.be_patient(); goes_on(); patience.wait()) {
       if (state.all_have_come_to(position())) return true;
       if (patience.is_time_to_ask()) state.look_for_those_before(position());
     }

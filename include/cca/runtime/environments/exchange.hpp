@@ -21,22 +21,18 @@ namespace cca::detail {
 
 inline constexpr std::int64_t no_position = std::numeric_limits<std::int64_t>::max();
 
-// How many beats an environment may be ahead of those that read from it, and of the first one, as fast as
-// possible.
-inline constexpr std::int64_t most_ahead = 16;
-
 // Which environments this process runs.
 template <class D>
 using environments_here = std::array<bool, array_size(environment_count<D>)>;
 
 // Enough for the samples of the beats in which the writer is ahead, and for those that are not due.
-constexpr int ring_capacity(int delay) {
-  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(most_ahead + delay + 2)));
-}
+template <class D, int Output>
+inline constexpr int ring_capacity = static_cast<int>(
+    std::bit_ceil(static_cast<unsigned>(most_ahead<D> + crossings_of<D>.largest_delay[Output] + 2)));
 
 template <class D, int Output>
 struct leaving_samples {
-  sample_ring<size_of_output<D, Output>, ring_capacity(crossings_of<D>.largest_delay[Output])> ring;
+  sample_ring<size_of_output<D, Output>, ring_capacity<D, Output>> ring;
 };
 
 // Why an environment ended a run, and where.

@@ -33,11 +33,12 @@ class environment_links<D, E, std::integer_sequence<int, Other...>, std::integer
     : next_arrival<D, Arriving>... {
 public:
   exchange<D>* shared = nullptr;
-  const peers* others = nullptr;  // null: all environments are in this process
-  bool is_exact = false;          // as fast as possible: waits for whatever a result depends on
-  std::int64_t ahead = 0;         // by how many beats at most, then
-  bool is_cut = false;            // a fault elsewhere comes before the next call of this beat
-  peers::bells* rings = nullptr;  // of a transport with threads of its own
+  const peers* others = nullptr;   // null: all environments are in this process
+  bool is_exact = false;           // as fast as possible: waits for whatever a result depends on
+  std::int64_t ahead = 0;          // by how many beats at most, then
+  bool is_cut = false;             // a fault elsewhere comes before the next call of this beat
+  peers::bells* rings = nullptr;   // of a transport with threads of its own
+  const peers* courier = nullptr;  // one whose work this thread does
   waiting_habit habit;
   int fault_rank = 0;  // of the call that faulted here, in the order of the whole
 
@@ -98,7 +99,15 @@ public:
     rings->leaving.ring();
     rings->arriving.ring();
   }
-  bell* arriving() noexcept { return rings ? &rings->arriving : nullptr; }
+  // When a beat is done.
+  void announce(std::int64_t position) noexcept {
+    shared->move_to(E, position);
+    if (courier) courier->send();
+    else ring();
+  }
+  learned_patience be_patient() noexcept {
+    return learned_patience(habit, rings ? &rings->arriving : nullptr, courier);
+  }
 
   // Whether all others are at a position, and whether those that are not will come.
   bool all_have_come_to(std::int64_t position) noexcept {
@@ -232,7 +241,7 @@ private:
     if constexpr (least_delay(X, E) > 0)
       if (!are_here<X>(k - least_delay(X, E))) return false;
     if constexpr (least_delay(E, X) > 0 || X == 0)
-      if (!has_done<X>(k - ahead)) return false;
+      if (!(ahead > 0 && samples_show_progress<D, X, E>) && !has_done<X>(k - ahead)) return false;
     return order.last[X] == 0 || has_come_to<X>(exchange<D>::position_of(k - 1, order.last[X]));
   }
   template <int X>
@@ -240,7 +249,7 @@ private:
     const auto from = exchange<D>::position_of(k, needed<X>(rank));
     const auto here = exchange<D>::position_of(k, order.whole_rank[array_size(rank)]);
     if (needed<X>(rank) == 0) return;
-    for (learned_patience patience(habit, arriving()); !is_cut; patience.wait()) {
+    for (learned_patience patience = be_patient(); !is_cut; patience.wait()) {
       const bool is_there = shared->position(X) >= from;
       is_cut = shared->fault_position() <= here;
       if (is_there) return;

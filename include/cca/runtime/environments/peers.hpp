@@ -23,6 +23,15 @@ public:
     bell leaving, arriving;
   };
   virtual bells* rings() const { return nullptr; }
+
+  // As fast as possible an environment has the time to do the work of these threads: then what it sends and
+  // receives needs no way over them.
+  virtual bool works_in_environment() const { return false; }
+  // At the end of a beat.
+  virtual void send() const noexcept {}
+  // While it waits: until something comes, but not for long (ns). False: another thread is at it, and will
+  // ring.
+  virtual bool receive(std::int64_t /*longest*/) const noexcept { return false; }
 };
 
 }  // namespace cca::detail
