@@ -18,9 +18,9 @@ namespace cca::detail {
 // While a thread polls: the other one on the same core runs faster, and the answer comes as fast.
 inline void leave_core_to_others() {
 #if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
+  asm volatile("pause");
 #elif defined(__aarch64__)
-  __asm__ volatile("isb");
+  asm volatile("isb");
 #endif
 }
 
