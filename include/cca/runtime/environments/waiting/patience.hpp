@@ -51,7 +51,7 @@ public:
   }
 
 protected:
-  static constexpr int least_spins = 64;
+  static constexpr int least_spins = 8;
 
   int spins = least_spins, spun = 0;
   std::int64_t times = 0;  // beyond the spins
@@ -74,7 +74,7 @@ private:
 // On a shared core, polling only delays the threads that it waits for. So it learns from how its waits end,
 // and tries longer polling again now and then.
 struct waiting_habit {
-  static constexpr int most_spins = 2048;  // some microseconds
+  static constexpr int most_spins = 256;  // some microseconds, each with a pause
   int spins = most_spins;
   unsigned waits = 0;
 };
