@@ -9,6 +9,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/hardware/robot/robot.hpp>
+#include <cca/hardware/robot/robot_fd_board.hpp>
 #include <cca/hardware/virtual_drives/virtual_of.hpp>
 #include <cca/hardware/virtual_robot.hpp>
 
@@ -166,5 +167,46 @@ TEST_SUITE("a robot's board") {
     const auto frames = board::frames(sent, 1);
     CHECK_FALSE(board::decode(frames[0], r));
     CHECK(std::isnan(r.inertial[0].orientation[0]));
+  }
+
+  TEST_CASE("in CAN FD frames, one frame is a reading") {
+    using larger = hw::robot_fd_board<0x40, 1, 2>;
+    auto r = larger::reading::untold();
+    auto sent = some_reading<larger>();
+    sent.loads[0] = {0.1, -0.2, 0.3, 10, -20, 30};
+    sent.status = 5;
+    const auto frames = larger::frames(sent, 1);
+    for (const hw::can_frame& f : frames) CHECK(f.valid());
+    CHECK(larger::decode(frames[0], r));
+    CHECK(larger::decode(frames[1], r));
+    CHECK(r.frames == 0);  // the second unit is silent
+    CHECK(larger::decode(frames[2], r));
+    CHECK(r.frames == 1);
+    CHECK(r.status == 5);
+    for (std::size_t i = 0; i < 6; ++i) CHECK(r.loads[0][i] == doctest::Approx(sent.loads[0][i]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(r.inertial[0].angular_velocity[i] == doctest::Approx(sent.inertial[0].angular_velocity[i]));
+      CHECK(r.inertial[1].specific_force[i] ==
+            doctest::Approx(sent.inertial[1].specific_force[i]).epsilon(1e-3));
+    }
+    CHECK(r.inertial[0].orientation[0] == doctest::Approx(0.6).epsilon(1e-4));
+  }
+
+  TEST_CASE("in CAN FD frames, one of another length or without an orientation changes nothing") {
+    using fd = hw::robot_fd_board<0x40, 1, 1>;
+    auto sent = some_reading<hw::robot_fd_board<0x40, 1, 2>>();
+    fd::reading says;
+    says.inertial[0] = sent.inertial[0];
+    auto r = fd::reading::untold();
+    auto frames = fd::frames(says, 1);
+    frames[0].length = 12;
+    CHECK_FALSE(fd::decode(frames[0], r));
+    frames[1].data[6] = 0, frames[1].data[7] = 0;  // w of the quaternion
+    CHECK_FALSE(fd::decode(frames[1], r));
+    says.inertial[0].orientation.fill(std::nan(""));
+    CHECK_FALSE(fd::decode(fd::frames(says, 1)[1], r));
+    CHECK(r.complete == std::array<std::uint64_t, 2>{});
+    CHECK(std::isnan(r.loads[0][0]));
+    CHECK(std::isnan(r.inertial[0].angular_velocity[0]));
   }
 }

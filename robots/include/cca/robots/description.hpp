@@ -23,6 +23,8 @@
 #include <concepts>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include <cca/robot/body_pose.hpp>
 #include <cca/robots/cable_drive.hpp>
@@ -43,6 +45,7 @@ struct joint_drive {
   double spring = 0;       // N m/rad, of a spring in the joint
   double spring_rest = 0;  // rad, where that spring is slack
   cable_drive cable{};     // with a stiffness: the motor winds it, and acts by it alone
+  bool measured = true;    // false: a passive joint that has no port
 
   // Of what a position command pulls with.
   constexpr double position_stiffness() const { return cable.stiffness > 0 ? cable.stiffness : stiffness; }
@@ -56,6 +59,34 @@ template <class Type> concept Described = Body<typename Type::body> && requires 
 
 template <class R>
 using axes_of_robot = axes_of<typename R::body>;
+
+namespace detail {
+
+template <class R>
+constexpr bool is_measured(std::size_t axis) {
+  return axis >= R::drives.size() || R::drives[axis].measured;
+}
+
+template <class R,
+          class Axes = axes_of_robot<R>,
+          class Index = std::make_index_sequence<static_cast<std::size_t>(Axes::count)>>
+struct measured_axes;
+template <class R, class... Axes, std::size_t... I>
+struct measured_axes<R, axes<Axes...>, std::index_sequence<I...>>
+    : cca::detail::joined_axes<axes<>, std::conditional_t<is_measured<R>(I), axes<Axes>, axes<>>...> {};
+
+template <class R>
+constexpr bool motors_are_measured = [] {
+  for (const auto& d : R::drives)
+    if (!d.measured && d.motor.torque != 0) return false;
+  return true;
+}();
+
+}  // namespace detail
+
+// Those that its ports have, in their order.
+template <class R>
+using measured_axes_of = typename detail::measured_axes<R>::type;
 
 template <class R>
 constexpr bool floats = false;
@@ -163,7 +194,13 @@ constexpr bool check_description() {
     static_assert(drives,
                   "robot.description: `drives` has more or fewer entries than the body has axes; give one "
                   "for each axis, in the order of cca::axes_of<body>, also for a passive joint");
-    if constexpr (drives) detail::check_places<R>();
+    if constexpr (drives) {
+      constexpr bool measured = detail::motors_are_measured<R>;
+      static_assert(measured,
+                    "robot.description: a joint of this robot has a motor and is not measured, so nobody "
+                    "could command it; leave out `measured = false`, or the motor");
+      if constexpr (measured) detail::check_places<R>();
+    }
   }
   return true;
 }

@@ -1,4 +1,5 @@
-// The spaces and the graph of a described robot, simulated or real: generated from the axes of its body.
+// The spaces and the graph of a described robot, simulated or real: generated from the axes of its body,
+// those whose joints are measured.
 //
 //   in   "position", "velocity", "torque", "stiffness", "damping"
 //                      those in R::commands, each optional (commands.hpp)
@@ -30,13 +31,13 @@
 namespace cca::robots {
 
 template <class R>
-struct angles : cca::space<joint_angles, axes_of_robot<R>, typename R::rate> {};
+struct angles : cca::space<joint_angles, measured_axes_of<R>, typename R::rate> {};
 template <class R>
-struct velocities : cca::space<joint_velocities, axes_of_robot<R>, typename R::rate> {};
+struct velocities : cca::space<joint_velocities, measured_axes_of<R>, typename R::rate> {};
 template <class R>
-struct torques : cca::space<joint_torques, axes_of_robot<R>, typename R::rate> {};
+struct torques : cca::space<joint_torques, measured_axes_of<R>, typename R::rate> {};
 template <class R, class Command>
-struct commanded : cca::space<typename Command::domain, axes_of_robot<R>, typename R::rate> {};
+struct commanded : cca::space<typename Command::domain, measured_axes_of<R>, typename R::rate> {};
 
 // One joint: what is read from it, and the numbers of joint_commands.
 template <class R, class Axis>
@@ -110,7 +111,7 @@ template <class R,
           class... Sensors,
           class... More>
 struct robot_graph<R, Name, Device, Motors, Joint, commands<Commands...>, sensors<Sensors...>, More...> {
-  using own_axes = axes_of_robot<R>;
+  using own_axes = measured_axes_of<R>;
   using type = graph_of<items<typename R::rate, node<Name, Device>>,
                         joint_nodes<Joint, own_axes>,
                         items<node<Commands::name, optional_splitter<commanded<R, Commands>>, full_speed>...,

@@ -5,10 +5,10 @@
 //                                        a1_drive, ..., a7_drive, flange_board> {};
 //
 // R: a description (cca/robots/description.hpp), whose rate is 1 kHz: the safety chain counts beats of a
-// millisecond. Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each axis of R's body, in their
-// order; then a robot_board, if R has sensors. Ports, nodes and wires are those of every described robot
-// (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and the
-// drives, and the limits of the axes bound it.
+// millisecond. Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each measured axis of R's body, in
+// their order; then a robot_board, if R has sensors. Ports, nodes and wires are those of every described
+// robot (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and
+// the drives, and the limits of the axes bound it.
 //
 // A drive with stiffness (MIT, moteus) follows all commands; one that takes torque alone (CiA 402 and ODrive
 // in torque mode) too: the synchronizer makes its torque from the measured angle and velocity. One with gains
@@ -80,7 +80,7 @@ constexpr bool has_sensors(robots::sensors<Sensors...> all) {
 
 template <class R, class... Drives>
 struct robot_drives {
-  static constexpr std::size_t count = robots::axes_of_robot<R>::count;
+  static constexpr std::size_t count = robots::measured_axes_of<R>::count;
   using joints = first_joints<count, Drives...>;
   using board = std::tuple_element_t<count, std::tuple<Drives..., no_board>>;
   using sound = typename robot_buses<typename R::rate, board, joints>::sound;
@@ -90,15 +90,15 @@ struct robot_drives {
 template <class R, class... Drives>
 constexpr auto check_drives() {
   static_assert(robots::check_description<R>());
-  constexpr std::size_t count = robots::axes_of_robot<R>::count;
+  constexpr std::size_t count = robots::measured_axes_of<R>::count;
   constexpr bool enough = sizeof...(Drives) == count || sizeof...(Drives) == count + 1;
   static_assert(enough,
-                "robot.drives: this robot has more or fewer drives than its body has axes; after the bus, "
-                "list one cca::hardware::joint for each axis, and then the board, if there is one");
+                "robot.drives: this robot has more or fewer drives than its body has axes that are measured; "
+                "after the bus, list one cca::hardware::joint for each, and then the board, if there is one");
   if constexpr (enough) {
     using joints = typename robot_drives<R, Drives...>::joints;
     using board = typename robot_drives<R, Drives...>::board;
-    constexpr bool in_order = std::is_same_v<typename joints::axes, robots::axes_of_robot<R>>;
+    constexpr bool in_order = std::is_same_v<typename joints::axes, robots::measured_axes_of<R>>;
     constexpr bool at_one_khz = cca::detail::hz_of<typename R::rate> == 1000;
     constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
     constexpr bool follows = all_follow<joints, typename R::commands>;

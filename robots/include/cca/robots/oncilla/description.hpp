@@ -1,7 +1,8 @@
-// The Oncilla described like any other robot: `cca::sim::robot<cca::robots::oncilla::description>`.
+// The Oncilla described like any other robot: `cca::sim::robot<cca::robots::oncilla::description>`, or
+// `cca::hardware::robot<...>` with twelve drives.
 //
-//   in   "position"   over axes_of<walking_body>: abduction, hip, knee and toe of the left front leg, then of
-//                     right front, left hind and right hind, rad. The toes have no motor
+//   in   "position"   abduction, hip and knee of the left front leg, then of right front, left hind and right
+//                     hind, rad. The toes have neither motor nor port
 //   out  "angles", "velocities", "torques"                         over the same axes
 //        "orientation", "angular_velocity", "acceleration"         of the trunk
 //        "left_front_load", "right_front_load", "left_hind_load", "right_hind_load"   on the feet
@@ -11,7 +12,8 @@
 // trunk.
 //
 // cca::sim::oncilla is the same robot with the ports of the real one and a world that accounts for work and
-// slip. tests/runtime/any_robot/oncilla.cpp compares the two. docs/robots.md.
+// slip. tests/runtime/any_robot/oncilla.cpp compares the two; robot_on_drives/oncilla.cpp has it on drives.
+// docs/robots.md.
 #pragma once
 
 #include <array>
@@ -133,7 +135,7 @@ struct description {
   static constexpr joint_drive hip{.motor = of.hip_motor, .stiffness = 30, .damping = 0.375};
   static constexpr joint_drive knee{
       .motor = of.knee_motor, .friction = of.joint_friction, .cable = {.stiffness = 80, .damping = 0.4}};
-  static constexpr joint_drive toe{.friction = of.toe_damping, .spring = of.toe_stiffness};
+  static constexpr joint_drive toe{.friction = of.toe_damping, .spring = of.toe_stiffness, .measured = false};
   static constexpr std::array<joint_drive, 16> drives{abduction, hip, knee, toe, abduction, hip, knee, toe,
                                                       abduction, hip, knee, toe, abduction, hip, knee, toe};
 

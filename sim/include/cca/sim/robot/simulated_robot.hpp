@@ -34,6 +34,9 @@ class simulated_robot_of;
 template <class R, class... Axes, class... Sensors>
 class simulated_robot_of<R, axes<Axes...>, robots::sensors<Sensors...>> {
   static constexpr std::size_t count = sizeof...(Axes);
+  static constexpr auto coordinates = static_cast<std::size_t>(robots::axes_of_robot<R>::count);
+  static constexpr std::array<std::size_t, count> coordinate{
+      static_cast<std::size_t>(robots::axes_of_robot<R>::template index_of<Axes>)...};
 
 public:
   void put_down(robot_world&& world) {
@@ -51,20 +54,21 @@ public:
 
   void act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) {
     const std::array<robots::joint_commands, count> commands{robots::commands_of(wanted.vector())...};
-    std::array<joint_law, count> laws;
+    std::array<joint_law, coordinates> laws{};
     for (std::size_t i = 0; i < count; ++i) {
-      const robots::joint_drive& d = world_.model().drives[i];
-      laws[i] = servos_[i].follow(commands[i],
+      const std::size_t c = coordinate[i];
+      const robots::joint_drive& d = world_.model().drives[c];
+      laws[c] = servos_[i].follow(commands[i],
                                   {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed},
-                                  world_.joints()[i].angle, world_.model().beat);
+                                  world_.joints()[c].angle, world_.model().beat);
     }
     world_.advance(laws);
   }
 
   void on_start() { servos_ = {}; }
   void on_idle() {
-    std::array<joint_law, count> laws;
-    for (std::size_t i = 0; i < count; ++i) laws[i] = {.damping = world_.model().drives[i].damping};
+    std::array<joint_law, coordinates> laws;
+    for (std::size_t c = 0; c < coordinates; ++c) laws[c] = {.damping = world_.model().drives[c].damping};
     world_.advance(laws);
   }
 
@@ -72,7 +76,7 @@ private:
   template <class Axis>
   Eigen::Vector3d joint() const {
     const joint_reading& r =
-        world_.joints()[static_cast<std::size_t>(axes<Axes...>::template index_of<Axis>)];
+        world_.joints()[coordinate[static_cast<std::size_t>(axes<Axes...>::template index_of<Axis>)]];
     return {r.angle, r.velocity, r.torque};
   }
 
@@ -119,6 +123,6 @@ struct joints_of {
 
 template <class R>
 class simulated_robot
-    : public detail::simulated_robot_of<R, robots::axes_of_robot<R>, robots::sensors_of<R>> {};
+    : public detail::simulated_robot_of<R, robots::measured_axes_of<R>, robots::sensors_of<R>> {};
 
 }  // namespace cca::sim

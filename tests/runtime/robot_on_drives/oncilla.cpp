@@ -1,0 +1,229 @@
+// The described Oncilla on virtual drives of the MIT protocol, with the simulator's robot behind them: the
+// trot of the examples walks with it as in the simulator, and a stop ends with all drives disabled.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include <doctest/doctest.h>
+
+#include <cca/cca.hpp>
+#include <cca/config.hpp>
+#include <cca/hardware/memory_bus.hpp>
+#include <cca/hardware/mit.hpp>
+#include <cca/hardware/robot/robot.hpp>
+#include <cca/hardware/robot/robot_fd_board.hpp>
+#include <cca/hardware/virtual_mit.hpp>
+#include <cca/hardware/virtual_robot.hpp>
+
+#include "../any_robot/described_oncilla.hpp"
+
+namespace oncilla_on_drives {
+
+namespace hw = cca::hardware;
+using namespace described_oncilla_test;
+
+// Two drives on each of six buses of 1 Mbit/s: those of a leg's plane on one, the abductions of front and
+// hind legs on two more. The board has CAN FD frames and a bus of its own. The gains are the description's.
+// [oncilla on drives]
+struct dm8006 {
+  static constexpr std::string_view name = "DM8006";
+  static constexpr auto limits =
+      cca::limits{cca::angle{-12.5, 12.5}, cca::velocity{-45, 45}, cca::torque{-20, 20},
+                  cca::stiffness{0, 500}, cca::damping{0, 5}};
+};
+template <class Axis, std::uint32_t Number, std::size_t Bus, hw::mounting Mounting, hw::joint_servo Servo>
+using on_bus =
+    hw::joint<Axis, hw::mit_drive<dm8006, Number, 0x10, hw::mit_firmware::damiao>, Mounting, Servo, Bus>;
+
+inline constexpr hw::joint_servo at_abduction{.stiffness = 80, .damping = 0.8, .safe_damping = 1},
+    at_hip{.stiffness = 30, .damping = 0.375, .safe_damping = 1},
+    at_knee{.stiffness = 80, .damping = 0.4, .safe_damping = 0.4};
+inline constexpr hw::mounting turned{.sign = -1, .offset = 0.1}, straight{.offset = -0.1}, bent{.offset = 1};
+
+struct left_front_abduction : on_bus<oncilla::left_front_abduction, 1, 4, turned, at_abduction> {};
+struct left_front_hip : on_bus<oncilla::left_front_hip, 2, 0, turned, at_hip> {};
+struct left_front_knee : on_bus<oncilla::left_front_knee, 3, 0, bent, at_knee> {};
+struct right_front_abduction : on_bus<oncilla::right_front_abduction, 4, 4, straight, at_abduction> {};
+struct right_front_hip : on_bus<oncilla::right_front_hip, 5, 1, straight, at_hip> {};
+struct right_front_knee : on_bus<oncilla::right_front_knee, 6, 1, bent, at_knee> {};
+struct left_hind_abduction : on_bus<oncilla::left_hind_abduction, 7, 5, turned, at_abduction> {};
+struct left_hind_hip : on_bus<oncilla::left_hind_hip, 8, 2, turned, at_hip> {};
+struct left_hind_knee : on_bus<oncilla::left_hind_knee, 9, 2, bent, at_knee> {};
+struct right_hind_abduction : on_bus<oncilla::right_hind_abduction, 10, 5, straight, at_abduction> {};
+struct right_hind_hip : on_bus<oncilla::right_hind_hip, 11, 3, straight, at_hip> {};
+struct right_hind_knee : on_bus<oncilla::right_hind_knee, 12, 3, bent, at_knee> {};
+struct board : hw::robot_fd_board<0x40, 4, 1, 6> {};  // four feet and the trunk, on bus 6
+
+template <class... Joints>
+struct robot_with {
+  using joints = hw::joint_list<Joints...>;
+  template <class Bus>
+  using on = hw::robot<oncilla::description, Bus, Joints..., board>;
+};
+using with_drives = robot_with<left_front_abduction,
+                               left_front_hip,
+                               left_front_knee,
+                               right_front_abduction,
+                               right_front_hip,
+                               right_front_knee,
+                               left_hind_abduction,
+                               left_hind_hip,
+                               left_hind_knee,
+                               right_hind_abduction,
+                               right_hind_hip,
+                               right_hind_knee>;
+// [oncilla on drives end]
+
+}  // namespace oncilla_on_drives
+
+using namespace oncilla_on_drives;
+
+namespace {
+
+using wire = hw::memory_bus<3, 16>;
+using end_of_wire = wire::end_type;
+
+struct robot : with_drives::on<end_of_wire> {};
+struct trot_on_drives : trot_of<robot> {};
+static_assert(cca::well_formed<trot_on_drives>);
+
+// A damiao drive stops after 4 ms without a set point.
+template <class Drive>
+struct virtual_damiao : hw::virtual_mit<Drive, 4'000'000> {};
+
+// Of each drive, among those of the body.
+constexpr auto coordinate = []<class... Axes>(cca::axes<Axes...>) {
+  return std::array{static_cast<std::size_t>(robots::axes_of_robot<described>::index_of<Axes>)...};
+}(robots::measured_axes_of<described>());
+
+class lab {
+public:
+  static constexpr std::size_t count = with_drives::joints::count, buses = 7;
+  static_assert(count == 12);
+
+  explicit lab(sim::robot_world&& on_ground) : world(std::move(on_ground)) {
+    std::apply([&](auto&... b) { far.connect(b...); }, ends);
+    std::apply([&](auto&... b) { controller.get<"robot.body.synchronizer">().connect(b...); }, near);
+    controller.load();
+  }
+  lab(const lab&) = delete;
+  lab& operator=(const lab&) = delete;
+
+  void beat() {
+    controller.step();
+    pass_millisecond();
+  }
+  // What the drives do until the next beat. Until they have been enabled, a stand holds the robot.
+  void pass_millisecond() {
+    const std::int64_t heard = now + 500'000;
+    go_to(heard);
+    far.listen(heard);
+    const auto laws = far.laws(heard);
+    if (has_stood || enabled() == count) has_stood = true, advance(laws);
+    std::array<hw::drive_motion, count> motions;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& q = world.joints()[coordinate[i]];
+      motions[i] = {q.angle, has_stood ? q.velocity : 0, q.torque};
+    }
+    board::reading felt;
+    for (std::size_t leg = 0; leg < 4; ++leg) felt.loads[leg] = world.load(leg);
+    felt.inertial[0] = world.inertial(0);
+    far.tell(motions, felt);
+    now += 1'000'000;
+    go_to(now - 1);
+  }
+  std::size_t enabled() const {
+    std::size_t n = 0;
+    std::apply([&](const auto&... d) { ((n += d.enabled()), ...); }, far.drives);
+    return n;
+  }
+  auto& synchronizer() { return controller.get<"robot.body.synchronizer">(); }
+  auto& stop() { return controller.get<"robot.body.emergency_stop">(); }
+
+  // Until the drives follow the controller.
+  void run() {
+    controller.start();
+    for (int k = 0; k < 300 && synchronizer().phase() != hw::motion_phase::running; ++k) beat();
+    REQUIRE(synchronizer().phase() == hw::motion_phase::running);
+    REQUIRE(enabled() == count);
+  }
+
+  cca::controller<trot_on_drives> controller{};
+  sim::robot_world world;
+  hw::virtual_robot<end_of_wire, virtual_damiao, board, with_drives::joints> far{};
+
+private:
+  void advance(const std::array<hw::drive_command, count>& laws) {
+    std::array<sim::joint_law, 16> motors{};
+    for (std::size_t i = 0; i < count; ++i)
+      motors[coordinate[i]] = {laws[i].position, laws[i].velocity, laws[i].torque, laws[i].stiffness,
+                               laws[i].damping};
+    world.advance(motors);
+  }
+  void go_to(std::int64_t time) {
+    for (auto& w : wires) w.advance(time);
+  }
+  template <std::size_t... I>
+  static std::array<end_of_wire, buses> all_ends(std::array<wire, buses>& of,
+                                                 int side,
+                                                 std::index_sequence<I...>) {
+    return {of[I].end(side)...};
+  }
+
+  std::array<wire, buses> wires;
+  std::array<end_of_wire, buses> near = all_ends(wires, 0, std::make_index_sequence<buses>()),
+                                 ends = all_ends(wires, 1, std::make_index_sequence<buses>());
+  bool has_stood = false;
+  std::int64_t now = 0;
+};
+
+sim::robot_world standing() {
+  const auto disturbance = sim::disturbance::from_seed(3, 8);
+  cca::controller<trot_on_drives> c;
+  c.load();
+  return put_down(trot::put_down(c.get<"gait">().p, disturbance),
+                  on(sim::terrain::flat().with_friction(disturbance.friction)));
+}
+
+}  // namespace
+
+TEST_SUITE("the described oncilla on drives") {
+  TEST_CASE("the trot walks, and nothing trips") {
+    lab l(standing());
+    l.run();
+    const walk w = walked_in(l.world, 8, [&] { l.beat(); });
+    MESSAGE(w.speed, " m/s, slip ", w.slip, ", aside ", w.aside);
+    CHECK(!w.fell);
+    CHECK(w.speed > 0.55);
+    CHECK(w.slip < 0.15);
+    CHECK(l.stop().mode() == hw::motion_mode::run);
+    CHECK(l.stop().first_cause().rule == hw::safety_rule::none);
+    CHECK(l.enabled() == lab::count);
+  }
+
+  TEST_CASE("stopped in the middle of a step it is damped, and then no drive is enabled") {
+    lab l(standing());
+    l.run();
+    for (int k = 0; k < 2500; ++k) l.beat();
+    l.controller.stop();
+    for (int k = 0; k < 100; ++k) l.beat();
+    CHECK(l.enabled() == lab::count);  // they damp
+    for (int k = 0; k < 2000; ++k) l.beat();
+    CHECK(l.enabled() == 0);
+    for (std::size_t i = 0; i < lab::count; ++i) CHECK(!l.synchronizer().unconfirmed(i));
+  }
+
+  TEST_CASE("a board that falls silent stops it") {
+    lab l(standing());
+    l.run();
+    for (int k = 0; k < 500; ++k) l.beat();
+    l.far.board_silent = true;
+    for (int k = 0; k < 12; ++k) l.beat();
+    CHECK(l.stop().first_cause().rule == hw::safety_rule::sensor_board);
+    CHECK(l.stop().mode() != hw::motion_mode::run);
+  }
+}
