@@ -2,7 +2,7 @@
 // of one measurement, within its ranges, and survives encoding and decoding.
 #include <algorithm>
 
-#include <cca/hardware/robot/robot_board.hpp>
+#include <cca/hardware/robot/boards/robot_board.hpp>
 
 #include "decoding.hpp"
 

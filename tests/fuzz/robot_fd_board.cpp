@@ -2,7 +2,7 @@
 // takes is one whole reading, within its ranges, and survives encoding and decoding.
 #include <algorithm>
 
-#include <cca/hardware/robot/robot_fd_board.hpp>
+#include <cca/hardware/robot/boards/robot_fd_board.hpp>
 
 #include "decoding.hpp"
 

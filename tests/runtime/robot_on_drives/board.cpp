@@ -9,7 +9,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/hardware/robot/robot.hpp>
-#include <cca/hardware/robot/robot_fd_board.hpp>
+#include <cca/hardware/robot/boards/robot_fd_board.hpp>
 #include <cca/hardware/virtual_drives/virtual_of.hpp>
 #include <cca/hardware/virtual_robot.hpp>
 

@@ -15,7 +15,7 @@
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/robot/robot.hpp>
-#include <cca/hardware/robot/robot_fd_board.hpp>
+#include <cca/hardware/robot/boards/robot_fd_board.hpp>
 #include <cca/hardware/virtual_mit.hpp>
 #include <cca/hardware/virtual_robot.hpp>
 

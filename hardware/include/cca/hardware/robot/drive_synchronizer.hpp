@@ -22,7 +22,7 @@
 // waits for its end. While the emergency stop is pressed no drive is enabled. No set point is sent behind
 // frames that still wait: it would be stale.
 //
-//   Board   what is on the buses beside the drives (sensor_board.hpp, load_board.hpp), or no_board: `bus`,
+//   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
 //
 // Parameters: `offset`, the calibration of each joint in rad, added to its type's offset. A change is refused
@@ -45,7 +45,7 @@
 #include <cca/hardware/robot/drive_enabling.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
-#include <cca/hardware/robot/no_board.hpp>
+#include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/start_check.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
 #include <cca/hardware/robot/stop_sequence.hpp>

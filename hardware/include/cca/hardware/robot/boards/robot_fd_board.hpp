@@ -24,7 +24,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cca/hardware/robot/robot_board.hpp>
+#include <cca/hardware/robot/boards/robot_board.hpp>
 
 namespace cca::hardware {
 

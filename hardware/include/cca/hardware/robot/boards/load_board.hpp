@@ -3,7 +3,7 @@
 //   using flange_board = cca::hardware::load_board<0x40, 1, 3>;   // one sensor, on bus 3
 #pragma once
 
-#include <cca/hardware/robot/robot_board.hpp>
+#include <cca/hardware/robot/boards/robot_board.hpp>
 
 namespace cca::hardware {
 
