@@ -70,6 +70,8 @@ TEST_SUITE("how far ahead") {
     const auto compare = []<class Graph>(std::type_identity<Graph>) {
       cca::controller<Graph> alone;
       cca::deployed<split<Graph>> apart;
+      alone.load();
+      apart.load();
       alone.start();
       apart.start();
       alone.run(cca::for_some_beats{2000});
