@@ -126,16 +126,16 @@ private:
     e.has_status = false;
     e.holder = who;
     e.accepted_at = now;
-    const std::size_t outputs = facts.outputs_of(e.number).size();
-    for (std::size_t at = 0; at < outputs; ++at) {
-      const std::size_t o = facts.outputs_of(e.number)[at];
-      const leaving_output& out = facts.outputs[o];
+    const std::vector<std::size_t> outputs = facts.outputs_of(e.number);
+    for (std::size_t place = 0; place < outputs.size(); ++place) {
+      const leaving_output& out = facts.outputs[outputs[place]];
       if ((out.readers & facts.here) == 0) continue;
-      e.outputs.push_back({o, at, {in, out.topic, out.type, sample_message::head + out.size}});
+      e.outputs.push_back(
+          {outputs[place], place, {in, out.topic, out.type, sample_message::head + out.size}});
       attach(e.outputs.back().reader.get());
     }
     e.statuses = std::make_unique<channel_reader>(in, facts.status_topic(e.number), facts.status_type(),
-                                                  status::size(facts.environments.size(), outputs));
+                                                  status::size(facts.environments.size(), outputs.size()));
     attach(e.statuses->get());
     contact& c = peers[e.number];
     c.has_left = false;
