@@ -68,7 +68,7 @@ public:
 
   bool works_in_environment() const { return std::has_single_bit(facts.here); }
   void send() noexcept {
-    if (!from_here->try_to_send()) rings.leaving.ring();
+    if (!from_here || !from_here->try_to_send()) rings.leaving.ring();
   }
   bool receive_instead(std::int64_t longest) noexcept {
     replaced_at = cca::detail::monotonic_clock::now();
