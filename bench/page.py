@@ -327,7 +327,7 @@ How to read the figures:
   With a core each, driver and reflectors are pinned.
 - What a hand-over costs depends on where the two cores are: 0.06 us a way between the two threads of one core, 0.35 us between cores.
   What the environments do beside it stays the same, so the ratios are worst where it is cheapest.
-  The figures below are of the first kind; between cores, with 0.53 us for a raw round trip of 8 B, the ratios for 8 B and 1 KiB were 0.87 and 0.85 between threads, and 0.85 and 0.86 over shared memory (commit 9707165, a minute on the same virtual machine).
+  The figures below are of the first kind; between cores, where a raw round trip of 8 B took 0.53 us, all ratios up to 1 KiB were 0.85 to 0.87 (commit 9707165, one short run).
 - Samples are values, so a beat keeps them on the stack: what eight reflectors send of 1 MiB does not fit the usual 8 MiB.
   The programs run with a stack of 1 GiB (`ulimit -s`); with 16 reflectors 1 MiB is left out, because that takes 9 GB to compile.
 

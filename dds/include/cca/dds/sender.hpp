@@ -47,7 +47,7 @@ public:
     for (auto& one : all) one->writer.wait_for_readers();
   }
 
-  // Instead, in the thread of an environment. False: this one has to send what is left.
+  // The same, in the thread of an environment. False: something is left for `run` to send.
   bool try_to_send() {
     const std::unique_lock lock(one_at_a_time, std::try_to_lock);
     return lock && send_all() != shortest_sleep;

@@ -76,8 +76,8 @@ struct arrives {
 template <class D>
 inline constexpr std::int64_t most_ahead = 4 + std::min(std::ranges::max(crossings_of<D>.largest_delay), 16);
 
-// When beat k may begin in an environment by the samples that it reads from another one, then that one is not
-// further behind than `most_ahead`: nobody has to look how far it is.
+// The samples that an environment waits for before a beat prove that their writer is at most `most_ahead`
+// beats behind. So the environment need not read the writer's position.
 template <class D, int From, int To>
 inline constexpr bool samples_show_progress = [] {
   return []<int... Output>(std::integer_sequence<int, Output...>) {

@@ -41,11 +41,11 @@
 #include <cca/base/reflect.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/hardware/drives/set_points.hpp>
+#include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/bus_outbox.hpp>
 #include <cca/hardware/robot/drive_enabling.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
-#include <cca/hardware/robot/boards/no_board.hpp>
 #include <cca/hardware/robot/start_check.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
 #include <cca/hardware/robot/stop_sequence.hpp>

@@ -27,9 +27,9 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/hardware/robot/joints_of.hpp>
 #include <cca/hardware/robot/boards/load_board.hpp>
 #include <cca/hardware/robot/boards/no_board.hpp>
+#include <cca/hardware/robot/joints_of.hpp>
 #include <cca/hardware/robot/robot_buses.hpp>
 #include <cca/hardware/robot/robot_nodes.hpp>
 #include <cca/hardware/robot/robot_synchronizer.hpp>

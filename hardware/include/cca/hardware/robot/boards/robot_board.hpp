@@ -61,22 +61,21 @@ struct robot_board_reading {
   }
 };
 
+namespace detail {
+
+// What the boards of a robot have in common, whatever their frames.
 template <std::uint32_t Base,
+          std::size_t FrameCount,
           std::size_t Loads,
           std::size_t Units,
-          std::size_t Bus = 0,
-          bit_rates Rates = bit_rates{}>
-struct robot_board {
-  static constexpr std::size_t frame_count = 2 * Loads + 3 * Units;
-  static_assert(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF,
-                "cca::hardware::robot_board: at least one sensor; its ids are base to base + 2 loads + 3 "
-                "inertial units - 1, of 11 bits");
+          std::size_t Bus,
+          bit_rates Rates>
+struct board_of_robot {
+  static constexpr std::size_t frame_count = FrameCount;
   using reading = robot_board_reading<Loads, Units>;
   static constexpr std::size_t sensors = Loads, inertial_units = Units, bus = Bus;
   static constexpr std::string_view name = "robot board";
   static constexpr bit_rates rates = Rates;
-  static constexpr std::array<frame_traffic, 1> traffic{
-      {{.shape = {.length = 8}, .a_cycle = static_cast<int>(frame_count)}}};
   static constexpr std::array<can_filter, 0> requests{};
   static constexpr auto replies = [] {
     std::array<can_filter, frame_count> all;
@@ -85,10 +84,38 @@ struct robot_board {
   }();
   static constexpr double force_step = 1e-2, torque_step = 1e-3, speed_step = 1e-3, acceleration_step = 5e-3;
 
+protected:
+  static constexpr bool has_id(const can_frame& f) {
+    return !f.id.extended && f.id.number >= Base && f.id.number < Base + frame_count;
+  }
+  static constexpr void count(reading& r, std::size_t sensor) {
+    ++r.complete[sensor];
+    r.frames = *std::ranges::min_element(r.complete);
+  }
+};
+
+}  // namespace detail
+
+template <std::uint32_t Base,
+          std::size_t Loads,
+          std::size_t Units,
+          std::size_t Bus = 0,
+          bit_rates Rates = bit_rates{}>
+struct robot_board : detail::board_of_robot<Base, 2 * Loads + 3 * Units, Loads, Units, Bus, Rates> {
+private:
+  using base = detail::board_of_robot<Base, 2 * Loads + 3 * Units, Loads, Units, Bus, Rates>;
+
+public:
+  using base::frame_count, base::force_step, base::torque_step, base::speed_step, base::acceleration_step;
+  using typename base::reading;
+  static_assert(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF,
+                "cca::hardware::robot_board: at least one sensor; its ids are base to base + 2 loads + 3 "
+                "inertial units - 1, of 11 bits");
+  static constexpr std::array<frame_traffic, 1> traffic{
+      {{.shape = {.length = 8}, .a_cycle = static_cast<int>(frame_count)}}};
+
   static constexpr bool decode(const can_frame& f, reading& r) noexcept {
-    if (f.id.extended || f.fd || f.remote || f.length != 8 || f.id.number < Base ||
-        f.id.number >= Base + frame_count)
-      return false;
+    if (!base::has_id(f) || f.fd || f.remote || f.length != 8) return false;
     const std::size_t at = f.id.number - Base;
     if (at < first_of_units) {
       if (at % 2 == 0) return keep(f, force_step, r.halves[at / 2]), take_status(f, r);
@@ -156,8 +183,7 @@ private:
     auto& half = r.halves[sensor];
     if (!half.waits || half.counter != f.data[7]) return false;
     half.waits = false;
-    ++r.complete[sensor];
-    r.frames = *std::ranges::min_element(r.complete);
+    base::count(r, sensor);
     return true;
   }
   static constexpr bool take_status(const can_frame& f, reading& r) {

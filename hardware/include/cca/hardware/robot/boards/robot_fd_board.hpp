@@ -33,34 +33,26 @@ template <std::uint32_t Base,
           std::size_t Units,
           std::size_t Bus = 0,
           bit_rates Rates = bit_rates{}>
-struct robot_fd_board {
-  static constexpr std::size_t frame_count = Loads + Units;
+struct robot_fd_board : detail::board_of_robot<Base, Loads + Units, Loads, Units, Bus, Rates> {
+private:
+  using base = detail::board_of_robot<Base, Loads + Units, Loads, Units, Bus, Rates>;
+
+public:
+  using base::frame_count, base::force_step, base::torque_step, base::speed_step, base::acceleration_step;
+  using typename base::reading;
   static_assert(frame_count >= 1 && Base + frame_count - 1 <= 0x7FF,
                 "cca::hardware::robot_fd_board: at least one sensor; its ids are base to base + loads + "
                 "inertial units - 1, of 11 bits");
-  using reading = robot_board_reading<Loads, Units>;
-  static constexpr std::size_t sensors = Loads, inertial_units = Units, bus = Bus;
-  static constexpr std::string_view name = "robot board";
-  static constexpr bit_rates rates = Rates;
   static constexpr std::array<frame_traffic, 2> traffic{
       {{.shape = {.length = 16, .fd = true, .fast = true}, .a_cycle = static_cast<int>(Loads)},
        {.shape = {.length = 24, .fd = true, .fast = true}, .a_cycle = static_cast<int>(Units)}}};
-  static constexpr std::array<can_filter, 0> requests{};
-  static constexpr auto replies = [] {
-    std::array<can_filter, frame_count> all;
-    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = {standard(Base + i)};
-    return all;
-  }();
-  static constexpr double force_step = 1e-2, torque_step = 1e-3, speed_step = 1e-3, acceleration_step = 5e-3;
 
   static constexpr bool decode(const can_frame& f, reading& r) noexcept {
-    if (f.id.extended || !f.fd || f.remote || f.id.number < Base || f.id.number >= Base + frame_count)
-      return false;
+    if (!base::has_id(f) || !f.fd || f.remote) return false;
     const std::size_t at = f.id.number - Base;
     if (at < Loads ? !take_load(f, r.loads[at], r.status) : !take_unit(f, r.inertial[at - Loads], r.status))
       return false;
-    ++r.complete[at];
-    r.frames = *std::ranges::min_element(r.complete);
+    base::count(r, at);
     return true;
   }
 
