@@ -12,6 +12,9 @@
 #include <doctest/doctest.h>
 
 #include <cca/hardware/drive.hpp>
+#include <cca/hardware/virtual_drives/virtual_of.hpp>
+
+#include "law.hpp"
 
 namespace laws {
 
@@ -77,15 +80,26 @@ void asks() {
         CHECK_MESSAGE(a.frames[f] == b.frames[f], "numbers are cut to the end of the range");
     }
   CHECK_MESSAGE(D::set_point({}).cut == 0, "zero is within all ranges");
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const drive_command one{
+        .position = 0.3, .velocity = 0.2, .torque = 0.1, .stiffness = 5, .damping = 0.02};
+    drive_command other = one;
+    other.*numbers[i] *= 1.5;
+    const auto a = D::set_point(one), b = D::set_point(other);
+    bool same_frames = a.frames.size() == b.frames.size();
+    for (std::size_t f = 0; same_frames && f < a.frames.size(); ++f) same_frames = a.frames[f] == b.frames[f];
+    const bool used = (D::uses & quantities[i]) != 0;
+    CHECK_MESSAGE(same_frames != used, "each number that it uses is sent, and no other");
+  }
 }
 
 // For any bytes: a frame of others changes nothing; a frame that it takes gives numbers or NaN, and says
-// which numbers it reports.
+// which numbers it reports. It takes some of its own, and another frame gives another position.
 template <Drive D>
 void hears_anything() {
   std::mt19937_64 bits(2);
   drive_report r;
-  std::uint64_t taken = 0;
+  int taken = 0, positions = 0, new_positions = 0;
   for (int i = 0; i < 200'000; ++i) {
     can_frame f{.length = static_cast<std::uint8_t>(bits()),
                 .fd = bits() % 4 == 0,
@@ -106,6 +120,10 @@ void hears_anything() {
       continue;
     }
     ++taken;
+    if (r.told & of_position) {
+      ++positions;
+      new_positions += std::memcmp(&r.position, &before.position, sizeof r.position) != 0;
+    }
     REQUIRE_MESSAGE(among(D::replies, f.id), "it takes only frames of its own ids");
     REQUIRE_MESSAGE(r.frames == before.frames + 1, "the frame is counted");
     REQUIRE_MESSAGE(r.told != 0, "the frame reported something");
@@ -113,20 +131,56 @@ void hears_anything() {
       REQUIRE_MESSAGE(std::memcmp(&r.position, &before.position, sizeof r.position) == 0,
                       "a position that is not reported stays");
   }
-  (void)taken;
+  CHECK_MESSAGE(taken > 0, "it takes frames of its own");
+  CHECK_MESSAGE(positions > 0, "it takes positions");
+  CHECK_MESSAGE(2 * new_positions > positions, "another frame reports another position");
 }
 
-// Enabling and disabling give frames that can be sent; without an answer, enabling is never done.
-template <Drive D>
+// Enabling and disabling give frames that can be sent. Without an answer enabling is never done. It ends once
+// the drive answers; then set points move the drive, and disabling it takes its torque away.
+template <Drive D, VirtualDrive V>
 void starts_and_stops() {
   CHECK(!D::disable().empty());
   check_frames<D>(D::disable());
-  typename D::enabling enabling;
-  for (int i = 0; i < 1000; ++i) {
-    const auto step = enabling.next({});
-    check_frames<D>(step.frames);
-    REQUIRE_MESSAGE(step.progress != enable_progress::done, "it is not done before anybody has answered");
+  {
+    typename D::enabling enabling;
+    for (int i = 0; i < 1000; ++i) {
+      const auto step = enabling.next({});
+      check_frames<D>(step.frames);
+      REQUIRE_MESSAGE(step.progress != enable_progress::done, "it is not done before anybody has answered");
+    }
   }
+  V answering;
+  virtual_motor motor;
+  drive_report report;
+  drive_command law;
+  std::int64_t now = 0;
+  const auto cycle = [&](const drive_frames& frames) {
+    now += 1'000'000;
+    for (const can_frame& f : frames) answering.hear(f, now);
+    for (const can_frame& f : cycle_frames_of<D>) answering.hear(f, now);
+    law = answering.law(now);
+    motor.advance(law, 0, 1e-3);
+    for (const can_frame& f : answering.answer(motor.now)) D::decode(f, report);
+  };
+  typename D::enabling enabling;
+  enable_step step;
+  for (int i = 0; i < 600 && step.progress == enable_progress::going; ++i) {
+    step = enabling.next(report);
+    cycle(step.frames);
+  }
+  REQUIRE_MESSAGE(step.progress == enable_progress::done, "enabling ends once the drive answers");
+  CHECK_MESSAGE(answering.enabled(), "the drive is enabled then");
+  const auto follows = [&](double size) {
+    cycle(D::set_point({.position = 0.3 * size, .velocity = 0.2 * size, .torque = 0.1 * size, .stiffness = 2,
+                        .damping = 0.5})
+              .frames);
+    return law;
+  };
+  const drive_command there = follows(1), back = follows(-1);
+  CHECK_MESSAGE(std::memcmp(&there, &back, sizeof law) != 0, "another set point moves it elsewhere");
+  for (int i = 0; i < 3; ++i) cycle(D::disable());
+  CHECK_MESSAGE(!answering.enabled(), "disabling it takes its torque away");
 }
 
 // Requests and replies have different ids; all traffic has possible frames.
@@ -142,12 +196,13 @@ void is_stated_soundly() {
   }
 }
 
-template <Drive D>
+// `V`: the drive's other end.
+template <Drive D, VirtualDrive V = virtual_of<D>>
 void drive() {
-  asks<D>();
-  hears_anything<D>();
-  starts_and_stops<D>();
-  is_stated_soundly<D>();
+  law("sends what is finite, and nothing else", asks<D>);
+  law("takes its replies, and no other frame", hears_anything<D>);
+  law("is enabled when it answers, and not before", starts_and_stops<D, V>);
+  law("states its ids and traffic soundly", is_stated_soundly<D>);
 }
 
 }  // namespace drives

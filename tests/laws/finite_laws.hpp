@@ -27,6 +27,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 
+#include "law.hpp"
 #include "parameter_laws.hpp"
 
 namespace laws {
@@ -324,10 +325,29 @@ void nan_leaves_no_trace() {
   }
 }
 
+// In some run an output follows from the inputs: a component that only publishes a constant, or what it
+// published first, keeps every law above.
+template <class Case>
+void depends_on_its_inputs() {
+  bool differs = false;
+  for (std::uint64_t run = 0; run < 40 && !differs; ++run) {
+    const auto c = Case::made();
+    detail::start(*c);
+    const auto twin = std::make_unique<typename Case::component>(*c);
+    for (std::uint64_t k = 0; k < 100 && !differs; ++k) {
+      const cca::beat now(static_cast<std::int64_t>(k), 1'000'000, 1);
+      differs = detail::all_numbers(step<Case>(*c, 1000 * run + k, feed::usual, true, now)) !=
+                detail::all_numbers(step<Case>(*twin, 7'000'000 + 1000 * run + k, feed::usual, true, now));
+    }
+  }
+  CHECK_MESSAGE(differs, "whatever its inputs are, its outputs are the same");
+}
+
 template <class Case>
 void finite() {
-  stays_finite<Case>();
-  nan_leaves_no_trace<Case>();
+  law("stays finite", [] { stays_finite<Case>(); });
+  law("NaN leaves no trace", nan_leaves_no_trace<Case>);
+  law("depends on its inputs", depends_on_its_inputs<Case>);
 }
 
 }  // namespace laws

@@ -161,10 +161,10 @@ void tells() {
 template <class Case>
 void learner() {
   static_assert(cca::Learner<typename Case::learner>);
-  tells<Case>();
-  keeps<Case>();
-  learns_in_batch<Case>();
-  if constexpr (cca::OnlineLearner<typename Case::learner>) learns_online<Case>();
+  law("states what it does", tells<Case>);
+  law("keeps what it learned", keeps<Case>);
+  law("learns in a batch", learns_in_batch<Case>);
+  if constexpr (cca::OnlineLearner<typename Case::learner>) law("learns online", learns_online<Case>);
 }
 
 }  // namespace laws

@@ -185,10 +185,10 @@ void keeps_its_file() {
 
 template <class Case>
 void adaptive_module() {
-  tells_what_it_learns<Case>();
-  reproduces<Case>();
-  refuses_broken_demonstrations<Case>();
-  keeps_its_file<Case>();
+  law("states what it learns", tells_what_it_learns<Case>);
+  law("reproduces what was shown", reproduces<Case>);
+  law("learns nothing from what is no number", refuses_broken_demonstrations<Case>);
+  law("keeps its file", keeps_its_file<Case>);
 }
 
 }  // namespace laws

@@ -15,6 +15,8 @@
 
 #include <cca/adaptive/ode_solver.hpp>
 
+#include "law.hpp"
+
 namespace laws {
 
 std::size_t allocations();
@@ -114,11 +116,11 @@ void rests() {
 
 template <class Case, class Integrator>
 void ode_with(int expected_order) {
-  runs<Case, Integrator>();
-  follows_the_derivative<Case, Integrator>();
-  order<Case, Integrator>(expected_order);
+  law("stays finite, the same each time", runs<Case, Integrator>);
+  law("follows its derivative", follows_the_derivative<Case, Integrator>);
+  law("has its order", [&] { order<Case, Integrator>(expected_order); });
   ode_source any{std::mt19937_64{5}};
-  if constexpr (requires { Case::equilibrium(any); }) rests<Case, Integrator>();
+  if constexpr (requires { Case::equilibrium(any); }) law("rests in its equilibrium", rests<Case, Integrator>);
 }
 
 // All laws, with each integrator that fits.

@@ -16,6 +16,8 @@
 
 #include <cca/cca.hpp>
 
+#include "law.hpp"
+
 namespace laws {
 
 std::size_t allocations();
@@ -104,10 +106,10 @@ void is_deterministic() {
 template <class Case>
 void skeleton() {
   static_assert(cca::well_formed<typename Case::graph>);
-  allocates_nothing<Case>();
-  keeps_origin_and_order<Case>();
-  adds_nothing<Case>();
-  is_deterministic<Case>();
+  law("allocates nothing", allocates_nothing<Case>);
+  law("keeps origin and order", keeps_origin_and_order<Case>);
+  law("adds nothing", adds_nothing<Case>);
+  law("is deterministic", is_deterministic<Case>);
 }
 
 }  // namespace laws

@@ -18,6 +18,8 @@
 #include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/virtual_drive.hpp>
 
+#include "law.hpp"
+
 namespace laws {
 
 std::size_t allocations();
@@ -306,14 +308,14 @@ void is_copied_whole() {
 template <class Rig>
 void virtual_drive() {
   static_assert(cca::hardware::VirtualDrive<typename Rig::drive>);
-  virtual_drives::follows_once_enabled<Rig>();
-  virtual_drives::starves<Rig>();
-  virtual_drives::fails<Rig>();
-  virtual_drives::falls_silent<Rig>();
-  virtual_drives::reboots<Rig>();
-  virtual_drives::hears_anything<Rig>();
-  virtual_drives::hears_no_number<Rig>();
-  virtual_drives::is_copied_whole<Rig>();
+  law("follows once it is enabled", virtual_drives::follows_once_enabled<Rig>);
+  law("lets go after its timeout", virtual_drives::starves<Rig>);
+  law("gives way in a fault", virtual_drives::fails<Rig>);
+  law("works on while it is silent", virtual_drives::falls_silent<Rig>);
+  law("reboots", virtual_drives::reboots<Rig>);
+  law("ignores bytes without a meaning", virtual_drives::hears_anything<Rig>);
+  law("ignores what is no number", virtual_drives::hears_no_number<Rig>);
+  law("is copied whole", virtual_drives::is_copied_whole<Rig>);
 }
 
 }  // namespace laws
