@@ -27,7 +27,7 @@ std::map<std::string, std::vector<double>> told(const cca::controller<Graph>& c)
 }
 
 template <class Case>
-void adaptive_component() {
+void runs_as_it_states() {
   using graph = typename Case::graph;
   cca::controller<graph> c;
   Case::prepare(c);
@@ -65,6 +65,11 @@ void adaptive_component() {
   CHECK_MESSAGE(true_state, "fulfilled means near, lost means far");
   CHECK_MESSAGE(same, "a copy continues like the original, bit for bit");
   CHECK_MESSAGE(seen == Case::expected(), "it took all expected statuses");
+}
+
+template <class Case>
+void adaptive_component() {
+  law("runs as its statuses state", runs_as_it_states<Case>);
 }
 
 }  // namespace laws

@@ -1,7 +1,7 @@
 // The laws of compliant components, run on a simulated arm that nothing but the component, gravity and a
 // passive environment moves.
 //
-//   creates_no_energy    the energy of the arm, the environment and the springs of the component never grows
+//   energy_created       the energy of the arm, the environment and the springs of the component never grows
 //   is_as_stiff          under a constant load the arm rests where the stiffness says
 //   has_damping_ratio    each mode of the linearised loop has the ratio that was asked for
 //
@@ -18,6 +18,7 @@
 #include <cca/robot/dynamics/forward_dynamics.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
 
+#include "law.hpp"
 #include "space_laws.hpp"
 
 namespace laws {
@@ -85,6 +86,7 @@ double energy_created(Arm arm, const Model& model, double seconds, double dt) {
   for (int k = 0; k * dt < seconds; ++k) {
     arm.step(model, dt);
     const double now = arm.energy() + model.stored(arm.q);
+    if (!std::isfinite(now)) return cca::infinity;  // no number, so no bound holds
     grown = std::max(grown, now - least);
     least = std::min(least, now);
   }
@@ -97,7 +99,9 @@ double energy_created_in_a_loop(Arm arm, const Model& model, double seconds, dou
   double grown = 0;
   for (int k = 0; k * dt < seconds; ++k) {
     arm.hold(model(arm.q, arm.dq), dt);
-    grown = std::max(grown, arm.energy() + model.stored(arm.q) - before);
+    const double now = arm.energy() + model.stored(arm.q);
+    if (!std::isfinite(now)) return cca::infinity;
+    grown = std::max(grown, now - before);
   }
   return grown;
 }
@@ -131,6 +135,28 @@ Eigen::VectorXd damping_ratios(const Arm& arm, const Model& model) {
     if (std::abs(root.imag()) > 1e-3) ratios[count++] = -root.real() / std::abs(root);
   ratios.conservativeResize(count);
   return ratios;
+}
+
+// Under a load along its joints the arm rests where springs of this stiffness let it.
+template <class Arm, class Model>
+void is_as_stiff(Arm arm,
+                 const Model& model,
+                 const typename Arm::vector& stiffness,
+                 const typename Arm::vector& push) {
+  const typename Arm::vector from = arm.q, expected = push.cwiseQuotient(stiffness);
+  arm.world.load = push;
+  settle(arm, model);
+  MESSAGE("largest error of the deflection: " << ((arm.q - from) - expected).cwiseAbs().maxCoeff() << " rad");
+  for (int i = 0; i < push.size(); ++i)
+    CHECK(arm.q[i] - from[i] == doctest::Approx(expected[i]).epsilon(1e-6));
+}
+
+// `modes`: how many roots of the loop oscillate.
+template <class Arm, class Model>
+void has_damping_ratio(const Arm& arm, const Model& model, double ratio, int modes) {
+  const auto found = damping_ratios(arm, model);
+  REQUIRE(found.size() == modes);
+  for (const double one : found) CHECK(one == doctest::Approx(ratio).epsilon(1e-5));
 }
 
 }  // namespace laws

@@ -99,8 +99,7 @@ private:
 };
 
 template <class Case>
-void criterion() {
-  any_criterion<by_distance<Case>>();
+void judges_by_distance() {
   static_assert(cca::Criterion<typename Case::criterion>);
   using enum cca::criterion_state;
   {
@@ -133,6 +132,12 @@ void criterion() {
     one.c.on_start();
     CHECK_MESSAGE(one.feel(error, 9) == open, "after a start the hold time counts again");
   }
+}
+
+template <class Case>
+void criterion() {
+  law("judges as every criterion does", any_criterion<by_distance<Case>>);
+  law("judges by the distance", judges_by_distance<Case>);
 }
 
 }  // namespace laws

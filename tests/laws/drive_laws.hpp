@@ -81,8 +81,7 @@ void asks() {
     }
   CHECK_MESSAGE(D::set_point({}).cut == 0, "zero is within all ranges");
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const drive_command one{
-        .position = 0.3, .velocity = 0.2, .torque = 0.1, .stiffness = 5, .damping = 0.02};
+    const drive_command one{.position = 0.3, .velocity = 0.2, .torque = 0.1, .stiffness = 5, .damping = 0.02};
     drive_command other = one;
     other.*numbers[i] *= 1.5;
     const auto a = D::set_point(one), b = D::set_point(other);
@@ -172,7 +171,10 @@ void starts_and_stops() {
   REQUIRE_MESSAGE(step.progress == enable_progress::done, "enabling ends once the drive answers");
   CHECK_MESSAGE(answering.enabled(), "the drive is enabled then");
   const auto follows = [&](double size) {
-    cycle(D::set_point({.position = 0.3 * size, .velocity = 0.2 * size, .torque = 0.1 * size, .stiffness = 2,
+    cycle(D::set_point({.position = 0.3 * size,
+                        .velocity = 0.2 * size,
+                        .torque = 0.1 * size,
+                        .stiffness = 2,
                         .damping = 0.5})
               .frames);
     return law;

@@ -26,9 +26,7 @@ void law(const char* name, Check check) {
   try {
     check();
   } catch (const doctest::detail::TestFailureException&) {  // a failed REQUIRE, which is counted already
-  } catch (const std::exception&) {
-    ++now_tried->failed_checks;
-  }
+  } catch (const std::exception&) { ++now_tried->failed_checks; }
   auto& list = now_tried->failed_checks > before ? now_tried->caught : now_tried->passed;
   list.emplace_back(name);
 }

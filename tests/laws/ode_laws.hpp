@@ -120,7 +120,8 @@ void ode_with(int expected_order) {
   law("follows its derivative", follows_the_derivative<Case, Integrator>);
   law("has its order", [&] { order<Case, Integrator>(expected_order); });
   ode_source any{std::mt19937_64{5}};
-  if constexpr (requires { Case::equilibrium(any); }) law("rests in its equilibrium", rests<Case, Integrator>);
+  if constexpr (requires { Case::equilibrium(any); })
+    law("rests in its equilibrium", rests<Case, Integrator>);
 }
 
 // All laws, with each integrator that fits.

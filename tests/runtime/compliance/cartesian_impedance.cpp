@@ -127,9 +127,8 @@ TEST_SUITE("Cartesian impedance") {
       model servo;
       for (int i = 0; i < 6; ++i) servo.servo.p.stiffness[i] = i < 3 ? random(5, 60) : random(100, 1000);
       servo.servo.p.damping_ratio = ratio;
-      const auto found = laws::damping_ratios(simulated{bent, vector::Zero()}, servo);
-      REQUIRE(found.size() == 12);  // and one motion that the end does not feel
-      for (const double one : found) CHECK(one == doctest::Approx(ratio).epsilon(1e-5));
+      // And one motion that the end does not feel.
+      laws::has_damping_ratio(simulated{bent, vector::Zero()}, servo, ratio, 12);
     }
   }
 
