@@ -12,4 +12,7 @@ configure_package_config_file(cmake/cca-config.cmake.in ${PROJECT_BINARY_DIR}/cc
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cca-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/cca-config.cmake ${PROJECT_BINARY_DIR}/cca-config-version.cmake cmake/FindODE.cmake cmake/FindZSTD.cmake
         DESTINATION ${package_dir})
+if("record" IN_LIST CCA_COMPONENTS)
+  install(FILES page/recording.html DESTINATION ${CMAKE_INSTALL_DATADIR}/cca)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/cca)

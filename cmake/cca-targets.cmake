@@ -105,8 +105,8 @@ if("record" IN_LIST CCA_COMPONENTS)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include}/cca/*.hpp)
   cca_add_headers(record ${include} ${headers})
   target_link_libraries(cca_record INTERFACE cca ZSTD::ZSTD Threads::Threads)
-  # The page without a recording, for the option --page: where the preset `page` builds it, and where that installs it.
+  # The page without a recording, for the option --page.
   target_compile_definitions(cca_record INTERFACE
-    "$<BUILD_INTERFACE:CCA_RECORDING_PAGE=\"${PROJECT_SOURCE_DIR}/build/page/out/recording.html\">"
+    "$<BUILD_INTERFACE:CCA_RECORDING_PAGE=\"${PROJECT_SOURCE_DIR}/page/recording.html\">"
     "$<INSTALL_INTERFACE:CCA_RECORDING_PAGE=\"$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/cca/recording.html\">")
 endif()

@@ -96,6 +96,25 @@ export async function checkRefusals(tools) {
   await page.close();
 }
 
+// The picture of an architecture fits its panel, its texts fit their boxes, and its size can be changed.
+export async function checkPicture(page, name, { check, press, settle }) {
+  const sizes = () => page.$eval('#architecture', (box) => { const svg = box.querySelector('svg').getBoundingClientRect(); return { width: svg.width, height: svg.height, room: [box.clientWidth, box.clientHeight] }; });
+  const first = await sizes();
+  check(`${name}: the picture of the architecture fits its panel`, first.width <= first.room[0] + 1 && first.height <= first.room[1] + 1, first);
+  const outside = await page.$$eval('.node, .environment', (all) => all.flatMap((group) => {
+    const box = group.querySelector('rect').getBBox();
+    return [...group.querySelectorAll('text')].filter((t) => { const b = t.getBBox(); return b.x < box.x - 1 || b.x + b.width > box.x + box.width + 1; }).map((t) => t.textContent);
+  }));
+  check(`${name}: every text fits its box`, outside.length === 0, outside);
+  await press(page, '#larger');
+  await settle(page);
+  const larger = await sizes();
+  await press(page, '#fit');
+  await settle(page);
+  const again = await sizes();
+  check(`${name}: the picture can be made larger, and fits again`, larger.width > 1.2 * first.width && Math.abs(again.width - first.width) < 1, [first.width, larger.width, again.width]);
+}
+
 // The page for recordings, and what the option --page makes of it.
 export async function checkPages(tools) {
   const { options, check, open, text, number, settle, press, picture, accessible, requests } = tools;
@@ -112,6 +131,9 @@ export async function checkPages(tools) {
   requests.length = 0;
   page = await open(options['trot-page']);
   check('--page: the recording is in the page, which needs nothing else', requests.length === 0 && (await text(page, '#message')) === 'trot_page: 2000 beats' && (await page.title()) === 'trot_page', await text(page, '#message'));
+  const begun = await page.evaluate(() => { const { plots, source } = window.ccaPage; return { curves: plots.plots.length, points: plots.plots[0]?.chart.data[0].length, shown: plots.shown(), duration: source.duration }; });
+  check('--page: plots show the whole recording at once', begun.curves > 0 && begun.points > 500 && begun.shown[0] === 0 && begun.shown[1] === begun.duration, begun);
+  await checkPicture(page, '--page', tools);
   await page.$eval('#replay-time', (e) => { e.value = 1.5; e.dispatchEvent(new Event('input')); });
   await settle(page);
   check('--page: goes to a time', (await number(page, '#time')) === 1.5, await number(page, '#time'));

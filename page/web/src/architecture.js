@@ -11,7 +11,24 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
-const lineHeight = 15, letter = 6.4;
+const lineHeight = 15;
+// Widths of texts, in the fonts of style.css.
+const ruler = document.createElement('canvas').getContext('2d');
+const fonts = { port: '11.5px system-ui, sans-serif', name: '700 12.5px system-ui, sans-serif', when: 'italic 11.5px system-ui, sans-serif', label: '10px system-ui, sans-serif', environment: '700 13px system-ui, sans-serif' };
+function widthOf(text, font) {
+  ruler.font = fonts[font];
+  return ruler.measureText(text).width;
+}
+// The text, or as much of its beginning as fits.
+function fitting(text, font, width) {
+  if (widthOf(text, font) <= width) return text;
+  let short = text;
+  while (short && widthOf(`${short}…`, font) > width) short = short.slice(0, -1);
+  return `${short}…`;
+}
+// As wide as values usually are: two numbers, a unit, an age.
+const usualValue = (fields) => `${fields.slice(0, 2).map(() => '−00.000').join(', ')}${fields.length > 2 ? ', …' : ''} ${fields[0]?.unit ?? ''} · 1000 ms`;
+const largestZoom = 4;
 const kilo = (hz) => (hz >= 1000 ? `${hz / 1000} kHz` : `${hz} Hz`);
 const transport = 'memory';  // between the environments of one process
 const boxOf = (environment) => `environment ${environment}`;
@@ -25,6 +42,8 @@ export class ArchitectureView {
     this.drawnAt = 0;
     this.since = 0;
     this.isOpen = false;  // inner graphs are shown as one node each
+    this.isFitted = true;
+    this.listen();
     this.lay();
   }
 
@@ -76,16 +95,68 @@ export class ArchitectureView {
       if (!node.outputs.includes(o) && (this.isOpen || node.nodes.length === 1)) node.outputs.push(o);
     });
 
-    let graph = this.place(drawn, edges, 'LR');
     this.width = this.box.clientWidth;
-    if (graph.graph().width > 1.3 * this.width) {
-      const down = this.place(drawn, edges, 'TB');
-      if (down.graph().width < 1.3 * this.width) graph = down;
-    }
-    this.paint(drawn, edges, graph);
+    const across = this.place(drawn, edges, 'LR'), acrossFits = this.fitOf(across.graph());
+    const down = acrossFits < 1 ? this.place(drawn, edges, 'TB') : null;
+    const isDown = down && this.fitOf(down.graph()) > acrossFits;
+    this.paint(drawn, edges, isDown ? down : across);
   }
 
-  // From left to right, or from top to bottom where that is too wide.
+  // ---- the size of the picture ----
+
+  // With which scale a picture fits its panel; at most 1.
+  fitOf({ width, height }) {
+    const highest = parseFloat(getComputedStyle(this.box).maxHeight) || this.box.clientHeight || height;
+    return Math.min(1, (this.box.clientWidth - 4) / width, (highest - 4) / height);
+  }
+  fit() {
+    this.isFitted = true;
+    this.scaleTo(this.fitOf(this.size));
+  }
+  // `at`: what stays in its place, in the panel; else its middle.
+  zoomBy(factor, at = { x: this.box.clientWidth / 2, y: this.box.clientHeight / 2 }) {
+    const before = this.scale;
+    const scale = Math.min(largestZoom, Math.max(0.5 * this.fitOf(this.size), before * factor));
+    const x = (this.box.scrollLeft + at.x) / before, y = (this.box.scrollTop + at.y) / before;
+    this.isFitted = false;
+    this.scaleTo(scale);
+    this.box.scrollLeft = x * scale - at.x;
+    this.box.scrollTop = y * scale - at.y;
+  }
+  scaleTo(scale) {
+    this.scale = scale;
+    this.svg.setAttribute('width', this.size.width * scale);
+    this.svg.setAttribute('height', this.size.height * scale);
+  }
+  // The wheel with the control key, or two fingers; keys; dragging moves a picture that is larger than its panel.
+  listen() {
+    const { box } = this;
+    box.addEventListener('wheel', (event) => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      const { left, top } = box.getBoundingClientRect();
+      this.zoomBy(Math.exp(-0.002 * event.deltaY), { x: event.clientX - left, y: event.clientY - top });
+    }, { passive: false });
+    box.addEventListener('keydown', (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key === '+') this.zoomBy(1.25);
+      else if (event.key === '-') this.zoomBy(0.8);
+      else if (event.key === '0') this.fit();
+      else return;
+      event.preventDefault();
+    });
+    box.addEventListener('dblclick', (event) => { if (!event.target.closest('.port')) this.fit(); });
+    box.addEventListener('pointerdown', (event) => {
+      if (event.pointerType !== 'mouse' || event.button !== 0 || event.target.closest('.port')) return;
+      const from = { x: event.clientX + box.scrollLeft, y: event.clientY + box.scrollTop };
+      const move = (e) => { box.scrollLeft = from.x - e.clientX; box.scrollTop = from.y - e.clientY; };
+      const up = () => { removeEventListener('pointermove', move); removeEventListener('pointerup', up); };
+      addEventListener('pointermove', move);
+      addEventListener('pointerup', up);
+    });
+  }
+
+  // From left to right, or from top to bottom.
   place(drawn, edges, rankdir) {
     const { nodes, outputs } = this.source.description;
     const graph = new dagre.graphlib.Graph({ multigraph: false, compound: true });
@@ -96,10 +167,10 @@ export class ArchitectureView {
     graph.setDefaultEdgeLabel(() => ({}));
     for (const node of drawn.values()) {
       node.outputs.sort((a, b) => a - b);
-      const rows = node.outputs.map((o) => this.portName(o).length + 24);
+      const rows = node.outputs.map((o) => widthOf(`${this.portName(o)} ${usualValue(outputs[o].fields)}`, 'port'));
       node.label = node.nodes.length > 1 ? `${node.name} (${node.nodes.length} components)` : node.name;
       node.when = node.nodes.length > 1 ? '' : rate(nodes[node.nodes[0]].when);
-      node.width = Math.max(110, letter * Math.max(node.label.length + 3, node.when.length, ...rows) + 20);
+      node.width = Math.max(110, widthOf(node.label, 'name') + 40, widthOf(node.when, 'when') + 20, ...rows.map((width) => width + 20));
       node.height = 30 + (node.when ? lineHeight : 0) + node.outputs.length * lineHeight;
       graph.setNode(node.name, { width: node.width, height: node.height });
       if (environments[node.environment]) graph.setParent(node.name, boxOf(node.environment));
@@ -113,26 +184,25 @@ export class ArchitectureView {
       edge.crosses = edge.wires.some((w) => this.crosses(w));
       const delays = [...new Set(edge.wires.map((w) => w.policy))].join(' or ');
       if (edge.lines.length > 4) edge.lines = [`${edge.lines.length} wires${edge.crosses ? `, ${transport}, ${delays}` : ''}`];
-      const widest = Math.max(...edge.lines.map((l) => l.length));
-      graph.setEdge(edge.from, edge.to, { width: widest * 5.6, height: edge.lines.length * 12, labelpos: 'c' });
+      const widest = Math.max(...edge.lines.map((line) => widthOf(line, 'label')));
+      graph.setEdge(edge.from, edge.to, { width: widest + 6, height: edge.lines.length * 12, labelpos: 'c' });
     }
     dagre.layout(graph);
     return graph;
   }
 
   paint(drawn, edges, graph) {
-    const { width, height } = graph.graph();
     const { outputs, nodes } = this.source.description;
-    const scale = Math.max(0.7, Math.min(1, this.width / width));
-    const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, width: width * scale, height: height * scale, role: 'group', 'aria-label': 'The components and their wires' });
+    const svg = element('svg', { role: 'group', 'aria-label': 'The components and their wires' });
     svg.append(element('defs', {}, element('marker', { id: 'tip', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: 'auto' },
       element('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }))));
     (this.source.description.environments ?? []).forEach((name, e) => {
       const box = graph.node(boxOf(e));
       if (!box?.width) return;
       const group = element('g', { class: 'environment', 'data-environment': name });
-      const top = box.y - box.height / 2 - 18, left = box.x - box.width / 2 - 4;
-      group.append(element('rect', { x: left, y: top, width: box.width + 8, height: box.height + 22, rx: 10 }), element('text', { x: left + 10, y: top + 15 }, name));
+      const wide = Math.max(box.width + 8, widthOf(name, 'environment') + 20);
+      const top = box.y - box.height / 2 - 18, left = box.x - wide / 2;
+      group.append(element('rect', { x: left, y: top, width: wide, height: box.height + 22, rx: 10 }), element('text', { x: left + 10, y: top + 15 }, name));
       svg.append(group);
     });
     for (const edge of edges.values()) {
@@ -169,7 +239,7 @@ export class ArchitectureView {
         row.addEventListener('click', pick);
         row.addEventListener('keydown', (e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); pick(); } });
         group.append(row);
-        return { output: o, value };
+        return { output: o, value, room: node.width - 20 - widthOf(`${this.portName(o)} `, 'port') };
       });
       const fault = element('title');
       group.prepend(fault);
@@ -178,9 +248,12 @@ export class ArchitectureView {
     }
     this.box.replaceChildren(svg);
     this.svg = svg;
-    const first = graph.node(this.parts[0].name);
-    this.box.scrollTop = first.y * scale - this.box.clientHeight / 2;
-    this.box.scrollLeft = first.x * scale - this.box.clientWidth / 2;
+    // All that is drawn, so that nothing is cut off.
+    const drawing = svg.getBBox();
+    this.size = { width: drawing.width + 12, height: drawing.height + 12 };
+    svg.setAttribute('viewBox', `${drawing.x - 6} ${drawing.y - 6} ${this.size.width} ${this.size.height}`);
+    if (this.isFitted) this.fit();
+    else this.scaleTo(this.scale);
   }
 
   resize() {
@@ -215,12 +288,13 @@ export class ArchitectureView {
       const isFaulty = state === 'faulted' && part.nodes.some((n) => source.description.nodes[n].path === faultPath);
       part.group.classList.toggle('faulty', isFaulty);
       part.fault.textContent = isFaulty ? `fault: ${fault}` : '';
-      for (const { output, value } of part.values) {
+      for (const { output, value, room } of part.values) {
         const { at, fields } = source.description.outputs[output];
         const text = !row || source.publishedIn(output) < 0
           ? '—'
           : `${fields.slice(0, 2).map((f, i) => short(row[at + i])).join(', ')}${fields.length > 2 ? ', …' : ''} ${fields[0]?.unit ?? ''} · ${age(source.time - source.period - source.originOf(output))}`;
-        if (value.textContent !== text) value.textContent = text;
+        const shown = fitting(text, 'port', room);
+        if (value.textContent !== shown) value.textContent = shown;
       }
     }
     this.drawnAt = source.beat;

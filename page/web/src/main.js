@@ -220,7 +220,14 @@ function listen() {
     const [output, i] = $('port').value.split(',').map(Number);
     plots.addTo(Number($('in-plot').value), output, i);
   });
-  $('seconds').addEventListener('change', () => { plots.seconds = Number($('seconds').value); plots.zoom(null); });
+  $('seconds').addEventListener('change', () => {
+    plots.isWhole = $('seconds').value === 'whole';
+    if (!plots.isWhole) plots.seconds = Number($('seconds').value);
+    plots.zoom(null);
+  });
+  $('larger').addEventListener('click', () => architecture.zoomBy(1.25));
+  $('smaller').addEventListener('click', () => architecture.zoomBy(0.8));
+  $('fit').addEventListener('click', () => architecture.fit());
   $('pause').addEventListener('click', () => plots.pause(!plots.isPaused));
   $('zoom-in').addEventListener('click', () => plots.zoomBy(0.5));
   $('zoom-out').addEventListener('click', () => plots.zoomBy(2));
@@ -256,7 +263,7 @@ async function openFile(file) {
 async function openRecording(name, read) {
   try {
     const recording = await readRecording(await read(), live ? [live.description] : KNOWN);
-    if (live && recording.difference) throw new Error(`this is a recording of another architecture: ${recording.difference}. build/page/out/recording.html shows the recordings of any architecture, and so does the option --page`);
+    if (live && recording.difference) throw new Error(`this is a recording of another architecture: ${recording.difference}. page/recording.html shows the recordings of any architecture, and so does the option --page`);
     look(recording);
     recording.seek(1);  // the first that there is to see
     show(true);
@@ -365,7 +372,7 @@ function look(at) {
   $('plots').replaceChildren();
   plots = new Plots($('plots'), source);
   plots.isDark = isDark;
-  plots.seconds = Number($('seconds').value);
+  $('seconds').value = source.isLive ? '4' : 'whole';
   plots.onChange = () => $('in-plot').replaceChildren(...plots.plots.map((_, i) => new Option(`plot ${i + 1}`, i)), new Option('a new plot', plots.plots.length));
   plots.onZoom = () => {
     $('zoom-all').disabled = !plots.span;
@@ -427,6 +434,13 @@ function firstPlots() {
   }
   const other = find(/^(cpg\.phase|velocity\.velocity)$/);
   if (other >= 0) plots.addPort(other);
+  if (plots.plots.length > 0) return;
+  // Of an architecture with other names: what goes to the robot and what comes from it, else what has numbers.
+  const robots = new Set(source.description.nodes.flatMap((n, i) => (n.resource || /(^|\.)robot($|\.)/.test(n.path) ? [i] : [])));
+  const sent = source.description.wires.find((w) => robots.has(w.node) && !robots.has(outputs[w.from].node))?.from;
+  const sensed = source.description.wires.find((w) => robots.has(outputs[w.from].node))?.from;
+  const chosen = [sent, sensed, ...outputs.keys()].filter((o) => o !== undefined && outputs[o].fields.length > 0);
+  for (const o of [...new Set(chosen)].slice(0, 2)) plots.addPort(o);
 }
 
 async function start() {

@@ -12,6 +12,7 @@ export class Plots {
     this.seconds = 4;
     this.isPaused = false;
     this.span = null;  // zoomed: [from, to]
+    this.isWhole = !source.isLive;  // a recording is shown from its beginning to its end
     this.isDark = false;
   }
 
@@ -93,7 +94,7 @@ export class Plots {
       axes: [{ stroke: ink, grid: { stroke: grid }, ticks: { stroke: grid }, font: '11px system-ui', values: (_, v) => v.map((t) => `${+t.toFixed(3)} s`) },
         ...units.slice(0, 2).map((u, i) => axis(u, i === 0 ? 3 : 1))],
       series: [{}, ...plot.series.map((curve, i) => ({ label: curve.name, scale: curve.unit || '1', stroke: colour(i), width: 1.6, dash: curves[i].dash, points: { show: false } }))],
-      hooks: { setSelect: [(chart) => this.select(chart)] },
+      hooks: { setSelect: [(chart) => this.select(chart)], draw: [(chart) => this.markNow(chart)] },
     }, [[0], ...plot.series.map(() => [0])], drawing);
     // uPlot's own double click would go back to its automatic scale.
     plot.chart.over.addEventListener('dblclick', () => this.zoom(null));
@@ -104,8 +105,23 @@ export class Plots {
   // The span of time that is shown.
   shown() {
     if (this.span) return this.span;
+    if (this.isWhole) return [0, Math.max(this.source.duration, this.source.period)];
     const end = this.frozen ?? this.source.time;
     return [Math.max(0, end - this.seconds), Math.max(end, this.seconds * 0.25)];
+  }
+  // A line where the recording is played.
+  markNow(chart) {
+    if (this.source.isLive) return;
+    const { ctx, bbox } = chart, x = Math.round(chart.valToPos(this.source.time, 'x', true)) + 0.5;
+    if (x < bbox.left || x > bbox.left + bbox.width) return;
+    ctx.save();
+    ctx.strokeStyle = getComputedStyle(document.documentElement).getPropertyValue('--accent');
+    ctx.lineWidth = devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
   }
   select(chart) {
     const { left, width } = chart.select;
@@ -125,6 +141,7 @@ export class Plots {
   }
   pause(on) {
     this.isPaused = on;
+    if (!this.source.isLive && on) this.span = this.shown();
     this.frozen = on ? this.source.time : null;
     if (!on) this.span = null;
     this.onZoom?.();
@@ -138,13 +155,24 @@ export class Plots {
     const longest = data.reduce((a, b) => (b[0].length > a[0].length ? b : a));
     const columns = data.map(([times, values]) => (times.length === longest[0].length ? values : onto(longest[0], times, values)));
     plot.chart.setData([longest[0], ...columns]);
+    this.label(plot, data.map(([, values]) => values.at(-1)));
+  }
+  // The newest value of each curve; of a recording the one at the time that is played.
+  label(plot, newest) {
     plot.labels.forEach(({ value, curve }, i) => {
-      const last = data[i][1].at(-1);
-      value.textContent = last === undefined ? '—' : `${short(last)} ${curve.unit}`;
+      const now = this.source.isLive ? newest[i] : this.source.sample(curve.output)?.[curve.i];
+      value.textContent = now === undefined ? '—' : `${short(now)} ${curve.unit}`;
     });
   }
 
   update() {
+    if (!this.source.isLive && (this.span || this.isWhole || this.isPaused)) {  // nothing moves but the line
+      for (const plot of this.plots) {
+        plot.chart.redraw(false);
+        this.label(plot, []);
+      }
+      return;
+    }
     if (this.isPaused || this.span) return;
     this.plots.forEach((p) => this.fill(p));
   }

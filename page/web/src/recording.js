@@ -142,6 +142,7 @@ export class Recording {
   // ---- as of a live controller ----
 
   get time() { return this.beat * this.period; }
+  get duration() { return this.beats * this.period; }
   get runs() { return false; }
   seek(beat) {
     this.beat = Math.min(this.beats, Math.max(0, Math.round(beat)));
@@ -189,7 +190,7 @@ export class Recording {
     const { channel, fields } = this.description.outputs[output];
     const times = [], values = [];
     if (!channel) return [times, values];
-    const first = Math.max(0, this.index(channel, from / this.period)), last = this.index(channel, Math.min(to / this.period + 1, this.beat));
+    const first = Math.max(0, this.index(channel, from / this.period)), last = this.index(channel, to / this.period + 1);
     const stride = Math.max(1, Math.ceil((last - first) / most));
     for (let i = first; i <= last; i += stride) {
       times.push(channel.beats[i] * this.period);

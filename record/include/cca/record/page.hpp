@@ -2,8 +2,7 @@
 //
 //   cca::recording::write_page("trot.html", "trot.mcap", cca::recording::page_without_recording());
 //
-// The page without a recording is built by the preset `page`, or installed; the target cca::record says where
-// it is. Errors: cca::refused if it is missing or is none, std::system_error if a file can't be read or
+// The page without a recording is page/recording.html of cca; the target cca::record states where it is. Errors: cca::refused if it is missing or is none, std::system_error if a file can't be read or
 // written. An HTML file of this name is replaced when the new one is complete. Test:
 // tests/runtime/record/page.cpp; docs/page.md.
 #pragma once
@@ -30,7 +29,8 @@ inline std::string existing_page(const std::string& file) {
   std::error_code unknown;
   if (std::filesystem::is_regular_file(file, unknown)) return file;
   throw refused("there is no page to put a recording into" + (file.empty() ? "" : ": " + file) +
-                ". In the folder of cca, `./bootstrap page && cmake --workflow --preset page` builds it");
+                ". It is the file page/recording.html of cca: link the target cca::record, or define " +
+                "CCA_RECORDING_PAGE as its path in quotation marks");
 }
 
 inline std::string page_without_recording() {
