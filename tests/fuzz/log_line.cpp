@@ -1,5 +1,5 @@
-// A log of candump: a line is refused with a message, or it is a frame that can be on a bus and stays the same
-// when it is written and read again. A whole log is refused, or has the frames of its lines.
+// A log of candump: a line is refused with a message, or it is a frame that can be on a bus and stays the
+// same when it is written and read again. A whole log is refused, or has the frames of its lines.
 #include <sstream>
 #include <string>
 
@@ -27,8 +27,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const cca_can::log_file log = cca_can::read_log(file, "log");
     for (const cca_can::log_line& line : log.lines) fuzz::must(line.frame.valid() && !line.bus.empty());
-  } catch (const cca::refused& e) {
-    fuzz::must(std::string(e.what()).starts_with("log:"));
-  }
+  } catch (const cca::refused& e) { fuzz::must(std::string(e.what()).starts_with("log:")); }
   return 0;
 }

@@ -220,7 +220,8 @@ inline void read_learned(std::string_view text,
       if (done % 10 == 0) line = lines.line();
       const auto text_of_number = line.substr(0, line.find(' '));
       line.remove_prefix(std::min(text_of_number.size() + 1, line.size()));
-      if (const auto wrong = read_learned_number(one, const_cast<void*>(where), text_of_number); !wrong.empty())
+      if (const auto wrong = read_learned_number(one, const_cast<void*>(where), text_of_number);
+          !wrong.empty())
         lines.refuse(name + "[" + std::to_string(done) + "]: " + wrong);
       if (++done % 10 == 0 || done == count)
         if (!line.empty()) lines.refuse(name + ": more numbers in this line than expected");

@@ -1,5 +1,6 @@
 // Refuses a text of TOML that is nested deeper than any parameters are. toml++ reads, visits and destroys
-// nested tables by recursion, and `a.a.a.a = 1` nests without a bracket: a file of 100 KB overflows the stack.
+// nested tables by recursion, and `a.a.a.a = 1` nests without a bracket: a file of 100 KB overflows the
+// stack.
 //
 // It looks at the text before it is parsed, so it knows strings and comments, and nothing else of TOML. Where
 // the text is no TOML it may count too much, never too little.

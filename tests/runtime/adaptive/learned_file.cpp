@@ -156,8 +156,13 @@ namespace {
 
 enum class side { left, right };
 struct counts {
-  BOOST_HANA_DEFINE_STRUCT(
-      counts, (std::int8_t, small), (std::int64_t, large), (bool, on), (side, way), (float, half), (double, whole));
+  BOOST_HANA_DEFINE_STRUCT(counts,
+                           (std::int8_t, small),
+                           (std::int64_t, large),
+                           (bool, on),
+                           (side, way),
+                           (float, half),
+                           (double, whole));
 };
 const cca::detail::schema& counts_schema = cca::detail::schema_of<counts>;
 
@@ -189,8 +194,7 @@ TEST_CASE("an integer comes back exactly, and one that does not fit its field is
   CHECK(read_counts(with("large", "1e+05")).large == 100'000);  // as older versions wrote it
   CHECK(refusal_of_number("large", "1e+300") == "f:7: large[0]: expected an integer, got `1e+300`");
   CHECK(refusal_of_number("large", "0.5") == "f:7: large[0]: expected an integer, got `0.5`");
-  CHECK(refusal_of_number("small", "300") ==
-        "f:5: small[0]: 300 is out of range, expected -128 to 127");
+  CHECK(refusal_of_number("small", "300") == "f:5: small[0]: 300 is out of range, expected -128 to 127");
   CHECK(refusal_of_number("on", "2") == "f:9: on[0]: expected 0 or 1, got `2`");
   CHECK(refusal_of_number("way", "-1") == "f:11: way[0]: expected the number of left or right, got `-1`");
   CHECK(refusal_of_number("half", "1e300") == "f:13: half[0]: 1e300 is too large for a float");

@@ -63,12 +63,15 @@ TEST_SUITE("config refusals") {
     refuses("cpg = " + repeated("[", 100'000), brackets);
     refuses("cpg = " + repeated("{a = ", 100'000), brackets);
     // Strings and comments hide brackets and dots, but not what follows them.
-    for (const char* string : {"''", "'#'", "\"\\\"\"", "\"\"\"\n\\\"\"\"\"\"\"", "'''\n'''''''", "''''''", "# '\n"})
+    for (const char* string :
+         {"''", "'#'", "\"\\\"\"", "\"\"\"\n\\\"\"\"\"\"\"", "'''\n'''''''", "''''''", "# '\n"})
       refuses("cpg = [" + std::string(string) + (string[0] == '#' ? "" : ",") + repeated("[", 40),
-              std::string("trot.toml:") + (std::string_view(string).find('\n') != std::string_view::npos ? "2" : "1") +
+              std::string("trot.toml:") +
+                  (std::string_view(string).find('\n') != std::string_view::npos ? "2" : "1") +
                   ": more than 32 brackets are open");
     controller c;
-    CHECK_EQ(c.refusal("[pose]\noffset = [0.5, 0.25]  # " + repeated("[.", 100) + "\nlabel = \"....\"\n"), "");
+    CHECK_EQ(c.refusal("[pose]\noffset = [0.5, 0.25]  # " + repeated("[.", 100) + "\nlabel = \"....\"\n"),
+             "");
     CHECK_EQ(c.refusal("[pose]\nlabel = '" + repeated("[", 8) + "'\n"), "");
     refuses("[pose]\nlabel = '" + repeated(".[", 100) + "'\n",
             "trot.toml:2: pose.label: the text has 200 bytes, expected at most 8");

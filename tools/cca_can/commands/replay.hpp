@@ -34,10 +34,12 @@ inline log_file read_log(std::istream& in, const std::string& name) {
   const auto memory = std::make_unique<char[]>(longest_line);
   for (std::uint64_t number = 1; in.getline(memory.get(), longest_line) || in.gcount() > 0; ++number) {
     // Without its end: the number of bytes that were read counts the end of the line, too.
-    const std::string text(memory.get(), static_cast<std::size_t>(in.gcount()) - (in.eof() || in.fail() ? 0 : 1));
+    const std::string text(memory.get(),
+                           static_cast<std::size_t>(in.gcount()) - (in.eof() || in.fail() ? 0 : 1));
     if (in.fail())
       throw cca::refused(name + ":" + std::to_string(number) + ": a line of more than " +
-                         std::to_string(longest_line - 1) + " bytes: this is no log, in `" + text.substr(0, 80) + "`");
+                         std::to_string(longest_line - 1) + " bytes: this is no log, in `" +
+                         text.substr(0, 80) + "`");
     if (text.find_first_not_of(" \t\r") == text.npos) continue;
     if (is_drop_count(text)) {
       log.missing += dropped_in(text);
