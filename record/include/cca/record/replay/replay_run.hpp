@@ -107,7 +107,7 @@ private:
                     std::to_string(beat_of_sample) + why);
     };
     if (beat_of_sample < k)
-      refuse_sample(" comes after beat " + std::to_string(k - 1) +
+      refuse_sample(" comes after samples of beat " + std::to_string(k) +
                     ": another tool has changed the order of messages");
     if (recorded[words(layout.origin[at(s.output)])] != never)
       refuse_sample(" is there twice: are two recordings merged in this file?");
