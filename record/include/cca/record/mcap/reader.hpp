@@ -176,8 +176,8 @@ private:
     if (method != "zstd" && method != "lz4" && !method.empty())
       return stop("a chunk compressed with `" + method.substr(0, 40) +
                   "`, which is not read here (rewrite the file with zstd: mcap compress --compression zstd)");
-    constexpr std::uint64_t most_by_lz4 = 255;  // no byte of it becomes more
-    if (method == "lz4" && length / most_by_lz4 > packed.size())
+    // No byte of lz4 becomes more than 255, and no block of zstd, which has four bytes, more than 128 KiB.
+    if (!method.empty() && length / (method == "lz4" ? 255 : 32'768) > packed.size())
       return stop("a chunk that can't be decompressed");
     if (method.empty()) {
       if (packed.size() != length) return stop("a chunk of another length than stated");
