@@ -53,7 +53,7 @@ public:
   // will come.
   virtual std::int64_t look() = 0;
   virtual bool has_item() const = 0;
-  virtual bool has_event() const = 0;
+  virtual bool is_event() const = 0;
   // Of the item, among those of its beat: events come first, in the order in which they were told.
   virtual std::uint64_t order() const = 0;
   virtual bool is_full() const = 0;  // almost
@@ -136,17 +136,17 @@ public:
   std::int64_t look() override {
     const std::int64_t reached = this->reached();
     frame = this->ring.oldest();
-    is_event = events.look(oldest);
-    if (is_event && !frame) frame = this->ring.oldest();
-    if (is_event && frame && oldest.beat > frame[0]) is_event = false;
-    return is_event ? oldest.beat : frame ? frame[0] : reached;
+    has_event = events.look(oldest);
+    if (has_event && !frame) frame = this->ring.oldest();
+    if (has_event && frame && oldest.beat > frame[0]) has_event = false;
+    return has_event ? oldest.beat : frame ? frame[0] : reached;
   }
-  bool has_item() const override { return is_event || frame; }
-  bool has_event() const override { return is_event; }
-  std::uint64_t order() const override { return is_event ? oldest.order : after_events; }
+  bool has_item() const override { return has_event || frame; }
+  bool is_event() const override { return has_event; }
+  std::uint64_t order() const override { return has_event ? oldest.order : after_events; }
   bool is_full() const override { return this->ring.is_almost_full(); }
   void write_item() override {
-    if (is_event) {
+    if (has_event) {
       events.take(oldest, payload);
       if (oldest.kind == event_kind::skipped) return skip();
       if (is_written()) of.file.write(oldest, payload);
@@ -216,7 +216,7 @@ private:
   std::vector<unsigned char> payload;
   event oldest{};
   const std::int64_t* frame = nullptr;
-  bool is_event = false;
+  bool has_event = false;
   std::int64_t expected;
 };
 

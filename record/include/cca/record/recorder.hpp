@@ -170,7 +170,7 @@ private:
     if (!oldest || (first.first > earliest && !is_urgent)) return false;
     // load() tells each loop of its parameters and then the first one of the state. Who saw the state before
     // the parameters sees them now.
-    if (oldest->has_event())
+    if (oldest->is_event())
       for (auto* one : sources)
         if (one != oldest) look_at(one);
     oldest->write_item();
