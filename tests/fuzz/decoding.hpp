@@ -6,18 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 
 #include <cca/hardware/drive.hpp>
 
+#include "must.hpp"
+
 namespace fuzz {
 
 using namespace cca::hardware;
-
-inline void must(bool holds) {
-  if (!holds) std::abort();
-}
 
 // The bytes: four of the id, one of the length, one of flags, then the payload. The payload lies in memory of
 // exactly its size.

@@ -4,10 +4,13 @@
 //   (1436509052.249713) vcan0 12345678##1AABB       FD: a digit of flags (1: BRS; 2: ESI, not kept), then the
 //                                                   payload
 //
+//   (1436509052.249713) vcan0 123#11.22.33          a dot may stand between two bytes
+//   (1436509052.249713) vcan0 45123#81:00:12345678#11.22    XL: is marked, and not read further
+//
 // candump also writes how many frames it lost, which is no frame: "DROPCOUNT: dropped 3 CAN frames ...".
 // After the frame there may be R or T (received, sent: candump -x) and _9 to _F (the raw length code of a
 // classic frame), which are not kept. Error frames are marked, since they are never sent.
-// Source: linux-can/can-utils, lib.c and log2asc.c.
+// Source: linux-can/can-utils, lib.h, lib.c and log2asc.c.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +30,8 @@ struct log_line {
   std::string bus;
   hw::can_frame frame{};
   bool error = false;  // an error frame, which is not sent
+  bool xl = false;     // a frame of CAN XL, which no bus here sends
+  bool has_frame() const { return !error && !xl; }
 };
 
 namespace detail {
@@ -54,6 +59,34 @@ inline std::string_view next_part(std::string_view& text) {
   const std::string_view part = text.substr(0, text.find_first_of(" \t\r"));
   text.remove_prefix(part.size());
   return part;
+}
+
+// "45123#81:00:12345678#1122": the virtual network and the priority, or the priority alone; flags, type of
+// the payload and acceptance field; then the payload.
+inline bool is_xl(std::string_view text) {
+  const std::size_t hash = text.find('#');
+  if ((hash != 3 && hash != 5) || !number_of(text.substr(0, hash), 16, 5)) return false;
+  text.remove_prefix(hash + 1);
+  return text.size() > 14 && text[2] == ':' && text[5] == ':' && text[14] == '#' &&
+         number_of(text.substr(0, 2), 16, 2) && number_of(text.substr(3, 2), 16, 2) &&
+         number_of(text.substr(6, 8), 16, 8);
+}
+
+// Reads "2A366C" or "2A.36.6C" into a frame; returns what is wrong with it, or nothing.
+inline std::string read_payload(std::string_view text, hw::can_frame& f) {
+  const std::size_t most = f.fd ? 64 : 8;
+  std::size_t bytes = 0;
+  for (; !text.empty(); text.remove_prefix(2)) {
+    if (bytes > 0 && text[0] == '.') text.remove_prefix(1);
+    if (text.size() < 2) return "a byte has two hexadecimal digits, and one of them is missing";
+    const auto byte = number_of(text.substr(0, 2), 16, 2);
+    if (!byte) return "`" + std::string(text.substr(0, 2)) + "` is not a byte in hexadecimal digits";
+    if (bytes == most) return "a frame of this kind has at most " + std::to_string(most) + " bytes";
+    f.data[bytes++] = static_cast<std::uint8_t>(*byte);
+  }
+  f.length = static_cast<std::uint8_t>(bytes);
+  if (!f.valid()) return "an FD frame can't have " + std::to_string(bytes) + " bytes";
+  return {};
 }
 
 // Reads "044#2A" into a frame; returns what is wrong with it, or nothing.
@@ -86,17 +119,7 @@ inline std::string read_frame(std::string_view text, hw::can_frame& f, bool& err
   } else if (rest.size() > 2 && rest[rest.size() - 2] == '_') {
     rest.remove_suffix(2);
   }
-  if (rest.size() % 2 != 0) return "a byte has two hexadecimal digits, and one of them is missing";
-  const std::size_t bytes = rest.size() / 2, most = f.fd ? 64 : 8;
-  if (bytes > most) return "a frame of this kind has at most " + std::to_string(most) + " bytes";
-  for (std::size_t i = 0; i < bytes; ++i) {
-    const auto byte = number_of(rest.substr(2 * i, 2), 16, 2);
-    if (!byte) return "`" + std::string(rest.substr(2 * i, 2)) + "` is not a byte in hexadecimal digits";
-    f.data[i] = static_cast<std::uint8_t>(*byte);
-  }
-  f.length = static_cast<std::uint8_t>(bytes);
-  if (!f.valid()) return "an FD frame can't have " + std::to_string(bytes) + " bytes";
-  return {};
+  return read_payload(rest, f);
 }
 
 }  // namespace detail
@@ -122,8 +145,10 @@ inline std::string read_line(std::string_view text, log_line& line) {
   if (line.bus.empty()) return "after the time comes the name of the interface";
   const std::string_view frame = detail::next_part(text);
   if (frame.empty()) return "after the name of the interface comes the frame";
-  if (const std::string wrong = detail::read_frame(frame, line.frame, line.error); !wrong.empty())
-    return wrong;
+  line.xl = detail::is_xl(frame);
+  if (!line.xl)
+    if (const std::string wrong = detail::read_frame(frame, line.frame, line.error); !wrong.empty())
+      return wrong;
   const std::string_view way = detail::next_part(text);
   if (!(way.empty() || way == "R" || way == "T") || !detail::next_part(text).empty())
     return "there is something after the frame";

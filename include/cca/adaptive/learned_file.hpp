@@ -13,6 +13,7 @@
 // docs/decisions/0010-learned-file.md says why not TOML.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -84,8 +85,37 @@ inline std::string hash_text(std::uint64_t hash) {
 }
 inline std::string checksum_of(std::string_view text) { return hash_text(hash(text)); }
 
-inline double number_at(const schema& type, const void* at) {
-  return type.number ? type.number(at) : static_cast<double>(type.integer(at));
+inline std::string learned_number_text(const schema& type, const void* at) {
+  return type.number ? number_text(type.number(at)) : std::to_string(type.integer(at));
+}
+
+// What is wrong with the text of a number; empty: it is set.
+inline std::string read_learned_number(const schema& type, void* into, std::string_view text) {
+  const char* const end = text.data() + text.size();
+  const auto got = [&] { return ", got `" + std::string(text.substr(0, 40)) + "`"; };
+  double value = 0;
+  if (const auto read = std::from_chars(text.data(), end, value);
+      read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
+    return "expected a finite number" + got();
+  if (type.number) {
+    auto wrong = number_complaint(type, value, std::string(text.substr(0, 40)));
+    if (wrong.empty()) type.set_number(into, value);
+    return wrong;
+  }
+  std::int64_t whole = 0;
+  if (const auto read = std::from_chars(text.data(), end, whole); read.ec != std::errc() || read.ptr != end) {
+    // Older files have an integer as a double, 1e+05, which is exact up to here.
+    if (std::abs(value) > 0x1p53 || std::trunc(value) != value) return "expected an integer" + got();
+    whole = static_cast<std::int64_t>(value);
+  }
+  if (type.what == kind::integer) {
+    if (auto wrong = integer_complaint(type, whole); !wrong.empty()) return wrong;
+  } else if (const auto end_of_names = static_cast<std::int64_t>(type.what == kind::choice ? type.count : 2);
+             whole < 0 || whole >= end_of_names) {
+    return "expected " + (type.what == kind::choice ? "the number of " + names_text(type) : "0 or 1") + got();
+  }
+  type.set_integer(into, whole);
+  return {};
 }
 
 inline std::string learned_text(const learned_header& header, const schema& type, const void* values) {
@@ -103,7 +133,7 @@ inline std::string learned_text(const learned_header& header, const schema& type
         .append("\n");
     std::size_t written = 0;
     auto number = [&](const schema& one, const void* where) {
-      text.append(written % 10 == 0 ? "" : " ").append(number_text(number_at(one, where)));
+      text.append(written % 10 == 0 ? "" : " ").append(learned_number_text(one, where));
       if (++written % 10 == 0) text.append("\n");
     };
     each_number(what, at, number);
@@ -188,20 +218,18 @@ inline void read_learned(std::string_view text,
     std::size_t done = 0;
     auto number = [&](const schema& one, const void* where) {
       if (done % 10 == 0) line = lines.line();
-      double value = 0;
-      const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-      if (error != std::errc() || !std::isfinite(value) || (end != line.data() + line.size() && *end != ' '))
-        lines.refuse(name + "[" + std::to_string(done) + "]: expected a finite number, got `" +
-                     std::string(line.substr(0, line.find(' '))) + "`");
-      line.remove_prefix(static_cast<std::size_t>(end - line.data()) + (end != line.data() + line.size()));
-      void* into = const_cast<void*>(where);
-      if (one.number) one.set_number(into, value);
-      else one.set_integer(into, static_cast<std::int64_t>(value));
-      ++done;
+      const auto text_of_number = line.substr(0, line.find(' '));
+      line.remove_prefix(std::min(text_of_number.size() + 1, line.size()));
+      if (const auto wrong = read_learned_number(one, const_cast<void*>(where), text_of_number);
+          !wrong.empty())
+        lines.refuse(name + "[" + std::to_string(done) + "]: " + wrong);
+      if (++done % 10 == 0 || done == count)
+        if (!line.empty()) lines.refuse(name + ": more numbers in this line than expected");
     };
     each_number(what, at, number);
   };
   each_field(type, values, "", field);
+  if (!lines.line().starts_with("checksum ")) lines.refuse("expected the checksum: the file has more fields");
   std::vector<complaint> wrong;
   check(type, values, "", wrong);
   if (!wrong.empty())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -27,12 +28,18 @@ using open_file = std::unique_ptr<std::FILE, close_file>;
                 (relative ? " (looked in " + here + ")" : ""));
 }
 
-inline std::string read_file(const std::string& file) {
+// Not more than `most` bytes: a device or a wrong file does not fill the memory.
+inline std::string read_file(const std::string& file, std::size_t most = std::size_t{1} << 30) {
   const open_file in(std::fopen(file.c_str(), "rb"));
   if (!in) refuse_file(file, "cannot be read", errno);
   std::string text;
   char block[4096];
-  for (std::size_t size; (size = std::fread(block, 1, sizeof block, in.get())) > 0;) text.append(block, size);
+  for (std::size_t size; (size = std::fread(block, 1, sizeof block, in.get())) > 0;) {
+    text.append(block, size);
+    if (text.size() > most)
+      throw refused(file + ": has more than " + std::to_string(most >> 20) +
+                    " MB, the most that is read of such a file");
+  }
   if (std::ferror(in.get())) refuse_file(file, "cannot be read", errno);
   return text;
 }

@@ -6,6 +6,7 @@
 #include <cca/base/compiler.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -16,6 +17,7 @@
 #include <cca/base/file.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/config/by_path.hpp>
+#include <cca/config/nesting.hpp>
 #include <cca/config/read.hpp>
 #include <cca/config/write.hpp>
 
@@ -24,6 +26,7 @@ namespace cca::detail {
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 inline toml::table parse(std::string_view text, const problems& found) {
+  if (const std::string deep = deep_nesting(text); !deep.empty()) throw refused(found.file() + deep);
   try {
     return toml::parse(text, found.file());
   } catch (const toml::parse_error& error) {
@@ -121,9 +124,11 @@ void load_parameters_from_text(Controller& controller, std::string_view text, st
   });
 }
 
+inline constexpr std::size_t most_bytes_of_parameters = std::size_t{1} << 24;
+
 template <class Controller>
 void load_parameters(Controller& controller, std::string_view file) {
-  load_parameters_from_text(controller, read_file(std::string(file)), file);
+  load_parameters_from_text(controller, read_file(std::string(file), most_bytes_of_parameters), file);
 }
 
 // Refuses values that loading would refuse.

@@ -151,3 +151,53 @@ TEST_CASE("a value that cannot be saved leaves the state unchanged") {
   CHECK(words_of([&] { c.save(); }).find("/nowhere/shape: cannot be written") == 0);
   CHECK(c.state() == cca::state::loaded);
 }
+
+namespace {
+
+enum class side { left, right };
+struct counts {
+  BOOST_HANA_DEFINE_STRUCT(counts,
+                           (std::int8_t, small),
+                           (std::int64_t, large),
+                           (bool, on),
+                           (side, way),
+                           (float, half),
+                           (double, whole));
+};
+const cca::detail::schema& counts_schema = cca::detail::schema_of<counts>;
+
+// The text of a file with this number in the place of a field's.
+std::string with(std::string_view field, std::string_view number) {
+  const counts written{3, 9007199254740993, true, side::right, 0.5f, 1e300};
+  std::string text = cca::detail::learned_text({"m", "l"}, counts_schema, &written);
+  const std::string head = "numbers " + std::string(field) + " 1\n";
+  const auto from = text.find(head) + head.size();
+  text.replace(from, text.find('\n', from) - from, number);
+  text.resize(text.rfind("checksum "));
+  return text + "checksum " + cca::detail::checksum_of(text) + "\n";
+}
+counts read_counts(const std::string& text) {
+  counts read{};
+  cca::detail::read_learned(text, "f", {"m", "l"}, counts_schema, &read);
+  return read;
+}
+std::string refusal_of_number(std::string_view field, std::string_view number) {
+  return words_of([&] { read_counts(with(field, number)); });
+}
+
+}  // namespace
+
+TEST_CASE("an integer comes back exactly, and one that does not fit its field is refused") {
+  const counts read = read_counts(with("small", "3"));
+  CHECK(read.large == 9007199254740993);  // no double has it
+  CHECK(read.way == side::right);
+  CHECK(read_counts(with("large", "1e+05")).large == 100'000);  // as older versions wrote it
+  CHECK(refusal_of_number("large", "1e+300") == "f:7: large[0]: expected an integer, got `1e+300`");
+  CHECK(refusal_of_number("large", "0.5") == "f:7: large[0]: expected an integer, got `0.5`");
+  CHECK(refusal_of_number("small", "300") == "f:5: small[0]: 300 is out of range, expected -128 to 127");
+  CHECK(refusal_of_number("on", "2") == "f:9: on[0]: expected 0 or 1, got `2`");
+  CHECK(refusal_of_number("way", "-1") == "f:11: way[0]: expected the number of left or right, got `-1`");
+  CHECK(refusal_of_number("half", "1e300") == "f:13: half[0]: 1e300 is too large for a float");
+  CHECK(refusal_of_number("whole", "1 2") == "f:15: whole: more numbers in this line than expected");
+  CHECK(refusal_of_number("whole", "1\n7") == "f:16: expected the checksum: the file has more fields");
+}

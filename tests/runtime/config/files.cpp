@@ -50,6 +50,12 @@ TEST_SUITE("config files") {
     CHECK_EQ(read.cpg.p.frequency, 0.1 + 0.2);
   }
 
+  TEST_CASE("a file without end is not read to its end") {
+    controller c;
+    CHECK_EQ(words_of([&] { c.load("/dev/zero"); }),
+             "/dev/zero: has more than 16 MB, the most that is read of such a file");
+  }
+
   TEST_CASE("a message names the file as the caller did") {
     const folder here;
     const std::string file = here / "bad.toml";

@@ -48,6 +48,35 @@ TEST_SUITE("config refusals") {
             "\"0123456789012345678901234567890123456789...\"; for example `frequency = 1.5`");
   }
 
+  TEST_CASE("a text that is nested too deep is refused before it is parsed") {
+    const auto repeated = [](std::string_view what, int times) {
+      std::string all;
+      for (int i = 0; i < times; ++i) all += what;
+      return all;
+    };
+    const std::string key = "trot.toml:2: a key of more than 64 parts";
+    refuses("[cpg]\n" + repeated("a.", 50'000) + "a = 1", key);
+    refuses("\n[" + repeated("a.", 50'000) + "a]", key);
+    refuses("\n" + repeated("\"a\" . ", 50'000) + "a = 1", key);
+    refuses("\ncpg = {" + repeated("a.", 50'000) + "a = 1}", key);
+    const std::string brackets = "trot.toml:1: more than 32 brackets are open";
+    refuses("cpg = " + repeated("[", 100'000), brackets);
+    refuses("cpg = " + repeated("{a = ", 100'000), brackets);
+    // Strings and comments hide brackets and dots, but not what follows them.
+    for (const char* string :
+         {"''", "'#'", "\"\\\"\"", "\"\"\"\n\\\"\"\"\"\"\"", "'''\n'''''''", "''''''", "# '\n"})
+      refuses("cpg = [" + std::string(string) + (string[0] == '#' ? "" : ",") + repeated("[", 40),
+              std::string("trot.toml:") +
+                  (std::string_view(string).find('\n') != std::string_view::npos ? "2" : "1") +
+                  ": more than 32 brackets are open");
+    controller c;
+    CHECK_EQ(c.refusal("[pose]\noffset = [0.5, 0.25]  # " + repeated("[.", 100) + "\nlabel = \"....\"\n"),
+             "");
+    CHECK_EQ(c.refusal("[pose]\nlabel = '" + repeated("[", 8) + "'\n"), "");
+    refuses("[pose]\nlabel = '" + repeated(".[", 100) + "'\n",
+            "trot.toml:2: pose.label: the text has 200 bytes, expected at most 8");
+  }
+
   TEST_CASE("a table instead of a value, and a value instead of a table") {
     refuses("[cpg.frequency]\nx = 1",
             "trot.toml:1: cpg.frequency: expected a number, got a table; for example `frequency = 1.5`");

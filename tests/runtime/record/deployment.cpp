@@ -14,6 +14,7 @@
 #include <cca/trace.hpp>
 
 #include "graphs.hpp"
+#include "rewriting.hpp"
 
 using namespace record_test;
 
@@ -53,12 +54,55 @@ using mind = cca::environment<"mind", cca::nodes<"thinker">>;
 using watch = cca::environment<"watch", cca::other_nodes>;
 
 struct plain : cca::deployment<walking_apart, robot, mind, watch, cca::tolerate<1000>> {};
+struct passive_leg {
+  auto sense() -> cca::out<"angles", leg_angles> {
+    ++beats;
+    return Eigen::Vector2d(1e-3 * static_cast<double>(beats % 77), -0.3);
+  }
+  std::int64_t beats = 0;
+};
 struct split : cca::deployment<walking_apart, robot, mind, watch, cca::tolerate<1000>>, cca::recordable {};
 struct traced : cca::deployment<walking_apart, robot, mind, watch, cca::tolerate<1000>>,
                 cca::recordable,
                 cca::traceable {};
 
 struct alone : cca::deployment<walking_apart, cca::environment<"all", cca::other_nodes>>, cca::recordable {};
+
+// Needs its parameter when it is loaded, as a policy needs the name of its file.
+struct informed {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::text<8>, file), (double, gain));
+  };
+  parameters p{"", 0.5};
+  std::size_t weights = 0;
+  void on_load() {
+    if (p.file.view().empty()) throw cca::refused("informed: it has no file");
+    weights = p.file.view().size();
+  }
+  auto process(cca::in<"x", leg_angles> x) -> cca::out<"y", slow_angles> {
+    return p.gain * static_cast<double>(weights) * x.vector();
+  }
+};
+struct two_robots : cca::graph<cca::rate<1000>,
+                               cca::node<"policy", informed, cca::timed<10>>,
+                               cca::node<"other", informed, cca::timed<10>>,
+                               cca::node<"swing", swing, cca::timed<1>>,
+                               cca::node<"limits", cca::limiter<leg_angles>>,
+                               cca::node<"leg", leg>,
+                               cca::node<"passive", passive_leg>,
+                               cca::wire<"leg.angles", "policy.x", cca::delayed<1>>,
+                               cca::wire<"passive.angles", "other.x", cca::delayed<2>>,
+                               cca::wire<"policy.y", "swing.slow", cca::delayed<9>>,
+                               cca::wire<"swing.angles", "limits.command", cca::delayed<1>>,
+                               cca::wire<"limits.safe", "leg.command">,
+                               cca::observe<"other.y">> {};
+
+// The components that read files and the robots in any environment.
+template <class... Environments>
+struct placed : cca::deployment<two_robots, Environments..., cca::tolerate<1000>>, cca::recordable {};
+template <cca::fixed_string Name, cca::fixed_string... Paths>
+using on = cca::environment<Name, cca::nodes<Paths...>>;
+using rest = cca::environment<"rest", cca::other_nodes>;
 
 struct recorded_message {
   std::string topic;
@@ -296,4 +340,41 @@ TEST_CASE("beats of an environment that do not fit are counted and marked") {
   CHECK(lost > 0);
   CHECK(marked == lost);
   CHECK(recorded > 0);
+}
+
+TEST_CASE_TEMPLATE("a deployment is replayed wherever its parts are placed",
+                   D,
+                   placed<on<"robot", "leg", "limits">, on<"mind", "policy">, rest>,
+                   placed<on<"mind", "policy", "swing">, on<"body", "passive", "other">, rest>,
+                   placed<rest, on<"watch", "other", "passive">>) {
+  const temporary_file file("placed");
+  for (int i = 0; i < 5; ++i) {  // which of two threads is first differs
+    {
+      cca::deployed<D> d;
+      cca::recording::recorder recording(d, file.name, {.waits = true});
+      d.template get<"policy">().p.file = "first";
+      d.template get<"other">().p.file = "second";
+      d.load();
+      d.template set<"other">({"later", 0.25});  // too late for load(), which has read the other name
+      d.start();
+      d.run(cca::for_beats<300>{});
+      d.template set<"policy">({"x", 0.125});
+      d.run(cca::for_beats<300>{});
+      d.stop();
+    }
+    const auto result = cca::recording::replay<D>(file.name);
+    INFO(result);
+    REQUIRE(result);
+    REQUIRE(result.beats == 600);
+  }
+  // Of another process, whose parameters are not in this file, the reason is not only the hook's.
+  const temporary_file other("without");
+  rewrite(file.name, other.name, {.keeps = [](const std::string& topic) {
+            return topic != "/cca/parameters/policy" && topic != "/policy/y";
+          }});
+  CHECK_THROWS_WITH_AS(
+      cca::recording::replay<D>(other.name),
+      doctest::Contains("the state `loaded` is refused: informed: it has no file (no parameters "
+                        "are recorded of `policy`)"),
+      cca::refused);
 }

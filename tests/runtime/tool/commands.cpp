@@ -423,6 +423,17 @@ TEST_SUITE("record and replay") {
     const log_file lossy = read_log(with_loss, "lossy");
     CHECK(lossy.lines.size() == 2);
     CHECK(lossy.missing == 3);
+    std::istringstream with_xl("(1.0) can0 45123#81:00:12345678#" + std::string(4096, 'A') +
+                               "\n(1.1) can0 124#");
+    const log_file mixed = read_log(with_xl, "mixed");
+    CHECK(mixed.lines.size() == 1);
+    CHECK(mixed.xl == 1);
+    rig sender;
+    CHECK(replay(sender.bus, "can0", mixed, {}, sender, sender.say) == done);
+    CHECK(sender.printed("1 frames of CAN XL not sent"));
+    std::istringstream endless("(1.0) can0 124#\n" + std::string(10'000, '\0'));
+    CHECK_THROWS_WITH_AS(read_log(endless, "endless"),
+                         doctest::Contains("endless:2: a line of more than 8191 bytes"), cca::refused);
     rig r;
     CHECK_THROWS_WITH_AS(replay(r.bus, "can0", log, {}, r, r.say),
                          "the log has several interfaces, can0, can1: choose one by --from", usage_error);

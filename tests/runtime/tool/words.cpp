@@ -139,6 +139,25 @@ TEST_SUITE("log") {
     CHECK(dropped_in("DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 7)") == 3);
     CHECK_FALSE(is_drop_count("(1.0) can0 123#"));
   }
+  TEST_CASE("dots between bytes are read; a frame of CAN XL is marked") {
+    log_line line;
+    CHECK(read_line("(1700000000.000009) can0 123#11.22.33", line) == "");
+    CHECK(line.frame == hw::classic(hw::standard(0x123), std::array<std::uint8_t, 3>{0x11, 0x22, 0x33}));
+    CHECK(read_line("(1.0) can0 00008001##111.2233.44556677.88", line) == "");
+    CHECK(line.frame.length == 8);
+    CHECK(line.frame.data[7] == 0x88);
+    CHECK(read_line("(1.0) can0 123#11.22.33.44.55.66.77.88_9", line) == "");
+    CHECK(read_line("(1.0) can0 123#11.", line) ==
+          "a byte has two hexadecimal digits, and one of them is missing");
+    CHECK(read_line("(1.0) can0 123#11..22", line) == "`.2` is not a byte in hexadecimal digits");
+    CHECK(read_line("(1.0) can0 123#.11", line) == "`.1` is not a byte in hexadecimal digits");
+    CHECK(read_line("(1.0) can0 45123#81:00:12345678#11223344.556677", line) == "");
+    CHECK(line.xl);
+    CHECK_FALSE(line.has_frame());
+    CHECK(read_line("(1.0) can0 123#81:00:12345678#11", line) == "");
+    CHECK(line.xl);
+    CHECK(read_line("(1.0) can0 123#81:00:1234567#11", line) == "`:0` is not a byte in hexadecimal digits");
+  }
   TEST_CASE("every frame survives writing and reading") {
     std::mt19937 random(3);
     for (int i = 0; i < 20000; ++i) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <istream>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,14 +21,25 @@ namespace cca_can {
 struct log_file {
   std::vector<log_line> lines{};
   std::uint64_t errors = 0;   // error frames, which are not sent
+  std::uint64_t xl = 0;       // frames of CAN XL, neither
   std::uint64_t missing = 0;  // frames that candump has lost
 };
+
+// The longest line that candump writes is a frame of CAN XL with 2048 bytes, and dots between them.
+inline constexpr std::size_t longest_line = 8192;
 
 // Throws cca::refused, with the number of the line.
 inline log_file read_log(std::istream& in, const std::string& name) {
   log_file log;
-  std::string text;
-  for (std::uint64_t number = 1; std::getline(in, text); ++number) {
+  const auto memory = std::make_unique<char[]>(longest_line);
+  for (std::uint64_t number = 1; in.getline(memory.get(), longest_line) || in.gcount() > 0; ++number) {
+    // Without its end: the number of bytes that were read counts the end of the line, too.
+    const std::string text(memory.get(),
+                           static_cast<std::size_t>(in.gcount()) - (in.eof() || in.fail() ? 0 : 1));
+    if (in.fail())
+      throw cca::refused(name + ":" + std::to_string(number) + ": a line of more than " +
+                         std::to_string(longest_line - 1) + " bytes: this is no log, in `" +
+                         text.substr(0, 80) + "`");
     if (text.find_first_not_of(" \t\r") == text.npos) continue;
     if (is_drop_count(text)) {
       log.missing += dropped_in(text);
@@ -38,6 +50,7 @@ inline log_file read_log(std::istream& in, const std::string& name) {
       throw cca::refused(name + ":" + std::to_string(number) + ": " + wrong + ", in `" + text.substr(0, 80) +
                          "`");
     if (line.error) ++log.errors;
+    else if (line.xl) ++log.xl;
     else log.lines.push_back(line);
   }
   return log;
@@ -95,6 +108,7 @@ ending replay(
   }
   say.error << sent << " of " << chosen.size() << " frames sent\n";
   if (log.errors > 0) say.error << log.errors << " error frames not sent\n";
+  if (log.xl > 0) say.error << log.xl << " frames of CAN XL not sent\n";
   if (log.missing > 0) say.error << log.missing << " frames are missing in the log: candump lost them\n";
   if (!wrong.empty()) say.error << "cca-can: " << name << ": " << wrong << '\n';
   return !wrong.empty() ? failed : time.end_wanted() ? interrupted : done;

@@ -17,6 +17,7 @@ struct event {
   event_kind kind{};
   std::int32_t node = -1;
   std::int64_t beat = 0;      // it happened before this one
+  std::uint64_t order = 0;    // among the events of all loops
   std::uint64_t payload = 0;  // bytes that follow
 };
 

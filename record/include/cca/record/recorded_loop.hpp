@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,7 +40,8 @@ struct recording_state {
   std::vector<std::string> nodes;             // their paths
   std::vector<std::string> environments{{}};  // of one loop it has no name
   std::vector<std::string> modes;
-  std::atomic<std::int64_t> lost{0};  // beats
+  std::atomic<std::int64_t> lost{0};   // beats
+  std::atomic<std::uint64_t> told{0};  // events
   std::atomic<bool> is_broken{false};
 };
 
@@ -51,6 +53,9 @@ public:
   // will come.
   virtual std::int64_t look() = 0;
   virtual bool has_item() const = 0;
+  virtual bool is_event() const = 0;
+  // Of the item, among those of its beat: events come first, in the order in which they were told.
+  virtual std::uint64_t order() const = 0;
   virtual bool is_full() const = 0;  // almost
   virtual void write_item() = 0;
   virtual void write_lost_up_to(std::int64_t end) = 0;
@@ -93,30 +98,30 @@ public:
   }
   void moved(state to, std::int64_t k) noexcept override {
     cdr_writer message(scratch);
-    events.put({event_kind::state, -1, k}, message.add(k).add(to_string(to)).view());
+    put({event_kind::state, -1, k}, message.add(k).add(to_string(to)).view());
   }
   void failed(int node, const char* reason, std::int64_t k) noexcept override {
     const std::string_view path =
         node < 0 ? std::string_view() : std::string_view(of.nodes[cca::detail::array_size(node)]);
     cdr_writer message(scratch);
     message.add(k).add(path.substr(0, 200)).add(std::string_view(reason).substr(0, 250));
-    events.put({event_kind::fault, node, k}, message.view());
+    put({event_kind::fault, node, k}, message.view());
   }
   void switched(int mode, bool requested, std::int64_t k) noexcept override {
     cdr_writer message(scratch);
     message.add(k).add(std::string_view(of.modes[cca::detail::array_size(mode)]).substr(0, 200));
-    events.put({event_kind::mode, -1, k}, message.add(std::uint8_t{requested}).view());
+    put({event_kind::mode, -1, k}, message.add(std::uint8_t{requested}).view());
   }
   void late(int from, std::int64_t k) noexcept override {
     cdr_writer message(scratch);
     message.add(k).add(name()).add(
         std::string_view(of.environments[cca::detail::array_size(from)]).substr(0, 200));
-    events.put({event_kind::late, -1, k}, message.view());
+    put({event_kind::late, -1, k}, message.view());
   }
   void skipped(std::int64_t k, std::int64_t count, bool by_clock) noexcept override {
     cdr_writer message(scratch);
     message.add(k).add(count).add(name());
-    events.put({event_kind::skipped, by_clock ? 1 : 0, k}, message.view());
+    put({event_kind::skipped, by_clock ? 1 : 0, k}, message.view());
   }
   void controller_is_gone() noexcept override { is_gone = true; }
   void wait_for_room() noexcept override {
@@ -137,6 +142,8 @@ public:
     return has_event ? oldest.beat : frame ? frame[0] : reached;
   }
   bool has_item() const override { return has_event || frame; }
+  bool is_event() const override { return has_event; }
+  std::uint64_t order() const override { return has_event ? oldest.order : after_events; }
   bool is_full() const override { return this->ring.is_almost_full(); }
   void write_item() override {
     if (has_event) {
@@ -160,6 +167,12 @@ public:
   std::int64_t lost_events() const override { return events.lost_events(); }
 
 private:
+  static constexpr auto after_events = std::numeric_limits<std::uint64_t>::max();
+
+  bool put(event e, std::span<const unsigned char> message) noexcept {
+    e.order = of.told.fetch_add(1, std::memory_order_relaxed);
+    return events.put(e, message);
+  }
   static std::size_t frames(const settings& s) {
     constexpr double bytes = 8.0 * cca::detail::frame_layout_of<Loop>.words;
     const double wanted = std::max(1024.0, s.buffered_seconds * 1e9 / static_cast<double>(period));
@@ -189,7 +202,7 @@ private:
     auto& last = told[cca::detail::array_size(node)];
     constexpr std::size_t head = cdr_head + 8;  // the beat does not count
     if (std::ranges::equal(std::span(last).subspan(std::min(head, last.size())), now.subspan(head))) return;
-    if (events.put({event_kind::parameters, node, k}, now))
+    if (put({event_kind::parameters, node, k}, now))
       last.assign(now.begin(), now.end());  // within what is reserved
   }
 

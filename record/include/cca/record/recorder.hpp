@@ -156,15 +156,23 @@ private:
   // full meanwhile. False: there is none yet.
   bool write_one(bool is_last) {
     detail::loop_source* oldest = nullptr;
-    std::int64_t beat = 0, earliest = std::numeric_limits<std::int64_t>::max();
+    std::pair<std::int64_t, std::uint64_t> first;  // its beat, and where it comes in it
+    std::int64_t earliest = std::numeric_limits<std::int64_t>::max();
     bool is_urgent = is_last;
-    for (auto* one : sources) {
-      const std::int64_t next = one->look();
-      earliest = std::min(earliest, next);
+    const auto look_at = [&](detail::loop_source* one) {
+      const std::int64_t beat = one->look();
+      earliest = std::min(earliest, beat);
       is_urgent = is_urgent || one->is_full();
-      if (one->has_item() && (!oldest || next < beat)) oldest = one, beat = next;
-    }
-    if (!oldest || (beat > earliest && !is_urgent)) return false;
+      const std::pair next(beat, one->order());
+      if (one->has_item() && (!oldest || next < first)) oldest = one, first = next;
+    };
+    for (auto* one : sources) look_at(one);
+    if (!oldest || (first.first > earliest && !is_urgent)) return false;
+    // load() tells each loop of its parameters and then the first one of the state. Who saw the state before
+    // the parameters sees them now.
+    if (oldest->is_event())
+      for (auto* one : sources)
+        if (one != oldest) look_at(one);
     oldest->write_item();
     return true;
   }

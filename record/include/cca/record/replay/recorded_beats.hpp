@@ -1,8 +1,13 @@
-// Reads a recording of a graph beat by beat: the samples as a frame, and what happened before the beat.
+// Reads a recording of a graph message by message: samples, and what happened between two beats.
+//
+// It is read twice. Other tools move channels and metadata to where they are first needed, or to the end, so
+// only then it is known what the file has: whether it is of this graph, and which ports were recorded. A file
+// that can't be replayed is refused with the reason that comes first: its bytes, then its contents.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <cstring>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -40,23 +45,38 @@ struct recorded_item {
 template <class Graph>
 class recorded_items {
 public:
-  explicit recorded_items(const std::string& name) : file(name), called(name) {}
+  explicit recorded_items(const std::string& name) : file(name), called(name) {
+    mcap_reader whole(name);
+    std::int64_t messages = 0;
+    for (mcap_message m; whole.next(m);) ++messages;
+    damaged = whole.damage();
+    if (messages == 0 && !damaged.empty()) throw refused(called + " can't be read: " + damaged);
+    check_architecture(whole);
+    for (const auto& [id, channel] : whole.channels()) by_channel[id] = use_of(channel);
+    if (!has_states)
+      throw refused(
+          called + ": the topic " + std::string(state_topic) +
+          " is missing, which says when it was loaded and started: keep it when you filter a recording");
+    check_ports();
+  }
 
-  // Whether an output was recorded; known after the first item.
   bool has(int output) const { return is_recorded[cca::detail::array_size(output)]; }
-  const std::string& damage() const { return file.damage(); }
+  // Whether the parameters of a component were recorded.
+  bool has_parameters(int node) const { return is_set[cca::detail::array_size(node)]; }
+  // Why the file can't be read to its end; empty: it can.
+  const std::string& damage() const { return damaged; }
 
   bool next(recorded_item& item) {
     for (mcap_message m; file.next(m);) {
-      if (!is_checked) check();
       const auto found = by_channel.find(m.channel);
-      const channel_use use = found != by_channel.end() ? found->second : use_of(m.channel);
-      if (use.what == use_kind::none) continue;
-      if (!read(m, use, item))
+      if (found == by_channel.end() || found->second.what == use_kind::none) continue;
+      if (!read(m, found->second, item))
         throw refused(called + ": a message of " + file.channels().at(m.channel).topic + " can't be read");
+      if (item.beat > last_beat)
+        throw refused(called + ": a message of " + file.channels().at(m.channel).topic + " is of beat " +
+                      std::to_string(item.beat) + ", whose time no clock can hold");
       return true;
     }
-    if (!is_checked) check();
     return false;
   }
 
@@ -67,40 +87,61 @@ private:
     int number = 0;  // of the output, of the node
   };
 
-  void check() {
-    is_checked = true;
-    const std::string here = architecture_text<Graph>();
-    for (const auto& [name, entries] : file.metadata())
+  static constexpr std::int64_t last_beat =
+      std::numeric_limits<std::int64_t>::max() / cca::detail::counts_of<Graph>.period - 1;
+
+  void check_architecture(const mcap_reader& whole) const {
+    for (const auto& [name, entries] : whole.metadata())
       if (name == "cca.architecture") {
+        const std::string here = architecture_text<Graph>();
         const auto text = entries.find("text");
-        if (text != entries.end() && text->second == here) {
-          for (const auto& [id, channel] : file.channels()) use_of(id);
-          return;
-        }
+        if (text != entries.end() && text->second == here) return;
         throw refused(called + " is the recording of another architecture: " +
                       cca::detail::first_difference(here, text == entries.end() ? "" : text->second));
       }
-    throw refused(called + " is not a recording of cca: it states no architecture");
+    if (!damaged.empty()) throw refused(called + " can't be read to its metadata: " + damaged);
+    throw refused(called +
+                  " is not a recording of cca: it states no architecture in its metadata, which some tools "
+                  "leave out unless they are told to keep it");
   }
 
-  channel_use use_of(std::uint16_t id) {
+  // All resource nodes were recorded, or nothing can be replayed.
+  void check_ports() const {
+    using cca::detail::array_size;
+    const auto& plan = cca::detail::plan_of<Graph>;
+    for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o) {
+      const auto& call = plan.calls[array_size(plan.outputs[array_size(o)].call)];
+      if (call.phase != cca::detail::phase_of_beat::sense || has(o)) continue;
+      const std::string what = called + ": what `" + path_of_port<Graph>(o) + "` sensed ";
+      if (!damaged.empty()) throw refused(what + "is not in the part that can be read: " + damaged);
+      throw refused(what + "was not recorded: record it to replay" +
+                    (Deployment<Graph> ? ", with all environments in one process" : ""));
+    }
+  }
+
+  channel_use use_of(const mcap_channel& channel) {
     channel_use use;
-    const std::string& topic = file.channels().at(id).topic;
+    const std::string& topic = channel.topic;
     for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
       if (topic == topic_of(path_of_port<Graph>(o))) {
         use = {use_kind::sample, o};
         is_recorded[cca::detail::array_size(o)] = true;
       }
     for (int n = 0; n < cca::detail::counts_of<Graph>.node_count; ++n)
-      if (topic == std::string(parameter_topics) + topic_of(cca::detail::path_of_node<Graph>(n)).substr(1))
+      if (topic == std::string(parameter_topics) + topic_of(cca::detail::path_of_node<Graph>(n)).substr(1)) {
         use = {use_kind::parameters, n};
-    if (topic == state_topic) use.what = use_kind::state;
+        is_set[cca::detail::array_size(n)] = true;
+      }
+    if (topic == state_topic) use.what = use_kind::state, has_states = true;
     if (topic == fault_topic) use.what = use_kind::fault;
     if (topic == lost_topic) use.what = use_kind::lost;
     if (topic == mode_topic) use.what = use_kind::mode;
     if (topic == late_topic) use.what = use_kind::late;
     if (topic == skipped_topic) use.what = use_kind::skipped;
-    return by_channel[id] = use;
+    if (use.what != use_kind::none && channel.encoding != "cdr")
+      throw refused(called + ": the messages of " + topic + " are encoded as `" +
+                    channel.encoding.substr(0, 40) + "`, not as `cdr`: another tool has converted them");
+    return use;
   }
 
   static bool read(const mcap_message& m, channel_use use, recorded_item& item) {
@@ -114,7 +155,9 @@ private:
       s.origin = from.number<std::int64_t>();
       s.coordinates.resize(array_size_of(use.number));
       for (double& c : s.coordinates) c = from.number<double>();
-      return from.is_at_end() && s.origin != never;
+      // No clock reaches half of what fits, and ages are differences.
+      constexpr auto most = std::numeric_limits<std::int64_t>::max() / 2;
+      return from.is_at_end() && s.origin >= -most && s.origin <= most;
     }
     if (use.what == use_kind::lost) {
       item.lost = from.number<std::int64_t>();
@@ -146,10 +189,11 @@ private:
   }
 
   mcap_reader file;
-  std::string called;
+  std::string called, damaged;
   std::map<std::uint16_t, channel_use> by_channel;
   std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.output_count + 1)> is_recorded{};
-  bool is_checked = false;
+  std::array<bool, cca::detail::array_size(cca::detail::counts_of<Graph>.node_count + 1)> is_set{};
+  bool has_states = false;
 };
 
 }  // namespace cca::recording::detail

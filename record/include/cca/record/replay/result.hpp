@@ -21,6 +21,7 @@ struct replay_result {
 
   friend std::ostream& operator<<(std::ostream& to, const replay_result& r) {
     if (!r.difference.empty()) return to << r.difference;
+    if (r.beats == 0 && !r.ended_early.empty()) return to << "nothing is replayed: " << r.ended_early;
     to << r.samples << " samples of " << r.beats << " beats, bit for bit as recorded";
     if (!r.ended_early.empty()) to << "; then " << r.ended_early;
     return to;

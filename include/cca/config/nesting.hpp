@@ -1,0 +1,66 @@
+// Refuses a text of TOML that is nested deeper than any parameters are. toml++ reads, visits and destroys
+// nested tables by recursion, and `a.a.a.a = 1` nests without a bracket: a file of 100 KB overflows the
+// stack.
+//
+// It looks at the text before it is parsed, so it knows strings and comments, and nothing else of TOML. Where
+// the text is no TOML it may count too much, never too little.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cca::detail {
+
+// The tables of a parsed text are nested at most this deep: parts of a header and of a key, and of a key in
+// each bracket that is open.
+inline constexpr int most_key_parts = 64, most_open_brackets = 32;
+
+// Where a string that begins at `at` ends: its end, or that of the line.
+inline std::size_t end_of_toml_string(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const bool is_long = text.substr(at, 3) == std::string(3, quote);
+  for (at += is_long ? 3 : 1; at < text.size(); ++at) {
+    if (quote == '"' && text[at] == '\\') ++at;
+    else if (!is_long && (text[at] == quote || text[at] == '\n')) return at + (text[at] == quote);
+    else if (is_long && text.substr(at, 3) == std::string(3, quote)) {
+      at += 3;
+      // A long string may end with two quotes of its own.
+      for (int own = 0; own < 2 && at < text.size() && text[at] == quote; ++own) ++at;
+      return at;
+    }
+  }
+  return text.size();
+}
+
+// ":3: a key of more than 64 parts", or nothing.
+inline std::string deep_nesting(std::string_view text) {
+  int dots = 0, open = 0;
+  std::size_t at = 0;
+  const auto complaint = [&](const std::string& what) {
+    std::size_t line = 1;
+    for (const char c : text.substr(0, at)) line += c == '\n';
+    return ":" + std::to_string(line) + ": " + what;
+  };
+  while (at < text.size()) {
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      at = end_of_toml_string(text, at);
+      continue;
+    }
+    if (c == '#') {
+      at = text.find_first_of("\r\n", at);
+      if (at == text.npos) break;
+      continue;
+    }
+    if (c == '.' && ++dots >= most_key_parts)
+      return complaint("a key of more than " + std::to_string(most_key_parts) + " parts");
+    if ((c == '[' || c == '{') && ++open > most_open_brackets)
+      return complaint("more than " + std::to_string(most_open_brackets) + " brackets are open");
+    if ((c == ']' || c == '}') && open > 0) --open;
+    if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
+    ++at;
+  }
+  return {};
+}
+
+}  // namespace cca::detail

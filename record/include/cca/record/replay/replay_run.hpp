@@ -1,0 +1,295 @@
+// One replay: feeds what was recorded of each beat to the resource nodes, repeats what happened between two
+// beats, and compares what the others publish. What a file may be refused for: record/replay.hpp.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/base/refused.hpp>
+#include <cca/record/replay/compared_outputs.hpp>
+#include <cca/record/replay/recorded_beats.hpp>
+#include <cca/record/replay/life_cycle_step.hpp>
+#include <cca/record/replay/replayed.hpp>
+#include <cca/record/replay/result.hpp>
+#include <cca/runtime/controller.hpp>
+
+namespace cca::recording::detail {
+
+template <class Graph>
+class replay_run final : cca::detail::beat_tap<replaying<Graph>> {
+  using graph = replaying<Graph>;
+  static constexpr int output_count = cca::detail::counts_of<Graph>.output_count;
+  static constexpr const auto& layout = cca::detail::frame_layout_of<Graph>;
+
+public:
+  explicit replay_run(const std::string& file, std::int64_t most_silent = most_silent_beats)
+      : cca::detail::beat_tap<graph>(2),
+        items(file),
+        called(file),
+        silence(most_silent),
+        recorded(words(layout.words)) {
+    forget_beat();
+    c.record_into(this);
+  }
+  ~replay_run() override { c.record_into(nullptr); }
+
+  controller<graph>& robot() { return c; }
+
+  replay_result go() {
+    for (recorded_item item; items.next(item);) {
+      go_on_to(item.beat);
+      if (is_finished()) return result;
+      if (item.sample) take(*item.sample, item.beat);
+      else if (item.event) take(*item.event);
+      else if (item.lost > 0) {
+        result.ended_early = "the recording lost " + std::to_string(item.lost) + " beats, from beat " +
+                             std::to_string(item.beat) + " on";
+        return result;
+      }
+    }
+    if (has_samples && items.damage().empty()) beat();  // of the last beat a part may be lost
+    if (!is_finished()) compare_modes();
+    if (result.difference.empty() && !items.damage().empty())
+      result.ended_early = "the recording is cut off: " + items.damage();
+    if (!is_finished() && result.beats == 0) result.ended_early = "the recording has no beat";
+    return result;
+  }
+
+private:
+  template <class F>
+  void each_node(F f) {
+    int node = 0;
+    c.for_each_component([&]<class C>(std::string_view, C& component) { f(node++, component); });
+  }
+  static std::size_t words(int n) { return static_cast<std::size_t>(n); }
+  static std::size_t at(int n) { return cca::detail::array_size(n); }
+  bool is_finished() const { return !result.ended_early.empty() || !result.difference.empty(); }
+
+  // More beats than a day at 1 kHz in which nothing at all was recorded are a damaged number.
+  static constexpr std::int64_t most_silent_beats = 100'000'000;
+
+  // The beats before `next`.
+  void go_on_to(std::int64_t next) {
+    while (k < next && !is_finished()) {
+      if (c.state() != state::started) {
+        check_begin();
+        k = next;  // another thread's `step` in a state that does not allow it
+        return forget_beat();
+      }
+      if (!has_samples && ++silent_beats > silence) {
+        result.ended_early = "nothing is recorded of more than " + std::to_string(silence) +
+                             " beats, before beat " + std::to_string(next);
+        return;
+      }
+      beat();
+    }
+  }
+  void check_begin() const {
+    if (k == 0 && c.state() == state::created)
+      throw refused(called + ": it does not begin before the first beat: start recording before load()");
+  }
+
+  void forget_beat() {
+    for (int o = 0; o < output_count; ++o) recorded[words(layout.origin[at(o)])] = never;
+    reason.clear();
+    failed_component.clear();
+    has_samples = false;
+  }
+
+  void take(const recorded_sample& s, std::int64_t beat_of_sample) {
+    const auto refuse_sample = [&](const std::string& why) {
+      throw refused(called + ": a sample of `" + path_of_port<Graph>(s.output) + "` of beat " +
+                    std::to_string(beat_of_sample) + why);
+    };
+    if (beat_of_sample < k)
+      refuse_sample(" comes after samples of beat " + std::to_string(k) +
+                    ": another tool has changed the order of messages");
+    if (recorded[words(layout.origin[at(s.output)])] != never)
+      refuse_sample(" is there twice: are two recordings merged in this file?");
+    recorded[words(layout.origin[at(s.output)])] = s.origin;
+    std::memcpy(&recorded[words(layout.at[at(s.output)])], s.coordinates.data(),
+                sizeof(double) * s.coordinates.size());
+    has_samples = true;
+  }
+
+  void take(const recorded_event& e) {
+    if (e.kind == event_kind::fault) {
+      reason = e.text;
+      failed_component = e.component;
+      has_samples = true;
+    } else if (e.kind == event_kind::parameters) {
+      each_node([&]<class C>(int node, C& component) {
+        if constexpr (HasParameters<C>)
+          if (node == e.node) set(component, node, e.parameters);
+      });
+    } else if (e.kind == event_kind::mode) {
+      mode_recorded = e.text;
+      if constexpr (Modes<Graph>)
+        if (!e.requested) c.switch_to(e.text);
+    } else if (e.kind == event_kind::late) {
+      differs_by_clock("the samples of `" + e.component + "` had not come to `" + e.text + "`");
+    } else if (e.kind == event_kind::skipped) {
+      differs_by_clock("`" + e.text + "` left out beats");
+    } else {
+      move(e.text);
+    }
+  }
+  // A hook may refuse, for example without the name of a file.
+  void move(const std::string& to) {
+    try {
+      move_to(c, to);
+    } catch (const refused& why) {
+      std::string missing;
+      each_node([&]<class C>(int node, C&) {
+        if constexpr (HasParameters<C>)
+          if (!items.has_parameters(node))
+            missing.append(missing.empty() ? "" : ", ")
+                .append("`" + cca::detail::path_of_node<Graph>(node) + "`");
+      });
+      throw refused(called + ": in replay the state `" + to + "` is refused: " + why.what() +
+                    (missing.empty() ? "" : " (no parameters are recorded of " + missing + ")"));
+    }
+  }
+  // From here on a loop may compute something else.
+  void differs_by_clock(const std::string& why) {
+    if (clock_says.empty()) clock_says = "from beat " + std::to_string(k) + " on, where " + why;
+  }
+  template <class C>
+  void set(C& component, int node, const std::vector<unsigned char>& message) {
+    const std::string path = cca::detail::path_of_node<Graph>(node);
+    auto values = component.p;
+    cdr_reader from(message);
+    from.number<std::int64_t>();
+    if (!decode(cca::detail::schema_of<typename C::parameters>, &values, from))
+      throw refused(called + ": the recorded parameters of `" + path + "` are not those of this component");
+    // Before load() they may be anything: load() checks them.
+    if (c.state() != state::created)
+      for (const auto& wrong : cca::detail::complaints_about(values, path, cca::detail::step_of<Graph>(node)))
+        throw refused(called + ": recorded parameters: " + wrong.path + ": " + wrong.what);
+    component.p = values;
+  }
+
+  void beat() {
+    if (c.state() != state::started) return check_begin(), forget_beat();
+    if (!compare_modes()) return;
+    feed();
+    const int mode = active_mode();
+    c.step();
+    result.fault =
+        c.state() == state::faulted ? "`" + c.fault_path() + "`: " + std::string(c.fault().reason()) : "";
+    compare(mode);
+    k = c.beat_index();
+    forget_beat();
+  }
+
+  void feed() {
+    each_node([&]<class C>(int node, C& component) {
+      if constexpr (requires { component.forget(); }) {
+        component.forget();
+        for (const auto& call : cca::detail::plan_of<Graph>.calls) {
+          if (call.node != node || !call.function) continue;
+          for (int p = 0; p < call.function->output_count; ++p) {
+            const int o = call.first_output + p;
+            if (const std::int64_t origin = recorded[words(layout.origin[at(o)])]; origin != never)
+              component.put(call.phase, p, origin,
+                            reinterpret_cast<const double*>(&recorded[words(layout.at[at(o)])]));
+          }
+        }
+        if (!reason.empty() && failed_component == cca::detail::path_of_node<Graph>(node))
+          component.fail(kept_reason());
+      }
+    });
+  }
+  // A fault points to its text.
+  const char* kept_reason() { return reasons.emplace_back(reason).c_str(); }
+
+  void compare(int mode) {
+    const std::int64_t* const replayed_frame = this->ring.oldest();
+    ++result.beats;
+    for (const int o : orders[at(mode)]) {
+      if (!items.has(o)) continue;
+      const auto origin = words(layout.origin[at(o)]);
+      const std::int64_t was = recorded[origin], is = replayed_frame[origin];
+      const auto size = static_cast<std::size_t>(layout.size[at(o)]);
+      const auto* const then = &recorded[words(layout.at[at(o)])];
+      const auto* const now = replayed_frame + layout.at[at(o)];
+      if (was == never && is == never) continue;
+      if (was == is && std::memcmp(then, now, sizeof(double) * size) == 0) {
+        const auto& call =
+            cca::detail::plan_of<Graph>.calls[at(cca::detail::plan_of<Graph>.outputs[at(o)].call)];
+        result.samples += call.phase == cca::detail::phase_of_beat::process;  // the others were fed
+        continue;
+      }
+      differ(o, sample_text(was, then, size), sample_text(is, now, size));
+      this->ring.take();
+      return;
+    }
+    this->ring.take();
+    const bool has_faulted = c.state() == state::faulted;
+    const std::string path = c.fault_path(), now = has_faulted ? std::string(c.fault().reason()) : "";
+    const auto named = [](const std::string& why, const std::string& of) {
+      return why.empty() ? std::string("no fault") : "the fault `" + why + "` of `" + of + "`";
+    };
+    const bool by_component = has_faulted || !failed_component.empty();
+    if (by_component && (now != reason || (has_faulted && path != failed_component)))
+      differ_in_fault(reason.empty() ? path : failed_component, named(reason, failed_component),
+                      named(now, path));
+  }
+
+  // Before a beat: the mode that was recorded is active.
+  bool compare_modes() {
+    if constexpr (Modes<Graph>)
+      if (!mode_recorded.empty() && c.mode() != mode_recorded) {
+        result.beat = k;
+        result.difference = "beat " + std::to_string(k) + ": recorded the mode `" + mode_recorded +
+                            "`, replayed `" + std::string(c.mode()) + "`";
+        return false;
+      }
+    return true;
+  }
+  int active_mode() const {
+    if constexpr (Modes<Graph>) return cca::detail::modes_of<Graph>::value.number_of(c.mode());
+    else return 0;
+  }
+  void differ(int o, const std::string& was, const std::string& is) {
+    const auto& output = cca::detail::plan_of<Graph>.outputs[at(o)];
+    const auto& call = cca::detail::plan_of<Graph>.calls[at(output.call)];
+    result.component = cca::detail::path_of_node<Graph>(call.node);
+    result.port = call.function->outputs[output.port].name;
+    state_difference("`" + result.component + "." + result.port + "`, beat " + std::to_string(k) +
+                     ": recorded " + was + ", replayed " + is);
+  }
+  // It counts, unless the clock has already made the environments another program than a loop.
+  void state_difference(const std::string& what) {
+    if (!clock_says.empty()) result.ended_early = "it can't be replayed " + clock_says;
+    else result.beat = k, result.difference = what;
+  }
+  void differ_in_fault(const std::string& path, const std::string& was, const std::string& is) {
+    result.component = path;
+    state_difference("`" + path + "`, beat " + std::to_string(k) + ": recorded " + was + ", replayed " + is);
+  }
+
+  void parameters_changed(const cca::detail::controller_state<graph>&, std::int64_t) noexcept override {}
+  void moved(state, std::int64_t) noexcept override {}
+  void failed(int, const char*, std::int64_t) noexcept override {}
+  void controller_is_gone() noexcept override {}
+
+  recorded_items<Graph> items;
+  std::string called;
+  std::int64_t silence, silent_beats = 0;
+  controller<graph> c;
+  std::vector<std::int64_t> recorded;  // the frame of the beat k
+  std::int64_t k = 0;
+  std::string reason, failed_component, mode_recorded, clock_says;
+  const std::vector<std::vector<int>> orders = orders_of_beats<Graph>();
+  std::deque<std::string> reasons;
+  bool has_samples = false;
+  replay_result result;
+};
+
+}  // namespace cca::recording::detail

@@ -1,0 +1,286 @@
+// Recordings that other tools have rewritten are replayed as the original; what can't be is refused for its
+// true reason, and no number in a file makes a replay endless or large.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "graphs.hpp"
+#include "rewriting.hpp"
+
+using namespace record_test;
+
+namespace {
+
+struct bounded_filter : filter {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (cca::bounded<double, 0.01, 0.5>, gain), (cca::text<8>, name));
+  };
+  parameters p{0.1, "fast"};
+  auto process(cca::in<"x", leg_angles> x) -> cca::out<"y", slow_angles> {
+    s += p.gain * (x.vector() - s);
+    return s;
+  }
+};
+struct graph : walking<bounded_filter> {};
+
+// A file of 2000 beats.
+struct recorded {
+  temporary_file file{"original"}, other{"rewritten"};
+  explicit recorded(int beats = 2000) {
+    cca::controller<graph> c;
+    cca::recording::recorder recording(c, file.name, {.waits = true});
+    c.load();
+    c.start();
+    c.run(cca::for_beats<500>{});
+    c.set<"filter">({0.3, "slow"});
+    for (int i = 500; i < beats; ++i) c.step();
+    c.stop();
+  }
+  cca::recording::replay_result replayed(const rewriting& how) const {
+    rewrite(file.name, other.name, how);
+    return cca::recording::replay<graph>(other.name);
+  }
+  std::string refusal(const rewriting& how) const {
+    try {
+      const auto result = replayed(how);
+      return "not refused: " + result.difference + result.ended_early;
+    } catch (const cca::refused& e) { return std::string(e.what()).substr(other.name.size()); }
+  }
+};
+
+std::int64_t beat_in(const bytes& data) {
+  std::int64_t beat = 0;
+  std::memcpy(&beat, &data[4], sizeof beat);
+  return beat;
+}
+bool is_sample(const std::string& topic) { return !topic.starts_with("/cca") && !topic.starts_with("/ros2"); }
+// The samples from beat 100 on are of that beat.
+auto moved_to(std::int64_t beat) {
+  return [beat](const std::string& topic, bytes& data) {
+    if (!is_sample(topic) || beat_in(data) < 100) return !is_sample(topic) || beat_in(data) < 100;
+    if (beat_in(data) > 100) return false;
+    std::memcpy(&data[4], &beat, sizeof beat);
+    return true;
+  };
+}
+
+bytes from_hex(std::string_view hex) {
+  bytes all;
+  for (; hex.size() > 1; hex.remove_prefix(2))
+    all.push_back(static_cast<unsigned char>(std::stoi(std::string(hex.substr(0, 2)), nullptr, 16)));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a recording is replayed however its messages are stored") {
+  const recorded r;
+  const auto original = cca::recording::replay<graph>(r.file.name);
+  REQUIRE(original);
+  for (const std::string compression : {"none", "lz4", ""})
+    for (const bool lazy : {false, true}) {
+      CAPTURE(compression);
+      CAPTURE(lazy);
+      const auto result = r.replayed({.compression = compression, .lazy = lazy});
+      INFO(result);
+      CHECK(result);
+      CHECK(result.beats == original.beats);
+      CHECK(result.samples == original.samples);
+    }
+}
+
+TEST_CASE("lz4, as its own program writes it") {
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+    text += "the leg swings, the leg swings, the leg swings, the leg swings, and the leg stops\n";
+  const std::string start = "ff01746865206c6567207377696e67732c2010001d36616e64",
+                    with_sums =
+                        "04224d186440a7"
+                        "31000000" +
+                        start +
+                        "34005f746f70730a42001d0c30000f52004c50746f70730a"
+                        "00000000d666d8e9",
+                    linked =
+                        "04224d186c40f60000000000000031"
+                        "2a000000" +
+                        start +
+                        "14005f746f70730a52008c50746f70730a"
+                        "00000000d666d8e9",
+                    summed_blocks =
+                        "04224d187040ad"
+                        "31000000" +
+                        start +
+                        "34005f746f70730a42001d0c30000f52004c50746f70730a"
+                        "467f92ae00000000",
+                    skipped = "502a4d1803000000abcdef";
+  const auto unpacked = [](const std::string& hex, std::size_t size) {
+    bytes to(size);
+    return mcap::decompress_lz4(from_hex(hex), to) ? std::string(to.begin(), to.end())
+                                                   : std::string("damaged");
+  };
+  CHECK(unpacked(with_sums, 246) == text);
+  CHECK(unpacked(linked, 246) == text);
+  CHECK(unpacked(summed_blocks, 246) == text);
+  CHECK(unpacked(skipped + with_sums + linked, 492) == text + text);
+  CHECK(unpacked("04224d186440a706000080783179327a33000000003ecd1d0e", 6) == "x1y2z3");  // not compressed
+  CHECK(unpacked(with_sums, 245) == "damaged");
+  CHECK(unpacked(with_sums, 247) == "damaged");
+  // Cut anywhere, and each byte changed: never beyond its memory (the presets with sanitizers look at that).
+  const bytes whole = from_hex(with_sums);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    bytes to(246);
+    CHECK_FALSE(mcap::decompress_lz4(mcap::byte_view(whole).first(i), to));
+    for (unsigned char bit = 1; bit != 0; bit = static_cast<unsigned char>(bit << 1)) {
+      bytes broken = whole;
+      broken[i] ^= bit;
+      (void)mcap::decompress_lz4(broken, to);
+    }
+  }
+}
+
+TEST_CASE("a file that can't be replayed is refused for its true reason") {
+  const recorded r(600);
+  CHECK(r.refusal({.compression = "bz2"})
+            .find(" can't be read: a chunk compressed with `bz2`, which is not read here "
+                  "(rewrite the file with zstd") == 0);
+  CHECK(r.refusal({.keeps = [](const std::string& topic) {
+           return topic != "/cca/state";
+         }}).find(": the topic /cca/state is missing") == 0);
+  CHECK(r.refusal({.keeps = [](const std::string& topic) { return topic != "/leg/angles"; }}) ==
+        ": what `leg.angles` sensed was not recorded: record it to replay");
+  CHECK(r.refusal({.change = [](const std::string& topic, bytes& data) {
+    if (topic == "/leg/angles" && beat_in(data) == 7) data.pop_back();
+    return true;
+  }}) == ": a message of /leg/angles can't be read");
+  const auto seventh_becomes = [&](unsigned char beat) {
+    return r.refusal({.change = [=](const std::string& topic, bytes& data) {
+      if (topic == "/swing/angles" && beat_in(data) == 7) data[4] = beat;
+      return true;
+    }});
+  };
+  CHECK(seventh_becomes(5) ==
+        ": a sample of `swing.angles` of beat 5 comes after samples of beat 6: another tool has changed the "
+        "order of messages");
+  CHECK(seventh_becomes(6) ==
+        ": a sample of `swing.angles` of beat 6 is there twice: are two recordings merged in this file?");
+  // Before the first whole chunk.
+  std::filesystem::resize_file(r.file.name, 3000);
+  CHECK_THROWS_WITH_AS(cca::recording::replay<graph>(r.file.name),
+                       doctest::Contains(" can't be read: the file ends within a record, before byte "),
+                       cca::refused);
+}
+
+TEST_CASE("parameters that the component refuses are refused in a replay, too") {
+  const recorded r(600);
+  const auto with_gain = [&](std::int64_t from, double gain) {
+    return r.refusal({.change = [=](const std::string& topic, bytes& data) {
+      if (topic == "/cca/parameters/filter" && beat_in(data) >= from)
+        std::memcpy(&data[12], &gain, sizeof gain);
+      return true;
+    }});
+  };
+  CHECK(with_gain(500, 7) == ": recorded parameters: filter.gain: 7 is out of range, expected 0.01 to 0.5");
+  CHECK(with_gain(500, std::nan("")) ==
+        ": recorded parameters: filter.gain: nan is not allowed, expected 0.01 to 0.5");
+  CHECK(with_gain(0, 7) ==
+        ": in replay the state `loaded` is refused: filter.gain: 7 is out of range, expected 0.01 to 0.5");
+  CHECK(with_gain(0, 0.2).find("not refused: `filter.y`, beat 0: recorded [") == 0);
+}
+
+TEST_CASE("a beat far away ends a replay") {
+  const recorded r(600);
+  CHECK(r.refusal({.change = moved_to(std::numeric_limits<std::int64_t>::max())}).find(": a message of /") ==
+        0);
+  CHECK(r.refusal({.change = moved_to(std::numeric_limits<std::int64_t>::max())})
+            .find(" is of beat 9223372036854775807, whose time no clock can hold") != std::string::npos);
+  const auto later = r.replayed({.change = moved_to(1'000'000'000'000)});
+  CHECK_FALSE(later);
+  CHECK(later.beat == 100);
+}
+
+namespace {
+
+struct quiet_leg {
+  auto sense() -> cca::maybe<"angles", leg_angles> { return {}; }
+};
+struct listener {
+  auto process(cca::in<"x", leg_angles> x) -> cca::out<"y", leg_angles> { return x.vector(); }
+};
+struct quiet : cca::graph<cca::rate<1000>,
+                          cca::node<"listener", listener>,
+                          cca::node<"leg", quiet_leg>,
+                          cca::observe<"listener.y">,
+                          cca::wire<"leg.angles", "listener.x">>,
+               cca::recordable {};
+
+}  // namespace
+
+TEST_CASE("of beats of which nothing is recorded, only so many are replayed") {
+  const temporary_file file("quiet"), other("quiet_later");
+  {
+    cca::controller<quiet> c;
+    cca::recording::recorder recording(c, file.name, {.waits = true});
+    c.load();
+    c.start();
+    c.run(cca::for_beats<1000>{});
+    c.stop();
+  }
+  const auto result = cca::recording::replay<quiet>(file.name);
+  CHECK(result);
+  CHECK(result.beats == 1000);
+  rewrite(file.name, other.name, {.change = [](const std::string& topic, bytes& data) {
+            const std::int64_t beat = 1'000'000'000'000;
+            if (topic == "/cca/state" && beat_in(data) == 1000) std::memcpy(&data[4], &beat, sizeof beat);
+            return true;
+          }});
+  const auto later = cca::recording::detail::replay_run<quiet>(other.name, 5000).go();
+  CHECK_FALSE(later);
+  CHECK(later.beats == 5000);
+  CHECK(later.ended_early == "nothing is recorded of more than 5000 beats, before beat 1000000000000");
+}
+
+TEST_CASE("a recording without a beat is no success") {
+  const temporary_file file("none");
+  {
+    cca::controller<graph> c;
+    cca::recording::recorder recording(c, file.name);
+    c.load();
+    c.start();
+    c.stop();
+  }
+  const auto result = cca::recording::replay<graph>(file.name);
+  CHECK_FALSE(result);
+  std::ostringstream text;
+  text << result;
+  CHECK(text.str() == "nothing is replayed: the recording has no beat");
+}
+
+TEST_CASE("a length in a file is compared before memory is taken for it") {
+  const temporary_file file("sparse");
+  const auto damage_of = [&](mcap::op code, std::uint64_t length, std::uint64_t size) {
+    mcap::byte_writer start;
+    start.add(mcap::byte_view(mcap::magic)).add(static_cast<std::uint8_t>(code)).add(length);
+    std::ofstream(file.name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(start.view().data()),
+               static_cast<std::streamsize>(start.size()));
+    std::filesystem::resize_file(file.name, size);  // a hole, which takes no room on the disk
+    cca::recording::mcap_reader reader(file.name);
+    for (cca::recording::mcap_message m; reader.next(m);) {}
+    return reader.damage();
+  };
+  constexpr std::uint64_t eight_gb = std::uint64_t{8} << 30;
+  for (const auto code : {mcap::op::chunk, mcap::op::message})
+    CHECK(damage_of(code, eight_gb, eight_gb + 4096) ==
+          "a record of 8589934592 bytes, more than 269484032, before byte 17");
+  for (const auto code : {mcap::op::schema, mcap::op::channel, mcap::op::metadata, mcap::op::data_end})
+    CHECK(damage_of(code, eight_gb, eight_gb + 4096) ==
+          "a record of 8589934592 bytes, more than 16777216, before byte 17");
+  CHECK(damage_of(mcap::op::attachment, eight_gb, eight_gb).find("the file ends within a record") == 0);
+  CHECK(damage_of(mcap::op::attachment, 1 << 20, (1 << 20) + 4096).find("a record without a kind") == 0);
+}
