@@ -1,14 +1,14 @@
 // What a recording of a graph contains, and how it is written: frames and events become messages.
 //
-//   /<path of the port>           a sample (messages/sample_message.hpp)
-//   /ros2/<path of the port>      a message of ROS 2 where one fits, for viewers
-//   (messages/viewer_message.hpp) /tf, /robot_description       the robot, where the graph says how it looks
-//   (shown_body.hpp) /cca/parameters/<component>   its parameters, at the start and where they change
-//   /cca/state                    the life-cycle
-//   /cca/fault                    component and reason
-//   /cca/mode                     of a set of modes: the mode, at the start and where it changes
-//   /cca/late, /cca/skipped       of a deployment: samples that came late, beats that an environment left out
-//   /cca/lost                     beats that did not fit into the ring
+// - /<path of the port>: a sample (messages/sample_message.hpp)
+// - /ros2/<path of the port>: a message of ROS 2 where one fits, for viewers (messages/viewer_message.hpp)
+// - /tf, /robot_description: the robot, where the graph says how it looks (shown_body.hpp)
+// - /cca/parameters/<component>: its parameters, at the start and where they change
+// - /cca/state: the life-cycle
+// - /cca/fault: component and reason
+// - /cca/mode: of a set of modes: the mode, at the start and where it changes
+// - /cca/late, /cca/skipped: of a deployment: samples that came late, beats that an environment left out
+// - /cca/lost: beats that did not fit into the ring
 //
 // and metadata: `cca.architecture`, `cca.environments`, `cca.modes`, and the notes of the program.
 #pragma once
