@@ -1,5 +1,5 @@
-// Checks the values of a parameters struct: each number is finite and in its range, each choice has a name,
-// and the struct's own `check()` agrees. Runs between beats, where it may allocate.
+// Checks the values of a parameters struct: each has one, each number is finite and in its range, each choice
+// has a name, and the struct's own `check()` agrees. Runs between beats, where it may allocate.
 #pragma once
 
 #include <charconv>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <cca/component/schema.hpp>
+#include <cca/component/unset_parameters.hpp>
 
 namespace cca::detail {
 
@@ -90,6 +91,8 @@ constexpr bool is_utf8(std::string_view text) {
 }
 
 inline std::string value_complaint(const schema& type, const void* value) {
+  if (is_unset(type, value))
+    return "has no value: give it a default, as in `parameters p{...};`, or set it before load()";
   switch (type.what) {
     case kind::integer:
       return integer_complaint(type, type.integer(value));

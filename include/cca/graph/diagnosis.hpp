@@ -75,7 +75,9 @@ consteval Report make_report() {
         << "` is no graph: a controller runs a struct derived from cca::graph<...>; put a component into one "
            "as cca::node<`name`, "
         << type_name<Type>() << ">; if another error names " << type_name<Type>()
-        << ", mend that first: a comma may be missing between two items of the graph";
+        << ", mend that first: a comma may be missing between two items of the graph, or a value (a lambda, "
+           "an object) stands where a type "
+           "should";
   }
   return {as_written(r.where), as_written(r.message)};
 }
