@@ -77,7 +77,7 @@ consteval Report make_report() {
         << type_name<Type>() << ">; if another error names " << type_name<Type>()
         << ", mend that first: a comma may be missing between two items of the graph, or a value (a lambda, "
            "an object) stands where a type "
-           "should";
+           "(a lambda, an object) stands where a type should";
   }
   return {as_written(r.where), as_written(r.message)};
 }

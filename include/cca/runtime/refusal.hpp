@@ -14,6 +14,7 @@
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/graph/diagnosis.hpp>
+#include <cca/graph/diagnosis/shown_ports.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 
 namespace cca {
@@ -22,10 +23,6 @@ namespace detail {
 struct anything {
   template <class... Values>
   constexpr anything(Values&&...) {}
-};
-
-struct sound_graph {
-  constexpr operator bool() const { return true; }
 };
 
 }  // namespace detail
@@ -104,6 +101,6 @@ public:
 // `check<G>()`: true for a sound graph, deployment or set of modes; any other does not compile. It is the
 // refused controller itself, so a mistake is reported once, at the line that comes first.
 template <class Graph>
-using check = std::conditional_t<well_formed<Graph>, detail::sound_graph, controller<Graph>>;
+using check = std::conditional_t<well_formed<Graph>, detail::checked_shows<Graph>, controller<Graph>>;
 
 }  // namespace cca

@@ -124,7 +124,7 @@ public:
       skipped = file.channel(skipped_topic, "cca/msg/skipped", beats + environment);
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
-      if (s.viewer_hz > 0) body.emplace(file, output_named, space_of_port<Graph>);
+      if (s.viewer_hz > 0) body.emplace(file, space_of_port<Graph>);
     if (!of.modes.empty())
       mode = file.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
@@ -186,11 +186,6 @@ public:
   std::uint64_t bytes() const { return file.bytes(); }
 
 private:
-  static int output_named(std::string_view path) {
-    for (int o = 0; o < output_count; ++o)
-      if (path_of_port<Graph>(o) == path) return o;
-    return -1;
-  }
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
   std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
     return file.channel(topic_of(path), message_type(space.name), sample_schema(space),
