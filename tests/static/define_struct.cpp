@@ -20,7 +20,7 @@ static_assert(!has_all_commas("parameters, (decltype(f(1, 2)) x)"));
 
 // All of it is Hana's: fields that another macro lists, none at all, and more than 32.
 #define TWO (int, a), (std::array<double, 2>, b)
-#define EIGHT(n)                                                                                     \
+#define EIGHT(n)                                                                                  \
   (double, n##1), (double, n##2), (double, n##3), (double, n##4), (double, n##5), (double, n##6), \
       (double, n##7), (double, n##8)
 struct sums {

@@ -23,8 +23,8 @@ constexpr std::string_view without_spaces_around(std::string_view text) {
   return text;
 }
 
-// Where the first comma is that no bracket encloses, or the first bracket that closes more than was opened, or
-// the end. Angle brackets don't count: they may also be operators.
+// Where the first comma is that no bracket encloses, or the first bracket that closes more than was opened,
+// or the end. Angle brackets don't count: they may also be operators.
 constexpr std::size_t end_of_argument(std::string_view text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,8 +1,8 @@
-// The first broken rule of a graph, as a constexpr value; a controller of such a graph fails to compile with
-// its message.
+// The first broken rule of a graph, as a constexpr value, which prints nothing. A controller of such a graph
+// fails to compile with its message, and so does cca::check (runtime/refusal.hpp).
 //
-//   static_assert(cca::well_formed<trot<cca::sim::oncilla>>);
 //   static_assert(cca::diagnosis<broken>.rule == "space.mismatch");
+//   static_assert(!cca::well_formed<broken>);
 #pragma once
 
 // Included first: compilers list the files around a message, and so there are fewer.

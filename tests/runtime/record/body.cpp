@@ -60,8 +60,9 @@ struct robot_of_graphs : cca::graph<cca::node<"leg", inner_leg>,
                                     cca::expose<"leg.attitude", "attitude">> {};
 struct stands_within
     : cca::graph<cca::rate<1000>, cca::node<"robot", robot_of_graphs>, cca::observe<"robot.*">> {};
-struct shown_within
-    : stands_within, cca::recordable, cca::shows<one_leg, "robot.angles", "robot.leg.attitude"> {};
+struct shown_within : stands_within,
+                      cca::recordable,
+                      cca::shows<one_leg, "robot.angles", "robot.leg.attitude"> {};
 
 using cca::detail::shown_ports_of;
 static_assert(shown_ports_of<shown_within>.angles == 0 && shown_ports_of<shown_within>.orientation == 1);
@@ -84,10 +85,11 @@ static_assert(mistake_of<without_inner> ==
 static_assert(mistake_of<far_off> ==
               "recording.unknown_port: cca::shows names `imu`, which is no output of far_off: give the path "
               "of an output, as in `robot.angles`");
-static_assert(mistake_of<without_axis> ==
-              "recording.wrong_port: cca::shows names `leg.attitude` for the angles, but attitude "
-              "(orientation<world> over x, y, z at 1000 Hz) lacks the axis `hip` of the body one_leg: name an "
-              "output with all of its axes");
+static_assert(
+    mistake_of<without_axis> ==
+    "recording.wrong_port: cca::shows names `leg.attitude` for the angles, but attitude "
+    "(orientation<world> over x, y, z at 1000 Hz) lacks the axis `hip` of the body one_leg: name an "
+    "output with all of its axes");
 static_assert(mistake_of<without_orientation> ==
               "recording.wrong_port: cca::shows names `leg.angles` for the orientation of the base, but "
               "three_angles (joint_angles over rail, hip, knee at 1000 Hz) is none: name an output whose "

@@ -1,4 +1,5 @@
-// The outputs that cca::shows names. Their paths may lead through what inner graphs expose, as those of wires.
+// The outputs that cca::shows names. Their paths may lead through what inner graphs expose, as those of
+// wires.
 //
 // Errors: recording.unknown_port, recording.wrong_port; from a recorder, and from cca::check.
 #pragma once
@@ -86,7 +87,8 @@ consteval shown_ports find_shown_ports() {
   const space_info& of_angles = *port_of(g, g.outputs[shown.angles]).space;
   for (std::size_t a = 0; a + 1 < axes::labels.size(); ++a) {
     bool has_axis = false;
-    for (int i = 0; i < of_angles.axis_count; ++i) has_axis = has_axis || of_angles.labels[i] == axes::labels[a];
+    for (int i = 0; i < of_angles.axis_count; ++i)
+      has_axis = has_axis || of_angles.labels[i] == axes::labels[a];
     if (has_axis) continue;
     shown.mistake << "recording.wrong_port: cca::shows names `" << Graph::cca_shown_angles
                   << "` for the angles, but ";
