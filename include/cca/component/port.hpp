@@ -12,7 +12,7 @@
 
 #include <cca/base/copy_block.hpp>
 #include <cca/base/fixed_string.hpp>
-#include <cca/space/arithmetic.hpp>
+#include <cca/space/methods/arithmetic.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/space/methods/scalar.hpp>
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include <cca/base/array_size.hpp>
-#include <cca/component/unset_parameters.hpp>
+#include <cca/component/parameter_check.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/arriving_samples.hpp>
 #include <cca/runtime/stored_samples.hpp>

@@ -51,6 +51,19 @@ struct by_constructor : values {
     p.swing = {-1e300, 1e300};
   }
 };
+// g++ drops what is in the place of such an object before, if nothing prevents it.
+struct half_constructed {
+  struct parameters {
+    BOOST_HANA_DEFINE_STRUCT(parameters, (double, gain), (double, offset), (int, steps));
+  };
+  parameters p;
+  double state[3];
+  half_constructed() {
+    p.gain = 1;
+    state[0] = 2;
+  }
+  auto process(cca::beat) -> cca::out<"y", reading> { return p.gain + state[0]; }
+};
 struct has_virtual_functions {
   virtual ~has_virtual_functions() = default;
   virtual int answer() const { return 42; }
@@ -127,6 +140,8 @@ TEST_CASE("a parameter without a value is refused by load(), with its path") {
 }
 
 TEST_CASE("so is one that a constructor forgets") {
+  cca::controller<one<half_constructed>> half;
+  CHECK_EQ(refusal_of(half), lines({"arm.offset", "arm.steps"}));
   cca::controller<two<some_values>> c;
   const std::string forgotten = lines({"arm.offset[1]", "arm.swing.low"});
   CHECK_EQ(refusal_of(c), forgotten);

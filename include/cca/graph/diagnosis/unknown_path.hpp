@@ -50,8 +50,8 @@ constexpr bool has_path(std::uint64_t path) {
 }
 
 // Of an unknown path a type without a size, which is the message. Whoever takes a path asserts the size in
-// the function that the user calls: the compilers list each function between that and the mistake, and g++
-// reports a function that returns void only after what follows from the mistake.
+// the function that the user calls: the compilers list each function between that and the mistake, and a
+// function without a result may be looked at only after what follows from the mistake.
 template <class Graph, std::uint64_t Within, fixed_string Path>
 struct refusal_of_path {
   using type = printed<said_of_path<Graph, Within, Path>>;

@@ -34,7 +34,7 @@ struct component_no_process {
   }
 
 private:
-  // As g++ and clang spell the type of a lambda.
+  // As the compilers spell the type of a lambda.
   static constexpr bool is_lambda(std::string_view type) {
     return type.find("<lambda(") != type.npos || type.find("(lambda at ") != type.npos;
   }
