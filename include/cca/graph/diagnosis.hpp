@@ -76,8 +76,7 @@ consteval Report make_report() {
            "as cca::node<`name`, "
         << type_name<Type>() << ">; if another error names " << type_name<Type>()
         << ", mend that first: a comma may be missing between two items of the graph, or a value (a lambda, "
-           "an object) stands where a type "
-           "(a lambda, an object) stands where a type should";
+           "an object) stands where a type should";
   }
   return {as_written(r.where), as_written(r.message)};
 }
