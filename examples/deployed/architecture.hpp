@@ -104,7 +104,7 @@ struct split
           cca::environment<"mind", cca::nodes<"sequencer", "orders", "inverse_kinematics", "heading">>,
           cca::environment<"reflexes", cca::other_nodes>,
           cca::tolerate<100'000>>,  // no robot falls on anybody: a simulation goes on
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation">,
+      cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation">,
       cca::recordable,
       cca::traceable {};
 // [deployment end]

@@ -102,11 +102,10 @@ int report(Controller& c) {
 
 // It can be looked at.
 template <class Bus>
-struct observed
-    : two_environments<Bus>,
-      cca::recordable,
-      cca::traceable,
-      cca::shows<cca::robots::oncilla::legged_body, "robot.angles.whole", "robot.trunk.orientation"> {};
+struct observed : two_environments<Bus>,
+                  cca::recordable,
+                  cca::traceable,
+                  cca::shows<cca::robots::oncilla::legged_body, "robot.angles", "robot.trunk.orientation"> {};
 
 // Both ends in this process.
 struct in_one_process : cca::robot_program<observed<memory_end>> {

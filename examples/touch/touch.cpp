@@ -28,7 +28,7 @@ namespace {
 struct observable : touch::simulated,
                     cca::recordable,
                     cca::traceable,
-                    cca::shows<cca::robots::arm::body, "robot.angles.whole"> {};
+                    cca::shows<cca::robots::arm::body, "robot.angles"> {};
 using controller = cca::controller<observable>;
 
 struct options {

@@ -30,13 +30,13 @@ struct without_limiter : cca::graph<cca::rate<1000>,
 
 // [program]
 #ifdef TUTORIAL_MISTAKE
-cca::controller<wrong_wire> c;  // does not compile
+static_assert(cca::check<wrong_wire>());  // does not compile
 #endif
+static_assert(cca::check<swinging_leg>());
 
 // The same sentence as a value, for tests and tools.
 static_assert(cca::diagnosis<wrong_wire>.rule == "space.mismatch");
 static_assert(cca::diagnosis<without_limiter>.rule == "robot.unlimited_command");
-static_assert(cca::well_formed<swinging_leg>);
 
 int main() {
   std::printf("%s\n", std::string(cca::diagnosis<wrong_wire>.message).c_str());

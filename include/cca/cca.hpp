@@ -4,8 +4,13 @@
 
 #include <cca/base/compiler.hpp>
 
-// These two come first: if they refuse something, the compilers list every file that is already open.
+// These come first: if they refuse something, the compilers list every file that is already open.
+#include <cca/base/reflect.hpp>
 #include <cca/component/port.hpp>
+
+#include <cca/runtime/component_host.hpp>
+
+#include <cca/runtime/refusal.hpp>
 
 #include <cca/runtime/strategy_inputs.hpp>
 

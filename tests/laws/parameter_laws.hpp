@@ -27,11 +27,10 @@ inline void add_bits(const cca::detail::schema& type, const void* value, std::ve
   };
   switch (type.what) {
     case kind::number:
-      return add(type.single ? sizeof(float) : sizeof(double));
     case kind::boolean:
     case kind::integer:
     case kind::choice:
-      return add(1);
+      return add(type.bytes);
     case kind::text:
       return add(type.count);
     case kind::array:
@@ -53,9 +52,9 @@ std::vector<std::byte> bits_of_new(std::byte old) {
   void* at = memory;
   std::memset(at, static_cast<int>(old), sizeof memory);
   // The compiler must neither drop the old bytes nor know which bits an unwritten field has.
-  asm volatile("" : : "r"(at) : "memory");
+  cca::detail::forget_content(at);
   auto* made = ::new (at) Parameters;
-  asm volatile("" : "+r"(made) : : "memory");
+  cca::detail::forget_content(made);
   std::vector<std::byte> bits;
   add_bits(cca::detail::schema_of<Parameters>, made, bits);
   std::destroy_at(made);

@@ -1,4 +1,4 @@
-// EXPECT: component\.bad_result: this vector has another number of coordinates than the space of the output has: return one number for each axis
+// EXPECT: component\.bad_result: this vector has another number of coordinates than the space of the port has: give one number for each axis
 // An output has one number for each axis of its space.
 #include "parts.hpp"
 

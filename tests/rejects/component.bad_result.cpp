@@ -1,4 +1,4 @@
-// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may return only ports \(cca::out, cca::maybe\) and a
+// EXPECT: component\.bad_result: `balance` \(balance\): `process` returns `Matrix<double, 2, 1>`, but it may return only ports \(cca::out, cca::maybe\), a cca::fault, a cca::done
 // `process` returns what it publishes: ports, or a fault.
 #include "parts.hpp"
 

@@ -1,4 +1,4 @@
-// EXPECT: graph\.unknown_item: `walk` is no graph: a controller runs a struct derived from cca::graph<\.\.\.>; put a component into one as cca::node<`name`, walk>; if another error names walk, mend that first: a comma may be missing
+// EXPECT: graph\.unknown_item: `walk` is no graph: a controller runs a struct derived from cca::graph<\.\.\.>; put a component into one as cca::node<`name`, walk>; if another error names walk, mend that first: a comma may be missing between two items of the graph, or a value
 // ERRORS: 3
 // Items are separated by commas. Here the compiler's own error comes first, at the line of the wire.
 #include "parts.hpp"

@@ -1,4 +1,4 @@
-// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`, whose fields are unknown: name them in it with
+// EXPECT: parameters\.unsupported_type: `balance` \(balance\): its parameter `p` is a `balance::parameters`, whose fields are unknown: name them in it with BOOST_HANA_DEFINE_STRUCT, and make it copyable
 // The fields of a struct of parameters are known by their names.
 #include "parts.hpp"
 

@@ -3,7 +3,7 @@
 
 usage: components.py [ROOT of the repository]
 
-Each row names types that its header declares, and a page that names the header as a user includes it. Each header of
+Each row names types that its header declares and that no other row names, and a page that names the header as a user includes it. Each header of
 motor/, adaptive/, their parts, mapping/, robot/, robot/dynamics/, robot/compliance/ and skeleton/ that has a component, a type with a `process` outside of namespace detail,
 has a row.
 """
@@ -29,10 +29,14 @@ def is_declared(name, code):
 
 
 def problems(root):
-    listed = set()
+    listed, known = set(), set()
     found = list(rows((root / PAGE).read_text()))
     for names, header, page in found:
         listed.add(header)
+        for name in set(names):
+            if (name, header) in known:
+                yield f"{PAGE}: `{name}` has two rows"
+            known.add((name, header))
         file = root / "include/cca" / header
         if not file.exists():
             yield f"{PAGE}: there is no header cca/{header}"

@@ -30,7 +30,8 @@ that the message begins with.
 - One rule is reported at a time, the first in the order of this page; when it is mended the next may appear.
 - g++ shows the message as one line, in the type that it could not complete. clang shows the same text in pieces of 35
   letters, `line{"..."}`, to be read on from one to the next.
-- The same text can be had as a value: `static_assert(cca::well_formed<trot>)`, or print `cca::diagnosis<trot>.message`.
+- `static_assert(cca::check<trot>());` gives the message without a controller, where it stands.
+  The same text can be had as a value: print `cca::diagnosis<trot>.message`.
 
 The examples are made of these parts ([parts.hpp](../tests/rejects/parts.hpp)):
 
@@ -43,7 +44,7 @@ class Reject:
         self.rule, _, self.variant = file.stem.partition("-")
         self.expect = re.match(r"// EXPECT: (.*)\n", self.text)[1]
         self.flags, self.allowed = reject.note(self.text, "FLAGS").split(), int(reject.note(self.text, "ERRORS") or 1)
-        comments = re.sub(r"^// (?:FLAGS|ERRORS): .*\n", "", self.text, flags=re.M)
+        comments = re.sub(r"^// (?:FLAGS|ERRORS|LINES): .*\n", "", self.text, flags=re.M)
         self.meaning = " ".join(re.match(r"// EXPECT.*\n((?://.*\n)*)", comments)[1].replace("//", "").split())
         parts = re.findall(r"^#if CCA_REJECT\n(.*?)(?:^#else\n(.*?))?^#endif", self.text, re.M | re.S)
         self.broken, self.fixed = ("\n...\n".join(textwrap.dedent(p[i]).rstrip() for p in parts) for i in (0, 1))

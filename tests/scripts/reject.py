@@ -9,7 +9,7 @@ its first lines are `// EXPECT <name>: <regex>`, and it is compiled once without
 A line `// FLAGS: ...` after the first holds flags for the mistake only; a line `// ERRORS: n` allows n errors, any of
 which may match: where the mistake is in the language, the compiler goes on with errors of its own.
 What the user sees of a refusal must be good to read: one error, whose sentence names the rule and matches the regex, and
-at most 40 lines in all. --prepare precompiles the headers that most files include, which saves three quarters of the time.
+at most 40 lines in all, or as many as a line `// LINES: n` allows. --prepare precompiles the headers that most files include, which saves three quarters of the time.
 """
 import pathlib
 import re
@@ -84,19 +84,20 @@ def note(text, name):
     return line[1] if line else ""
 
 
-def refusal_is_wrong(output, expect, allowed=1):
+def refusal_is_wrong(output, expect, allowed=1, most_lines=MOST_LINES):
     found = errors(output)
     if not any(re.search(expect, sentence(error)) for error in found[:allowed]):
         return f"the first error does not match: {expect}" if allowed == 1 else f"no error matches: {expect}"
     if len(found) > allowed:
         return f"{len(found)} errors, and {'one' if allowed == 1 else allowed} would do"
     length = len(output.splitlines())
-    return f"{length} lines of output, more than {MOST_LINES}" if length > MOST_LINES else ""
+    return f"{length} lines of output, more than {most_lines}" if length > most_lines else ""
 
 
 def verdict(file, command):
     """What is wrong, or the empty string; and the output of the compiler that shows it."""
     flags, allowed = note(file.read_text(), "FLAGS").split(), int(note(file.read_text(), "ERRORS") or 1)
+    most_lines = int(note(file.read_text(), "LINES") or MOST_LINES)
     expected = re.findall(r"^// EXPECT(?: (\w+))?: (\S.*)$", file.read_text(), re.M)
     if not expected or not file.read_text().startswith("// EXPECT"):
         return "the first line is not `// EXPECT: <regex>`", ""
@@ -112,7 +113,7 @@ def verdict(file, command):
     for name, regex in expected:
         code, output = compile_file(command, file, f"-DCCA_REJECT={name or 1}", *flags)
         outputs += output
-        wrong = refusal_is_wrong(output, regex, allowed) if code != 0 else "the compiler accepts the mistake"
+        wrong = refusal_is_wrong(output, regex, allowed, most_lines) if code != 0 else "the compiler accepts the mistake"
         if wrong:
             return f"{name}: {wrong}" if name else wrong, output
     return "", outputs

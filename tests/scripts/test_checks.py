@@ -42,6 +42,7 @@ class Components(Tree):
         self.assertEqual(len(self.found(row, code, page="Header: `<cca/motor/b.hpp>`.")), 1)  # the page names another header
         self.assertEqual(len(self.found("| `a<S>` | `motor/a.hpp` | [Motor](none.md) |", code)), 1)  # no such page
         self.assertEqual(len(self.found("| `a<S>` | `motor/a.hpp` | x |", code)), 1)  # no page
+        self.assertEqual(len(self.found(f"{row}\n{row}", code)), 1)  # two rows
         self.assertEqual(self.found(row, f"namespace detail {{\n{code}}}  // namespace detail\nusing a = int;"), [])
         self.assertEqual(len(self.found(row, code, folder="adaptive")), 1)  # has no row
 
@@ -275,6 +276,12 @@ class Rejects(Tree):
         self.assertIn("does not match", self.wrong(self.SOUND.replace("#if CCA_REJECT", "#if CCA_REJECT\nint x = y;")))
         self.assertIn("2 errors", self.wrong(self.SOUND.replace("#endif", "int x = y;\n#endif")))
         self.assertIn("lines of output", self.wrong(self.SOUND.replace("#endif", "\n".join(f"#warning {i}" for i in range(30)) + "\n#endif")))
+
+    def test_lines(self):
+        longer = self.SOUND.replace("#endif", "\n".join(f"#warning {i}" for i in range(4)) + "\n#endif")
+        self.assertEqual(self.wrong(longer), "")
+        self.assertEqual(self.wrong(longer.replace("#if", "// LINES: 16\n#if")), "")
+        self.assertIn("more than 14", self.wrong(longer.replace("#if", "// LINES: 14\n#if")))
 
     def test_flags_and_further_errors(self):
         text = self.SOUND.replace("#if CCA_REJECT", "// FLAGS: -DOLD=1\n#if CCA_REJECT && OLD")

@@ -200,8 +200,8 @@ struct returns_number : khz<cca::node<"a", gives_number>> {};
 struct returns_number_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_number, returns_number_mended>(
     {"component.bad_result", "a",
-     "`a` (gives_number): `process` returns `double`, but it may return only ports (cca::out, cca::maybe) "
-     "and a cca::fault, one or several in a std::tuple, or void"}));
+     "`a` (gives_number): `process` returns `double`, but it may return only ports (cca::out, cca::maybe), "
+     "a cca::fault, a cca::done and cca::switch_to<...>, one or several in a std::tuple, or void"}));
 
 struct gives_pair {
   auto process(cca::beat) -> std::pair<cca::out<"y", signal>, int> { return {}; }
@@ -212,7 +212,8 @@ struct returns_pair_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_pair, returns_pair_mended>(
     {"component.bad_result", "a",
      "`a` (gives_pair): `process` returns `pair<out<y, signal>, int>`, but it may return only ports "
-     "(cca::out, cca::maybe) and a cca::fault, one or several in a std::tuple, or void"}));
+     "(cca::out, cca::maybe), a cca::fault, a cca::done and cca::switch_to<...>, one or several in a "
+     "std::tuple, or void"}));
 
 struct gives_tuple {
   auto sense() -> std::tuple<cca::out<"y", signal>, bool> { return {}; }
@@ -222,8 +223,8 @@ struct returns_tuple : khz<cca::node<"a", gives_tuple>> {};
 struct returns_tuple_mended : khz<cca::node<"a", source<>>> {};
 static_assert(tells<returns_tuple, returns_tuple_mended>(
     {"component.bad_result", "a",
-     "`a` (gives_tuple): `sense` returns `bool`, but it may return only ports (cca::out, cca::maybe) and a "
-     "cca::fault, one or several in a std::tuple, or void"}));
+     "`a` (gives_tuple): `sense` returns `bool`, but it may return only ports (cca::out, cca::maybe), a "
+     "cca::fault, a cca::done and cca::switch_to<...>, one or several in a std::tuple, or void"}));
 
 struct starts_with_beat : source<> {
   void on_start(cca::beat) {}
@@ -340,7 +341,7 @@ struct parameter_unknown_mended : khz<cca::node<"a", with_gain>> {};
 static_assert(tells<parameter_unknown, parameter_unknown_mended>(
     {"parameters.unsupported_type", "a",
      "`a` (without_names): its parameter `p` is a `without_names::parameters`, whose fields are unknown: "
-     "name them in it with BOOST_HANA_DEFINE_STRUCT, and let it be copied"}));
+     "name them in it with BOOST_HANA_DEFINE_STRUCT, and make it copyable"}));
 
 struct hip_twice : cca::space<cca::joint_angles, cca::axes<hip, knee, hip>> {};
 
@@ -492,7 +493,8 @@ static_assert(told{
     "graph.unknown_item", "nothing",
     "`nothing` is no graph: a controller runs a struct derived from cca::graph<...>; put a "
     "component into one as cca::node<`name`, nothing>; if another error names nothing, mend that "
-    "first: a comma may be missing between two items of the graph"}
+    "first: a comma may be missing between two items of the graph, or a value (a lambda, an object) stands "
+    "where a type should"}
                   .by(cca::diagnosis<nothing>));
 
 }  // namespace

@@ -41,6 +41,11 @@ inline constexpr bool prints_whole_texts = false;
 inline constexpr bool prints_whole_texts = true;
 #endif
 
+// Makes the compiler forget what it knows of an object: it has stored everything before, and reads it again
+// after. Both know that the content of a place is undefined until a constructor has written it, and would
+// drop what was stored there before.
+inline void forget_content(void* place) { asm volatile("" : : "r"(place) : "memory"); }
+
 // nth_type<List>::at<I>: a type of a list. clang has a builtin for it, g++ 12 has not.
 template <class List>
 struct nth_type;

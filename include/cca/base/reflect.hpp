@@ -17,6 +17,8 @@
 #include <boost/hana/second.hpp>
 #include <boost/hana/unpack.hpp>
 
+#include <cca/base/define_struct.hpp>
+
 namespace cca::detail {
 
 template <class Type> concept Reflected = boost::hana::Struct<Type>::value;

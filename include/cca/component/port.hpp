@@ -12,6 +12,7 @@
 
 #include <cca/base/copy_block.hpp>
 #include <cca/base/fixed_string.hpp>
+#include <cca/space/methods/arithmetic.hpp>
 #include <cca/space/sample.hpp>
 #include <cca/space/methods/scalar.hpp>
 
@@ -39,6 +40,40 @@ using checked_space = typename decltype(space_or_refused<Type>())::type;
 
 }  // namespace detail
 
+namespace detail {
+
+// Of the wrong length. Where a length is known only at run time, Eigen checks it.
+template <class Vector, int Size> concept Unfit =
+    Vector::SizeAtCompileTime != Size && Vector::SizeAtCompileTime != Eigen::Dynamic;
+
+// An enumerator that is no number by itself.
+template <class Type> concept Enumerator = std::is_enum_v<Type> && !std::is_convertible_v<Type, double>;
+
+// Of a space that neither is that of the output nor renames it.
+template <class Other, class Space> concept Foreign = !std::is_same_v<Other, Space> && !Renames<Other, Space>;
+
+// Functions that are called where the mistake is, and whose arguments the compilers print.
+template <int Given, int Wanted>
+constexpr void refuse_length() {
+  static_assert(Given == Wanted,
+                "component.bad_result: this vector has another number of coordinates than the space of the "
+                "port has: give one number for each axis (an orientation and a pose have a quaternion)");
+}
+template <class Type>
+constexpr void refuse_enumerator() {
+  static_assert(!std::is_enum_v<Type>,
+                "component.bad_result: an output holds numbers, and this is an enumerator: write "
+                "`cca::status_of(...)` around it");
+}
+template <class Given, class Wanted>
+constexpr void refuse_space() {
+  static_assert(!Foreign<Given, Wanted>,
+                "space.mismatch: this sample is of another space than the output: their domain types or axes "
+                "differ; put a mapping between them, or return its `vector()` if you mean the bare numbers");
+}
+
+}  // namespace detail
+
 // An input: the sample that the component sees in this firing. `fresh()`: it arrived since the component last
 // fired.
 template <fixed_string Name, class Space>
@@ -51,6 +86,11 @@ public:
   template <class Vector>
   constexpr in(const Eigen::MatrixBase<Vector>& v, std::int64_t origin, bool is_fresh)
       : in::sample(v, origin), arrived(is_fresh) {}
+  template <class Vector>
+    requires detail::Unfit<Vector, in::space::size>
+  constexpr in(const Eigen::MatrixBase<Vector>&, std::int64_t, bool) {
+    detail::refuse_length<Vector::SizeAtCompileTime, in::space::size>();
+  }
 
   constexpr bool fresh() const { return arrived; }
 
@@ -96,31 +136,6 @@ inline constexpr bool has_zeros = [] {
 
 }  // namespace detail
 
-namespace detail {
-
-// Of the wrong length. Where a length is known only at run time, Eigen checks it.
-template <class Vector, int Size> concept Unfit =
-    Vector::SizeAtCompileTime != Size && Vector::SizeAtCompileTime != Eigen::Dynamic;
-
-// An enumerator that is no number by itself.
-template <class Type> concept Enumerator = std::is_enum_v<Type> && !std::is_convertible_v<Type, double>;
-
-// Functions that are called where the mistake is, and whose arguments the compilers print.
-template <int Given, int Wanted>
-constexpr void refuse_length() {
-  static_assert(Given == Wanted,
-                "component.bad_result: this vector has another number of coordinates than the space of the "
-                "output has: return one number for each axis (an orientation and a pose have a quaternion)");
-}
-template <class Type>
-constexpr void refuse_enumerator() {
-  static_assert(!std::is_enum_v<Type>,
-                "component.bad_result: an output holds numbers, and this is an enumerator: write "
-                "`cca::status_of(...)` around it");
-}
-
-}  // namespace detail
-
 // An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates
 // at the oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
 template <fixed_string Name, class Space>
@@ -146,6 +161,10 @@ public:
     requires detail::Unfit<Vector, space::size>
   constexpr out(const Eigen::MatrixBase<Vector>&) {
     detail::refuse_length<Vector::SizeAtCompileTime, space::size>();
+  }
+  template <detail::Foreign<space> Other>
+  constexpr out(const sample<Other>&) {
+    detail::refuse_space<Other, space>();
   }
   template <detail::Enumerator State>
   constexpr out(State) {
@@ -193,6 +212,15 @@ public:
   constexpr maybe(double number)
     requires(maybe::space::size == 1)
       : out<Name, Space>(number), published(true) {}
+  template <class Vector>
+    requires detail::Unfit<Vector, maybe::space::size>
+  constexpr maybe(const Eigen::MatrixBase<Vector>&) {
+    detail::refuse_length<Vector::SizeAtCompileTime, maybe::space::size>();
+  }
+  template <detail::Foreign<typename maybe::space> Other>
+  constexpr maybe(const sample<Other>&) {
+    detail::refuse_space<Other, typename maybe::space>();
+  }
   template <detail::Enumerator State>
   constexpr maybe(State state) : out<Name, Space>(state) {}
 

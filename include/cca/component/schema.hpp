@@ -34,6 +34,7 @@ struct member {
 struct schema {
   kind what = kind::unsupported;
   std::string_view spelling{};  // of an unsupported type
+  std::size_t bytes = 0;        // of a boolean, integer, number or choice
 
   // boolean, integer, choice
   std::int64_t (*integer)(const void*) = nullptr;
@@ -128,6 +129,7 @@ template <class Type>
 constexpr schema integer_schema(std::int64_t lowest, std::int64_t highest) {
   return {
       .what = kind::integer,
+      .bytes = sizeof(Type),
       // TOML integers have 64 bits with a sign. A larger value becomes the largest one, which `highest`
       // refuses.
       .integer =
@@ -150,6 +152,7 @@ constexpr std::int64_t clipped(Type value) {
 template <class Type>
 constexpr schema number_schema(double lower, double upper) {
   return {.what = kind::number,
+          .bytes = sizeof(Type),
           .number = [](const void* at) { return static_cast<double>(*static_cast<const Type*>(at)); },
           .set_number = [](void* at, double value) { *static_cast<Type*>(at) = static_cast<Type>(value); },
           .lower = lower,
@@ -198,6 +201,7 @@ constexpr schema make_schema() {
     return {.spelling = spelled<Type>()};
   } else if constexpr (std::same_as<Type, bool>) {
     return {.what = kind::boolean,
+            .bytes = sizeof(Type),
             .integer = [](const void* at) { return std::int64_t{*static_cast<const bool*>(at)}; },
             .set_integer = [](void* at, std::int64_t value) { *static_cast<bool*>(at) = value != 0; }};
   } else if constexpr (PlainInteger<Type>) {
@@ -213,6 +217,7 @@ constexpr schema make_schema() {
   } else if constexpr (NameableEnum<Type>) {
     return {
         .what = kind::choice,
+        .bytes = sizeof(Type),
         .integer = [](const void* at) { return static_cast<std::int64_t>(*static_cast<const Type*>(at)); },
         .set_integer = [](void* at,
                           std::int64_t value) { *static_cast<Type*>(at) = static_cast<Type>(value); },

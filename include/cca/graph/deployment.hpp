@@ -5,7 +5,7 @@
 //       cca::environment<"robot", cca::nodes<"robot", "limits", "gait">>,
 //       cca::environment<"mind",  cca::other_nodes>> {};
 //
-// A deployment is a graph too, that of its architecture: `diagnosis`, `well_formed` and `describe` take it,
+// A deployment is a graph too, that of its architecture: `check`, `diagnosis` and `describe` take it,
 // and `controller<split>` runs it as one loop. `deployed<split>` runs its environments.
 // Errors: deployment.*, graph.unknown_item. Example: docs/environments.md.
 #pragma once

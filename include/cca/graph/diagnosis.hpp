@@ -1,8 +1,8 @@
-// The first broken rule of a graph, as a constexpr value; a controller of such a graph fails to compile with
-// its message.
+// The first broken rule of a graph, as a constexpr value, which prints nothing. A controller of such a graph
+// fails to compile with its message, and so does cca::check (runtime/refusal.hpp).
 //
-//   static_assert(cca::well_formed<trot<cca::sim::oncilla>>);
 //   static_assert(cca::diagnosis<broken>.rule == "space.mismatch");
+//   static_assert(!cca::well_formed<broken>);
 #pragma once
 
 // Included first: compilers list the files around a message, and so there are fewer.
@@ -75,7 +75,8 @@ consteval Report make_report() {
         << "` is no graph: a controller runs a struct derived from cca::graph<...>; put a component into one "
            "as cca::node<`name`, "
         << type_name<Type>() << ">; if another error names " << type_name<Type>()
-        << ", mend that first: a comma may be missing between two items of the graph";
+        << ", mend that first: a comma may be missing between two items of the graph, or a value (a lambda, "
+           "an object) stands where a type should";
   }
   return {as_written(r.where), as_written(r.message)};
 }

@@ -1,7 +1,9 @@
 // An architecture: nodes, wires, and what it shows outside. A graph is a named struct,
 //
-//   struct trot : cca::graph<cca::rate<1000>, cca::node<"cpg", hopf>, cca::wire<"cpg.phase", "gait.phase">>
-//   {};
+//   struct trot : cca::graph<cca::rate<1000>,
+//                            cca::node<"cpg", hopf>,
+//                            cca::node<"gait", gait_shape>,
+//                            cca::wire<"cpg.phase", "gait.phase">> {};
 //
 // and a graph is a component: it can be a node of another one, with the ports that it exposes.
 #pragma once

@@ -7,6 +7,8 @@
 //   Angles        the output that has the angle of each of its axes, and may have more
 //   Orientation   the output with the orientation of its base in the world; without it the base is the world
 //
+// Both are paths from the outermost graph; each may name what an inner graph exposes, as the end of a wire
+// does. Errors: recording.unknown_port, recording.wrong_port, from a recorder and from cca::check.
 // docs/recordings.md.
 #pragma once
 

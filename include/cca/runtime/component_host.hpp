@@ -116,11 +116,13 @@ public:
   // A component, by its path; of an inner graph, something with the same `get` for its nodes.
   template <fixed_string Path>
   decltype(auto) get() {
-    return found<hash(Path.view()), 0, Path>(self());
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+    return found<known_path<Graph, 0, Path>()>(self());
   }
   template <fixed_string Path>
   decltype(auto) get() const {
-    return found<hash(Path.view()), 0, Path>(self());
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+    return found<known_path<Graph, 0, Path>()>(self());
   }
 
   // Other parameters of a component, whole, between two beats; refused, and the old ones kept, if they don't
@@ -204,16 +206,16 @@ private:
 
     template <fixed_string Path>
     decltype(auto) get() const {
-      return found<hash(Path.view(), after_dot(Scope)), Scope, Path>(of);
+      static_assert(sizeof(path_refusal<Graph, Scope, Path>) != 0);
+      return found<known_path<Graph, Scope, Path>()>(of);
     }
   };
 
-  template <std::uint64_t Whole, std::uint64_t Scope, fixed_string Path, class Of>
+  template <std::uint64_t Path, class Of>
   static decltype(auto) found(Of& of) {
-    static_assert(decltype(check_path<Graph, Scope, Path, Whole>())::value || true);
-    constexpr int node = node_with_hash<Graph>(Whole);
+    constexpr int node = node_with_hash<Graph>(Path);
     if constexpr (node >= 0) return (of.template component<node>());
-    else return nodes<Of, Whole>{of};
+    else return nodes<Of, Path>{of};
   }
 };
 

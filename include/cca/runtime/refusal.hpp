@@ -1,13 +1,20 @@
-// The controller of a graph that breaks a rule: one error, which is the message.
+// The controller of a graph that breaks a rule: one error, which is the message. `check` gives the same error
+// without a controller:
+//
+//   static_assert(cca::check<trot<cca::sim::oncilla>>());
+//
+// Errors: all rules of graphs. Example: docs/tutorial/5_wrong_wire.md.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <cca/component/fault.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/graph/diagnosis.hpp>
+#include <cca/graph/diagnosis/shown_ports.hpp>
 #include <cca/graph/layout/nodes_by_path.hpp>
 
 namespace cca {
@@ -39,6 +46,8 @@ class controller {
   };
 
 public:
+  constexpr operator bool() const { return true; }  // as the result of `check`
+
   void load(std::string_view = {}) {}
   void save(std::string_view = {}) {}
   void start() {}
@@ -88,5 +97,10 @@ public:
   template <class F>
   void for_each_component(F) const {}
 };
+
+// `check<G>()`: true for a sound graph, deployment or set of modes; any other does not compile. It is the
+// refused controller itself, so a mistake is reported once, at the line that comes first.
+template <class Graph>
+using check = std::conditional_t<well_formed<Graph>, detail::checked_shows<Graph>, controller<Graph>>;
 
 }  // namespace cca

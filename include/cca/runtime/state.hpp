@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 
 #include <cca/base/array_size.hpp>
+#include <cca/component/parameter_check.hpp>
 #include <cca/graph/layout/lookup.hpp>
 #include <cca/runtime/arriving_samples.hpp>
 #include <cca/runtime/stored_samples.hpp>
@@ -23,6 +25,14 @@ struct kept_component {
                 "without arguments; what differs between nodes is "
                 "a template argument or one of its `parameters`");
   [[no_unique_address]] Component component;
+};
+// One that may leave parameters without a value: load() shall see which.
+template <MayLeaveUnset Component>
+  requires std::is_default_constructible_v<Component>
+struct kept_component<Component> {
+  [[no_unique_address]] parameters_marked before;
+  [[no_unique_address]] Component component;
+  kept_component() : before(std::addressof(component)) { forget_content(std::addressof(component)); }
 };
 
 // All components of the type of node `First`, which is the first of them.

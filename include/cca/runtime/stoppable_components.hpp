@@ -92,7 +92,7 @@ private:
 
   template <fixed_string Path>
   static constexpr int node_of() {
-    static_assert(decltype(check_path<Graph, 0, Path, hash(Path.view())>())::value || true);
+    static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
     constexpr int node = node_at<Graph>(Path.view());
     static_assert(node < 0 || is_stoppable_node<Graph>(node),
                   "cca::controller: this component can't be stopped on its own: write cca::stoppable<...> "

@@ -22,7 +22,7 @@ struct on_cores : cca::deployment<architecture,
                                                    cca::realtime_if_allowed<80, cca::on_core<0>>>,
                                   cca::environment<"mind", cca::other_nodes>> {};
 // [realtime end]
-static_assert(cca::well_formed<on_cores>);
+static_assert(cca::check<on_cores>());
 static_assert(cca::detail::wish_of_environment<on_cores, 0>.priority == 80);
 
 }  // namespace
@@ -79,7 +79,7 @@ TEST_SUITE("deployment pages") {
 
   TEST_CASE("a deployment is a graph: one loop runs it too") {
     // [as graph]
-    static_assert(cca::well_formed<two>);
+    static_assert(cca::check<two>());
     static_assert(cca::diagnosis<two>.rule.empty());
     cca::controller<two> c;  // in one loop, with the same results
     // [as graph end]

@@ -34,8 +34,9 @@ struct repeated_port {};       // a second port of this name [input or output, n
 struct whole_component {};     // a component with its hooks and parameters
 struct stated_strategy {};     // a node or inner graph with a strategy
 struct exposed_name {};        // the outer name of an expose
-struct unknown_port {};  // the path of an expose, observe, latency or wire names no such port [at_reader]
-                         // of a wire also [is_opposite, is_reversed]
+// The path of an expose, observe, latency or wire names no such port [at_reader], of a wire also
+// [is_opposite, is_reversed].
+struct unknown_port {};
 // connect
 struct wire_options {};   // a wire
 struct second_writer {};  // a wire to an input that has one [input, output]
@@ -66,12 +67,13 @@ struct crossing {};              // a wire, or an observer's node, between two e
 struct stated_modes {};        // []
 struct stated_mode {};         // [mode]
 struct known_rate_of_mode {};  // [mode, other_mode]
-struct shared_path {
-};  // two modes have a component at one path [item of the second, component, mode, other_mode]
-struct missing_node {
-};  // a component that not all modes have [item, component, mode, other_mode: has it, lacks it]
-struct requested_mode {};    // by a component [item, name]
-struct parting_commands {};  // an input on the way to an actuator is fed in two ways
-                             // [item, component, name, mode, other_mode, output, other_output]
+// Two modes have a component at one path [item of the second, component, mode, other_mode].
+struct shared_path {};
+// A component that not all modes have [item, component, mode, other_mode: has it, lacks it].
+struct missing_node {};
+struct requested_mode {};  // by a component [item, name]
+// An input on the way to an actuator is fed in two ways
+// [item, component, name, mode, other_mode, output, other_output].
+struct parting_commands {};
 
 }  // namespace cca::detail::when

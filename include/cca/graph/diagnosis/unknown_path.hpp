@@ -10,10 +10,15 @@
 
 namespace cca::detail {
 
+struct path_report {
+  text said{};
+  std::uint64_t nearest = 0;  // hash of the path that the user probably meant
+};
+
 // `within`: the hash of the scope in which the path begins; 0: of the outermost graph. The message has the
 // path from the outermost graph, and the nearest one that exists.
 template <class Graph>
-consteval text unknown_path(std::uint64_t within, std::string_view path) {
+consteval path_report unknown_path(std::uint64_t within, std::string_view path) {
   auto plan = plan_of<Graph>;
   const flat_view g = plan.view();
   text wrong;
@@ -25,31 +30,46 @@ consteval text unknown_path(std::uint64_t within, std::string_view path) {
   said << "node.unknown_path: " << graph_facts<Graph>::value.name << " has no node `" << wrong.view() << "`";
   if (nearest.size > 0) said << "; did you mean `" << nearest.view() << "`?";
   else said << ": give the path of a node, from the outermost graph, as in `skills.gait`";
-  return said;
+  return {said, hash(nearest.view())};
 }
 
 template <class Graph, std::uint64_t Within, fixed_string Path>
-inline constexpr text path_report = unknown_path<Graph>(Within, Path.view());
+inline constexpr path_report report_of_path = unknown_path<Graph>(Within, Path.view());
 template <class Graph, std::uint64_t Within, fixed_string Path>
 struct said_of_path {
-  static constexpr std::string_view view() { return path_report<Graph, Within, Path>.view(); }
+  static constexpr std::string_view view() { return report_of_path<Graph, Within, Path>.said.view(); }
 };
-template <class Graph, std::uint64_t Within, fixed_string Path>
-using path_refusal = printed<said_of_path<Graph, Within, Path>>;
 
-// A function of the message alone: else the compiler may print the names of aliases, and their arguments,
-// before it.
-template <class Refusal>
-constexpr void report_path() {
-  static_assert(sizeof(Refusal) != 0);
+template <std::uint64_t Within, fixed_string Path>
+inline constexpr std::uint64_t whole_path =
+    Within == 0 ? hash(Path.view()) : hash(Path.view(), after_dot(Within));
+
+template <class Graph>
+constexpr bool has_path(std::uint64_t path) {
+  return node_with_hash<Graph>(path) >= 0 || has_scope<Graph>(path);
 }
 
-// True if there is a component, or an inner graph, at the path; else it reports the mistake.
-template <class Graph, std::uint64_t Within, fixed_string Path, std::uint64_t Whole>
-constexpr auto check_path() {
-  constexpr bool found = node_with_hash<Graph>(Whole) >= 0 || has_scope<Graph>(Whole);
-  if constexpr (!found) report_path<path_refusal<Graph, Within, Path>>();
-  return std::bool_constant<found>{};
+// Of an unknown path a type without a size, which is the message. Whoever takes a path asserts the size in
+// the function that the user calls: the compilers list each function between that and the mistake, and a
+// function without a result may be looked at only after what follows from the mistake.
+template <class Graph, std::uint64_t Within, fixed_string Path>
+struct refusal_of_path {
+  using type = printed<said_of_path<Graph, Within, Path>>;
+};
+template <class Graph, std::uint64_t Within, fixed_string Path>
+  requires(has_path<Graph>(whole_path<Within, Path>))
+struct refusal_of_path<Graph, Within, Path> {
+  using type = char;
+};
+template <class Graph, std::uint64_t Within, fixed_string Path>
+using path_refusal = typename refusal_of_path<Graph, Within, Path>::type;
+
+// The path; if there is no such component or inner graph, the one that the user probably meant: so no error
+// follows from the mistake.
+template <class Graph, std::uint64_t Within, fixed_string Path>
+constexpr std::uint64_t known_path() {
+  if constexpr (has_path<Graph>(whole_path<Within, Path>)) return whole_path<Within, Path>;
+  else return report_of_path<Graph, Within, Path>.nearest;
 }
 
 // The type of the parameters at a path. Where there are none it takes anything, so that there is one error.
@@ -61,10 +81,9 @@ constexpr bool can_set() {
 }
 template <class Graph, fixed_string Path>
 struct parameters_at {
-  static constexpr auto path = hash(Path.view());
-  static constexpr bool exists = node_with_hash<Graph>(path) >= 0 || has_scope<Graph>(path);
-  static_assert(decltype(check_path<Graph, 0, Path, path>())::value || true);
-  static_assert(!exists, "cca::controller::set: this node has no `parameters`; name a component that has");
+  static_assert(sizeof(path_refusal<Graph, 0, Path>) != 0);
+  static_assert(!has_path<Graph>(hash(Path.view())),
+                "cca::controller::set: this node has no `parameters`; name a component that has");
   struct type {
     template <class... Values>
     constexpr type(Values&&...) {}

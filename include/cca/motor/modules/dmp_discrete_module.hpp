@@ -11,9 +11,9 @@
 //   in  "learn"          learning_request   optional: a request of another component
 //   out "command"        S                  maybe
 //   out "velocity"       velocity_of<S>     maybe; unit of S per s
-//   out "progress"       movement_progress  maybe; the canonical variable: 1 at the start, e^-decay at the
-//   end out "ode"            ode_status_port out "module"         module_status_port what the learner does,
-//   and whether this progress was trained
+//   out "progress"       movement_progress  maybe; the canonical variable: from 1 to e^-decay at the end
+//   out "ode"            ode_status_port    converged at rest
+//   out "module"         module_status_port what the learner does, and whether this progress was trained
 //
 // S is any space with one number per axis. Between two beats `demonstrate(movement, s)` teaches a whole
 // movement that was recorded with a sample every s seconds: its last sample is the goal, its length the

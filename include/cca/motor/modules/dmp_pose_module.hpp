@@ -10,10 +10,10 @@
 //   in  "demonstration"  S                  optional: the movement to learn, to the reference in the duration
 //   in  "learn"          learning_request   optional: a request of another component
 //   out "command"        S                  maybe; its quaternion has unit length
-//   out "velocity"       twist_of<S, Tip>   maybe; rad/s and m/s of the origin of Tip, along the axes of
-//   Frame out "progress"       movement_progress  maybe; the canonical variable: 1 at the start, e^-decay at
-//   the end out "ode"            ode_status_port out "module"         module_status_port what the learner
-//   does, and whether this progress was trained
+//   out "velocity"       twist_of<S, Tip>   maybe; rad/s and m/s of the origin of Tip, along Frame's axes
+//   out "progress"       movement_progress  maybe; the canonical variable: from 1 to e^-decay at the end
+//   out "ode"            ode_status_port    converged at rest
+//   out "module"         module_status_port what the learner does, and whether this progress was trained
 //
 // S is a space of pose<Frame>; Tip is the frame that moves. Between two beats `demonstrate(movement, s)`
 // teaches a whole movement that was recorded, for example while somebody led the arm by hand. Quaternions

@@ -2,18 +2,21 @@
 // orientation; the joints that it leaves free keep a posture.
 //
 //   cca::cartesian_impedance<Body, "part", Angles, Velocities, Torques, Along, Attitude>
-//     in  "reference"        pose_in<Base>              where the end of the part should be
-//     in  "angles"           Angles                     measured, rad (prismatic joints: m)
-//     in  "velocities"       Velocities                 measured, rad/s
-//     in  "reference_twist"  motion_of<Tip, Base>       optional: the damper acts on the difference; else 0
-//     in  "stiffness"        stiffness_at<Tip, Along>   optional, N m/rad, N/m: else the parameter
-//     in  "damping"          damping_at<Tip, Along>     optional, N m s/rad, N s/m: else the parameter
-//     in  "feedforward"      load_on<Tip, Base>         optional, N m, N: added to the wrench on the end
-//     in  "posture"          Angles                     optional: what the free joints hold; else they only
-//     damp in  "attitude"         Attitude                   optional: orientation of the base, z up out
-//     "torques"          Torques                    N m, within the limits of its axes out "wrench"
-//     load_on<Tip, Base>         N m, N: spring, damper and feed-forward out "status" input_status_port out
-//     "saturation"       saturation_port
+//     in  "reference"        pose_in<Base>             where the end of the part should be
+//     in  "angles"           Angles                    measured, rad (prismatic joints: m)
+//     in  "velocities"       Velocities                measured, rad/s
+//     in  "reference_twist"  motion_of<Tip, Base>      optional: the damper acts on the difference
+//     in  "stiffness"        stiffness_at<Tip, Along>  optional, N m/rad, N/m: else the parameter
+//     in  "damping"          damping_at<Tip, Along>    optional, N m s/rad, N s/m: else the parameter
+//     in  "feedforward"      load_on<Tip, Base>        optional, N m, N: added to the wrench on the end
+//     in  "posture"          Angles                    optional: what the free joints hold
+//     in  "attitude"         Attitude                  optional: orientation of the base, z up
+//     out "torques"          Torques                   N m, within the limits of its axes
+//     out "wrench"           load_on<Tip, Base>        N m, N: spring, damper and feed-forward
+//     out "status"           input_status_port
+//     out "saturation"       saturation_port
+//
+// Without "reference_twist" it is 0; without "posture" the free joints are only damped.
 //
 // Base is the frame of the base of the body, Tip the frame in which the part ends. `Along` is the frame of
 // the principal axes: Base, or Tip for the axes of the *reference*.

@@ -1,16 +1,19 @@
 // Joint impedance: each joint is a spring and a damper about a reference, on top of gravity compensation.
 //
 //   cca::joint_impedance<Body, Angles, Velocities, Torques, Attitude>
-//     in  "reference"             Angles                     rad (prismatic joints: m)
-//     in  "angles"                Angles                     measured
-//     in  "velocities"            Velocities                 measured, rad/s
-//     in  "reference_velocities"  Velocities                 optional: the damper acts on the difference;
-//     else 0 in  "stiffness"             stiffness_along<Torques>   optional, N m/rad: else the parameter in
-//     "damping"               damping_along<Torques>     optional, N m s/rad: else the parameter in
-//     "feedforward"           Torques                    optional, N m: added in  "attitude" Attitude
-//     optional: orientation of the base, z up out "torques"               Torques                    N m,
-//     within the limits of its axes out "status"                input_status_port out "saturation"
-//     saturation_port
+//     in  "reference"             Angles                    rad (prismatic joints: m)
+//     in  "angles"                Angles                    measured
+//     in  "velocities"            Velocities                measured, rad/s
+//     in  "reference_velocities"  Velocities                optional: the damper acts on the difference
+//     in  "stiffness"             stiffness_along<Torques>  optional, N m/rad: else the parameter
+//     in  "damping"               damping_along<Torques>    optional, N m s/rad: else the parameter
+//     in  "feedforward"           Torques                   optional, N m: added
+//     in  "attitude"              Attitude                  optional: orientation of the base, z up
+//     out "torques"               Torques                   N m, within the limits of its axes
+//     out "status"                input_status_port
+//     out "saturation"            saturation_port
+//
+// Without "reference_velocities" they are 0.
 //
 //   torques = spring + D (reference velocities - velocities) + feedforward + gravity
 //   spring = stiffness (reference - angles), each axis cut to `largest`

@@ -1,14 +1,14 @@
 // What a recording of a graph contains, and how it is written: frames and events become messages.
 //
-//   /<path of the port>           a sample (messages/sample_message.hpp)
-//   /ros2/<path of the port>      a message of ROS 2 where one fits, for viewers
-//   (messages/viewer_message.hpp) /tf, /robot_description       the robot, where the graph says how it looks
-//   (shown_body.hpp) /cca/parameters/<component>   its parameters, at the start and where they change
-//   /cca/state                    the life-cycle
-//   /cca/fault                    component and reason
-//   /cca/mode                     of a set of modes: the mode, at the start and where it changes
-//   /cca/late, /cca/skipped       of a deployment: samples that came late, beats that an environment left out
-//   /cca/lost                     beats that did not fit into the ring
+// - /<path of the port>: a sample (messages/sample_message.hpp)
+// - /ros2/<path of the port>: a message of ROS 2 where one fits, for viewers (messages/viewer_message.hpp)
+// - /tf, /robot_description: the robot, where the graph says how it looks (shown_body.hpp)
+// - /cca/parameters/<component>: its parameters, at the start and where they change
+// - /cca/state: the life-cycle
+// - /cca/fault: component and reason
+// - /cca/mode: of a set of modes: the mode, at the start and where it changes
+// - /cca/late, /cca/skipped: of a deployment: samples that came late, beats that an environment left out
+// - /cca/lost: beats that did not fit into the ring
 //
 // and metadata: `cca.architecture`, `cca.environments`, `cca.modes`, and the notes of the program.
 #pragma once
@@ -124,7 +124,7 @@ public:
       skipped = file.channel(skipped_topic, "cca/msg/skipped", beats + environment);
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
-      if (s.viewer_hz > 0) body.emplace(file, output_named, space_of_port<Graph>);
+      if (s.viewer_hz > 0) body.emplace(file, space_of_port<Graph>);
     if (!of.modes.empty())
       mode = file.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
@@ -186,11 +186,6 @@ public:
   std::uint64_t bytes() const { return file.bytes(); }
 
 private:
-  static int output_named(std::string_view path) {
-    for (int o = 0; o < output_count; ++o)
-      if (path_of_port<Graph>(o) == path) return o;
-    return -1;
-  }
   static std::uint64_t time_of(std::int64_t k) { return static_cast<std::uint64_t>(k * period); }
   std::uint16_t port_channel(const std::string& path, const cca::detail::space_info& space) {
     return file.channel(topic_of(path), message_type(space.name), sample_schema(space),

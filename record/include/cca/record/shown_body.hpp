@@ -1,7 +1,7 @@
 // What a recording has of the robot's body, for viewers: /robot_description once, /tf at their rate. Nothing
 // where the graph states no body (cca::shows).
 //
-// Errors: cca::refused where the ports that it names are not there, or lack an axis of the body.
+// Errors: recording.unknown_port, recording.wrong_port.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cca/base/refused.hpp>
+#include <cca/graph/diagnosis/shown_ports.hpp>
 #include <cca/graph/shows.hpp>
 #include <cca/record/mcap/writer.hpp>
 #include <cca/record/messages/body_transforms.hpp>
@@ -28,24 +28,19 @@ struct no_body {
 template <class Graph>
 class shown_body {
   using body = typename Graph::cca_shown_body;
+  static_assert(cca::detail::checked_shows<Graph>{});
+  static constexpr int angles = cca::detail::shown_ports_of<Graph>.angles,
+                       orientation = cca::detail::shown_ports_of<Graph>.orientation;
 
 public:
-  // `find(path)`: the number of an output, -1: there is none; `space_of(output)` its space.
-  template <class Find, class SpaceOf>
-  shown_body(mcap_writer& file, Find find, SpaceOf space_of)
-      : transforms(description_of<body>(), frame_of_base(find, space_of)),
-        angles(find(Graph::cca_shown_angles)),
-        orientation(find(Graph::cca_shown_orientation)) {
-    const std::string port(Graph::cca_shown_angles);
-    if (angles < 0) throw refused("cca::shows: there is no output `" + port + "`");
+  // `space_of(output)`: its space.
+  template <class SpaceOf>
+  shown_body(mcap_writer& file, SpaceOf space_of)
+      : transforms(description_of<body>(), frame_of_base(space_of)) {
     const auto& space = space_of(angles);
-    for (const described_axis& axis : transforms.description().axes) {
-      int found = -1;
+    for (const described_axis& axis : transforms.description().axes)
       for (int i = 0; i < space.axis_count; ++i)
-        if (space.labels[i] == axis.name) found = i;
-      if (found < 0) throw refused("cca::shows: `" + port + "` has no axis `" + axis.name + "` of the body");
-      index.push_back(found);
-    }
+        if (space.labels[i] == axis.name) index.push_back(i);
     q.resize(index.size());
     tf = file.channel("/tf", transforms_type, transforms_schema());
     description = file.channel("/robot_description", description_type, description_schema);
@@ -79,17 +74,10 @@ public:
   }
 
 private:
-  template <class Find, class SpaceOf>
-  static std::string frame_of_base(Find find, SpaceOf space_of) {
-    if (Graph::cca_shown_orientation.empty()) return {};
-    const int output = find(Graph::cca_shown_orientation);
-    if (output < 0)
-      throw refused("cca::shows: there is no output `" + std::string(Graph::cca_shown_orientation) + "`");
-    const auto& space = space_of(output);
-    const auto frames = frames_of(space.domain);
-    if (!space.domain.starts_with("orientation<") || frames.empty() || space.size != 4)
-      throw refused("cca::shows: `" + std::string(Graph::cca_shown_orientation) + "` is no orientation");
-    return std::string(frames.back());
+  template <class SpaceOf>
+  static std::string frame_of_base(SpaceOf space_of) {
+    if constexpr (orientation < 0) return {};
+    else return std::string(frames_of(space_of(orientation).domain).back());
   }
   // Published in this beat, by this loop; else null.
   template <class Layout>
@@ -103,7 +91,6 @@ private:
   }
 
   body_transforms transforms;
-  int angles, orientation;
   std::vector<int> index;  // where the axes of the body are in the space of the angles
   std::vector<double> q, copied;
   std::array<double, 4> base{0, 0, 0, 1};

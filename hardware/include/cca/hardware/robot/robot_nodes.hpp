@@ -1,14 +1,14 @@
 // The resource nodes of a described robot on real drives, with the ports of those in the simulator, and the
 // servos of its joints.
 //
-//   driven_joint<R, Axis>   sense: in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m, as
-//   the
-//                                  drive reports it), each a maybe: until the drive reports it, nothing is
-//                                  published
-//                           act:   as in cca/robots/commanded_joint.hpp
-//   robot_servos<R, Joints> act:   in what each joint wants, under its axis' name; "joints"; out "wanted"
-//                                  set_points: the law of the joint's servo (cca/robots/joint_servo.hpp) with
-//                                  the gains of its joint type. A joint without a command is damped
+//   driven_joint<R, Axis>
+//     sense  in "measured"; out "angle" (rad), "velocity" (rad/s), "torque" (N m, as the drive reports it),
+//            each a maybe: until the drive reports it, nothing is published
+//     act    as in cca/robots/commanded_joint.hpp
+//   robot_servos<R, Joints>
+//     act    in what each joint wants, under its axis' name; "joints"; out "wanted"
+//            set_points: the law of the joint's servo (cca/robots/joint_servo.hpp) with the gains of its
+//            joint type. A joint without a command is damped
 //
 // A command that is not finite makes a set point that is not finite: the guards stop for it. Cost: some
 // operations a joint.

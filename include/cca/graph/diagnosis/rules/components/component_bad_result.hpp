@@ -1,5 +1,5 @@
-// component.bad_result: a component's function returns only ports and a fault, each output under a name of
-// its own.
+// component.bad_result: a component's function returns only ports and what it asks of the controller, each
+// output under a name of its own.
 #pragma once
 
 #include <cca/graph/diagnosis/rule.hpp>
@@ -29,9 +29,8 @@ struct component_bad_result {
       const auto function = functions_of(*m.item().component)[which];
       if (!function || function->bad_result.empty()) continue;
       m.say() << ": `" << names[which] << "` returns `" << function->bad_result
-              << "`, but it may return only ports (cca::out, cca::maybe) and a cca::fault, one or several in "
-                 "a std::tuple, "
-                 "or void";
+              << "`, but it may return only ports (cca::out, cca::maybe), a cca::fault, a cca::done and "
+                 "cca::switch_to<...>, one or several in a std::tuple, or void";
       return;
     }
   }

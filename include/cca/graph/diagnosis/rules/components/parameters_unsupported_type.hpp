@@ -25,8 +25,8 @@ struct parameters_unsupported_type {
     }
     m.say() << ": its parameter `" << c.bad_field << "` is a `" << c.bad_field_type << "`";
     if (c.bad_field == "p")
-      m.say() << ", whose fields are unknown: name them in it with BOOST_HANA_DEFINE_STRUCT, and let it be "
-                 "copied";
+      m.say() << ", whose fields are unknown: name them in it with BOOST_HANA_DEFINE_STRUCT, and make it "
+                 "copyable";
     else
       m.say()
           << ", which no file can hold: use a number, bool, enum class, cca::bounded, cca::quantity, "

@@ -1,0 +1,14 @@
+// EXPECT: component\.bad_result: this vector has another number of coordinates than the space of the port has: give one number for each axis
+// LINES: 15
+// The same for an output that may stay empty.
+#include "parts.hpp"
+
+struct standing {
+  auto process(cca::beat) -> cca::maybe<"angles", leg_angles> {
+#if CCA_REJECT
+    return Eigen::Vector3d(0.1, 0.2, 0.3);
+#else
+    return Eigen::Vector2d(0.1, 0.2);
+#endif
+  }
+};
