@@ -56,10 +56,11 @@ struct program : cca::robot_program<on_drives> {
 
   void stop(controller_type& c) override {
     const auto& button = c.get<"robot.emergency_stop">();
-    if (button.mode() != cca::hardware::motion_mode::run)
-      std::printf("stopped; first cause: %s\n",
-                  std::string(cca::hardware::name_of(button.first_cause().rule)).c_str());
-    stopped = buses.shut_down(c);
+    const bool runs = button.mode() == cca::hardware::motion_mode::run;
+    const auto cause = button.first_cause();
+    stopped = buses.shut_down(c);  // before anything is printed: a robot never waits for a terminal
+    if (!runs)
+      std::printf("stopped; first cause: %s\n", std::string(cca::hardware::name_of(cause.rule)).c_str());
   }
 
   int finish(controller_type&) override {

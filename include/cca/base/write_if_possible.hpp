@@ -1,5 +1,5 @@
-// Writes to a terminal, a pipe or a file if that has room now, else nothing: a robot's thread never waits for
-// a terminal. It may be called in a signal handler.
+// Writes to a terminal, a pipe or a file if that has room now, else nothing: a robot never waits for a terminal.
+// It calls the system, so it belongs between two beats. It may be called in a signal handler.
 #pragma once
 
 #include <poll.h>
@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace cca::detail {
+namespace cca {
 
 // False: it had no room, or is closed. At most 4 KiB, so that a pipe takes all of it at once.
 inline bool write_if_possible(int file, std::string_view text) noexcept {
@@ -16,4 +16,4 @@ inline bool write_if_possible(int file, std::string_view text) noexcept {
          ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
 }
 
-}  // namespace cca::detail
+}  // namespace cca
