@@ -100,10 +100,11 @@ struct run_end {
   }
   void print() const {
     if (runs) return static_cast<void>(std::printf("robot: runs, nothing tripped\n"));
-    std::printf("robot: stopped; first cause: %s%s%s, beat %lld\n",
-                std::string(hw::name_of(cause.rule)).c_str(), cause.joint < 0 ? "" : " of ",
-                cause.joint < 0 ? "" : std::string(joints::names[static_cast<std::size_t>(cause.joint)]).c_str(),
-                static_cast<long long>(cause.beat));
+    std::printf(
+        "robot: stopped; first cause: %s%s%s, beat %lld\n", std::string(hw::name_of(cause.rule)).c_str(),
+        cause.joint < 0 ? "" : " of ",
+        cause.joint < 0 ? "" : std::string(joints::names[static_cast<std::size_t>(cause.joint)]).c_str(),
+        static_cast<long long>(cause.beat));
   }
 };
 

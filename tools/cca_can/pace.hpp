@@ -22,9 +22,9 @@ namespace detail {
 inline volatile std::sig_atomic_t signal_came = 0;
 }
 
-// Ctrl-c, SIGTERM and a closed terminal ask for the end; the command then ends by itself. So do a reader of its
-// output that is gone, as of `cca-can jog ... | head`, and a file that may not grow any more: what has been
-// enabled is disabled.
+// Ctrl-c, SIGTERM and a closed terminal ask for the end; the command then ends by itself. So do a reader of
+// its output that is gone, as of `cca-can jog ... | head`, and a file that may not grow any more: what has
+// been enabled is disabled.
 class wall_pace : public pace {
 public:
   wall_pace() {

@@ -1,6 +1,6 @@
-// Reads and writes whole files. A write goes into a new file of its own beside the old one, which then takes its
-// place: who reads finds the old text or the new one, whole, also if several write at once, a write fails, or
-// the power goes.
+// Reads and writes whole files. A write goes into a new file of its own beside the old one, which then takes
+// its place: who reads finds the old text or the new one, whole, also if several write at once, a write
+// fails, or the power goes.
 #pragma once
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-// Writes to a terminal, a pipe or a file if that has room now, else nothing: a robot never waits for a terminal.
-// It calls the system, so it belongs between two beats. It may be called in a signal handler.
+// Writes to a terminal, a pipe or a file if that has room now, else nothing: a robot never waits for a
+// terminal. It calls the system, so it belongs between two beats. It may be called in a signal handler.
 #pragma once
 
 #include <poll.h>

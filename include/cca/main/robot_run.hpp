@@ -38,8 +38,9 @@ public:
     const auto made = program.others.open ? program.others.open(only(program.settings.only))
                                           : std::make_unique<controller_type>();
     controller_type& c = *made;
-    const std::string unstopped = left_behind("its robot was not stopped: drives hold the last command until "
-                                              "their watchdogs stop them"),
+    const std::string unstopped = left_behind(
+                          "its robot was not stopped: drives hold the last command until "
+                          "their watchdogs stop them"),
                       unwritten = left_behind("its robot is stopped, what it had not yet written is lost");
     const interruption interrupted;
     interrupted.leaves_behind(unstopped.c_str());
@@ -124,9 +125,12 @@ private:
 
   // For a second SIGINT.
   std::string left_behind(const std::string& what) const {
-    std::string text = "\n" + called + ": ended at once by a second SIGINT, not in order: it did not go on "
-                       "with stopping for 2 s. Left behind: " + what;
-    for (const std::string* file : {&program.settings.record, &program.settings.page, &program.settings.trace})
+    std::string text = "\n" + called +
+                       ": ended at once by a second SIGINT, not in order: it did not go on "
+                       "with stopping for 2 s. Left behind: " +
+                       what;
+    for (const std::string* file :
+         {&program.settings.record, &program.settings.page, &program.settings.trace})
       if (!file->empty()) text += "; " + file->substr(0, 512) + " is not complete";
     if (program.others.open) text += "; the other processes lose contact";
     return text + "\n";

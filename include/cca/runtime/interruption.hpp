@@ -39,9 +39,11 @@ namespace detail {
 // Written by the handler, read by any thread.
 struct noted_signals {
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
-                std::atomic<std::int64_t>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free);
+                std::atomic<std::int64_t>::is_always_lock_free &&
+                std::atomic<const char*>::is_always_lock_free);
   static constexpr const char* unknown =
-      "\nended at once by a second SIGINT, not in order: it did not go on with stopping for 2 s. Left behind: "
+      "\nended at once by a second SIGINT, not in order: it did not go on with stopping for 2 s. Left "
+      "behind: "
       "what it drove gets no more commands; what it had not yet written is lost\n";
 
   std::atomic<std::uint32_t> count{0};

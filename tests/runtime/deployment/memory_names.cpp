@@ -272,8 +272,10 @@ TEST_SUITE("names of shared memory") {
     });
     hangs.wait_for("holds it;");
     const std::string said = refusal_of(name, "robot");
-    CHECK(has(said, "`" + name + "`: another process has held its lock for 5 s, so it hangs or is stopped: let it go "
-                                  "on, or end it: " + hangs.process()));
+    CHECK(has(said, "`" + name +
+                        "`: another process has held its lock for 5 s, so it hangs or is stopped: let it go "
+                        "on, or end it: " +
+                        hangs.process()));
     ::unlink(path_of(name).c_str());
   }
 }

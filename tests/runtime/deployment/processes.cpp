@@ -126,7 +126,8 @@ TEST_SUITE("deployed in processes") {
       return std::string("nothing");
     };
     CHECK_EQ(refusal([&] { cca::deployed<two> second(cca::only{"robot"}, cca::shared_memory(name)); }),
-             "cca::shared_memory: `" + name + "`: another process runs environment `robot` already: process " +
+             "cca::shared_memory: `" + name +
+                 "`: another process runs environment `robot` already: process " +
                  cca::detail::described_process(::getpid()));
     CHECK_EQ(refusal([&] { cca::deployed<two> second(cca::only{"head"}, cca::shared_memory(name)); }),
              "cca::only: the deployment has no environment `head`");

@@ -156,7 +156,8 @@ TEST_SUITE("realtime") {
     ::getrlimit(RLIMIT_MEMLOCK, &most);
     const rlim_t has = address_space(), mib = 1 << 20;
     bool is_critical_one_tested = false;
-    for (const rlim_t limit : {rlim_t{64 << 10}, mib, 8 * mib, has + mib, has + 64 * mib, rlim_t{RLIM_INFINITY}}) {
+    for (const rlim_t limit :
+         {rlim_t{64 << 10}, mib, 8 * mib, has + mib, has + 64 * mib, rlim_t{RLIM_INFINITY}}) {
       const int code = in_poor_process(
           [] {
             const scheduling before = scheduling_here();
@@ -177,7 +178,8 @@ TEST_SUITE("realtime") {
       is_critical_one_tested = is_critical_one_tested || (limit > has && limit < RLIM_INFINITY);
     }
     if (!is_critical_one_tested)
-      MESSAGE("NOT TESTED HERE with a limit above what the process has: the greatest limit is " << most.rlim_max);
+      MESSAGE("NOT TESTED HERE with a limit above what the process has: the greatest limit is "
+              << most.rlim_max);
   }
 
   TEST_CASE("where it is allowed, both threads have it during the run, and this one has it no more after") {

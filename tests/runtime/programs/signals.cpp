@@ -109,8 +109,10 @@ TEST_SUITE("signals") {
     }
   }
 
-  TEST_CASE("a second SIGINT ends what hangs for 2 s, in a beat or in its stop, and says what is left behind") {
-    child in_a_beat = run<hangs_in_a_beat>(), in_stop = run<hangs_in_stop>(), by_others = run<hangs_in_stop>();
+  TEST_CASE(
+      "a second SIGINT ends what hangs for 2 s, in a beat or in its stop, and says what is left behind") {
+    child in_a_beat = run<hangs_in_a_beat>(), in_stop = run<hangs_in_stop>(),
+          by_others = run<hangs_in_stop>();
     in_a_beat.wait_for("hangs;");
     in_stop.wait_for("runs;");
     by_others.wait_for("runs;");
@@ -122,10 +124,11 @@ TEST_SUITE("signals") {
     for (child* one : {&in_a_beat, &in_stop}) {
       CHECK_EQ(one->code(), 130);
       CHECK(one->out.find("finish;") == one->out.npos);
-      CHECK_EQ(one->err,
-               "\nwalk: ended at once by a second SIGINT, not in order: it did not go on with stopping for 2 s. "
-               "Left behind: its robot was not stopped: drives hold the last command until their watchdogs "
-               "stop them\n");
+      CHECK_EQ(
+          one->err,
+          "\nwalk: ended at once by a second SIGINT, not in order: it did not go on with stopping for 2 s. "
+          "Left behind: its robot was not stopped: drives hold the last command until their watchdogs "
+          "stop them\n");
     }
     by_others.send(SIGTERM);  // the others never do
     by_others.send(SIGHUP);
@@ -155,7 +158,8 @@ TEST_SUITE("signals") {
   TEST_CASE("a stop that goes on is not cut short, however long it takes") {
     struct takes_long : telling {
       void stop(controller_type& c) override {
-        for (double seconds = 0; seconds < standstill; seconds += 0.1) sleep_for(0.1), cca::stopping_goes_on();
+        for (double seconds = 0; seconds < standstill; seconds += 0.1)
+          sleep_for(0.1), cca::stopping_goes_on();
         const auto noted = signals_noted();
         tell("goes on");
         while (signals_noted() == noted) ::usleep(1000), cca::stopping_goes_on();

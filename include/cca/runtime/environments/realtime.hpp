@@ -4,9 +4,10 @@
 //
 // `realtime<Priority>`: SCHED_FIFO with this priority (1 to 99), on one core if it says so, and the memory of
 // the process locked, its stack touched: then no page fault interrupts a beat. `run` is refused where the
-// system refuses, with what to do about it. `realtime_if_allowed` goes on without what is refused, and says so
-// on the standard error output; without its priority it is not pinned either, because then it would only wait
-// for others on its core. When a run ends, the thread that called `run` is as it was; memory stays locked.
+// system refuses, with what to do about it. `realtime_if_allowed` goes on without what is refused, and says
+// so on the standard error output; without its priority it is not pinned either, because then it would only
+// wait for others on its core. When a run ends, the thread that called `run` is as it was; memory stays
+// locked.
 //
 // Memory is locked only if all of it may be, whatever the process allocates later. Within a limit
 // (RLIMIT_MEMLOCK) the system would lock what there is, and then refuse allocations, threads and stacks.
@@ -113,14 +114,16 @@ private:
   // `in_part`: also if something else is refused.
   void lock_memory(bool in_part) {
     std::string why;
-    if (!may_lock_all_memory()) why = "the limit must be unlimited, because it counts all that is allocated later";
-    else if ((in_part || text.empty()) && ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) why = std::strerror(errno);
+    if (!may_lock_all_memory())
+      why = "the limit must be unlimited, because it counts all that is allocated later";
+    else if ((in_part || text.empty()) && ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+      why = std::strerror(errno);
     if (!why.empty())
       refuse("its memory can't be locked", why,
              "put `<user> - memlock unlimited` into /etc/security/limits.conf and log in again");
   }
-  // Only the system knows whether a limit counts for this process: so it is asked for more than the limit. The
-  // pages are never touched, so this takes no memory.
+  // Only the system knows whether a limit counts for this process: so it is asked for more than the limit.
+  // The pages are never touched, so this takes no memory.
   static bool may_lock_all_memory() {
     rlimit limit{};
     if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;

@@ -1,5 +1,5 @@
-// Which process holds a lock of a file, for a message. The system names no owner of such a lock, so this looks
-// through the open files of the processes of this user.
+// Which process holds a lock of a file, for a message. The system names no owner of such a lock, so this
+// looks through the open files of the processes of this user.
 #pragma once
 
 #include <sys/stat.h>
@@ -45,7 +45,8 @@ inline int holder_of_lock(const struct stat& of, long byte) {
   for (const auto& process : fs::directory_iterator("/proc", denied)) {
     const std::string name = process.path().filename();
     int id = 0;
-    if (std::from_chars(name.data(), name.data() + name.size(), id).ptr != name.data() + name.size()) continue;
+    if (std::from_chars(name.data(), name.data() + name.size(), id).ptr != name.data() + name.size())
+      continue;
     if (holds_it(process.path() / "fdinfo")) return id;
   }
   return 0;

@@ -81,7 +81,8 @@ public:
   }
   void check() const override {
     if (const int e = run_twice.load(std::memory_order_relaxed); e >= 0)
-      file.refuse(": another process runs environment " + named(array_size(e)) + " too, in a memory made after this one");
+      file.refuse(": another process runs environment " + named(array_size(e)) +
+                  " too, in a memory made after this one");
   }
   exchange<D>* exchanged() const { return std::launder(reinterpret_cast<exchange<D>*>(bytes() + offset())); }
 
@@ -140,8 +141,9 @@ private:
   void look() {
     if (file.is_named()) return;
     if (!std::exchange(is_told, true))
-      tell(" was removed while it is used (by rm, or by systemd at logout: RemoveIPC=no keeps it). The run "
-           "goes on, but no process can join it any more");
+      tell(
+          " was removed while it is used (by rm, or by systemd at logout: RemoveIPC=no keeps it). The run "
+          "goes on, but no process can join it any more");
     int twice = -1;
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e] && file.is_locked_in_successor(byte_of(e))) {
