@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/write_if_possible.hpp>
+#include <cca/runtime/signals/write_if_possible.hpp>
 #include <cca/cca.hpp>
 #include <cca/graph/shows.hpp>
 #include <cca/main.hpp>

@@ -21,7 +21,7 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
-#include <cca/runtime/stop_progress.hpp>
+#include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca::detail {
 

@@ -9,9 +9,9 @@
 // In a function of your own between two beats: `return !interrupted;`. In a loop: `while (!interrupted)`.
 //
 // A second SIGINT ends a program that can't end in order: if 2 s have passed since the first signal, and
-// since stopping last went on (cca/runtime/stop_progress.hpp), it says what is left behind and ends at once,
-// with code 130. Before that it only says so: an impatient user does not cut a robot's stop short. Further
-// signals of the other kinds are noted. SIGQUIT (ctrl-\) still ends the program at once.
+// since stopping last went on (cca/runtime/signals/stop_progress.hpp), it says what is left behind and ends
+// at once, with code 130. Before that it only says so: an impatient user does not cut a robot's stop short.
+// Further signals of the other kinds are noted. SIGQUIT (ctrl-\) still ends the program at once.
 //
 // Where SIGHUP is ignored (nohup), it stays ignored. SIGPIPE and SIGXFSZ end nothing: who writes gets an
 // error instead. The destructor restores the handlers of the signals that are noted; these two stay harmless,
@@ -30,8 +30,8 @@
 #include <cstdint>
 
 #include <cca/base/monotonic_clock.hpp>
-#include <cca/base/write_if_possible.hpp>
-#include <cca/runtime/stop_progress.hpp>
+#include <cca/runtime/signals/write_if_possible.hpp>
+#include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca {
 namespace detail {

@@ -29,7 +29,7 @@
 #include <cca/base/fixed_string.hpp>
 #include <cca/base/monotonic_clock.hpp>
 #include <cca/base/refused.hpp>
-#include <cca/base/write_if_possible.hpp>
+#include <cca/runtime/signals/write_if_possible.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/transports/machine_claim.hpp>
 #include <cca/runtime/transports/manifest.hpp>

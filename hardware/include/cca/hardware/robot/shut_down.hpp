@@ -25,7 +25,7 @@
 
 #include <cca/component/lifecycle.hpp>
 #include <cca/runtime/pace.hpp>
-#include <cca/runtime/stop_progress.hpp>
+#include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca::hardware {
 
