@@ -190,27 +190,6 @@ TEST_SUITE("realtime") {
     CHECK_EQ(scheduling_here(), before);
   }
 
-  TEST_CASE("a thread that one with priority and core starts begins as its maker was before") {
-    const scheduling before = scheduling_here();
-    scheduling normal, with_priority;
-    std::string refusal;
-    {
-      const cca::detail::thread_setup maker({7, 0, true});
-      refusal = maker.refusal();
-      std::thread([&] {
-        const cca::detail::thread_setup none({}, &maker);
-        normal = scheduling_here();
-      }).join();
-      std::thread([&] {
-        const cca::detail::thread_setup lower({5, -1, true}, &maker);
-        with_priority = scheduling_here();
-      }).join();
-    }
-    if (!refusal.empty()) MESSAGE("NOT TESTED HERE, this machine allows no real time: " << refusal);
-    CHECK_EQ(normal, before);
-    if (refusal.empty()) CHECK_EQ(with_priority, scheduling{SCHED_FIFO, 5, before.cores});
-  }
-
   TEST_CASE("where it is allowed, the memory of the process is locked, and stays so") {
     ::munlockall();  // a run before this one may have locked it
     if (!is_memory_lockable()) {

@@ -82,10 +82,7 @@ inline constexpr thread_wish wish_among<list<First, Second, More...>> = [] {
 // What the system refused, and what to do; empty: nothing.
 class thread_setup {
 public:
-  // `maker`: of the thread that made this one, which has inherited priority and cores from it. This thread
-  // begins with what its maker had before: else a thinker would run with the robot's priority, on its core.
-  explicit thread_setup(const thread_wish& wish, const thread_setup* maker = nullptr) {
-    if (maker && maker->is_set) maker->give_back();
+  explicit thread_setup(const thread_wish& wish) {
     if (wish.priority == 0) return;
     is_set = true;
     ::pthread_getschedparam(::pthread_self(), &policy_before, &parameter_before);
@@ -95,7 +92,9 @@ public:
     touch_stack();
   }
   ~thread_setup() {
-    if (is_set) give_back();
+    if (!is_set) return;
+    ::pthread_setschedparam(::pthread_self(), policy_before, &parameter_before);
+    ::pthread_setaffinity_np(::pthread_self(), sizeof cores_before, &cores_before);
   }
   thread_setup(const thread_setup&) = delete;
   thread_setup& operator=(const thread_setup&) = delete;
@@ -103,10 +102,6 @@ public:
   const std::string& refusal() const { return text; }
 
 private:
-  void give_back() const {
-    ::pthread_setschedparam(::pthread_self(), policy_before, &parameter_before);
-    ::pthread_setaffinity_np(::pthread_self(), sizeof cores_before, &cores_before);
-  }
   void refuse(const std::string& what, std::string_view why, std::string_view remedy) {
     if (!text.empty()) text += "; ";
     text.append(what).append(": ").append(why).append("; ").append(remedy);
