@@ -54,14 +54,7 @@ struct program : cca::robot_program<on_drives> {
     return run->note(on);
   }
 
-  void stop(controller_type& c) override {
-    const auto& button = c.get<"robot.emergency_stop">();
-    const bool runs = button.mode() == cca::hardware::motion_mode::run;
-    const auto cause = button.first_cause();
-    stopped = buses.shut_down(c);  // before anything is printed: a robot never waits for a terminal
-    if (!runs)
-      std::printf("stopped; first cause: %s\n", std::string(cca::hardware::name_of(cause.rule)).c_str());
-  }
+  void stop(controller_type& c) override { stopped = buses.shut_down(c); }
 
   int finish(controller_type&) override {
     const auto result = run->end();

@@ -131,7 +131,7 @@ private:
                        what;
     for (const std::string* file :
          {&program.settings.record, &program.settings.page, &program.settings.trace})
-      if (!file->empty()) text += "; " + file->substr(0, 512) + " is not complete";
+      if (!file->empty()) text += "; its file " + file->substr(0, 512) + " was not finished";
     if (program.others.open) text += "; the other processes lose contact";
     return text + "\n";
   }
