@@ -11,6 +11,8 @@
 //
 // Exit code 0: nothing tripped and, where the program can see it, the robot came forward and has not fallen.
 // Role `drives`: 2 if all drives stopped by their watchdogs.
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include <cca/runtime/signals/write_if_possible.hpp>
 #include <cca/cca.hpp>
 #include <cca/graph/shows.hpp>
 #include <cca/main.hpp>
@@ -85,20 +88,25 @@ private:
   }
 };
 
-template <class Controller>
-int report(Controller& c) {
-  const auto& stop = c.template get<"robot.emergency_stop">();
-  const hw::safety_event cause = stop.first_cause();
-  const bool runs = stop.mode() == hw::motion_mode::run;
-  if (runs) std::printf("robot: runs, nothing tripped\n");
-  else
+// How the run has ended, noted before the robot is shut down: a robot never waits for a terminal.
+struct run_end {
+  bool runs = false;
+  hw::safety_event cause{};
+
+  template <class Controller>
+  static run_end of(Controller& c) {
+    const auto& stop = c.template get<"robot.emergency_stop">();
+    return {stop.mode() == hw::motion_mode::run, stop.first_cause()};
+  }
+  void print() const {
+    if (runs) return static_cast<void>(std::printf("robot: runs, nothing tripped\n"));
     std::printf(
         "robot: stopped; first cause: %s%s%s, beat %lld\n", std::string(hw::name_of(cause.rule)).c_str(),
         cause.joint < 0 ? "" : " of ",
         cause.joint < 0 ? "" : std::string(joints::names[static_cast<std::size_t>(cause.joint)]).c_str(),
         static_cast<long long>(cause.beat));
-  return runs ? 0 : 1;
-}
+  }
+};
 
 // It can be looked at.
 template <class Bus>
@@ -124,10 +132,14 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
     return true;
   }
   void stop(controller_type& c) override {
-    if (far.world().fallen()) std::printf("the robot fell\n");
-    result = report(c) + (far.world().fallen() ? 1 : 0);
-    std::printf("robot: %s\n", far.shut_down(c).text().c_str());
+    const run_end end = run_end::of(c);
+    const bool has_fallen = far.world().fallen();
+    const auto off = far.shut_down(c);
+    if (has_fallen) std::printf("the robot fell\n");
+    end.print();
+    std::printf("robot: %s\n", off.text().c_str());
     std::printf("drives: %s\n", far.are_free() ? "switched off" : "still driven");
+    result = (end.runs ? 0 : 1) + (has_fallen ? 1 : 0);
     if (!far.are_free()) result = 1;
   }
   int finish(controller_type&) override { return result; }
@@ -167,21 +179,21 @@ struct on_buses : cca::robot_program<observed<paced_can>> {
   bool between(controller_type& c) override {
     const bool ran = runs_now;
     runs_now = c.get<"robot.synchronizer">().phase() == hw::motion_phase::running;
-    if (runs_now && !ran) {
-      std::puts("robot: all drives are enabled");
-      std::fflush(stdout);
-    }
+    if (runs_now && !ran) cca::write_if_possible(STDOUT_FILENO, "robot: all drives are enabled\n");
     wait_for_frames(c);
     return true;
   }
   void stop(controller_type& c) override {
-    result = report(c);
+    const run_end end = run_end::of(c);
+    // [shut down]
+    const hw::shut_down_report off = hw::shut_down(c, robots_pace{bus, lock_step});  // then it may be told
+    std::printf("robot: %s\n", off.text().c_str());
+    // [shut down end]
+    end.print();
     if (c.overruns() > 0)
       std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
                   static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
-    // [shut down]
-    std::printf("robot: %s\n", hw::shut_down(c, robots_pace{bus, lock_step}).text().c_str());
-    // [shut down end]
+    result = end.runs ? 0 : 1;
   }
   int finish(controller_type&) override { return result; }
 

@@ -15,18 +15,20 @@ public:
   virtual std::int64_t calendar() const = 0;  // ns since 1970, at the same time
   // Waits in any case: what has been enabled must still be disabled.
   virtual void wait_until(std::int64_t when) = 0;
-  virtual bool end_wanted() const = 0;  // ctrl-c
+  virtual bool end_wanted() const = 0;  // ctrl-c, or what else ends a command
 };
 
 namespace detail {
 inline volatile std::sig_atomic_t signal_came = 0;
 }
 
-// Ctrl-c, SIGTERM and a closed terminal ask for the end; the command then ends by itself.
+// Ctrl-c, SIGTERM and a closed terminal ask for the end; the command then ends by itself. So do a reader of
+// its output that is gone, as of `cca-can jog ... | head`, and a file that may not grow any more: what has
+// been enabled is disabled.
 class wall_pace : public pace {
 public:
   wall_pace() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) {
       struct sigaction action = {};
       action.sa_handler = [](int) { detail::signal_came = 1; };
       sigaction(signal, &action, nullptr);

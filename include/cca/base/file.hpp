@@ -1,6 +1,13 @@
-// Reads and writes whole files. A write that fails leaves the old file as it was.
+// Reads and writes whole files. A write goes into a new file of its own beside the old one, which then takes
+// its place: who reads finds the old text or the new one, whole, also if several write at once, a write
+// fails, or the power goes.
 #pragma once
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -10,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <cca/base/refused.hpp>
 
@@ -44,27 +52,60 @@ inline std::string read_file(const std::string& file, std::size_t most = std::si
   return text;
 }
 
+// An empty file beside `target` that nobody else has: "trot.toml.1234.0.new".
+struct fresh_file {
+  std::string path;
+  open_file out;
+
+  explicit fresh_file(const std::string& target) {
+    static std::atomic<unsigned> number{0};
+    do {
+      path = target + '.' + std::to_string(::getpid()) + '.' + std::to_string(number++) + ".new";
+      out.reset(std::fopen(path.c_str(), "wbxe"));
+    } while (!out && errno == EEXIST);
+  }
+};
+
+// Onto the disk. Where there is none to wait for, as of a pipe, there is nothing to do.
+inline bool sync(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS; }
+inline void sync_folder(const std::string& of) {
+  const auto folder = std::filesystem::path(of).parent_path();
+  const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (at < 0) return;
+  sync(at);  // the file is whole in any case
+  ::close(at);
+}
+
+inline bool write_all(open_file out, std::string_view text) {
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), out.get()) == text.size() &&
+                          std::fflush(out.get()) == 0 && sync(::fileno(out.get()));
+  const int failure = errno;
+  const bool is_closed = std::fclose(out.release()) == 0;
+  if (!is_written) errno = failure;
+  return is_written && is_closed;
+}
+
+// Writes through links, and into devices without replacing them. The new file has the old one's permissions.
 inline void write_file(const std::string& file, std::string_view text) {
-  // Writes through links, and into devices without replacing them.
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    open_file out(std::fopen(file.c_str(), "wbe"));
+    if (!out || !write_all(std::move(out), text)) refuse_file(file, "cannot be written", errno);
+    return;
+  }
   auto target = std::filesystem::weakly_canonical(file, error).string();
   if (error) target = file;
-  const std::string fresh = special ? target : target + ".new";
-  open_file out(std::fopen(fresh.c_str(), "wb"));
-  if (!out) refuse_file(file, "cannot be written", errno);
-  bool done =
-      std::fwrite(text.data(), 1, text.size(), out.get()) == text.size() && std::fflush(out.get()) == 0;
-  int failure = errno;
-  done = std::fclose(out.release()) == 0 && done;
-  if (done && !special && std::rename(fresh.c_str(), target.c_str()) != 0) {
-    failure = errno;
-    done = false;
+  fresh_file fresh(target);
+  if (!fresh.out) refuse_file(file, "cannot be written", errno);
+  if (std::filesystem::exists(status))
+    ::fchmod(::fileno(fresh.out.get()), static_cast<mode_t>(status.permissions()) & 07777);
+  if (!write_all(std::move(fresh.out), text) || std::rename(fresh.path.c_str(), target.c_str()) != 0) {
+    const int failure = errno;
+    std::remove(fresh.path.c_str());
+    refuse_file(file, "cannot be written", failure);
   }
-  if (done) return;
-  if (!special) std::remove(fresh.c_str());
-  refuse_file(file, "cannot be written", failure);
+  sync_folder(target);
 }
 
 }  // namespace cca::detail

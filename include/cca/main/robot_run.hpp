@@ -21,6 +21,7 @@
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
+#include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca::detail {
 
@@ -37,7 +38,12 @@ public:
     const auto made = program.others.open ? program.others.open(only(program.settings.only))
                                           : std::make_unique<controller_type>();
     controller_type& c = *made;
+    const std::string unstopped = left_behind(
+                          "its robot was not stopped: drives hold the last command until "
+                          "their watchdogs stop them"),
+                      unwritten = left_behind("its robot is stopped, what it had not yet written is lost");
     const interruption interrupted;
+    interrupted.leaves_behind(unstopped.c_str());
     program.prepare(c);
     observed_run<controller_type> look(c, files(), called, !program.settings.speed);
     if (program.settings.configs.empty()) c.load();
@@ -59,6 +65,7 @@ public:
     const bool has_faulted = c.state() == state::faulted;
     const std::string fault = has_faulted ? fault_of(c) : "";
     stop(c);  // before anything is written: a robot does not wait for a terminal
+    interrupted.leaves_behind(unwritten.c_str());
     const std::vector<std::string> problems = look.close();
     if (has_faulted) tell(fault);
     for (const std::string& problem : problems) tell(problem);
@@ -110,7 +117,23 @@ private:
   }
 
   void stop(controller_type& c) {
-    if (std::exchange(is_to_stop, false)) program.stop(c);
+    if (!std::exchange(is_to_stop, false)) return;
+    stopping_goes_on();
+    program.stop(c);
+    stopping_goes_on();
+  }
+
+  // For a second SIGINT.
+  std::string left_behind(const std::string& what) const {
+    std::string text = "\n" + called +
+                       ": ended at once by a second SIGINT, not in order: it did not go on "
+                       "with stopping for 2 s. Left behind: " +
+                       what;
+    for (const std::string* file :
+         {&program.settings.record, &program.settings.page, &program.settings.trace})
+      if (!file->empty()) text += "; its file " + file->substr(0, 512) + " was not finished";
+    if (program.others.open) text += "; the other processes lose contact";
+    return text + "\n";
   }
 
   void tell(const std::string& what) const { std::cerr << called + ": " + what + '\n'; }

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -23,7 +24,7 @@
 
 namespace cca {
 
-// A signal that ended the program in order gives 128 and its number (cca::interruption): 130, 143.
+// A signal that ended the program in order gives 128 and its number (cca::interruption): 129, 130, 143.
 namespace exit_code {
 inline constexpr int done = 0;
 inline constexpr int fault = 1;    // a component's, lost contact, or what the program counts as a failure
@@ -36,7 +37,8 @@ inline std::string program_name(int count, char** words) {
   return path.substr(path.rfind('/') + 1);
 }
 
-// Returns what act() returns, or the exit code of what it throws.
+// Returns what act() returns, or the exit code of what it throws. Output that nobody reads, or that has no
+// room, changes nothing but a message.
 template <class Act>
 int run_program(int count, char** words, command_line& line, Act act) {
   const std::string name = program_name(count, words);
@@ -50,9 +52,16 @@ int run_program(int count, char** words, command_line& line, Act act) {
     return exit_code::done;
   }
   const auto tell = [&name](const std::exception& e) { std::cerr << name << ": " << e.what() << '\n'; };
+  const auto acted = [&] {
+    const int code = act();
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      std::cerr << name + ": what it printed is not complete: its standard output is closed or full\n";
+    return code;
+  };
   try {
     line.parse(arguments);
-    return act();
+    return acted();
   } catch (const command_line_error& e) {
     return tell(e), exit_code::refused;
   } catch (const cca::refused& e) { return tell(e), exit_code::refused; } catch (const std::exception& e) {

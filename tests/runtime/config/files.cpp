@@ -1,12 +1,17 @@
 // Files on disk: missing ones, unreadable ones, and saves that fail and leave the old file.
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <thread>
 
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "mock.hpp"
 
@@ -21,11 +26,17 @@ struct folder {
   folder() { fs::create_directories(path); }
   ~folder() { fs::remove_all(path); }
   std::string operator/(std::string_view name) const { return (path / name).string(); }
+  auto files() const { return std::distance(fs::directory_iterator(path), {}); }
 };
 
 std::string contents(const std::string& file) {
   std::ifstream in(file);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// What the writer of this number writes: of a length and of letters of its own.
+std::string text_of(int writer) {
+  return std::string(static_cast<std::size_t>(10'000 * (writer + 1)), static_cast<char>('a' + writer));
 }
 
 template <class F>
@@ -45,7 +56,7 @@ TEST_SUITE("config files") {
     written.cpg.p.frequency = 0.1 + 0.2;
     written.save(here / "trot.toml");
     CHECK_EQ(contents(here / "trot.toml"), written.text());
-    CHECK_FALSE(fs::exists(here / "trot.toml.new"));
+    CHECK_EQ(here.files(), 1);
     read.load(here / "trot.toml");
     CHECK_EQ(read.cpg.p.frequency, 0.1 + 0.2);
   }
@@ -112,6 +123,51 @@ TEST_SUITE("config files") {
     CHECK_EQ(contents(here / "real.toml"), c.text());
   }
 
+  TEST_CASE("several processes and threads may save to one file: who reads it finds one of them, whole") {
+    const folder here;
+    const std::string file = here / "trot.toml";
+    cca::detail::write_file(file, text_of(0));
+    const pid_t other = ::fork();
+    if (other == 0) {
+      for (int i = 0; i < 200; ++i) cca::detail::write_file(file, text_of(1));
+      ::_exit(0);
+    }
+    std::atomic<bool> is_over{false};
+    std::thread third([&] {
+      while (!is_over) cca::detail::write_file(file, text_of(2));
+    });
+    int torn = 0, status = 1;
+    bool seen[3] = {};
+    while (::waitpid(other, &status, WNOHANG) == 0)
+      for (int i = 0; i < 20; ++i) {
+        const std::string text = cca::detail::read_file(file);
+        const int writer = text.empty() ? 0 : text[0] - 'a';
+        if (writer >= 0 && writer < 3 && text == text_of(writer)) seen[writer] = true;
+        else ++torn;
+      }
+    is_over = true;
+    third.join();
+    CHECK_EQ(status, 0);
+    CHECK_EQ(torn, 0);
+    CHECK((seen[1] && seen[2]));
+    CHECK_EQ(here.files(), 1);
+  }
+
+  TEST_CASE("what is left of a killed process is in nobody's way, and a file keeps its permissions") {
+    const folder here;
+    const std::string file = here / "trot.toml";
+    const controller c;
+    c.save(file);
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+    for (int i = 0; i < 1000; ++i)  // the names that come next
+      std::ofstream(file + "." + std::to_string(::getpid()) + "." + std::to_string(i) + ".new");
+    const auto before = here.files();
+    for (int i = 0; i < 3; ++i) c.save(file);
+    CHECK_EQ(contents(file), c.text());
+    CHECK_EQ(here.files(), before);
+    CHECK_EQ(static_cast<unsigned>(fs::status(file).permissions()), 0640u);
+  }
+
   TEST_CASE("a full disk leaves the old file and no other") {
     const folder here;
     const std::string file = here / "trot.toml";
@@ -130,7 +186,7 @@ TEST_SUITE("config files") {
     std::signal(SIGXFSZ, handler);
     CHECK_EQ(words, file + ": cannot be written: File too large");
     CHECK_EQ(contents(file), before);
-    CHECK_FALSE(fs::exists(file + ".new"));
+    CHECK_EQ(here.files(), 1);
   }
 
 }  // TEST_SUITE

@@ -209,7 +209,7 @@ TEST_SUITE("pages") {
       c.start();
       c.run(cca::for_<0.01>{}, cca::at_wall_clock(), interrupted);
       c.stop();
-      return interrupted.exit_code();  // 130 after SIGINT, 143 after SIGTERM, otherwise 0
+      return interrupted.exit_code();  // 130 after SIGINT, 143 after SIGTERM, 129 after SIGHUP, otherwise 0
       // [interruption end]
     };
     CHECK_EQ(main(), 0);

@@ -33,11 +33,11 @@ struct over_shared_memory {
 class other_memory {
 public:
   other_memory(const std::string& name, const std::string& bytes) : file(name) {
-    file.resize(bytes.size());
+    file.make_anew(bytes.size());
     void* const at = file.map(bytes.size());
     std::memcpy(at, bytes.data(), bytes.size());
     ::munmap(at, bytes.size());
-    file.lock(byte_of_mind, false);
+    file.lock(byte_of_mind);
   }
   void end() const { file.unlock(byte_of_mind); }
   ~other_memory() { file.remove(); }
@@ -126,7 +126,9 @@ TEST_SUITE("deployed in processes") {
       return std::string("nothing");
     };
     CHECK_EQ(refusal([&] { cca::deployed<two> second(cca::only{"robot"}, cca::shared_memory(name)); }),
-             "cca::shared_memory: `" + name + "`: another process runs environment `robot` already");
+             "cca::shared_memory: `" + name +
+                 "`: another process runs environment `robot` already: process " +
+                 cca::detail::described_process(::getpid()));
     CHECK_EQ(refusal([&] { cca::deployed<two> second(cca::only{"head"}, cca::shared_memory(name)); }),
              "cca::only: the deployment has no environment `head`");
     CHECK(refusal([&] {

@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "robot_and_mind.hpp"
 
@@ -68,14 +70,14 @@ std::string refusal_of_run() {
   return "";
 }
 
-// A process that may nothing, and what it exits with.
+// A process that may have no priority and only so much locked memory, and what it exits with.
 template <class F>
-int in_poor_process(F f) {
+int in_poor_process(F f, rlim_t lockable = 0) {
   const pid_t child = ::fork();
   if (child == 0) {
-    const rlimit nothing{0, 0};
+    const rlimit nothing{0, 0}, memory{lockable, lockable};
     ::setrlimit(RLIMIT_RTPRIO, &nothing);
-    ::setrlimit(RLIMIT_MEMLOCK, &nothing);
+    if (::setrlimit(RLIMIT_MEMLOCK, &memory) != 0) ::_exit(98);
     if (::geteuid() == 0 && ::setuid(65534) != 0) ::_exit(99);
     ::_exit(f());
   }
@@ -92,6 +94,13 @@ long locked_kilobytes() {
   for (std::string line; std::getline(status, line);)
     if (line.starts_with("VmLck:")) return std::stol(line.substr(6));
   return -1;
+}
+// All that it has mapped: the system compares a limit with that (bytes).
+rlim_t address_space() {
+  std::ifstream pages("/proc/self/statm");
+  rlim_t count = 0;
+  pages >> count;
+  return count * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
 }
 // Whether the system lets this process do so, and really does it: under a sanitizer it does nothing.
 bool is_memory_lockable() {
@@ -140,6 +149,37 @@ TEST_SUITE("realtime") {
                return 0;
              }),
              0);
+  }
+
+  TEST_CASE("or goes on whatever the limit of locked memory is, and is pinned only with its priority") {
+    rlimit most{};
+    ::getrlimit(RLIMIT_MEMLOCK, &most);
+    const rlim_t has = address_space(), mib = 1 << 20;
+    bool is_critical_one_tested = false;
+    for (const rlim_t limit :
+         {rlim_t{64 << 10}, mib, 8 * mib, has + mib, has + 64 * mib, rlim_t{RLIM_INFINITY}}) {
+      const int code = in_poor_process(
+          [] {
+            const scheduling before = scheduling_here();
+            cca::deployed<urgent_if_allowed> d;
+            d.load();
+            d.start();
+            std::vector<std::string> log;
+            d.run(cca::for_beats<60>{}, {}, [&](auto&) { return log.emplace_back(2 << 20, 'x'), true; });
+            if (d.beat_index() != 60) return 1;
+            if (d.get<"a">().seen != before || d.get<"b">().seen != before) return 2;
+            std::thread([] {}).join();  // it needs a stack
+            return 0;
+          },
+          limit);
+      if (code == 98) continue;  // only a privileged process may raise its limit
+      CAPTURE(limit);
+      CHECK_EQ(code, 0);
+      is_critical_one_tested = is_critical_one_tested || (limit > has && limit < RLIM_INFINITY);
+    }
+    if (!is_critical_one_tested)
+      MESSAGE("NOT TESTED HERE with a limit above what the process has: the greatest limit is "
+              << most.rlim_max);
   }
 
   TEST_CASE("where it is allowed, both threads have it during the run, and this one has it no more after") {

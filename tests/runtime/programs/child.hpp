@@ -47,16 +47,21 @@ public:
       ::kill(id, SIGKILL);
       ::waitpid(id, nullptr, 0);
     }
-    for (const int file : files) ::close(file);
+    for (const int file : files)
+      if (file >= 0) ::close(file);
   }
   child(const child&) = delete;
   child& operator=(const child&) = delete;
 
   void send(int signal) const { ::kill(id, signal); }
   // Waits until it has written this on its standard output.
-  void wait_for(const std::string& what) {
-    while (out.find(what) == out.npos && read_some()) {}
-    CHECK(out.find(what) != out.npos);
+  void wait_for(const std::string& what) { wait_for(what, out); }
+  // Or on its error output.
+  void wait_for_error(const std::string& what) { wait_for(what, err); }
+  // Nobody reads its standard output any more, as of `walk | head`.
+  void stop_reading() {
+    ::close(files[0]);
+    files[0] = -1;
   }
   // Waits for its end: its exit code, or 128 and the signal that killed it.
   int code() {
@@ -70,6 +75,10 @@ public:
   std::string out{}, err{};
 
 private:
+  void wait_for(const std::string& what, const std::string& in) {
+    while (in.find(what) == in.npos && read_some()) {}
+    CHECK(in.find(what) != in.npos);
+  }
   bool read_some() {
     pollfd both[2] = {{files[0], POLLIN, 0}, {files[1], POLLIN, 0}};
     if (::poll(both, 2, 60'000) <= 0) return false;
@@ -80,7 +89,8 @@ private:
       const ssize_t size = ::read(files[i], some, sizeof some);
       if (size > 0) (i == 0 ? out : err).append(some, static_cast<std::size_t>(size)), any = true;
     }
-    return any || (both[0].revents & both[1].revents & POLLHUP) == 0;
+    const bool has_out_ended = files[0] < 0 || (both[0].revents & POLLHUP) != 0;
+    return any || !has_out_ended || (both[1].revents & POLLHUP) == 0;
   }
 
   pid_t id = 0;

@@ -159,7 +159,7 @@ TEST_SUITE("robot_main") {
   }
 
   TEST_CASE_TEMPLATE("a signal ends it in order", Program, one_loop, two_loops) {
-    for (const int number : {SIGINT, SIGTERM})
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
       for (const char* pace : {"fast", "wall-clock"}) {
         child one = run<Program>({"--pace", pace});
         one.wait_for("between;");
@@ -169,42 +169,6 @@ TEST_SUITE("robot_main") {
         CHECK(one.out.find("finish;") != one.out.npos);
         CHECK(one.err.starts_with("walk: interrupted after "));
       }
-  }
-
-  TEST_CASE("a second signal kills nothing: the robot stops in order") {
-    struct stops_slowly : one_loop {
-      void stop(controller_type& c) override {
-        const cca::interruption second;
-        tell("stop");
-        while (!second) ::usleep(1000);
-        one_loop::stop(c);
-      }
-    };
-    for (const int number : {SIGINT, SIGTERM}) {
-      child one = run<stops_slowly>({});
-      one.wait_for("between;");
-      one.send(SIGINT);
-      one.wait_for("stop;");
-      one.send(number);
-      CHECK_EQ(one.code(), 128 + number);
-      CHECK(one.out.starts_with("prepare;loaded;between;stop;stop;finish;"));
-    }
-  }
-
-  TEST_CASE("SIGQUIT ends it at once, even if stopping hangs") {
-    struct hangs : one_loop {
-      void stop(controller_type&) override {
-        tell("stop");
-        for (;;) ::pause();
-      }
-    };
-    child one = run<hangs>({});
-    one.wait_for("between;");
-    one.send(SIGINT);
-    one.wait_for("stop;");
-    one.send(SIGQUIT);
-    CHECK_EQ(one.code(), 128 + SIGQUIT);
-    CHECK_EQ(one.out, "prepare;loaded;between;stop;");
   }
 
   TEST_CASE_TEMPLATE("an exception stops the robot", Program, one_loop, two_loops) {

@@ -4,13 +4,19 @@
 //
 // `realtime<Priority>`: SCHED_FIFO with this priority (1 to 99), on one core if it says so, and the memory of
 // the process locked, its stack touched: then no page fault interrupts a beat. `run` is refused where the
-// system refuses, with what to do about it. `realtime_if_allowed` goes on without, and says so on the
-// standard error output. When a run ends, the thread that called `run` is as it was; memory stays locked.
+// system refuses, with what to do about it. `realtime_if_allowed` goes on without what is refused, and says
+// so on the standard error output; without its priority it is not pinned either, because then it would only
+// wait for others on its core. When a run ends, the thread that called `run` is as it was; memory stays
+// locked.
+//
+// Memory is locked only if all of it may be, whatever the process allocates later. Within a limit
+// (RLIMIT_MEMLOCK) the system would lock what there is, and then refuse allocations, threads and stacks.
 #pragma once
 
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <cerrno>
 #include <cstring>
@@ -81,9 +87,9 @@ public:
     is_set = true;
     ::pthread_getschedparam(::pthread_self(), &policy_before, &parameter_before);
     ::pthread_getaffinity_np(::pthread_self(), sizeof cores_before, &cores_before);
-    lock_memory();
-    pin(wish.core);
-    schedule(wish.priority);
+    if (schedule(wish.priority)) pin(wish.core);
+    lock_memory(!wish.is_needed);
+    touch_stack();
   }
   ~thread_setup() {
     if (!is_set) return;
@@ -96,15 +102,34 @@ public:
   const std::string& refusal() const { return text; }
 
 private:
-  void refuse(std::string_view what, int error, std::string_view remedy) {
+  void refuse(const std::string& what, std::string_view why, std::string_view remedy) {
     if (!text.empty()) text += "; ";
-    text.append(what).append(": ").append(std::strerror(error)).append("; ").append(remedy);
+    text.append(what).append(": ").append(why).append("; ").append(remedy);
   }
-  void lock_memory() {
-    if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
-      refuse("its memory can't be locked", errno,
+  // `in_part`: also if something else is refused.
+  void lock_memory(bool in_part) {
+    std::string why;
+    if (!may_lock_all_memory())
+      why = "the limit must be unlimited, because it counts all that is allocated later";
+    else if ((in_part || text.empty()) && ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+      why = std::strerror(errno);
+    if (!why.empty())
+      refuse("its memory can't be locked", why,
              "put `<user> - memlock unlimited` into /etc/security/limits.conf and log in again");
-    touch_stack();
+  }
+  // Only the system knows whether a limit counts for this process: so it is asked for more than the limit.
+  // The pages are never touched, so this takes no memory.
+  static bool may_lock_all_memory() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
+    constexpr rlim_t page = 4096, address_space = rlim_t{1} << 46;
+    if (limit.rlim_cur > address_space) return true;
+    const std::size_t size = limit.rlim_cur / page * page + 2 * page;
+    void* const at = ::mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (at == MAP_FAILED) return false;
+    const bool may = ::mlock2(at, size, MLOCK_ONFAULT) == 0;
+    ::munmap(at, size);
+    return may;
   }
   // The beats find their pages there.
   [[gnu::noinline]] static void touch_stack() {
@@ -118,17 +143,19 @@ private:
     CPU_ZERO(&one);
     CPU_SET(static_cast<std::size_t>(core), &one);
     if (const int error = ::pthread_setaffinity_np(::pthread_self(), sizeof one, &one); error != 0)
-      refuse("core " + std::to_string(core) + " can't be used", error,
+      refuse("core " + std::to_string(core) + " can't be used", std::strerror(error),
              "give cca::on_core a number that `nproc --all` and the cgroup of the process allow");
   }
-  void schedule(int priority) {
+  bool schedule(int priority) {
     sched_param parameter{};
     parameter.sched_priority = priority;
-    if (const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameter); error != 0)
-      refuse("SCHED_FIFO with priority " + std::to_string(priority), error,
+    const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameter);
+    if (error != 0)
+      refuse("SCHED_FIFO with priority " + std::to_string(priority), std::strerror(error),
              "put `<user> - rtprio " + std::to_string(priority) +
                  "` into /etc/security/limits.conf and log in again, or give the program the capability, "
                  "`sudo setcap cap_sys_nice,cap_ipc_lock+ep <program>`; or use cca::realtime_if_allowed");
+    return error == 0;
   }
 
   std::string text;

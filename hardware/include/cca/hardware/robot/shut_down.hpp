@@ -25,6 +25,7 @@
 
 #include <cca/component/lifecycle.hpp>
 #include <cca/runtime/pace.hpp>
+#include <cca/runtime/signals/stop_progress.hpp>
 
 namespace cca::hardware {
 
@@ -79,6 +80,7 @@ shut_down_report shut_down(Controller& controller, Pace pace = cca::at_wall_cloc
   while (is_stopping()) {
     pace.wait(report.beats * Controller::period());
     controller.step();
+    cca::stopping_goes_on();
     ++report.beats;
   }
   detail::for_each_synchronizer(controller, [&]<class S>(const S& s) {
