@@ -20,6 +20,7 @@
 #include <atomic>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -179,18 +180,21 @@ private:
     const bool wants_exact = !detail::OnClock<Pace>;
     const bool wants_to_meet = is_watched || !std::is_same_v<Pace, as_fast_as_possible>;
     detail::meeting<D> together(*shared, here, others.get());
+    detail::idle_beats idle_beats(period_of(pace), wants_exact ? longest_busy : 0);
+    const auto meanwhile = [this] { idle(); };
     const auto terms =
-        together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, [this] { idle(); });
+        together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats, meanwhile);
     if (terms.is_stopped) return false;
     std::int64_t last_seen = terms.beat;
+    std::optional<detail::thread_setup> setup;  // of this thread, until all have ended
     {
-      const finished_run all_at_one_beat{*this, together, terms};
+      const finished_run all_at_one_beat{*this, together, terms, idle_beats};
       loops.for_each([&]<int E>(auto& loop) {
         if (here[E])
           loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead<D>,
                        terms.beat);
       });
-      together.begin();
+      together.begin(idle_beats, meanwhile);
       loops.for_each([&]<int E>(auto& first) {
         if (E != first_here()) return;
         const auto after_beat = [&] {
@@ -198,7 +202,9 @@ private:
           look_after<E>(between);
           return detail::goes_on_after(between, *this);
         };
-        run_environments<E>(first, terms, pace, between, after_beat);
+        setup.emplace(detail::wish_of_environment<D, E>);
+        report<E>(setup->refusal());
+        run_environments<E>(first, terms, pace, between, after_beat, idle_beats);
       });
     }
     loops.for_each([&]<int E>(auto&) {
@@ -220,13 +226,15 @@ private:
 
   // `first` in this thread, the others in threads of their own.
   template <int E, class Loop, class Pace, class Between, class AfterBeat>
-  void run_environments(
-      Loop& first, const detail::terms_of_run& terms, Pace& pace, Between& between, AfterBeat after_beat) {
-    const detail::thread_setup setup(detail::wish_of_environment<D, E>);
-    report<E>(setup.refusal());
-    const detail::environment_threads<D> followers(
-        loops, [&first] { first.stop(); }, [&](int e) { return e != E && here[detail::array_size(e)]; },
-        terms.end, terms.is_exact,
+  void run_environments(Loop& first,
+                        const detail::terms_of_run& terms,
+                        Pace& pace,
+                        Between& between,
+                        AfterBeat after_beat,
+                        detail::idle_beats& idle_beats) {
+    const detail::environment_threads<D, Loop> followers(
+        loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats,
+        [this] { idle(); },
         [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); },
         [this, &between]<int Other>() { this->template look_after<Other>(between); });
     if constexpr (E > 0) {
@@ -237,21 +245,27 @@ private:
       if constexpr (detail::OnClock<Pace>) first.lead(terms.end, runs, pace, after_beat);
       else first.lead_exactly(terms.end, runs, pace, after_beat);
     }
-    first.handle_fault();
   }
 
   struct finished_run {
     deployed& all;
     detail::meeting<D>& together;
     const detail::terms_of_run& terms;
-    ~finished_run() { all.finish(together, terms); }
+    detail::idle_beats& idle_beats;
+    ~finished_run() { all.finish(together, terms, idle_beats); }
   };
   // All environments continue with the same beat.
-  void finish(detail::meeting<D>& together, const detail::terms_of_run& terms) {
+  void finish(detail::meeting<D>& together,
+              const detail::terms_of_run& terms,
+              detail::idle_beats& idle_beats) {
     loops.for_each([&]<int E>(auto& loop) {
       if (here[E]) k = std::max(k, loop.done);
     });
-    k = together.end(k);
+    k = together.end(k, idle_beats, [this] {
+      loops.for_each([&]<int E>(auto& loop) {
+        if (here[E]) loop.idle();
+      });
+    });
     const auto& first = *std::ranges::min_element(shared->environments, {}, [](const auto& e) {
       return e.fault.position.load(std::memory_order_acquire);
     });
@@ -273,7 +287,17 @@ private:
   using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in;
   using placed::loops, placed::here;
 
+  // The time between two calls of `on_idle`: of a beat on the clock, of the architecture without one.
+  template <class Pace>
+  static std::int64_t period_of(const Pace& pace) {
+    if constexpr (detail::OnClock<Pace>) return pace.duration_of(period());
+    else return period();
+  }
+
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
+  // As fast as possible, ns: an environment that has not ended after this time hangs, and resource nodes idle
+  // meanwhile. Before that a result would depend on how fast the machine is.
+  static constexpr std::int64_t longest_busy = 100'000'000;
 
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
