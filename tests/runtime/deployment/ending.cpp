@@ -37,7 +37,8 @@ struct watched {
     idles_before_fault = own_idles;
   }
   void on_idle() {
-    if (own_idles++ == 0) idled_in = std::this_thread::get_id();
+    ++own_idles;
+    idled_in = std::this_thread::get_id();
     ++idles;
   }
 };

@@ -16,7 +16,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/environment_loops.hpp>
 #include <cca/runtime/environments/meeting.hpp>
-#include <cca/runtime/environments/polled_thread.hpp>
+#include <cca/base/polled_thread.hpp>
 #include <cca/runtime/environments/realtime.hpp>
 #include <cca/runtime/environments/waiting/idle_beats.hpp>
 
