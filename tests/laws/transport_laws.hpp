@@ -333,6 +333,51 @@ void is_not_held_up_by_a_stopped_reader() {
   CHECK_EQ(mind.said(), "started");
 }
 
+struct tolerant : cca::deployment<architecture,
+                                  cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                  cca::environment<"mind", cca::other_nodes>,
+                                  cca::tolerate<100>> {};
+
+// While another process stands still, the robot's side idles once a period: after lost contact, and where the
+// run has come to its end. 800 periods pass meanwhile; how many of them the machine gives it is not asked.
+template <class Meeting, class D, class Duration>
+std::string said_while_the_mind_stands(Duration duration) {
+  const std::string name = Meeting::other_name();
+  process mind([&] {
+    auto d = opened<Meeting, D>("mind", name);
+    d.load();
+    d.start();
+    d.run(duration, cca::at_wall_clock());
+    return std::string(cca::to_string(d.state()));
+  });
+  process robot([&] {
+    auto d = opened<Meeting, D>("robot", name);
+    d.load();
+    d.start();
+    int before = -1;
+    d.run(duration, cca::at_wall_clock(), [&](auto& running) {
+      if (before < 0) before = running.template get<"device">().idles;
+    });
+    const auto& device = d.template get<"device">();
+    std::ostringstream text;
+    text << cca::to_string(d.state()) << ' ' << device.faults << ' ';
+    if (const int idles = device.idles - before; idles < 100) text << idles;
+    else text << "idled";
+    return text.str();
+  });
+  std::this_thread::sleep_for(600ms);
+  mind.stop();
+  std::this_thread::sleep_for(900ms);
+  mind.go_on();
+  mind.said();
+  return robot.said();
+}
+template <class Meeting>
+void idles_while_another_stands() {
+  CHECK_EQ(said_while_the_mind_stands<Meeting, tolerant>(cca::without_end{}), "faulted 1 idled");
+  CHECK_EQ(said_while_the_mind_stands<Meeting, patient>(cca::for_<0.7>{}), "started 0 idled");
+}
+
 // A second process, a process of another deployment.
 template <class Meeting>
 void refuses_whom_it_must() {

@@ -118,6 +118,11 @@ TEST_SUITE("ending a run") {
     CHECK_EQ(d.run(cca::without_end{}, cca::at_wall_clock()), cca::state::faulted);
     CHECK_EQ(std::string(d.fault().reason()), "lost contact with `mind`");
     CHECK_FALSE(d.get<"mind">().has_given_up);
+    const std::string cause = d.fault_cause();
+    CAPTURE(cause);
+    CHECK(cause.starts_with("`mind` needed "));
+    CHECK(cause.ends_with(" ms of 1 ms in beat 20: give its wires a greater delay, or the deployment more than "
+                          "`tolerate<10>`"));
     const watched& robot = d.get<"robot">();
     CHECK_GE(robot.own_idles, enough);
     CHECK_EQ(robot.faults, 1);
@@ -170,6 +175,9 @@ TEST_SUITE("ending a run") {
     CHECK_FALSE(d.get<"mind">().has_given_up);
     CHECK_EQ(d.get<"robot">().faults, 1);
     CHECK_EQ(d.get<"robot">().idled_in, d.get<"robot">().sensed_in);
+    CHECK(d.fault_cause().find(" of 1 ms in beat 20: ") != std::string::npos);
+    d.resume();
+    CHECK_EQ(d.fault_cause(), "");
   }
 
   TEST_CASE("two robots in environments of their own, each in its thread") {

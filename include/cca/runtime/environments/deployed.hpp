@@ -27,6 +27,7 @@
 #include <vector>
 
 #include <cca/runtime/component_host.hpp>
+#include <cca/runtime/environments/contact_loss.hpp>
 #include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures_of_runs.hpp>
 #include <cca/runtime/environments/meeting.hpp>
@@ -126,6 +127,12 @@ public:
   void stop() {
     host::stop();
     tell_stopped(true);
+  }
+
+  // After lost contact: what the environment needed, what it had, and what to change, for a person. Empty
+  // after other faults, and where there is none.
+  std::string fault_cause() const {
+    return now == cca::state::faulted ? contact.template text<D>() : std::string();
   }
 
   // The next beat. While it runs: in `between`.
@@ -279,6 +286,9 @@ private:
     });
     if (!is_faulted) return;
     reason = {first.fault.reason.data(), first.fault.node};
+    contact = detail::contact_loss::in<D>(
+        *shared, static_cast<std::size_t>(&first - shared->environments.data()),
+        static_cast<std::size_t>(first_here()), first.fault);
     now = detail::after(detail::transition::fail, now);
   }
 
@@ -304,6 +314,7 @@ private:
   std::int64_t k = 0;
   std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
+  detail::contact_loss contact{};
   std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};
 };
 
