@@ -209,9 +209,11 @@ private:
           look_after<E>(between);
           return detail::goes_on_after(between, *this);
         };
-        setup.emplace(detail::wish_of_environment<D, E>);
-        report<E>(setup->refusal());
-        run_environments<E>(first, terms, pace, between, after_beat, idle_beats);
+        const auto set_up = [&] {
+          setup.emplace(detail::wish_of_environment<D, E>);
+          report<E>(setup->refusal());
+        };
+        run_environments<E>(first, terms, pace, between, after_beat, idle_beats, set_up);
       });
     }
     loops.for_each([&]<int E>(auto&) {
@@ -232,16 +234,17 @@ private:
   }
 
   // `first` in this thread, the others in threads of their own.
-  template <int E, class Loop, class Pace, class Between, class AfterBeat>
+  template <int E, class Loop, class Pace, class Between, class AfterBeat, class SetUp>
   void run_environments(Loop& first,
                         const detail::terms_of_run& terms,
                         Pace& pace,
                         Between& between,
                         AfterBeat after_beat,
-                        detail::idle_beats& idle_beats) {
+                        detail::idle_beats& idle_beats,
+                        SetUp set_up) {
     const detail::environment_threads<D, Loop> followers(
         loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats,
-        [this] { idle(); },
+        set_up, [this] { idle(); },
         [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); },
         [this, &between]<int Other>() { this->template look_after<Other>(between); });
     if constexpr (E > 0) {
