@@ -9,6 +9,9 @@
 //   seldom    in another environment, once in 100 beats: it sleeps when the run ends
 //   farm      in the robot's loop, a worker that takes 3 s: the controller stops
 //   hang      the thinker hangs for 3 s: contact is lost, and the stop is confirmed while it still hangs
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -105,6 +108,17 @@ struct pendulum {
 using torque = robots::commanded<pendulum, robots::torque_command>;
 struct on_drive : hw::robot<pendulum, live_end, swing_joint> {};
 
+// Of the robot's side, if the system allows it: what is measured then is the library, not who else computes.
+// The mind has no priority.
+void in_real_time() {
+  const sched_param high{.sched_priority = 80};
+  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &high);
+}
+void in_normal_time() {
+  const sched_param none{};
+  ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
+}
+
 // ---- what ends late ----
 
 void compute(std::int64_t ns) {
@@ -116,6 +130,7 @@ struct thought : cca::space<cca::number, cca::axes<cca::x>> {};
 struct mind {
   std::int64_t needs = 8 * ms, hangs_in = -1;
   auto process(cca::beat now) -> cca::out<"thought", thought> {
+    in_normal_time();  // its thread inherits what this program has
     if (now.index() == hangs_in) clock_ns::sleep_until(clock_ns::now() + 3000 * ms);
     compute(needs);
     return 0.0;
@@ -123,7 +138,9 @@ struct mind {
 };
 
 struct reflex {
-  auto process(cca::in<"thought", thought> x) -> cca::out<"torque", torque> { return x[cca::x{}]; }
+  auto process(cca::in<"thought", thought> x, cca::beat now) -> cca::out<"torque", torque> {
+    return cca::out<"torque", torque>(x[cca::x{}]).with_origin(now.time());  // it answers for its age
+  }
 };
 
 template <int Every>
@@ -137,7 +154,7 @@ struct thinking : cca::graph<cca::rate<1000>,
                              cca::wire<"limits.safe", "robot.torque">> {};
 template <int Every>
 struct apart : cca::deployment<thinking<Every>,
-                               cca::environment<"robot", cca::nodes<"robot", "limits", "reflex">, cca::realtime_if_allowed<80>>,
+                               cca::environment<"robot", cca::nodes<"robot", "limits", "reflex">>,
                                cca::environment<"mind", cca::other_nodes>,
                                cca::tolerate<60>> {};
 
@@ -149,6 +166,7 @@ struct source {
 };
 struct slow_worker {
   auto process(cca::in<"x", thought>) -> cca::out<"y", thought> {
+    in_normal_time();
     clock_ns::sleep_until(clock_ns::now() + 3000 * ms);
     return 0.0;
   }
@@ -252,6 +270,7 @@ void in_processes(const char* what, int ends, Open open) {
   std::fflush(stdout);
   const pid_t child = ::fork();
   if (child == 0) {
+    in_normal_time();
     cca::deployed<apart<Every>> d(cca::only{"mind"}, open());
     d.load();
     d.start();
@@ -259,7 +278,9 @@ void in_processes(const char* what, int ends, Open open) {
     ::_exit(0);
   }
   {
+    in_normal_time();  // threads of a transport inherit it
     cca::deployed<apart<Every>> d(cca::only{"robot"}, open());
+    in_real_time();
     orderly_ends(what, d, ends);
   }
   ::kill(child, SIGKILL);
@@ -306,7 +327,6 @@ void hang() {
   gaps all;
   end.begin();
   d.run(cca::for_<20>{}, cca::at_wall_clock());
-  end.look();
   all.add(end, machine);
   all.print("hangs for 3 s");
   const auto& s = d.get<"robot.synchronizer">();
@@ -317,6 +337,7 @@ void hang() {
 }  // namespace
 
 int main(int count, char** words) {
+  in_real_time();
   const int ends = count > 1 ? std::atoi(words[1]) : 200;
   std::printf("%-22s %4s  %27s  %27s\n%-22s %4s", "", "", "robot: longest gap [periods]", "bare loop", "", "ends");
   for (int i = 0; i < 2; ++i) std::printf("  %6s %6s %6s  %3s", "median", "p99", "most", ">2");

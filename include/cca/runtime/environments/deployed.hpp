@@ -186,6 +186,14 @@ private:
     constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
     const bool wants_exact = !detail::OnClock<Pace>;
     const bool wants_to_meet = is_watched || !std::is_same_v<Pace, as_fast_as_possible>;
+    // From here on, until all have ended, this thread is that of its environment.
+    const detail::scheduling_of_caller before;
+    std::optional<detail::thread_setup> setup;
+    loops.for_each([&]<int E>(auto&) {
+      if (E != first_here()) return;
+      setup.emplace(detail::wish_of_environment<D, E>);
+      report<E>(setup->refusal());
+    });
     detail::meeting<D> together(*shared, here, others.get());
     detail::idle_beats idle_beats(period_of(pace), wants_exact ? longest_busy : 0);
     const auto meanwhile = [this] { idle(); };
@@ -193,7 +201,6 @@ private:
         together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats, meanwhile);
     if (terms.is_stopped) return false;
     std::int64_t last_seen = terms.beat;
-    std::optional<detail::thread_setup> setup;  // of this thread, until all have ended
     {
       const finished_run all_at_one_beat{*this, together, terms, idle_beats};
       loops.for_each([&]<int E>(auto& loop) {
@@ -209,11 +216,7 @@ private:
           look_after<E>(between);
           return detail::goes_on_after(between, *this);
         };
-        const auto set_up = [&] {
-          setup.emplace(detail::wish_of_environment<D, E>);
-          report<E>(setup->refusal());
-        };
-        run_environments<E>(first, terms, pace, between, after_beat, idle_beats, set_up);
+        run_environments<E>(first, terms, pace, between, after_beat, idle_beats, before);
       });
     }
     loops.for_each([&]<int E>(auto&) {
@@ -234,17 +237,17 @@ private:
   }
 
   // `first` in this thread, the others in threads of their own.
-  template <int E, class Loop, class Pace, class Between, class AfterBeat, class SetUp>
+  template <int E, class Loop, class Pace, class Between, class AfterBeat>
   void run_environments(Loop& first,
                         const detail::terms_of_run& terms,
                         Pace& pace,
                         Between& between,
                         AfterBeat after_beat,
                         detail::idle_beats& idle_beats,
-                        SetUp set_up) {
+                        const detail::scheduling_of_caller& before) {
     const detail::environment_threads<D, Loop> followers(
         loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats,
-        set_up, [this] { idle(); },
+        before, [this] { idle(); },
         [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); },
         [this, &between]<int Other>() { this->template look_after<Other>(between); });
     if constexpr (E > 0) {

@@ -26,17 +26,17 @@ namespace cca::detail {
 template <class D, class First>
 class environment_threads {
 public:
-  // `runs(E)`: in a thread. `set_up()`: of this thread, once there are the others, which would inherit its
-  // priority and its core. `meanwhile()`: once a period while no beat has begun. report.template operator()<E>(text): what the system refused to the thread of
+  // `runs(E)`: in a thread, which is scheduled as `scheduling` says: it must not inherit the priority and the
+  // core of this thread. `meanwhile()`: once a period while no beat has begun. report.template operator()<E>(text): what the system refused to the thread of
   // environment E; it may throw, then nothing has run. after_beat.template operator()<E>(): in that thread,
   // between two beats.
-  template <class Runs, class SetUp, class Meanwhile, class Report, class AfterBeat>
+  template <class Runs, class Meanwhile, class Report, class AfterBeat>
   environment_threads(environment_loops<D>& loops,
                       First& of_this_thread,
                       Runs runs,
                       const terms_of_run& terms,
                       idle_beats& while_waiting,
-                      SetUp set_up,
+                      const scheduling_of_caller& scheduling,
                       Meanwhile meanwhile,
                       Report report,
                       AfterBeat after_beat)
@@ -56,9 +56,8 @@ public:
           if (terms.is_exact) loop.follow_exactly(terms.end, goes_on);
           else loop.follow(terms.end, goes_on);
           end(loop, own, [this] { return not_over.load(std::memory_order_acquire) == 0; });
-        });
+        }, &scheduling);
       });
-      set_up();
       idle.until([this](patience&) { return not_ready.load(std::memory_order_acquire) == 0; }, meanwhile);
       loops.for_each([&]<int E>(auto&) { report.template operator()<E>(refusals[E]); });
     } catch (const std::system_error& no_thread) {
