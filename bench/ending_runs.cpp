@@ -245,23 +245,26 @@ void orderly_ends(const char* what, D& d, int ends) {
   live_end end(drive);
   connect(d, end);
   d.load();
-  d.start();
-  d.run(cca::for_<2>{}, cca::at_wall_clock(), [&](auto& c) { return !is_running(c); });
   bare_loop machine;
   gaps all;
-  int moved = 0;
-  for (int i = 0; i < ends && d.state() == cca::state::started; ++i) {
+  int trips = -1;
+  for (int i = 0; i < ends; ++i) {
+    if (d.state() != cca::state::started || !is_running(d)) {
+      ++trips;
+      hw::shut_down(d);
+      d.start();
+      d.run(cca::for_<4>{}, cca::at_wall_clock(), [&](auto& c) { return !is_running(c); });
+    }
     int left = 35 + i % 23;
     machine.take();
     end.begin();
     d.run(cca::without_end{}, cca::at_wall_clock(), [&](auto&) { return --left > 0; });
     end.look();
-    all.add(end, machine);
-    moved += is_running(d);
+    // A trip stops the robot 1000 beats later: the gap that was its cause has been counted.
+    if (is_running(d)) all.add(end, machine);
   }
   all.print(what);
-  if (moved != ends) std::printf("  the robot moved after %d ends only: %s %s\n", moved, d.fault().reason(), d.fault_cause().c_str());
-  d.stop();
+  if (trips > 0) std::printf("  tripped %d times: the loop or the drive stood still\n", trips);
   std::printf("  %s\n", hw::shut_down(d).text().c_str());
 }
 
@@ -274,8 +277,11 @@ void in_processes(const char* what, int ends, Open open) {
     cca::deployed<apart<Every>> d(cca::only{"mind"}, open());
     d.load();
     d.start();
-    while (d.state() == cca::state::started) d.run(cca::without_end{}, cca::at_wall_clock());
-    ::_exit(0);
+    for (;;) {  // until it is killed
+      if (d.state() == cca::state::loaded) d.start();
+      if (d.state() == cca::state::faulted) d.resume();
+      d.run(cca::without_end{}, cca::at_wall_clock());
+    }
   }
   {
     in_normal_time();  // threads of a transport inherit it
@@ -286,6 +292,16 @@ void in_processes(const char* what, int ends, Open open) {
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
 }
+
+#ifdef BENCH_CCA_DDS
+template <class F>
+void alone(F f) {
+  std::fflush(stdout);
+  const pid_t child = ::fork();
+  if (child == 0) f(), std::fflush(stdout), ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+}
+#endif
 
 void farm_ends(int ends) {
   cca::controller<with_farm> c;
@@ -355,8 +371,9 @@ int main(int count, char** words) {
   in_processes<10>("thinker, shared memory", ends, [&] { return cca::shared_memory(name); });
   in_processes<100>("seldom, shared memory", ends, [&] { return cca::shared_memory(name + "_seldom"); });
 #ifdef BENCH_CCA_DDS
-  in_processes<10>("thinker, DDS", ends, [&] { return cca::dds::domain(77); });
-  in_processes<100>("seldom, DDS", ends, [&] { return cca::dds::domain(78); });
+  // A process that has used DDS can't be forked any more.
+  alone([&] { in_processes<10>("thinker, DDS", ends, [&] { return cca::dds::domain(77); }); });
+  alone([&] { in_processes<100>("seldom, DDS", ends, [&] { return cca::dds::domain(78); }); });
 #endif
   farm_ends(ends);
   hang();
