@@ -1,7 +1,7 @@
 // Do the drives get their frames while a run ends? A pendulum on a virtual drive that lives at wall-clock
-// speed; many orderly ends, by a function between two beats as ctrl-C is; the longest time between two batches
-// of frames from the call of run() until it has returned, in periods. Beside it a bare clock_nanosleep loop of
-// the same period says what the machine adds.
+// speed; many orderly ends, by a function between two beats as ctrl-C is; the longest time between two
+// batches of frames from the call of run() until it has returned, in periods. Beside it a bare
+// clock_nanosleep loop of the same period says what the machine adds.
 //
 //   bench_ending [ENDS]      200
 //
@@ -102,8 +102,7 @@ struct pendulum {
   using body = pendulum_test::pendulum_body;
   using rate = cca::rate<1000>;
   using commands = robots::commands<robots::torque_command>;
-  static constexpr std::array drives{
-      robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6}};
+  static constexpr std::array drives{robots::joint_drive{.motor = {3, 16}, .stiffness = 20, .damping = 0.6}};
 };
 using torque = robots::commanded<pendulum, robots::torque_command>;
 struct on_drive : hw::robot<pendulum, live_end, swing_joint> {};
@@ -171,15 +170,14 @@ struct slow_worker {
     return 0.0;
   }
 };
-struct with_farm
-    : cca::graph<cca::rate<1000>,
-                 cca::node<"source", source>,
-                 cca::node<"farm", cca::farm_on_threads<slow_worker, task, task>>,
-                 cca::node<"limits", cca::limiter<torque>>,
-                 cca::node<"robot", on_drive>,
-                 cca::wire<"source.task", "farm.input">,
-                 cca::wire<"source.torque", "limits.command">,
-                 cca::wire<"limits.safe", "robot.torque">> {};
+struct with_farm : cca::graph<cca::rate<1000>,
+                              cca::node<"source", source>,
+                              cca::node<"farm", cca::farm_on_threads<slow_worker, task, task>>,
+                              cca::node<"limits", cca::limiter<torque>>,
+                              cca::node<"robot", on_drive>,
+                              cca::wire<"source.task", "farm.input">,
+                              cca::wire<"source.torque", "limits.command">,
+                              cca::wire<"limits.safe", "robot.torque">> {};
 
 // ---- the machine ----
 
@@ -346,8 +344,11 @@ void hang() {
   all.add(end, machine);
   all.print("hangs for 3 s");
   const auto& s = d.get<"robot.synchronizer">();
-  std::printf("  %s: %s\n  when run() returned, the drive was %s\n", d.fault().reason(), d.fault_cause().c_str(),
-              s.stopping() ? "still stopping" : s.unconfirmed(0) ? "not confirmed to be off" : "confirmed to be off");
+  std::printf("  %s: %s\n  when run() returned, the drive was %s\n", d.fault().reason(),
+              d.fault_cause().c_str(),
+              s.stopping()       ? "still stopping"
+              : s.unconfirmed(0) ? "not confirmed to be off"
+                                 : "confirmed to be off");
 }
 
 }  // namespace
@@ -355,7 +356,8 @@ void hang() {
 int main(int count, char** words) {
   in_real_time();
   const int ends = count > 1 ? std::atoi(words[1]) : 200;
-  std::printf("%-22s %4s  %27s  %27s\n%-22s %4s", "", "", "robot: longest gap [periods]", "bare loop", "", "ends");
+  std::printf("%-22s %4s  %27s  %27s\n%-22s %4s", "", "", "robot: longest gap [periods]", "bare loop", "",
+              "ends");
   for (int i = 0; i < 2; ++i) std::printf("  %6s %6s %6s  %3s", "median", "p99", "most", ">2");
   std::printf("\n");
   {

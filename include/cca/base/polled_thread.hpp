@@ -11,7 +11,8 @@
 
 namespace cca::detail {
 
-// How the calling thread is scheduled, and on which cores, for threads that must not inherit what it has later.
+// How the calling thread is scheduled, and on which cores, for threads that must not inherit what it has
+// later.
 class scheduling_of_caller {
 public:
   scheduling_of_caller() {
@@ -42,8 +43,8 @@ public:
   polled_thread(const polled_thread&) = delete;
   polled_thread& operator=(const polled_thread&) = delete;
 
-  // Once. Throws std::system_error if the system has no more threads. Without `scheduling` it inherits that of
-  // the calling thread.
+  // Once. Throws std::system_error if the system has no more threads. Without `scheduling` it inherits that
+  // of the calling thread.
   template <class F>
   void start(F f, const scheduling_of_caller* scheduling = nullptr) {
     auto given = std::make_unique<F>(std::move(f));

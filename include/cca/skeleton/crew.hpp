@@ -5,8 +5,8 @@
 // every `rest`, since waking it would be a system call in a beat. At most Capacity tasks of a lane are under
 // way (from hand_out to take), so a worker always finds room for its result.
 //
-// `stop` does not wait either: a worker at rest is back at once, a busy one finishes its task, stops itself in
-// its thread, and is back then. Only the destructor and a copy wait for workers.
+// `stop` does not wait either: a worker at rest is back at once, a busy one finishes its task, stops itself
+// in its thread, and is back then. Only the destructor and a copy wait for workers.
 #pragma once
 
 #include <atomic>

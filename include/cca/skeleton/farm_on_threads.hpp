@@ -25,11 +25,10 @@
 // getting frames. A worker that is busy then finishes its task in its thread, where its own on_stop runs. It
 // is back when the farm starts again or saves; if it is still busy, its place gets the worker as it was when
 // the farm started before. The destructor waits for it. Copying a running controller waits until the tasks
-// under way are done; the copy gets the workers, the results still to be published, and threads of its own. A change of
-// a worker's parameters takes effect at the next start. Errors: skeleton.arity; cca::refused, if the system
-// has no more threads. Cost: two atomic loads and two stores per worker and beat; no allocation, no lock, no
-// system call.
-// Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
+// under way are done; the copy gets the workers, the results still to be published, and threads of its own. A
+// change of a worker's parameters takes effect at the next start. Errors: skeleton.arity; cca::refused, if
+// the system has no more threads. Cost: two atomic loads and two stores per worker and beat; no allocation,
+// no lock, no system call. Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
 #pragma once
 
 #include <algorithm>

@@ -121,8 +121,9 @@ TEST_SUITE("ending a run") {
     const std::string cause = d.fault_cause();
     CAPTURE(cause);
     CHECK(cause.starts_with("`mind` needed "));
-    CHECK(cause.ends_with(" ms of 1 ms in beat 20: give its wires a greater delay, or the deployment more than "
-                          "`tolerate<10>`"));
+    CHECK(
+        cause.ends_with(" ms of 1 ms in beat 20: give its wires a greater delay, or the deployment more than "
+                        "`tolerate<10>`"));
     const watched& robot = d.get<"robot">();
     CHECK_GE(robot.own_idles, enough);
     CHECK_EQ(robot.faults, 1);

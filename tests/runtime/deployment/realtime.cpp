@@ -48,8 +48,8 @@ template <class Option>
 struct spread_with : cca::deployment<witnesses,
                                      cca::environment<"one", cca::nodes<"a">, Option>,
                                      cca::environment<"two", cca::nodes<"b">, Option>> {};
-struct only_one : cca::deployment<
-                      witnesses,
+struct only_one
+    : cca::deployment<witnesses,
                       cca::environment<"one", cca::nodes<"a">, cca::realtime_if_allowed<7, cca::on_core<0>>>,
                       cca::environment<"two", cca::nodes<"b">>> {};
 using urgent = spread_with<cca::realtime<7, cca::on_core<0>>>;

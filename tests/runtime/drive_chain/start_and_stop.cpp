@@ -146,7 +146,8 @@ TEST_SUITE("stopping") {
     l.run();
   }
 
-  TEST_CASE("idling, as where a run waits for others, damps drives that move; the next beat drives them again") {
+  TEST_CASE(
+      "idling, as where a run waits for others, damps drives that move; the next beat drives them again") {
     lab l;
     l.run();
     for (int k = 0; k < 200; ++k) {

@@ -358,7 +358,8 @@ TEST_SUITE("farm on threads") {
     while (deep_thought::tasks - tasks < 2) std::this_thread::yield();  // each worker hangs in its first
     std::atomic<bool> has_stopped{false};
     std::thread rescue([&] {
-      for (int ms = 0; ms < 5000 && !has_stopped; ++ms) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      for (int ms = 0; ms < 5000 && !has_stopped; ++ms)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       allow(all, all);
     });
     c.stop();

@@ -21,7 +21,10 @@ struct contact_loss {
   std::int64_t interval = 0;  // ns between two beats
 
   template <class D>
-  static contact_loss in(const exchange<D>& shared, std::size_t loser, std::size_t own, const fault_record& of) {
+  static contact_loss in(const exchange<D>& shared,
+                         std::size_t loser,
+                         std::size_t own,
+                         const fault_record& of) {
     contact_loss one;
     if (of.node >= 0) return one;
     for (int x = 0; x < environment_count<D>; ++x)
@@ -43,8 +46,8 @@ struct contact_loss {
     if (lost < 0) return {};
     const std::string name = "`" + std::string(environments_of<D>::all[array_size(lost)].name) + "`";
     const std::string tolerated = std::to_string(environments_of<D>::tolerated);
-    const std::string more = "give its wires a greater delay, or the deployment more than `tolerate<" +
-                             tolerated + ">`";
+    const std::string more =
+        "give its wires a greater delay, or the deployment more than `tolerate<" + tolerated + ">`";
     if (has_ended) return "the process of " + name + " has ended, or nothing is heard of it";
     if (beat < 0 || needed <= allowed)
       return name + " was late in more than " + tolerated + " beats in a row: " + more;

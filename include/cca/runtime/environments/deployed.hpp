@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,12 +26,12 @@
 #include <vector>
 
 #include <cca/runtime/component_host.hpp>
-#include <cca/runtime/environments/contact_loss.hpp>
 #include <cca/runtime/environments/environment_threads.hpp>
 #include <cca/runtime/environments/figures_of_runs.hpp>
 #include <cca/runtime/environments/meeting.hpp>
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/environments/placed_components.hpp>
+#include <cca/runtime/environments/real_time_refusals.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
 #include <cca/runtime/environments/transport.hpp>
@@ -129,12 +128,6 @@ public:
     tell_stopped(true);
   }
 
-  // After lost contact: what the environment needed, what it had, and what to change, for a person. Empty
-  // after other faults, and where there is none.
-  std::string fault_cause() const {
-    return now == cca::state::faulted ? contact.template text<D>() : std::string();
-  }
-
   // The next beat. While it runs: in `between`.
   std::int64_t beat_index() const noexcept { return k; }
 
@@ -164,17 +157,6 @@ private:
   }
   int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
 
-  // What the system refused to the thread of an environment.
-  template <int E>
-  void report(const std::string& refusal) {
-    if (refusal.empty()) return;
-    const std::string text = "cca::deployed: environment `" + std::string(detail::name_of_environment<D>(E)) +
-                             "` does not run in real time: " + refusal;
-    if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
-    if (!is_told[E]) std::cerr << text << '\n';
-    is_told[E] = true;
-  }
-
   void tell_stopped(bool is_stopped) {
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
@@ -192,10 +174,10 @@ private:
     loops.for_each([&]<int E>(auto&) {
       if (E != first_here()) return;
       setup.emplace(detail::wish_of_environment<D, E>);
-      report<E>(setup->refusal());
+      refusals.template report<E>(setup->refusal());
     });
     detail::meeting<D> together(*shared, here, others.get());
-    detail::idle_beats idle_beats(period_of(pace), wants_exact ? longest_busy : 0);
+    auto idle_beats = detail::idle_beats_at(pace, period());
     const auto meanwhile = [this] { idle(); };
     const auto terms =
         together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats, meanwhile);
@@ -246,9 +228,9 @@ private:
                         detail::idle_beats& idle_beats,
                         const detail::scheduling_of_caller& before) {
     const detail::environment_threads<D, Loop> followers(
-        loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats,
-        before, [this] { idle(); },
-        [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); },
+        loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats, before,
+        [this] { idle(); },
+        [this]<int Other>(const std::string& refusal) { refusals.template report<Other>(refusal); },
         [this, &between]<int Other>() { this->template look_after<Other>(between); });
     if constexpr (E > 0) {
       if (terms.is_exact) first.follow_exactly(terms.end, after_beat);
@@ -292,9 +274,7 @@ private:
     });
     if (!is_faulted) return;
     reason = {first.fault.reason.data(), first.fault.node};
-    contact = detail::contact_loss::in<D>(
-        *shared, static_cast<std::size_t>(&first - shared->environments.data()),
-        static_cast<std::size_t>(first_here()), first.fault);
+    this->keep_cause(first, first_here());
     now = detail::after(detail::transition::fail, now);
   }
 
@@ -303,25 +283,14 @@ private:
   using placed::is_here, placed::refuse_if_elsewhere, placed::refuse_elsewhere, placed::observed_in;
   using placed::loops, placed::here;
 
-  // The time between two calls of `on_idle`: of a beat on the clock, of the architecture without one.
-  template <class Pace>
-  static std::int64_t period_of(const Pace& pace) {
-    if constexpr (detail::OnClock<Pace>) return pace.duration_of(period());
-    else return period();
-  }
-
   static constexpr std::int64_t longest_wait = 10'000'000'000;  // for environments of other processes, ns
-  // As fast as possible, ns: an environment that has not ended after this time hangs, and resource nodes idle
-  // meanwhile. Before that a result would depend on how fast the machine is.
-  static constexpr std::int64_t longest_busy = 100'000'000;
 
   std::shared_ptr<const detail::peers> others;  // null: all are here
   std::shared_ptr<detail::exchange<D>> shared;
   std::int64_t k = 0;
   std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
-  detail::contact_loss contact{};
-  std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};
+  detail::real_time_refusals<D> refusals{};
 };
 
 }  // namespace cca

@@ -1,7 +1,7 @@
 // The loop of one environment: its components, which beats it runs, and when.
 //
-// A fast run waits for every sample that it needs, so that all is as in one loop. A run on a clock never waits
-// for a sample: the first environment gives the beat, the others follow it.
+// A fast run waits for every sample that it needs, so that all is as in one loop. A run on a clock never
+// waits for a sample: the first environment gives the beat, the others follow it.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/active_beats.hpp>
+#include <cca/runtime/environments/beats_of_first.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
 #include <cca/runtime/cut_beat.hpp>
@@ -19,8 +20,11 @@
 namespace cca::detail {
 
 template <class D, int E>
-class alignas(64) environment_loop {
+class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D> {
   using graph = part<D, E>;
+  using first_beats = beats_of_first<environment_loop, D>;
+  friend first_beats;
+  using first_beats::wait_for_beat;
   static constexpr std::int64_t period = counts_of<D>.period;
 
 public:
@@ -281,48 +285,6 @@ private:
     std::int64_t newest = k;
     for (std::int64_t next = k; (next = next_active_beat<D, E>(next + 1)) <= now;) newest = next;
     return newest;
-  }
-
-  // Waits until the first environment begins this beat. False: a fault or the end has come before it. If the
-  // first environment does not begin it, resource nodes idle once a period and `goes_on_after` is asked, and
-  // more such periods in a row than late beats are tolerated are lost contact.
-  template <class AfterBeat>
-  bool wait_for_beat(std::int64_t beat, AfterBeat& goes_on_after) {
-    const auto& first = shared().environments[0];
-    const std::int64_t since = monotonic_clock::now();
-    std::int64_t idles_at = 0;
-    for (std::int64_t missed = 0;;) {
-      const std::uint32_t before = shared().ends.count();
-      if (!goes_on()) return false;
-      const std::int64_t newest = begun();
-      if (newest >= beat) return true;
-      const bool has_begun = first.begun_at.load(std::memory_order_relaxed) != 0;
-      const std::int64_t interval = has_begun ? first.interval.load(std::memory_order_relaxed) : period;
-      const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (beat - newest) * interval;
-      const std::int64_t now = monotonic_clock::now();
-      const std::int64_t waits_since = std::max(since, due);
-      if (now > waits_since + longest_silence)
-        state.look_for(0, position() - 1, [&] { return begun() >= beat; });
-      idles_at = std::max(idles_at, waits_since + interval / 2);
-      if (now >= idles_at) {
-        active_at = now;
-        idle();
-        if (!goes_on_after()) return stop(), false;
-        idles_at = std::max(idles_at, now - interval / 2) + interval;
-        if (has_hooks_of_resources && has_begun && ++missed > environments_of<D>::tolerated)
-          state_fault(state.observers(), 0, lost_contact<D>(0), -1);
-        continue;
-      }
-      shared().ends.wait_until(before, std::clamp(due, now + shortest_sleep, now + longest_sleep(interval)));
-    }
-  }
-  static constexpr std::int64_t longest_silence = 10'000'000;  // then it is asked whether it is gone
-  static constexpr std::int64_t shortest_sleep = 20'000;
-  // The end of a run wakes a thread, but a transport may bring it late: an environment that must react to a
-  // fault looks in each beat.
-  static constexpr std::int64_t longest_sleep(std::int64_t interval) {
-    constexpr std::int64_t shortest = has_hooks_of_resources ? shortest_sleep : 20'000'000;
-    return std::max(interval, shortest);
   }
 
   bool has_handled_fault = false;

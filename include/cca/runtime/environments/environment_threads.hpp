@@ -27,9 +27,9 @@ template <class D, class First>
 class environment_threads {
 public:
   // `runs(E)`: in a thread, which is scheduled as `scheduling` says: it must not inherit the priority and the
-  // core of this thread. `meanwhile()`: once a period while no beat has begun. report.template operator()<E>(text): what the system refused to the thread of
-  // environment E; it may throw, then nothing has run. after_beat.template operator()<E>(): in that thread,
-  // between two beats.
+  // core of this thread. `meanwhile()`: once a period while no beat has begun. report.template
+  // operator()<E>(text): what the system refused to the thread of environment E; it may throw, then nothing
+  // has run. after_beat.template operator()<E>(): in that thread, between two beats.
   template <class Runs, class Meanwhile, class Report, class AfterBeat>
   environment_threads(environment_loops<D>& loops,
                       First& of_this_thread,
@@ -47,16 +47,18 @@ public:
       loops.for_each([&]<int E>(auto& loop) {
         if (!runs(E)) return;
         not_over.fetch_add(1, std::memory_order_relaxed);
-        threads[E].start([this, &loop, terms, after_beat, own = idle]() mutable {
-          const thread_setup setup(wish_of_environment<D, E>);
-          refusals[E] = setup.refusal();
-          not_ready.fetch_sub(1, std::memory_order_release);
-          begins.wait(false);
-          const auto goes_on = [&] { return after_beat.template operator()<E>(), true; };
-          if (terms.is_exact) loop.follow_exactly(terms.end, goes_on);
-          else loop.follow(terms.end, goes_on);
-          end(loop, own, [this] { return not_over.load(std::memory_order_acquire) == 0; });
-        }, &scheduling);
+        threads[E].start(
+            [this, &loop, terms, after_beat, own = idle]() mutable {
+              const thread_setup setup(wish_of_environment<D, E>);
+              refusals[E] = setup.refusal();
+              not_ready.fetch_sub(1, std::memory_order_release);
+              begins.wait(false);
+              const auto goes_on = [&] { return after_beat.template operator()<E>(), true; };
+              if (terms.is_exact) loop.follow_exactly(terms.end, goes_on);
+              else loop.follow(terms.end, goes_on);
+              end(loop, own, [this] { return not_over.load(std::memory_order_acquire) == 0; });
+            },
+            &scheduling);
       });
       idle.until([this](patience&) { return not_ready.load(std::memory_order_acquire) == 0; }, meanwhile);
       loops.for_each([&]<int E>(auto&) { report.template operator()<E>(refusals[E]); });
@@ -91,9 +93,8 @@ private:
     join();
   }
   void join() {
-    end(first, idle, [this] {
-      return std::ranges::all_of(threads, [](polled_thread& t) { return t.has_ended(); });
-    });
+    end(first, idle,
+        [this] { return std::ranges::all_of(threads, [](polled_thread& t) { return t.has_ended(); }); });
   }
 
   // The beats of a loop are over.

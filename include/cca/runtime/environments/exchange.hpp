@@ -53,9 +53,10 @@ struct fault_record {
   }
 };
 
-// The beat in which an environment needed most time in this run, at wall-clock speed. One that hangs is in it.
+// The beat in which an environment needed most time in this run, at wall-clock speed. One that hangs is in
+// it.
 struct slowest_beat {
-  std::atomic<std::int64_t> beat{-1}, needed{0};     // ns
+  std::atomic<std::int64_t> beat{-1}, needed{0};    // ns
   std::atomic<std::int64_t> running{-1}, since{0};  // since: 0, between two beats
 
   void forget() noexcept { beat = running = -1, needed = since = 0; }

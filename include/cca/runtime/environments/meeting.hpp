@@ -33,11 +33,8 @@ public:
   // Waits for all environments, at most so long. While anything here waits, `meanwhile()` is called once a
   // period.
   template <class F>
-  terms_of_run agree(const terms_of_run& wanted,
-                     std::int64_t beats,
-                     std::int64_t longest,
-                     idle_beats& idle,
-                     F meanwhile) {
+  terms_of_run agree(
+      const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, idle_beats& idle, F meanwhile) {
     terms_of_run agreed;
     for (bool is_newest = false; !is_newest;) {
       for_each_here([&](auto& own) {

@@ -19,8 +19,8 @@
 // Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
 // (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
 // with it where the controller runs no beats, and damps drives that move; `stopping()` and `unconfirmed(i)`
-// say how far it is. A start waits for its end. While the emergency stop is pressed no drive is enabled. No set point is sent behind
-// frames that still wait: it would be stale.
+// say how far it is. A start waits for its end. While the emergency stop is pressed no drive is enabled. No
+// set point is sent behind frames that still wait: it would be stale.
 //
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
@@ -273,9 +273,8 @@ private:
   }
   void send_disabling() {
     outbox.clear();
-    each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      (outbox.add(J::bus, J::drive::disable()), ...);
-    });
+    each(
+        [&]<std::size_t... I>(std::index_sequence<I...>) { (outbox.add(J::bus, J::drive::disable()), ...); });
     outbox.send();
   }
   void send_stop() {

@@ -44,4 +44,14 @@ private:
   std::int64_t period, most_patient, due = 0;
 };
 
+// In a run at this pace: on a clock the period of its beats. As fast as possible that of the architecture,
+// and not before others have taken 100 ms: they hang then. Sooner a result would depend on the machine's
+// speed.
+template <class Pace>
+idle_beats idle_beats_at(const Pace& pace, std::int64_t period_of_architecture) {
+  if constexpr (requires { pace.duration_of(period_of_architecture); })
+    return idle_beats(pace.duration_of(period_of_architecture), 0);
+  else return idle_beats(period_of_architecture, 100'000'000);
+}
+
 }  // namespace cca::detail

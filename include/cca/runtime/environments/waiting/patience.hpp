@@ -45,7 +45,8 @@ public:
     if (news) news->wait(before, longest);
     else if (waited < longest_awake) std::this_thread::yield();
     else
-      monotonic_clock::sleep_until(now + std::min(std::clamp(waited / 8, shortest_sleep, longest_sleep), longest));
+      monotonic_clock::sleep_until(now +
+                                   std::min(std::clamp(waited / 8, shortest_sleep, longest_sleep), longest));
     count_again();
   }
   // Every few milliseconds.

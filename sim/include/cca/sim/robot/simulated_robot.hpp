@@ -69,8 +69,8 @@ public:
   void on_start() { servos_ = {}, is_driven_ = true; }
   void on_stop() { is_driven_ = false; }
   void on_fault() { is_driven_ = false; }
-  // Stopped or faulted it moves under its damping. Between two runs no simulated time passes, so a result does
-  // not depend on how long they are apart.
+  // Stopped or faulted it moves under its damping. Between two runs no simulated time passes, so a result
+  // does not depend on how long they are apart.
   void on_idle() {
     if (is_driven_) return;
     std::array<joint_law, coordinates> laws;
