@@ -31,7 +31,6 @@
 #include <cca/runtime/environments/meeting.hpp>
 #include <cca/runtime/environments/only.hpp>
 #include <cca/runtime/environments/placed_components.hpp>
-#include <cca/runtime/environments/real_time_refusals.hpp>
 #include <cca/runtime/refusal.hpp>
 #include <cca/runtime/run_record.hpp>
 #include <cca/runtime/environments/transport.hpp>

@@ -10,9 +10,9 @@
 
 #include <cca/runtime/each_component.hpp>
 #include <cca/runtime/environments/active_beats.hpp>
-#include <cca/runtime/environments/beats_of_first.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/waiting/beats_of_first.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <iostream>
 #include <ranges>
 #include <string>
 #include <system_error>
@@ -21,6 +22,24 @@
 #include <cca/runtime/environments/waiting/idle_beats.hpp>
 
 namespace cca::detail {
+
+// What the system refused to threads that are to run in real time: an error where they must, else said once.
+template <class D>
+class real_time_refusals {
+public:
+  template <int E>
+  void report(const std::string& refusal) {
+    if (refusal.empty()) return;
+    const std::string text = "cca::deployed: environment `" + std::string(name_of_environment<D>(E)) +
+                             "` does not run in real time: " + refusal;
+    if (wish_of_environment<D, E>.is_needed) throw refused(text);
+    if (!is_told[E]) std::cerr << text << '\n';
+    is_told[E] = true;
+  }
+
+private:
+  std::array<bool, array_size(environment_count<D>)> is_told{};
+};
 
 // `First`: the loop of the environment that runs in the thread which makes this.
 template <class D, class First>

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <cca/component/lifecycle.hpp>
-#include <cca/runtime/environments/contact_loss.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/figures.hpp>
+#include <cca/runtime/environments/lost_contact.hpp>
 
 namespace cca::detail {
 

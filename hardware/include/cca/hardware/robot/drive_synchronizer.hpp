@@ -101,7 +101,7 @@ public:
   // get no set points are damped until the next beat.
   void on_idle() {
     if (stopping()) listen(), send_stop();
-    else if (moving()) listen(), send_damping();
+    else if (moving()) listen(), send_to_all(true);
   }
 
   motion_phase phase() const { return phase_now; }
@@ -266,21 +266,16 @@ private:
     for (auto& l : outbox.links) l.stop();
     outbox.let_pass();
   }
-  void send_damping() {
+  void send_to_all(bool damps) {
     outbox.clear();
-    each([&]<std::size_t... I>(std::index_sequence<I...>) { (outbox.add(J::bus, damped<J, I>()), ...); });
-    outbox.send();
-  }
-  void send_disabling() {
-    outbox.clear();
-    each(
-        [&]<std::size_t... I>(std::index_sequence<I...>) { (outbox.add(J::bus, J::drive::disable()), ...); });
+    each([&]<std::size_t... I>(std::index_sequence<I...>) {
+      (outbox.add(J::bus, damps ? damped<J, I>() : J::drive::disable()), ...);
+    });
     outbox.send();
   }
   void send_stop() {
     const stop_stage stage = stops.stage();
-    if (stage == stop_stage::damping) send_damping();
-    else send_disabling();
+    send_to_all(stage == stop_stage::damping);
     for (std::size_t b = 0; b < buses; ++b)
       sent_disable[b] = sent_disable[b] || (stage == stop_stage::disabling && outbox.has_sent[b]);
     stops.advance();
