@@ -17,10 +17,9 @@
 // guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
 // points go out only if they damp, until `start()`.
 // Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
-// (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
-// with it where the controller runs no beats, and damps drives that move; `stopping()` and `unconfirmed(i)`
-// say how far it is. A start waits for its end. While the emergency stop is pressed no drive is enabled. No
-// set point is sent behind frames that still wait: it would be stale.
+// (stop_sequence.hpp): damp, then disable, in each beat and each `on_idle`, until each drive has confirmed;
+// `stopping()` and `unconfirmed(i)` say how far it is. A start waits for its end. While the emergency stop is
+// pressed no drive is enabled. No set point is sent behind frames that still wait: it would be stale.
 //
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
@@ -97,8 +96,7 @@ public:
   void on_start() { start(); }
   void on_stop() { stop(); }
   void on_fault() { stop(); }
-  // Instead of a beat: while the controller is stopped or faulted, or waits for others. Drives that move and
-  // get no set points are damped until the next beat.
+  // Instead of a beat. Drives that move are damped until the next one.
   void on_idle() {
     if (stopping()) listen(), send_stop();
     else if (moving()) listen(), send_to_all(true);
