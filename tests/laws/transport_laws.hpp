@@ -333,6 +333,55 @@ void is_not_held_up_by_a_stopped_reader() {
   CHECK_EQ(mind.said(), "started");
 }
 
+struct tolerant : cca::deployment<architecture,
+                                  cca::environment<"robot", cca::nodes<"device", "filter", "guard">>,
+                                  cca::environment<"mind", cca::other_nodes>,
+                                  cca::tolerate<100>> {};
+
+// While another process stands still, the robot's side idles once a period: after lost contact, and where the
+// run is to end. 900 periods pass meanwhile; the machine may give it a few of them only.
+template <class Meeting, class D>
+std::string said_while_the_mind_stands(std::int64_t ends_after_late) {
+  const std::string name = Meeting::other_name();
+  const milestone runs;
+  process mind([&] {
+    auto d = opened<Meeting, D>("mind", name);
+    d.load();
+    d.start();
+    d.run(cca::without_end{}, cca::at_wall_clock());
+    return std::string(cca::to_string(d.state()));
+  });
+  process robot([&] {
+    auto d = opened<Meeting, D>("robot", name);
+    d.load();
+    d.start();
+    int before = -1;
+    std::int64_t late = 0;
+    d.run(cca::without_end{}, cca::at_wall_clock(), [&](auto& running) {
+      if (running.beat_index() == 20) runs.reached();
+      if (running.beat_index() <= 20) before = running.template get<"device">().idles, late = running.late();
+      return running.late() < late + ends_after_late;
+    });
+    const auto& device = d.template get<"device">();
+    std::ostringstream text;
+    text << cca::to_string(d.state()) << ' ' << device.faults << ' ';
+    if (const int idles = device.idles - before; idles < 30) text << idles;
+    else text << "idled";
+    return text.str();
+  });
+  runs.wait_for(1);
+  mind.stop();
+  std::this_thread::sleep_for(900ms);
+  mind.go_on();
+  mind.said();
+  return robot.said();
+}
+template <class Meeting>
+void idles_while_another_stands() {
+  CHECK_EQ(said_while_the_mind_stands<Meeting, tolerant>(1'000'000), "faulted 1 idled");
+  CHECK_EQ(said_while_the_mind_stands<Meeting, patient>(50), "started 0 idled");
+}
+
 // A second process, a process of another deployment.
 template <class Meeting>
 void refuses_whom_it_must() {

@@ -49,7 +49,7 @@ template <class Component> concept OnFault = requires(Component& c) {
 };
 
 // Of a resource node: step() calls it instead of a beat while the controller is stopped or faulted, so that a
-// robot can go on stopping.
+// robot can go on stopping. A deployment calls it once a period while it waits for other environments.
 template <class Component> concept OnIdle = requires(Component& c) {
   { c.on_idle() } -> std::same_as<void>;
 };

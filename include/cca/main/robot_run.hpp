@@ -139,7 +139,11 @@ private:
   void tell(const std::string& what) const { std::cerr << called + ": " + what + '\n'; }
   static std::string fault_of(const controller_type& c) {
     const std::string path = c.fault_path();
-    return "fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason();
+    std::string text =
+        "fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason();
+    if constexpr (requires { c.fault_cause(); })
+      if (const std::string cause = c.fault_cause(); !cause.empty()) text += ": " + cause;
+    return text;
   }
   static std::string at(const controller_type& c) {
     char text[64];

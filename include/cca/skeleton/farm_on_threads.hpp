@@ -21,12 +21,14 @@
 // but the beat in which they come does: this is the only component that depends on real time. `cca::farm` has
 // the same input and output and gives the same results in the same beat.
 //
-// Threads begin in on_start and end in on_stop. Copying a running controller waits until the tasks under way
-// are done; the copy gets the workers, the results still to be published, and threads of its own. A change of
-// a worker's parameters takes effect at the next start. Errors: skeleton.arity; cca::refused, if the system
-// has no more threads. Cost: two atomic loads and two stores per worker and beat; no allocation, no lock, no
-// system call.
-// Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
+// Threads begin in on_start. on_stop never waits for them: a robot that stops, or changes its mode, goes on
+// getting frames. A worker that is busy then finishes its task in its thread, where its own on_stop runs. It
+// is back when the farm starts again or saves; if it is still busy, its place gets the worker as it was when
+// the farm started before. The destructor waits for it. Copying a running controller waits until the tasks
+// under way are done; the copy gets the workers, the results still to be published, and threads of its own. A
+// change of a worker's parameters takes effect at the next start. Errors: skeleton.arity; cca::refused, if
+// the system has no more threads. Cost: two atomic loads and two stores per worker and beat; no allocation,
+// no lock, no system call. Example: tests/runtime/skeleton/threads.cpp; docs/skeletons.md.
 #pragma once
 
 #include <algorithm>
@@ -89,6 +91,7 @@ public:
     workers = other.workers;
     whole = other.whole, origins = other.origins, is_new = other.is_new;
     last_task = other.last_task, lost = other.lost;
+    retire();
     at_work = std::move(other.at_work);
     return *this;
   }
@@ -107,11 +110,15 @@ public:
     });
   }
   void on_save() {
+    fetch();
     each([](auto& w) {
       if constexpr (OnSave<Worker>) w.on_save();
     });
   }
   void on_start() {
+    fetch();
+    is_out = {};
+    forget_the_ended();
     each([&](auto& w) {
       if constexpr (HasParameters<Worker>) w.p = this->p;
       if constexpr (OnStart<Worker>) w.on_start();
@@ -125,11 +132,13 @@ public:
   }
   void on_stop() {
     at_work->stop();
-    for (std::size_t i = 0; i < count; ++i) workers[i] = at_work->at(i);
-    at_work.reset();
-    each([](auto& w) {
-      if constexpr (OnStop<Worker>) w.on_stop();
-    });
+    for (std::size_t i = 0; i < count; ++i) {
+      is_out[i] = !at_work->is_back(i);
+      if (is_out[i]) continue;
+      workers[i] = at_work->at(i);
+      work::stopped(workers[i]);
+    }
+    retire();
   }
 
   // Waits until all tasks are done: for tests, and where waiting is allowed.
@@ -139,6 +148,27 @@ private:
   template <class F>
   void each(F f) {
     for (auto& w : workers) f(w);
+  }
+
+  // The threads of the last crews may still be busy.
+  void retire() noexcept {
+    if (!at_work) return;
+    at_work->stop();
+    at_work->before = std::move(retired);
+    retired = std::move(at_work);
+  }
+  void forget_the_ended() {
+    for (auto* one = &retired; *one;)
+      if ((*one)->has_ended()) *one = std::move((*one)->before);
+      else one = &(*one)->before;
+  }
+  // Workers that were busy when the farm was stopped, and are back.
+  void fetch() {
+    for (std::size_t i = 0; retired && i < count; ++i)
+      if (is_out[i] && retired->is_back(i)) {
+        workers[i] = retired->at(i);
+        is_out[i] = false;
+      }
   }
 
   std::size_t under_way() const {
@@ -189,7 +219,8 @@ private:
   std::array<std::int64_t, count> origins{};
   std::array<bool, count> is_new{};
   std::int64_t last_task = -1, lost = 0;
-  std::unique_ptr<threads> at_work;
+  std::unique_ptr<threads> at_work, retired;
+  std::array<bool, count> is_out{};  // in the last crew that was retired
 };
 
 template <class Worker>

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <cca/component/beat.hpp>
+#include <cca/component/hooks.hpp>
 #include <cca/skeleton/stage_ports.hpp>
 
 namespace cca::detail {
@@ -34,6 +35,9 @@ struct worker_task {
     bool published = false;
   };
 
+  static void stopped([[maybe_unused]] Worker& by) {
+    if constexpr (OnStop<Worker>) by.on_stop();
+  }
   static result done(Worker& by, const task& t) { return call(by, t, typename facts::parameters()); }
 
 private:

@@ -85,6 +85,9 @@ TEST_SUITE("deployed in processes") {
   TEST_CASE("stop in one process is stop in the other, which waits in run") {
     transport_laws::stops_with_the_others<over_shared_memory>();
   }
+  TEST_CASE("the robot's side idles while another process stands still") {
+    transport_laws::idles_while_another_stands<over_shared_memory>();
+  }
   TEST_CASE("a reader that stops costs the writer nothing") {
     transport_laws::is_not_held_up_by_a_stopped_reader<over_shared_memory>();
   }

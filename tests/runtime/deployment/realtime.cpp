@@ -50,6 +50,10 @@ template <class Option>
 struct spread_with : cca::deployment<witnesses,
                                      cca::environment<"one", cca::nodes<"a">, Option>,
                                      cca::environment<"two", cca::nodes<"b">, Option>> {};
+struct only_one
+    : cca::deployment<witnesses,
+                      cca::environment<"one", cca::nodes<"a">, cca::realtime_if_allowed<7, cca::on_core<0>>>,
+                      cca::environment<"two", cca::nodes<"b">>> {};
 using urgent = spread_with<cca::realtime<7, cca::on_core<0>>>;
 using urgent_if_allowed = spread_with<cca::realtime_if_allowed<7, cca::on_core<0>>>;
 
@@ -188,6 +192,15 @@ TEST_SUITE("realtime") {
     if (!refusal.empty()) MESSAGE("NOT TESTED HERE, this machine allows no real time: " << refusal);
     CHECK((refusal.empty() || has(refusal, "limits.conf") || has(refusal, "cca::on_core")));
     CHECK_EQ(scheduling_here(), before);
+  }
+
+  TEST_CASE("an environment that does not ask for it has neither the priority nor the core of the first") {
+    const scheduling before = scheduling_here();
+    cca::deployed<only_one> d;
+    d.load();
+    d.start();
+    d.run(cca::for_beats<3>{});
+    CHECK_EQ(d.get<"b">().seen, before);
   }
 
   TEST_CASE("where it is allowed, the memory of the process is locked, and stays so") {

@@ -146,6 +146,24 @@ TEST_SUITE("stopping") {
     l.run();
   }
 
+  TEST_CASE(
+      "idling, as where a run waits for others, damps drives that move; the next beat drives them again") {
+    lab l;
+    l.run();
+    for (int k = 0; k < 200; ++k) {
+      l.synchronizer().on_idle();
+      l.rest_of_beat();
+      if (k < 2) continue;  // frames of the last beat are on their way
+      REQUIRE(l.stiffest() == 0);
+      REQUIRE(l.least_damping() > 0.3);
+      REQUIRE(l.enabled() == 8);
+    }
+    CHECK(l.phase() == hw::motion_phase::running);
+    l.beats(10);
+    CHECK(l.stop().mode() == hw::motion_mode::run);
+    CHECK(l.stiffest() > 0);
+  }
+
   TEST_CASE("shut_down: the whole sequence in one line; a drive that never confirms is reported by name") {
     lab l;
     l.run();

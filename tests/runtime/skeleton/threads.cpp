@@ -33,7 +33,7 @@ struct deep_thought {
   parameters p{0.5};
   double sum = 0;
   int done = 0, begun = 0;
-  static inline std::atomic<int> loads = 0, saves = 0, stops = 0;
+  static inline std::atomic<int> loads = 0, saves = 0, stops = 0, tasks = 0;
 
   void on_load() { ++loads; }
   void on_save() { ++saves; }
@@ -43,6 +43,7 @@ struct deep_thought {
   // It finds out which of the two workers it is from its input.
   auto process(cca::in<"x", spot> x, cca::optional_in<"more", spot> more, cca::beat now)
       -> std::tuple<cca::maybe<"y", spot>, cca::out<"ok", cca::flag>> {
+    ++tasks;
     auto& mine = allowed[x[cca::x{}] >= 1000];
     while (mine <= 0) std::this_thread::sleep_for(std::chrono::microseconds(20));
     --mine;
@@ -347,6 +348,57 @@ TEST_SUITE("farm on threads") {
     c.stop();
     c.save();
     CHECK_EQ(deep_thought::saves - saves, 2);
+  }
+
+  TEST_CASE("stop does not wait for busy workers; they are back when the farm starts again") {
+    allow(0, 0);
+    const int stops = deep_thought::stops, tasks = deep_thought::tasks;
+    auto c = started<four_at_most>();
+    c.run(cca::for_beats<2>{});
+    while (deep_thought::tasks - tasks < 2) std::this_thread::yield();  // each worker hangs in its first
+    std::atomic<bool> has_stopped{false};
+    std::thread rescue([&] {
+      for (int ms = 0; ms < 5000 && !has_stopped; ++ms)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      allow(all, all);
+    });
+    c.stop();
+    CHECK_EQ(allowed[0], 0);  // nobody had to help
+    CHECK_FALSE(c.step());
+    has_stopped = true;
+    rescue.join();
+    const auto wait_for_stops = [&](int count) {
+      for (int ms = 0; ms < 5000 && deep_thought::stops - stops < count; ++ms)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      CHECK_EQ(deep_thought::stops - stops, count);
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until their threads have said so
+    };
+    wait_for_stops(2);
+    c.start();
+    c.run(cca::for_beats<1>{});
+    crew(c).wait();
+    c.get<"eye">().every = 1'000'000;
+    c.run(cca::for_beats<1>{});
+    // Tasks 1 and 3; the second start adds 1.
+    CHECK_EQ(c.get<"act">().last.vector()[0], doctest::Approx(0.5 * (1 + 3) + 2 * 0.001 + 1));
+  }
+
+  TEST_CASE("workers that are still busy at the next start are replaced, and end on their own") {
+    allow(0, 0);
+    auto c = started<four_at_most>();
+    for (int i = 0; i < 3; ++i) {
+      const int tasks = deep_thought::tasks;
+      c.run(cca::for_beats<2>{});
+      while (deep_thought::tasks - tasks < 2) std::this_thread::yield();
+      c.stop();
+      c.start();
+    }
+    allow(all, all);
+    c.run(cca::for_beats<1>{});
+    crew(c).wait();
+    c.get<"eye">().every = 1'000'000;
+    c.run(cca::for_beats<1>{});
+    CHECK_EQ(c.get<"act">().last.vector()[0], doctest::Approx(0.5 * 7 + 0.001 + 3));  // only task 7
   }
 
   TEST_CASE("a controller may end while workers are busy") {

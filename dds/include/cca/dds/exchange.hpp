@@ -125,6 +125,8 @@ private:
   // machines.
   void write(std::size_t e, const status& from, std::int64_t at) override {
     auto& to = own.environments[e];
+    const bool brings_end =
+        to.fault.position != from[status::fault_position] || to.stop_at != from[status::stop_at];
     to.overruns = from[status::overruns];
     to.lost_periods = from[status::lost_periods];
     for (std::size_t x = 0; x < environment_count; ++x) to.late[x] = from.late[x];
@@ -148,6 +150,7 @@ private:
     to.finished.store(from[status::finished], std::memory_order_release);
     to.ready.store(from[status::ready], std::memory_order_release);
     to.arrived.store(from[status::arrived], std::memory_order_release);
+    if (brings_end) own.ends.ring();
   }
 
   void forget(std::size_t e) override { own.environments[e].position.store(-1, std::memory_order_release); }

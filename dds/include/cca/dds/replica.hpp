@@ -75,9 +75,11 @@ public:
     return receive(longest);
   }
 
+  // Never waits for the thread that receives: without a complaint it takes no lock.
   void check() const {
+    if (!has_complaint.load(std::memory_order_acquire)) return;
     const std::lock_guard lock(one_at_a_time);
-    if (!complaint.empty()) throw cca::refused("cca::dds: " + complaint);
+    throw cca::refused("cca::dds: " + complaint);
   }
 
 private:
@@ -94,8 +96,12 @@ private:
   }
   void look() {
     const std::string found = known.look(refused, name);
+    if (!found.empty()) complain(found);
+  }
+  void complain(const std::string& why) {
     const std::lock_guard lock(one_at_a_time);
-    if (complaint.empty()) complaint = found;
+    if (complaint.empty()) complaint = why;
+    has_complaint.store(true, std::memory_order_release);
   }
   // The receiving thread rests while an environment does its work.
   void receive_all() {
@@ -112,10 +118,7 @@ private:
     try {
       to_here.work(longest);
       look();
-    } catch (const std::exception& e) {
-      const std::lock_guard lock(one_at_a_time);
-      complaint = e.what();
-    }
+    } catch (const std::exception& e) { complain(e.what()); }
     return true;
   }
 
@@ -134,6 +137,7 @@ private:
   std::optional<sender> from_here;
   mutable std::mutex one_at_a_time;
   std::string complaint;  // why this process has to go
+  std::atomic<bool> has_complaint{false};
   std::mutex receives;
   std::atomic<std::int64_t> replaced_at{0};  // when an environment received last (ns)
   std::atomic<bool> is_over{false};

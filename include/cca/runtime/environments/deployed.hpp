@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -156,17 +156,6 @@ private:
   }
   int first_here() const { return static_cast<int>(std::ranges::find(here, true) - here.begin()); }
 
-  // What the system refused to the thread of an environment.
-  template <int E>
-  void report(const std::string& refusal) {
-    if (refusal.empty()) return;
-    const std::string text = "cca::deployed: environment `" + std::string(detail::name_of_environment<D>(E)) +
-                             "` does not run in real time: " + refusal;
-    if (detail::wish_of_environment<D, E>.is_needed) throw refused(text);
-    if (!is_told[E]) std::cerr << text << '\n';
-    is_told[E] = true;
-  }
-
   void tell_stopped(bool is_stopped) {
     for (std::size_t e = 0; e < here.size(); ++e)
       if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
@@ -178,19 +167,29 @@ private:
     constexpr bool is_watched = !std::is_same_v<std::remove_cv_t<Between>, detail::nothing_between>;
     const bool wants_exact = !detail::OnClock<Pace>;
     const bool wants_to_meet = is_watched || !std::is_same_v<Pace, as_fast_as_possible>;
+    // From here on, until all have ended, this thread is that of its environment.
+    const detail::scheduling_of_caller before;
+    std::optional<detail::thread_setup> setup;
+    loops.for_each([&]<int E>(auto&) {
+      if (E != first_here()) return;
+      setup.emplace(detail::wish_of_environment<D, E>);
+      refusals.template report<E>(setup->refusal());
+    });
     detail::meeting<D> together(*shared, here, others.get());
+    auto idle_beats = detail::idle_beats_at(pace, period());
+    const auto meanwhile = [this] { idle(); };
     const auto terms =
-        together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, [this] { idle(); });
+        together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats, meanwhile);
     if (terms.is_stopped) return false;
     std::int64_t last_seen = terms.beat;
     {
-      const finished_run all_at_one_beat{*this, together, terms};
+      const finished_run all_at_one_beat{*this, together, terms, idle_beats};
       loops.for_each([&]<int E>(auto& loop) {
         if (here[E])
           loop.prepare(*shared, others.get(), terms.is_exact, terms.all_meet ? 0 : detail::most_ahead<D>,
                        terms.beat);
       });
-      together.begin();
+      together.begin(idle_beats, meanwhile);
       loops.for_each([&]<int E>(auto& first) {
         if (E != first_here()) return;
         const auto after_beat = [&] {
@@ -198,7 +197,7 @@ private:
           look_after<E>(between);
           return detail::goes_on_after(between, *this);
         };
-        run_environments<E>(first, terms, pace, between, after_beat);
+        run_environments<E>(first, terms, pace, between, after_beat, idle_beats, before);
       });
     }
     loops.for_each([&]<int E>(auto&) {
@@ -220,14 +219,17 @@ private:
 
   // `first` in this thread, the others in threads of their own.
   template <int E, class Loop, class Pace, class Between, class AfterBeat>
-  void run_environments(
-      Loop& first, const detail::terms_of_run& terms, Pace& pace, Between& between, AfterBeat after_beat) {
-    const detail::thread_setup setup(detail::wish_of_environment<D, E>);
-    report<E>(setup.refusal());
-    const detail::environment_threads<D> followers(
-        loops, [&first] { first.stop(); }, [&](int e) { return e != E && here[detail::array_size(e)]; },
-        terms.end, terms.is_exact,
-        [this]<int Other>(const std::string& refusal) { this->template report<Other>(refusal); },
+  void run_environments(Loop& first,
+                        const detail::terms_of_run& terms,
+                        Pace& pace,
+                        Between& between,
+                        AfterBeat after_beat,
+                        detail::idle_beats& idle_beats,
+                        const detail::scheduling_of_caller& before) {
+    const detail::environment_threads<D, Loop> followers(
+        loops, first, [&](int e) { return e != E && here[detail::array_size(e)]; }, terms, idle_beats, before,
+        [this] { idle(); },
+        [this]<int Other>(const std::string& refusal) { refusals.template report<Other>(refusal); },
         [this, &between]<int Other>() { this->template look_after<Other>(between); });
     if constexpr (E > 0) {
       if (terms.is_exact) first.follow_exactly(terms.end, after_beat);
@@ -237,21 +239,27 @@ private:
       if constexpr (detail::OnClock<Pace>) first.lead(terms.end, runs, pace, after_beat);
       else first.lead_exactly(terms.end, runs, pace, after_beat);
     }
-    first.handle_fault();
   }
 
   struct finished_run {
     deployed& all;
     detail::meeting<D>& together;
     const detail::terms_of_run& terms;
-    ~finished_run() { all.finish(together, terms); }
+    detail::idle_beats& idle_beats;
+    ~finished_run() { all.finish(together, terms, idle_beats); }
   };
   // All environments continue with the same beat.
-  void finish(detail::meeting<D>& together, const detail::terms_of_run& terms) {
+  void finish(detail::meeting<D>& together,
+              const detail::terms_of_run& terms,
+              detail::idle_beats& idle_beats) {
     loops.for_each([&]<int E>(auto& loop) {
       if (here[E]) k = std::max(k, loop.done);
     });
-    k = together.end(k);
+    k = together.end(k, idle_beats, [this] {
+      loops.for_each([&]<int E>(auto& loop) {
+        if (here[E]) loop.idle();
+      });
+    });
     const auto& first = *std::ranges::min_element(shared->environments, {}, [](const auto& e) {
       return e.fault.position.load(std::memory_order_acquire);
     });
@@ -265,6 +273,7 @@ private:
     });
     if (!is_faulted) return;
     reason = {first.fault.reason.data(), first.fault.node};
+    this->keep_cause(first, first_here());
     now = detail::after(detail::transition::fail, now);
   }
 
@@ -280,7 +289,7 @@ private:
   std::int64_t k = 0;
   std::array<std::int64_t, detail::array_size(detail::environment_count<D>)> looked_at{};  // 0: not now
   detail::run_record runs{};
-  std::array<bool, detail::array_size(detail::environment_count<D>)> is_told{};
+  detail::real_time_refusals<D> refusals{};
 };
 
 }  // namespace cca

@@ -1,7 +1,7 @@
 // The loop of one environment: its components, which beats it runs, and when.
 //
-// As fast as possible it waits for whatever a result depends on, so that all is as in one loop. At wall-clock
-// speed it never waits for a sample: the first environment gives the beat, the others follow it.
+// A fast run waits for every sample that it needs, so that all is as in one loop. A run on a clock never
+// waits for a sample: the first environment gives the beat, the others follow it.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <cca/runtime/environments/active_beats.hpp>
 #include <cca/runtime/environments/links.hpp>
 #include <cca/runtime/environments/lost_contact.hpp>
+#include <cca/runtime/environments/waiting/beats_of_first.hpp>
 #include <cca/runtime/cut_beat.hpp>
 #include <cca/runtime/one_beat.hpp>
 #include <cca/runtime/run_record.hpp>
@@ -19,8 +20,11 @@
 namespace cca::detail {
 
 template <class D, int E>
-class alignas(64) environment_loop {
+class alignas(64) environment_loop : beats_of_first<environment_loop<D, E>, D> {
   using graph = part<D, E>;
+  using first_beats = beats_of_first<environment_loop, D>;
+  friend first_beats;
+  using first_beats::wait_for_beat;
   static constexpr std::int64_t period = counts_of<D>.period;
 
 public:
@@ -43,6 +47,7 @@ public:
     skip_to(beat);
     own().begun = beat - 1;
     own().begun_at = own().interval = 0;
+    own().slowest.forget();
     own().fault.position = no_position;
     own().stop_at = no_position;
     announce();
@@ -80,7 +85,7 @@ public:
   template <class Pace, class AfterBeat>
   void lead(std::int64_t end, run_record& runs, Pace& pace, AfterBeat after_beat) {
     const std::int64_t first = k;
-    while (k < end) {
+    while (k < end && goes_on()) {  // a beat that a fault has cut is no overrun
       const cca::fault late = wait(runs, pace, (k - first) * period);
       own().overruns.store(runs.overruns, std::memory_order_relaxed);
       own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
@@ -101,7 +106,7 @@ public:
   template <class AfterBeat>
   void follow(std::int64_t end, AfterBeat after_beat) {
     bool is_running = false;
-    for (; !is_asleep_until(end); is_running = true) {
+    for (; !is_asleep_until(end) && goes_on(); is_running = true) {
       const bool is_overrun = is_running && begun() >= k;
       const std::int64_t beat = is_overrun ? begun() + 1 : k;
       if (is_overrun) {
@@ -110,7 +115,7 @@ public:
           if (auto* const track = state.trace.get()) track->overrun(beat - k);
       }
       if (beat >= end) return lose_until(end);
-      if (!wait_for_beat(beat)) return;
+      if (!wait_for_beat(beat, after_beat)) return;
       lose_until(newest_due(begun()));
       run_timed_beat();
       announce();
@@ -122,6 +127,19 @@ public:
   void stop() { own().stop_at.store(k, std::memory_order_release); }
 
   // ---- at the end of a run ----
+
+  static constexpr bool idles = any_component<graph, call_on_idle>;
+  static constexpr bool has_hooks_of_resources = idles || any_component<graph, call_on_fault>;
+
+  // Instead of a beat, while others have not ended.
+  void idle() noexcept {
+    handle_fault();
+    if constexpr (idles) visit_components<graph>(call_on_idle{}, state);
+  }
+  // Its beats are over: who sleeps looks whether the run goes on.
+  void tell_end() noexcept { shared().ends.ring(); }
+  // When its last beat began, or when it idled last.
+  std::int64_t last_active() const noexcept { return active_at; }
 
   // Goes on with beat `next`: those in between count as done, also where a fault has cut the last.
   void skip_to(std::int64_t next) {
@@ -200,10 +218,14 @@ private:
   }
 
   void run_timed_beat() noexcept {
-    const std::int64_t begins = monotonic_clock::now();
+    const std::int64_t begins = active_at = monotonic_clock::now();
+    const std::int64_t beat = k;
+    own().slowest.begin(beat, begins);
     own().wake_up.add(begins - shared().environments[0].begun_at.load(std::memory_order_relaxed));
     run_beat();
-    own().duration.add(monotonic_clock::now() - begins);
+    const std::int64_t needed = monotonic_clock::now() - begins;
+    own().duration.add(needed);
+    own().slowest.end(beat, needed);
   }
 
   // Skips the beats in which nothing can fire. True: there is no other before the end.
@@ -265,31 +287,8 @@ private:
     return newest;
   }
 
-  // Waits until the first environment begins this beat. False: a fault or the end has come before it.
-  bool wait_for_beat(std::int64_t beat) noexcept {
-    const auto& first = shared().environments[0];
-    const std::int64_t since = monotonic_clock::now();
-    while (goes_on()) {
-      const std::int64_t newest = begun();
-      if (newest >= beat) return true;
-      const std::int64_t interval = first.interval.load(std::memory_order_relaxed);
-      const std::int64_t due = first.begun_at.load(std::memory_order_relaxed) + (beat - newest) * interval;
-      const std::int64_t now = monotonic_clock::now();
-      if (now > std::max(since, due) + longest_silence)
-        state.look_for(0, position() - 1, [&] { return begun() >= beat; });
-      monotonic_clock::sleep_until(std::clamp(due, now + shortest_sleep, now + longest_sleep(interval)));
-    }
-    return false;
-  }
-  static constexpr std::int64_t longest_silence = 10'000'000;  // then it is asked whether it is gone
-  static constexpr std::int64_t shortest_sleep = 20'000;
-  // A fault in another environment wakes no thread: an environment that must react to it checks in each beat.
-  static constexpr std::int64_t longest_sleep(std::int64_t interval) {
-    constexpr std::int64_t shortest = any_component<graph, call_on_fault> ? shortest_sleep : 20'000'000;
-    return std::max(interval, shortest);
-  }
-
   bool has_handled_fault = false;
+  std::int64_t active_at = 0;
 };
 
 }  // namespace cca::detail

@@ -16,6 +16,7 @@
 #include <cca/runtime/environments/crossing.hpp>
 #include <cca/runtime/environments/histogram.hpp>
 #include <cca/runtime/environments/sample_ring.hpp>
+#include <cca/runtime/environments/waiting/bell.hpp>
 
 namespace cca::detail {
 
@@ -52,6 +53,25 @@ struct fault_record {
   }
 };
 
+// The beat in which an environment needed most time in this run, at wall-clock speed. One that hangs is in
+// it.
+struct slowest_beat {
+  std::atomic<std::int64_t> beat{-1}, needed{0};    // ns
+  std::atomic<std::int64_t> running{-1}, since{0};  // since: 0, between two beats
+
+  void forget() noexcept { beat = running = -1, needed = since = 0; }
+  void begin(std::int64_t k, std::int64_t now) noexcept {
+    running.store(k, std::memory_order_relaxed);
+    since.store(now, std::memory_order_relaxed);
+  }
+  void end(std::int64_t k, std::int64_t took) noexcept {
+    since.store(0, std::memory_order_relaxed);
+    if (took <= needed.load(std::memory_order_relaxed)) return;
+    needed.store(took, std::memory_order_relaxed);
+    beat.store(k, std::memory_order_relaxed);
+  }
+};
+
 // The numbers of an environment: written by it, read by all.
 template <int Environments>
 struct alignas(64) environment_record {
@@ -74,6 +94,7 @@ struct alignas(64) environment_record {
   std::atomic<std::int64_t> overruns{0}, lost_periods{0};
   std::array<std::atomic<std::int64_t>, array_size(Environments)> late{};  // what comes from each
   histogram wake_up{}, duration{};
+  slowest_beat slowest{};
 
   void forget_figures() {
     overruns = lost_periods = 0;
@@ -98,6 +119,9 @@ struct exchange<D, std::integer_sequence<int, Output...>> : leaving_samples<D, O
   }
 
   std::array<environment_record<environment_count<D>>, array_size(environment_count<D>)> environments{};
+  // Rings when an environment makes no further beats, and when a transport brings such news: a follower that
+  // sleeps until its next beat wakes.
+  alignas(64) bell_between_processes ends{};
 
   template <int Number>
   auto& ring() {

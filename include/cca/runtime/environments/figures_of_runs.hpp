@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include <cca/component/lifecycle.hpp>
 #include <cca/runtime/environments/exchange.hpp>
 #include <cca/runtime/environments/figures.hpp>
+#include <cca/runtime/environments/lost_contact.hpp>
 
 namespace cca::detail {
 
@@ -32,6 +35,12 @@ public:
     for (const auto& e : records()) all += e.lost_periods.load(std::memory_order_relaxed);
     return all;
   }
+  // After lost contact: what the environment needed, what it had, and what to change, for a person. Empty
+  // after other faults, and where there is none. Between two runs.
+  std::string fault_cause() const {
+    const Self& self = static_cast<const Self&>(*this);
+    return self.state() == state::faulted ? contact.template text<D>() : std::string();
+  }
   std::vector<environment_figures> figures() const {
     std::vector<environment_figures> all;
     for (std::size_t e = 0; e < records().size(); ++e) {
@@ -49,7 +58,17 @@ public:
     return all;
   }
 
+protected:
+  // Of the record with the first fault, when the run has ended. `own`: an environment of this process.
+  void keep_cause(const environment_record<environment_count<D>>& first, int own) {
+    const auto& all = *static_cast<const Self&>(*this).shared;
+    contact = contact_loss::in<D>(all, static_cast<std::size_t>(&first - all.environments.data()),
+                                  array_size(own), first.fault);
+  }
+
 private:
+  contact_loss contact{};
+
   const auto& records() const { return static_cast<const Self&>(*this).shared->environments; }
 };
 

@@ -8,7 +8,7 @@
 
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/exchange.hpp>
-#include <cca/runtime/environments/waiting/patience.hpp>
+#include <cca/runtime/environments/waiting/idle_beats.hpp>
 #include <cca/runtime/environments/peers.hpp>
 
 namespace cca::detail {
@@ -30,9 +30,11 @@ public:
     ++run;
   }
 
-  // Waits for all environments, at most so long; `meanwhile()` is called every few milliseconds.
+  // Waits for all environments, at most so long. While anything here waits, `meanwhile()` is called once a
+  // period.
   template <class F>
-  terms_of_run agree(const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, F meanwhile) {
+  terms_of_run agree(
+      const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, idle_beats& idle, F meanwhile) {
     terms_of_run agreed;
     for (bool is_newest = false; !is_newest;) {
       for_each_here([&](auto& own) {
@@ -43,9 +45,8 @@ public:
         own.arrived.store(run, std::memory_order_release);
       });
       check();
-      wait(&record::arrived, [&](std::size_t missing, std::int64_t waited) {
+      wait(&record::arrived, idle, meanwhile, [&](std::size_t missing, std::int64_t waited) {
         if (agreed.is_stopped) return false;
-        meanwhile();
         check();
         agreed.is_stopped = shared.environments[missing].is_stopped.load(std::memory_order_acquire);
         if (!agreed.is_stopped && waited < longest) return true;
@@ -73,18 +74,20 @@ public:
   }
 
   // Everybody is prepared: from here on they look at each other's positions.
-  void begin() {
+  template <class F>
+  void begin(idle_beats& idle, F meanwhile) {
     for_each_here([&](auto& own) { own.ready.store(run, std::memory_order_release); });
-    wait(&record::ready, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
+    wait(&record::ready, idle, meanwhile, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
   }
 
   // Nobody looks any more. The beat with which they go on.
-  std::int64_t end(std::int64_t beat) {
+  template <class F>
+  std::int64_t end(std::int64_t beat, idle_beats& idle, F meanwhile) {
     for_each_here([&](auto& own) {
       own.beat = beat;
       own.finished.store(run, std::memory_order_release);
     });
-    wait(&record::finished, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
+    wait(&record::finished, idle, meanwhile, [&](std::size_t e, std::int64_t) { return is_with_us(e); });
     std::int64_t next = beat;
     for (const auto& e : shared.environments)
       if (e.finished.load(std::memory_order_acquire) >= run) next = std::max<std::int64_t>(next, e.beat);
@@ -121,14 +124,16 @@ private:
 
   // Waits until each environment is at this run. Ends early if waits(missing, ns), called now and then,
   // returns false.
-  template <class F>
-  void wait(std::atomic<std::int64_t> record::* at, F waits) {
+  template <class Meanwhile, class F>
+  void wait(std::atomic<std::int64_t> record::* at, idle_beats& idle, Meanwhile meanwhile, F waits) {
     const std::int64_t since = monotonic_clock::now();
     for (std::size_t e = 0; e < here.size(); ++e)
-      for (patience patience; (shared.environments[e].*at).load(std::memory_order_acquire) < run;
-           patience.wait()) {
-        if (patience.is_time_to_ask() && !waits(e, monotonic_clock::now() - since)) break;
-      }
+      idle.until(
+          [&](patience& waiting) {
+            return (shared.environments[e].*at).load(std::memory_order_acquire) >= run ||
+                   (waiting.is_time_to_ask() && !waits(e, monotonic_clock::now() - since));
+          },
+          meanwhile);
   }
 
   exchange<D>& shared;

@@ -17,10 +17,9 @@
 // guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
 // points go out only if they damp, until `start()`.
 // Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
-// (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
-// with it where the controller runs no beats; `stopping()` and `unconfirmed(i)` say how far it is. A start
-// waits for its end. While the emergency stop is pressed no drive is enabled. No set point is sent behind
-// frames that still wait: it would be stale.
+// (stop_sequence.hpp): damp, then disable, in each beat and each `on_idle`, until each drive has confirmed;
+// `stopping()` and `unconfirmed(i)` say how far it is. A start waits for its end. While the emergency stop is
+// pressed no drive is enabled. No set point is sent behind frames that still wait: it would be stale.
 //
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
@@ -97,9 +96,10 @@ public:
   void on_start() { start(); }
   void on_stop() { stop(); }
   void on_fault() { stop(); }
-  // Instead of a beat, while the controller is stopped or faulted.
+  // Instead of a beat. Drives that move are damped until the next one.
   void on_idle() {
     if (stopping()) listen(), send_stop();
+    else if (moving()) listen(), send_to_all(true);
   }
 
   motion_phase phase() const { return phase_now; }
@@ -264,13 +264,16 @@ private:
     for (auto& l : outbox.links) l.stop();
     outbox.let_pass();
   }
-  void send_stop() {
-    const stop_stage stage = stops.stage();
+  void send_to_all(bool damps) {
     outbox.clear();
     each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      (outbox.add(J::bus, stage == stop_stage::damping ? damped<J, I>() : J::drive::disable()), ...);
+      (outbox.add(J::bus, damps ? damped<J, I>() : J::drive::disable()), ...);
     });
     outbox.send();
+  }
+  void send_stop() {
+    const stop_stage stage = stops.stage();
+    send_to_all(stage == stop_stage::damping);
     for (std::size_t b = 0; b < buses; ++b)
       sent_disable[b] = sent_disable[b] || (stage == stop_stage::disabling && outbox.has_sent[b]);
     stops.advance();

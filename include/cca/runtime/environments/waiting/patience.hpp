@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <thread>
 
 #include <cca/runtime/environments/peers.hpp>
@@ -29,7 +30,8 @@ public:
   explicit patience(bell* arriving = nullptr, const peers* others = nullptr)
       : news(arriving), receives(others), before(arriving ? arriving->count() : 0) {}
 
-  void wait() {
+  // Not beyond `latest`, a time of the clock.
+  void wait(std::int64_t latest = std::numeric_limits<std::int64_t>::max()) {
     if (!receives && ++spun < spins) {
       leave_core_to_others();
       return count_again();
@@ -37,10 +39,14 @@ public:
     const std::int64_t now = monotonic_clock::now();
     if (times++ == 0) since = now;
     waited = now - since;
-    if (receives && receives->receive(longest_sleep)) return count_again();
-    if (news) news->wait(before, longest_sleep);
+    const std::int64_t longest = std::min(longest_sleep, latest - now);
+    if (longest <= 0) return count_again();
+    if (receives && receives->receive(longest)) return count_again();
+    if (news) news->wait(before, longest);
     else if (waited < longest_awake) std::this_thread::yield();
-    else monotonic_clock::sleep_until(now + std::clamp(waited / 8, shortest_sleep, longest_sleep));
+    else
+      monotonic_clock::sleep_until(now +
+                                   std::min(std::clamp(waited / 8, shortest_sleep, longest_sleep), longest));
     count_again();
   }
   // Every few milliseconds.

@@ -62,11 +62,17 @@ public:
                                   {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed},
                                   world_.joints()[c].angle, world_.model().beat);
     }
+    is_driven_ = true;
     world_.advance(laws);
   }
 
-  void on_start() { servos_ = {}; }
+  void on_start() { servos_ = {}, is_driven_ = true; }
+  void on_stop() { is_driven_ = false; }
+  void on_fault() { is_driven_ = false; }
+  // Stopped or faulted it moves under its damping. Between two runs no simulated time passes, so a result
+  // does not depend on how long they are apart.
   void on_idle() {
+    if (is_driven_) return;
     std::array<joint_law, coordinates> laws;
     for (std::size_t c = 0; c < coordinates; ++c) laws[c] = {.damping = world_.model().drives[c].damping};
     world_.advance(laws);
@@ -97,6 +103,7 @@ private:
 
   robot_world world_{model_of<R>()};
   std::array<robots::joint_servo, count> servos_{};
+  bool is_driven_ = false;
 };
 
 template <class R, class Axis>
