@@ -52,7 +52,7 @@ int run_program(int count, char** words, command_line& line, Act act) {
   const auto tell = [&name](const std::exception& e) { std::cerr << name << ": " << e.what() << '\n'; };
   try {
     line.parse(arguments);
-    return act();
+    return line.work_instead() ? line.work_instead()() : act();
   } catch (const command_line_error& e) {
     return tell(e), exit_code::refused;
   } catch (const cca::refused& e) { return tell(e), exit_code::refused; } catch (const std::exception& e) {

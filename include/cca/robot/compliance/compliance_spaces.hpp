@@ -64,6 +64,37 @@ struct end_of_part {
 // The worse of two statuses.
 constexpr input_status worse(input_status a, input_status b) { return a < b ? b : a; }
 
+// What a compliant component publishes in `status` and `saturation`, counted: also where nobody reads these.
+struct compliance_counts {
+  std::int64_t unreadable = 0, clamped = 0, spring = 0, motion = 0, torque = 0;
+
+  [[gnu::always_inline]] void note(input_status inputs, saturation cut) {
+    if (inputs != input_status::usable || cut != saturation::none) [[unlikely]]
+      count(inputs, cut);
+  }
+  std::string summary() const {
+    std::string text;
+    const auto add = [&](std::int64_t times, const char* what) {
+      if (times > 0) text += (text.empty() ? "" : "; ") + formatted(what, static_cast<long long>(times));
+    };
+    add(torque, "%lld times a torque was at the limit of its joint");
+    add(spring, "%lld times the spring, or the force control, was at its largest force");
+    add(motion, "%lld times the motion was at `fastest` or `farthest`");
+    add(unreadable, "%lld times an input was not finite");
+    add(clamped, "%lld times an input was beyond its bound");
+    return text;
+  }
+
+private:
+  [[gnu::noinline, gnu::cold]] void count(input_status inputs, saturation cut) {
+    unreadable += inputs == input_status::unreadable;
+    clamped += inputs == input_status::clamped;
+    spring += cut == saturation::spring;
+    motion += cut == saturation::motion;
+    torque += cut == saturation::torque;
+  }
+};
+
 // Of a stiffness or a damping: what is negative counts as 0.
 template <class Vector>
 Vector at_least_zero(input_check& inputs, const Vector& v) {

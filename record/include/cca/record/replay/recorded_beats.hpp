@@ -87,7 +87,7 @@ private:
     channel_use use;
     const std::string& topic = file.channels().at(id).topic;
     for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
-      if (topic == topic_of(path_of_port<Graph>(o))) {
+      if (topic == topic_of(cca::detail::path_of_output<Graph>(o))) {
         use = {use_kind::sample, o};
         is_recorded[cca::detail::array_size(o)] = true;
       }

@@ -1,0 +1,62 @@
+// What the components of a controller say after a run (component/after_run.hpp), each with its path.
+//
+//   for (const std::string& line : cca::causes_of(c)) std::cerr << line << '\n';      // the first cause first
+//   for (const std::string& line : cca::summaries_of(c)) std::cout << line << '\n';   // what was limited
+//
+// `c` is a cca::controller or a cca::deployed, between two beats. A fault is among the causes, with what its
+// component says about it. Test: tests/runtime/programs/after_run.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cca/component/after_run.hpp>
+#include <cca/component/lifecycle.hpp>
+
+namespace cca {
+
+template <class Controller>
+std::vector<std::string> summaries_of(const Controller& c) {
+  std::vector<std::string> lines;
+  c.for_each_component([&]<class C>(std::string_view path, const C& component) {
+    if constexpr (detail::HasSummary<C>)
+      if (const std::string said = component.summary(); !said.empty())
+        lines.push_back("`" + std::string(path) + "`: " + said);
+  });
+  return lines;
+}
+
+// In the order in which they began; of one beat in the order of declaration, the fault last.
+template <class Controller>
+std::vector<std::string> causes_of(const Controller& c) {
+  struct line {
+    std::int64_t beat;
+    std::string text;
+  };
+  std::vector<line> lines;
+  const auto at = [](std::int64_t beat) {
+    return detail::formatted("after %.3f s", 1e-9 * static_cast<double>(beat * Controller::period()));
+  };
+  const bool has_faulted = c.state() == state::faulted;
+  const std::string faulted = has_faulted ? c.fault_path() : std::string();
+  std::string of_fault;
+  c.for_each_component([&]<class C>(std::string_view path, const C& component) {
+    if constexpr (detail::HasCause<C>)
+      if (const cause said = component.cause()) {
+        if (has_faulted && path == faulted) of_fault = ": " + said.what;
+        else lines.push_back({said.beat, "`" + std::string(path) + "`, " + at(said.beat) + ": " + said.what});
+      }
+  });
+  if (has_faulted)
+    lines.push_back({c.beat_index(), "fault" + (faulted.empty() ? "" : " in `" + faulted + "`") + ", " +
+                                         at(c.beat_index()) + ": " + c.fault().reason() + of_fault});
+  std::ranges::stable_sort(lines, {}, &line::beat);
+  std::vector<std::string> texts;
+  for (line& one : lines) texts.push_back(std::move(one.text));
+  return texts;
+}
+
+}  // namespace cca
