@@ -7,10 +7,11 @@
 // component says about it. Test: tests/runtime/programs/after_run.cpp.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <cca/component/after_run.hpp>
@@ -32,11 +33,7 @@ std::vector<std::string> summaries_of(const Controller& c) {
 // In the order in which they began; of one beat in the order of declaration, the fault last.
 template <class Controller>
 std::vector<std::string> causes_of(const Controller& c) {
-  struct line {
-    std::int64_t beat;
-    std::string text;
-  };
-  std::vector<line> lines;
+  std::multimap<std::int64_t, std::string> lines;  // by their beats
   const auto at = [](std::int64_t beat) {
     return detail::formatted("after %.3f s", 1e-9 * static_cast<double>(beat * Controller::period()));
   };
@@ -47,15 +44,14 @@ std::vector<std::string> causes_of(const Controller& c) {
     if constexpr (detail::HasCause<C>)
       if (const cause said = component.cause()) {
         if (has_faulted && path == faulted) of_fault = ": " + said.what;
-        else lines.push_back({said.beat, "`" + std::string(path) + "`, " + at(said.beat) + ": " + said.what});
+        else lines.emplace(said.beat, "`" + std::string(path) + "`, " + at(said.beat) + ": " + said.what);
       }
   });
   if (has_faulted)
-    lines.push_back({c.beat_index(), "fault" + (faulted.empty() ? "" : " in `" + faulted + "`") + ", " +
-                                         at(c.beat_index()) + ": " + c.fault().reason() + of_fault});
-  std::ranges::stable_sort(lines, {}, &line::beat);
+    lines.emplace(c.beat_index(), "fault" + (faulted.empty() ? "" : " in `" + faulted + "`") + ", " +
+                                      at(c.beat_index()) + ": " + c.fault().reason() + of_fault);
   std::vector<std::string> texts;
-  for (line& one : lines) texts.push_back(std::move(one.text));
+  for (auto& [beat, text] : lines) texts.push_back(std::move(text));
   return texts;
 }
 

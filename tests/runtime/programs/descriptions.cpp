@@ -169,7 +169,7 @@ TEST_CASE("the first cause is told first, and what was limited") {
   CHECK(one.err.substr(first.size())
             .starts_with("walk: fault in `watchdog.watch`, after 0.026 s: stale command: the oldest data of "
                          "the command is 0.006 s old, 0.005 s are allowed: "));
-  CHECK_EQ(one.out, "loaded;`limits`: 21 numbers limited; the first: `hip` in beat 5: its rate\n");
+  CHECK_EQ(one.out, "loaded;`limits`: 20 numbers limited; the first: `hip` in beat 5: its rate\n");
   child quiet(cca::robot_main<walking>, {"--quiet"});
   CHECK(quiet.code() == 1);
   CHECK(quiet.err == one.err);

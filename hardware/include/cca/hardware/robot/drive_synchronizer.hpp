@@ -12,7 +12,8 @@
 // Start: `on_start` and `start()` are the deliberate way to motion. They latch the calibration and enable the
 // drives. Once all are enabled, angle and velocity of all joints are measured and agree, and all joints are
 // in their range or at most `range_tolerance` outside, the phase `begins`, and the guards start where the
-// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range.
+// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range. `cause()`, for
+// people: the first trip or the refused start, with joint, drive and number (stop_cause.hpp).
 // Trips: a bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the
 // guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
 // points go out only if they damp, until `start()`.
@@ -48,6 +49,7 @@
 #include <cca/hardware/robot/joint_monitor.hpp>
 #include <cca/hardware/robot/start_check.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
+#include <cca/hardware/robot/stop_cause.hpp>
 #include <cca/hardware/robot/stop_sequence.hpp>
 #include <cca/hardware/safety/bounds.hpp>
 
@@ -57,7 +59,7 @@ template <CanBus Bus, class Board, class Joints>
 class drive_synchronizer;
 
 template <CanBus Bus, class Board, class... J>
-class drive_synchronizer<Bus, Board, joint_list<J...>> {
+class drive_synchronizer<Bus, Board, joint_list<J...>> : public stop_cause<J...> {
 public:
   using joints = joint_list<J...>;
   static constexpr std::size_t count = sizeof...(J), buses = 1 + std::max({Board::bus, J::bus...});
@@ -89,14 +91,18 @@ public:
     stops.hurry();
     phase_now = motion_phase::enabling;
     latched = p.offset;
-    failed = {};
+    this->forget_cause();
     begin_enabling();
   }
   void stop() { begin_stop(moving()), send_stop(); }
 
   void on_start() { start(); }
   void on_stop() { stop(); }
-  void on_fault() { stop(); }
+  void on_fault() {
+    const bool enables = phase_now == motion_phase::enabling;
+    this->note_fault(drives, enables ? checks.missing(drives, enabling, has_reported()) : start_failure());
+    stop();
+  }
   // Instead of a beat, while the controller is stopped or faulted.
   void on_idle() {
     if (stopping()) listen(), send_stop();
@@ -106,8 +112,6 @@ public:
   const drive_report& report(std::size_t joint) const { return drives.reports[joint]; }
   const board_reading& board() const { return reading; }
   const link_supervisor<3>& link(std::size_t bus) const { return outbox.links[bus]; }
-  safety_rule refusal() const { return failed.why; }  // why the last start failed
-  const start_failure& failure() const { return failed; }
   bool stopping() const { return stops.stage() != stop_stage::none; }
   // In the last stop, the drive of this joint has not said that it is off.
   bool unconfirmed(std::size_t joint) const { return !stops.is_confirmed(joint); }
@@ -126,7 +130,8 @@ protected:
     return f(std::make_index_sequence<count>());
   }
 
-  void read() {
+  void read(const beat& now) {
+    this->begin_beat(now.index());
     listen();
     bring_up();
   }
@@ -199,12 +204,13 @@ private:
     if (pause > longest_pause) trips.fill(safety_rule::stalled);
     drives.check();
     for (std::size_t i = 0; i < count; ++i)
-      if (outbox.links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
-    if (!has_board) return;
-    quiet_board = board_was_quiet ? quiet_board + 1 : 0;
-    if (quiet_board >= silent_board_beats || reading.status != 0)
+      if (outbox.links[this->bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
+    quiet_board = has_board && board_was_quiet ? quiet_board + 1 : 0;
+    const bool is_board_lost = quiet_board >= silent_board_beats || reading.status != 0;
+    if (has_board && is_board_lost)
       std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
-    if (outbox.links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
+    if (has_board && outbox.links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
+    this->note_trips(drives, outbox.links, {pause, quiet_board, static_cast<int>(reading.status)});
   }
 
   void begin_enabling() {
@@ -234,7 +240,7 @@ private:
     phase_now = motion_phase::begins;
   }
   void refuse(const start_failure& f) {
-    failed = f;
+    this->note_refused(f);
     begin_stop(false);
   }
 
@@ -278,12 +284,9 @@ private:
     if (!stopping() && phase_now == motion_phase::enabling) begin_enabling();
   }
 
-  static constexpr std::array<std::size_t, count> bus_of{J::bus...};
-
   joint_monitor<J...> drives{};
   drive_enabling<J...> enabling{};
   start_check<J...> checks{};
-  start_failure failed{};
   stop_sequence<count> stops{};
   // Whether frames that disable were sent in this stop, and have gone over the bus.
   std::array<bool, buses> sent_disable{}, disabled_on{};
