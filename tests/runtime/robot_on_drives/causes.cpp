@@ -121,14 +121,14 @@ TEST_SUITE("why a robot on drives has stopped") {
   }
 
   TEST_CASE("also where the watchdog has faulted before the drive counts as silent") {
-    lab<1> l;
+    lab<0> l;
     l.run();
     l.is_silent = true;
     l.beats(10);
     REQUIRE(l.c.state() == cca::state::faulted);
     CHECK(l.first().starts_with("`robot.synchronizer`, after 0.061 s: swing: its drive ("));
     CHECK(l.first().find("is silent: no frame for 2 beats") != std::string::npos);
-    lab<1> dead;
+    lab<0> dead;
     dead.is_silent = true;  // from the start: it is still to be enabled
     dead.beats(10);
     REQUIRE(dead.c.state() == cca::state::faulted);
