@@ -99,8 +99,8 @@ public:
   void on_start() { start(); }
   void on_stop() { stop(); }
   void on_fault() {
-    const bool enables = phase_now == motion_phase::enabling;
-    this->note_fault(drives, enables ? checks.missing(drives, enabling, has_reported()) : start_failure());
+    if (phase_now == motion_phase::enabling)
+      this->note_refused(checks.missing(drives, enabling, has_reported()));  // what it still waited for
     stop();
   }
   // Instead of a beat, while the controller is stopped or faulted.

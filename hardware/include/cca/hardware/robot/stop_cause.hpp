@@ -1,8 +1,8 @@
-// Why the drives of a robot have stopped, for people: the first trip since the start, a start that was refused,
-// or the drive that was silent when a component made the controller fault. A base of drive_synchronizer.hpp.
+// Why the drives of a robot have stopped, for people: the first trip since the start, or why the start was
+// refused. A base of drive_synchronizer.hpp.
 //
-//   cause()   left_hind_hip: its drive (mit_drive<ak60_6, 1>, on bus 2) is silent: no frame for 3 beats: ...
-//             With the joint, the drive, the number and what to check. It allocates: between two beats only
+//   cause()   left_hind_hip: its drive (id 0x2 on bus 1) is silent: no frame for 3 beats: check its supply, ...
+//             The id is the first that the drive listens to. It allocates: between two beats only
 //
 // Cost: a comparison a joint and beat, until the first trip. Test: tests/runtime/robot_on_drives/causes.cpp.
 #pragma once
@@ -13,7 +13,6 @@
 #include <string>
 #include <string_view>
 
-#include <cca/base/type_name.hpp>
 #include <cca/component/after_run.hpp>
 #include <cca/hardware/drives/set_points.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
@@ -31,8 +30,9 @@ public:
   cca::cause cause() const {
     if (start) return {text_of(start), at};
     const std::string joint(names[first.joint]);
-    const std::string drive = joint + ": its drive (" + std::string(drives[first.joint]) + ", on bus " +
-                              std::to_string(bus_of[first.joint]) + ") ";
+    const std::string drive =
+        joint + cca::detail::formatted(": its drive (id 0x%x on bus %zu) ",
+                                       static_cast<unsigned>(ids[first.joint]), bus_of[first.joint]);
     switch (first.rule) {
       case safety_rule::none:
         return {};
@@ -91,21 +91,11 @@ protected:
         return note(now.trips[i], i, now, links[bus_of[i]].first_cause(), s);
   }
   void note_refused(const start_failure& f) { start = f, at = beat; }
-  // A component has made the controller fault. `waits_for`: of a start, what has not come. A trip that was still
-  // to come counts: a component may wait less long for a drive.
-  void note_fault(const joint_monitor<J...>& now, const start_failure& waits_for) {
-    if (start || first.rule != safety_rule::none) return;
-    if (waits_for) return note_refused(waits_for);
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < sizeof...(J); ++i)
-      if (now.silent_for(i) > now.silent_for(longest)) longest = i;
-    if (now.silent_for(longest) > now.usual_silence(longest))
-      note(safety_rule::silent, longest, now, link_cause::none, {});
-  }
 
 private:
-  static constexpr std::array<std::string_view, sizeof...(J)> names{J::axis::name...},
-      drives{cca::detail::type_name<typename J::drive>()...};
+  static constexpr std::array<std::string_view, sizeof...(J)> names{J::axis::name...};
+  static constexpr std::array<std::uint32_t, sizeof...(J)> ids{J::drive::requests[0].id.number...};
+
   void note(safety_rule rule, std::size_t i, const joint_monitor<J...>& now, link_cause link, const seen& s) {
     const bool is_of_board = rule == safety_rule::sensor_board;
     first = {rule, i, is_of_board ? s.quiet_board : now.silent_for(i), now.reports[i].fault, link, s.pause,
