@@ -55,10 +55,6 @@ struct program : cca::robot_program<on_drives> {
   }
 
   void stop(controller_type& c) override {
-    const auto& button = c.get<"robot.emergency_stop">();
-    if (button.mode() != cca::hardware::motion_mode::run)
-      std::printf("stopped; first cause: %s\n",
-                  std::string(cca::hardware::name_of(button.first_cause().rule)).c_str());
     stopped = buses.shut_down(c);
   }
 

@@ -4,13 +4,14 @@
 //                             --config reads the file unchanged
 //   --list                    all outputs, each with its space, units and rate
 //
-//   cca::offer_descriptions<cca::controller<trot>>(line, configs);
+//   cca::offer_descriptions<cca::controller<trot>>(line, [&](auto& c) {
+//     for (const std::string& file : configs) cca::read_parameters(c, file);
+//   });
 //
-// `configs` names the files of --config, read before; `prepare` sets what the program sets before them. Both are
-// used when the options are, and must live until then. No component's hook runs, nothing is opened but these
-// files. cca::robot_main has these options; a program with a main function of its own calls this. Errors:
-// cca::refused for parameters that --config would refuse. Test: tests/runtime/programs/descriptions.cpp;
-// docs/programs.md.
+// The function gives a new controller the parameters of a run; it is called when the option is used. No
+// component's hook runs. cca::robot_main has these options; a program with a main function of its own calls
+// this. Errors: cca::refused for parameters that --config would refuse. Test:
+// tests/runtime/programs/descriptions.cpp; docs/programs.md.
 #pragma once
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cca/base/file.hpp>
@@ -97,18 +99,21 @@ struct graph_of_controller<Host<Graph>> {
 
 }  // namespace detail
 
+// Parameters from a file, and no more: as `load(file)` of a controller, without its hooks.
 template <class Controller>
-void offer_descriptions(command_line& line,
-                        const std::vector<std::string>& configs,
-                        std::function<void(Controller&)> prepare = {}) {
+void read_parameters(Controller& c, const std::string& file) {
+  detail::load_parameters(c, file);
+}
+
+template <class Controller>
+void offer_descriptions(command_line& line, std::function<void(Controller&)> prepare = {}) {
   using graph = typename detail::graph_of_controller<Controller>::type;
   line.instead(
       "--write-parameters FILE",
-      [&configs, prepare = std::move(prepare)](const std::string& file) {
+      [prepare = std::move(prepare)](const std::string& file) {
         if (file.empty()) throw command_line_error("--write-parameters: expected the name of a file");
         const auto c = std::make_unique<Controller>();
         if (prepare) prepare(*c);
-        for (const std::string& config : configs) detail::load_parameters(*c, config);
         detail::write_file(file, "# All parameters, as a run begins with them. --config reads this file.\n\n" +
                                      detail::parameters_text(*c, file));
         return 0;

@@ -15,8 +15,8 @@
 #include <cca/base/one_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/config/files.hpp>
 #include <cca/main/counted_pace.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/observed_run.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_program.hpp>
@@ -43,7 +43,7 @@ public:
     const interruption interrupted;
     program.prepare(c);
     observed_run<controller_type> look(c, files(), called, !program.settings.speed, opening::later);
-    for (const std::string& file : program.settings.configs) load_parameters(c, file);
+    for (const std::string& file : program.settings.configs) read_parameters(c, file);
     c.load();
     program.loaded(c);
     look.open();  // all that is read has been accepted

@@ -141,8 +141,10 @@ void offer_standard_options(command_line& line, Program& p) {
           },
           "writes when each component fires, for ui.perfetto.dev, and prints a summary");
   if (!line.has("--write-parameters"))
-    offer_descriptions<typename Program::controller_type>(
-        line, s.configs, [&p](typename Program::controller_type& c) { p.prepare(c); });
+    offer_descriptions<typename Program::controller_type>(line, [&p](typename Program::controller_type& c) {
+      p.prepare(c);
+      for (const std::string& file : p.settings.configs) read_parameters(c, file);
+    });
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 
