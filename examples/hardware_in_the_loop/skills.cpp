@@ -54,9 +54,7 @@ struct program : cca::robot_program<on_drives> {
     return run->note(on);
   }
 
-  void stop(controller_type& c) override {
-    stopped = buses.shut_down(c);
-  }
+  void stop(controller_type& c) override { stopped = buses.shut_down(c); }
 
   int finish(controller_type&) override {
     const auto result = run->end();

@@ -58,7 +58,7 @@ int run(const options& o) {
   else start.load();
 
   std::string seen;
-  std::vector<std::string> limited;  // in the first run
+  std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
   std::ostringstream moments;           // of the first run
   const std::vector<touch::result> runs =

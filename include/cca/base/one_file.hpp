@@ -28,7 +28,8 @@ using named_file = std::pair<std::string, std::string>;
 inline std::string complaint_of_one_file(const std::vector<named_file>& all) {
   for (auto b = all.begin(); b != all.end(); ++b)
     for (auto a = all.begin(); a != b; ++a)
-      if (a->first != b->first && !a->second.empty() && !b->second.empty() && is_one_file(a->second, b->second))
+      if (a->first != b->first && !a->second.empty() && !b->second.empty() &&
+          is_one_file(a->second, b->second))
         return a->first + ' ' + a->second + " and " + b->first + ' ' + b->second +
                " name one file: give each option its own";
   return {};

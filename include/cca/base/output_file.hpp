@@ -6,9 +6,9 @@
 //   file.keep();                         // run.mcap.part becomes run.mcap
 //   file.discard();                      // or: run.mcap.part goes, run.mcap stays
 //
-// What a program that crashed has left in run.mcap.part is never overwritten: the next writer of run.mcap moves
-// it to run.mcap.part.1, or the next free number. Without keep() and discard() the part stays, unless it is
-// empty. Links are followed. A device or a pipe is written directly, without part and lock.
+// What a program that crashed has left in run.mcap.part is never overwritten: the next writer of run.mcap
+// moves it to run.mcap.part.1, or the next free number. Without keep() and discard() the part stays, unless
+// it is empty. Links are followed. A device or a pipe is written directly, without part and lock.
 //
 // Errors: cca::refused if another program, or this one, is writing the file; std::system_error of open, write
 // and rename. For whole files there is write_file (file.hpp). Test: tests/runtime/programs/files.cpp.
@@ -91,7 +91,8 @@ inline std::string set_aside_part(const std::string& name) {
 
 class output_file {
 public:
-  explicit output_file(std::string name) : called(std::move(name)), target(detail::followed(called).string()) {
+  explicit output_file(std::string name)
+      : called(std::move(name)), target(detail::followed(called).string()) {
     if (detail::is_special(target)) {
       file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
@@ -99,8 +100,9 @@ public:
       set_aside_part(called);
       file = detail::open_locked(part, O_CREAT);
       if (file < 0 && errno == EWOULDBLOCK)
-        throw refused(called + ": it is being written by another program, or twice by this one: choose another "
-                               "name");
+        throw refused(called +
+                      ": it is being written by another program, or twice by this one: choose another "
+                      "name");
     }
     if (file < 0) fail("can't be opened");
   }

@@ -1,13 +1,14 @@
 // What a component has to say after a run, for people. Both members are optional; programs ask for them
 // between two beats, never in one, so they may allocate:
 //
-//   cca::cause cause() const       why it has stopped the robot, or made another component fault: which drive,
+//   cca::cause cause() const       why it has stopped the robot, or made another component fault: which
+//   drive,
 //                                  joint or input, with the number, and what to change; empty: it has not
 //   std::string summary() const    what it has limited, cut or not reached since the start, in one line;
 //                                  empty: nothing of the kind
 //
-// In a beat a component only counts, in the branch in which it limits. cca/runtime/after_run.hpp collects both
-// of a whole controller; cca::robot_main prints them. docs/programs.md.
+// In a beat a component only counts, in the branch in which it limits. cca/runtime/after_run.hpp collects
+// both of a whole controller; cca::robot_main prints them. docs/programs.md.
 #pragma once
 
 #include <concepts>

@@ -7,7 +7,8 @@
 //   line.parse({"--speed", "0.5"});   // throws cca::command_line_error
 //
 // Behind the name of an option stands what --help calls its value. `into` is a variable, an optional one, or
-// a function that takes the value. Each option may be given once, those of `texts` several times. A value that
+// a function that takes the value. Each option may be given once, those of `texts` several times. A value
+// that
 // --help calls FILE is a file: two options that name one file are refused, however they spell it
 // (base/one_file.hpp). Test: tests/runtime/programs/command_line.cpp; docs/programs.md.
 #pragma once
@@ -154,8 +155,8 @@ public:
         },
         help);
   }
-  // What the program does instead of its work, and its exit code. The option takes a value if `option` says so,
-  // else the text is empty.
+  // What the program does instead of its work, and its exit code. The option takes a value if `option` says
+  // so, else the text is empty.
   void instead(std::string_view option, std::function<int(const std::string&)> act, std::string_view help) {
     const auto chosen = [this, name = name_in(option), act = std::move(act)](const std::string& text) {
       if (other_work) throw command_line_error(name + " and " + other_name + ": take one of them");
@@ -202,7 +203,8 @@ public:
     }
     for (const auto& [option, all] : lists_of_files)
       for (const std::string& file : *all) files.emplace_back(option, file);
-    if (const std::string twice = complaint_of_one_file(files); !twice.empty()) throw command_line_error(twice);
+    if (const std::string twice = complaint_of_one_file(files); !twice.empty())
+      throw command_line_error(twice);
   }
 
   // What --help prints.

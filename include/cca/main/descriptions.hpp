@@ -82,8 +82,7 @@ std::string list_of_outputs() {
     const space_info& space = space_of_output<Graph>(o);
     const space_schema all(space);
     std::string numbers;
-    for (int i = 0; i < all.field_count(); ++i)
-      numbers.append(i ? " " : "").append(all.field(i).name());
+    for (int i = 0; i < all.field_count(); ++i) numbers.append(i ? " " : "").append(all.field(i).name());
     rows.push_back(
         {path_of_output<Graph>(o), std::string(space.name), units_text(space), rate_text(space), numbers});
   }
@@ -114,8 +113,9 @@ void offer_descriptions(command_line& line, std::function<void(Controller&)> pre
         if (file.empty()) throw command_line_error("--write-parameters: expected the name of a file");
         const auto c = std::make_unique<Controller>();
         if (prepare) prepare(*c);
-        detail::write_file(file, "# All parameters, as a run begins with them. --config reads this file.\n\n" +
-                                     detail::parameters_text(*c, file));
+        detail::write_file(file,
+                           "# All parameters, as a run begins with them. --config reads this file.\n\n" +
+                               detail::parameters_text(*c, file));
         return 0;
       },
       "writes all parameters, with units and ranges, for --config; nothing runs");

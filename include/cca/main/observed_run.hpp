@@ -10,9 +10,8 @@
 // file is opened. Until close() an older file stays, and the new one is in a part beside it
 // (base/output_file.hpp).
 //
-// Errors: cca::refused, where the graph is not recordable or traceable, cca/record.hpp is not included, or two
-// of the names are of one file; nothing is written then.
-// cca::robot_main has one. docs/programs.md.
+// Errors: cca::refused, where the graph is not recordable or traceable, cca/record.hpp is not included, or
+// two of the names are of one file; nothing is written then. cca::robot_main has one. docs/programs.md.
 #pragma once
 
 #include <map>
@@ -76,8 +75,8 @@ public:
   observed_run(
       Controller& controller, run_files files, std::string name, bool waits, opening when = opening::at_once)
       : of(&controller), named(std::move(files)), called(std::move(name)), may_wait(waits) {
-    const std::string twice = complaint_of_one_file(
-        {{"--record", named.record}, {"--page", named.page}, {"--trace", named.trace}});
+    const std::string twice =
+        complaint_of_one_file({{"--record", named.record}, {"--page", named.page}, {"--trace", named.trace}});
     if (!twice.empty()) throw refused(called + ": " + twice);
     if (!named.record.empty() || !named.page.empty()) {
       if constexpr (can_record) {

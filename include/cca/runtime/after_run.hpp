@@ -1,7 +1,8 @@
 // What the components of a controller say after a run (component/after_run.hpp), each with its path.
 //
-//   for (const std::string& line : cca::causes_of(c)) std::cerr << line << '\n';      // the first cause first
-//   for (const std::string& line : cca::summaries_of(c)) std::cout << line << '\n';   // what was limited
+//   for (const std::string& line : cca::causes_of(c)) std::cerr << line << '\n';      // the first cause
+//   first for (const std::string& line : cca::summaries_of(c)) std::cout << line << '\n';   // what was
+//   limited
 //
 // `c` is a cca::controller or a cca::deployed, between two beats. A fault is among the causes, with what its
 // component says about it. Test: tests/runtime/programs/after_run.cpp.

@@ -1,4 +1,5 @@
-// What a program says before a run and after it: its parameters, its outputs, what stopped it, what was limited.
+// What a program says before a run and after it: its parameters, its outputs, what stopped it, what was
+// limited.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -23,7 +24,8 @@ namespace {
 struct file {
   std::string path;
   explicit file(const std::string& name, const std::string& text = "")
-      : path(std::filesystem::temp_directory_path() / ("cca_descriptions_" + std::to_string(::getpid()) + name)) {
+      : path(std::filesystem::temp_directory_path() /
+             ("cca_descriptions_" + std::to_string(::getpid()) + name)) {
     if (!text.empty()) std::ofstream(path) << text;
   }
   ~file() { std::filesystem::remove(path); }
@@ -117,7 +119,7 @@ TEST_CASE("written parameters are those of a run, and load again unchanged") {
   CHECK(first.out == "");
   CHECK(first.err == "");
   const std::string text = text_in(written.path);
-  CHECK(text.find("height = 0.125\n") != text.npos);            // of the file
+  CHECK(text.find("height = 0.125\n") != text.npos);             // of the file
   CHECK(text.find("frequency = 0.9  # 0.1 to 5") != text.npos);  // of `prepare`
   CHECK(text.find("offset = \"0.1 rad\"  # -0.9 to 0.9 rad") != text.npos);
   CHECK(text.find("below = \"slope\"  # flat or slope") != text.npos);

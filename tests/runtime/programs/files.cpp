@@ -85,7 +85,8 @@ TEST_CASE("a file has one writer") {
   first.write("first");
   fs::create_symlink(name, here / "link");
   for (const std::string& same : {name, here / "./a.mcap", here / "link"})
-    CHECK_THROWS_WITH_AS(cca::output_file second(same), doctest::Contains("it is being written"), cca::refused);
+    CHECK_THROWS_WITH_AS(cca::output_file second(same), doctest::Contains("it is being written"),
+                         cca::refused);
   CHECK(cca::set_aside_part(name) == "");  // it is no leftover
   first.keep();
   CHECK(text_in(name) == "first");

@@ -1,5 +1,5 @@
-// What a robot on a drive says when it has stopped: the first cause, with the joint, the drive and the number,
-// whatever else has noticed it.
+// What a robot on a drive says when it has stopped: the first cause, with the joint, the drive and the
+// number, whatever else has noticed it.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -109,7 +109,9 @@ TEST_SUITE("why a robot on drives has stopped") {
     const auto all = cca::causes_of(l.c);
     REQUIRE(all.size() == 3);
     CHECK(all[0].starts_with("`robot.synchronizer`, after 0.061 s: swing: its drive (id "));
-    CHECK(all[0].find("swing: its drive (id 0x201 on bus 0) is silent: no frame for 3 beats: check its supply") != std::string::npos);
+    CHECK(all[0].find(
+              "swing: its drive (id 0x201 on bus 0) is silent: no frame for 3 beats: check its supply") !=
+          std::string::npos);
     CHECK(all[1].starts_with("`robot.emergency_stop`, after 0.063 s: swing: silent"));
     CHECK(all[2].starts_with("fault in `watchdog.watch`, after "));
     CHECK(all[2].find("stale command: the oldest data of the command is") != std::string::npos);
@@ -142,8 +144,9 @@ TEST_SUITE("why a robot on drives has stopped") {
     l.run();
     l.c.get<"damper">().factor = std::numeric_limits<double>::quiet_NaN();
     l.beats(5);
-    CHECK(l.first().find("`robot.emergency_stop`, after 0.060 s: swing: what it is commanded is not finite") !=
-          std::string::npos);
+    CHECK(
+        l.first().find("`robot.emergency_stop`, after 0.060 s: swing: what it is commanded is not finite") !=
+        std::string::npos);
     lab<100> other;
     other.run();
     other.c.get<"robot.emergency_stop">().press();
@@ -167,6 +170,7 @@ TEST_SUITE("why a robot on drives has stopped") {
     l.beats(3);
     const auto all = cca::summaries_of(l.c);
     REQUIRE(!all.empty());
-    CHECK(all[0].find("numbers of set points limited; the first: rate of swing, beat 60") != std::string::npos);
+    CHECK(all[0].find("numbers of set points limited; the first: rate of swing, beat 60") !=
+          std::string::npos);
   }
 }

@@ -184,7 +184,9 @@ struct cartesian_impedance {
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
-    const saturation cut = torque_cut ? saturation::torque : spring_cut ? saturation::spring : saturation::none;
+    const saturation cut = torque_cut   ? saturation::torque
+                           : spring_cut ? saturation::spring
+                                        : saturation::none;
     counts.note(inputs, cut);
     return {within, wrench, status_of(inputs), status_of(cut)};
   }

@@ -161,7 +161,9 @@ struct hybrid_control {
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
     const input_status inputs = detail::worse(motion.get(), wish.get());
-    const saturation cut = torque_cut ? saturation::torque : force_cut ? saturation::spring : saturation::none;
+    const saturation cut = torque_cut  ? saturation::torque
+                           : force_cut ? saturation::spring
+                                       : saturation::none;
     counts.note(inputs, cut);
     return {within, exerted, status_of(inputs), status_of(cut)};
   }

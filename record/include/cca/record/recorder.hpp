@@ -9,11 +9,11 @@
 // beat copies what is published into a ring of its own loop: no allocation, no lock, no wait, no system call.
 // To be replayed, a recording must begin before the first beat.
 //
-// Until close() it is written to trot.mcap.part, and an older trot.mcap stays. A program that crashes leaves the
-// part, which can be read and replayed up to its last second (base/output_file.hpp).
+// Until close() it is written to trot.mcap.part, and an older trot.mcap stays. A program that crashes leaves
+// the part, which can be read and replayed up to its last second (base/output_file.hpp).
 //
-// Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports and if another
-// program writes the file. If writing fails later, for example on a full disk, the loop goes on, and
+// Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports and if
+// another program writes the file. If writing fails later, for example on a full disk, the loop goes on, and
 // `problem()` says what happened and where the rest is. Threads: all
 // of it for one thread, while no beat runs; note() and the counts for any. A cca::deployed must not be moved
 // meanwhile. Cost of a beat: docs/recordings.md. Tests: tests/runtime/record/.

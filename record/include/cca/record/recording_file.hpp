@@ -86,7 +86,8 @@ public:
           std::erase(unused, scope);
         }
       is_wanted = is_wanted && of.nodes[cca::detail::array_size(cca::detail::node_of_output<Graph>(o))];
-      ports.push_back(is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o)) : std::uint16_t{0});
+      ports.push_back(is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o))
+                                : std::uint16_t{0});
       if (is_wanted && s.viewer_hz > 0) add_view(o, path);
     }
     if (!unused.empty()) throw refused("cca::record: there is no port under `" + unused.front() + "`");

@@ -147,7 +147,8 @@ private:
       const auto& output = cca::detail::plan_of<Graph>.outputs[at(o)];
       const auto& call = cca::detail::plan_of<Graph>.calls[at(output.call)];
       if (call.phase == cca::detail::phase_of_beat::sense && !items.has(o))
-        throw refused(called + ": what `" + cca::detail::path_of_output<Graph>(o) + "` sensed was not recorded: " +
+        throw refused(called + ": what `" + cca::detail::path_of_output<Graph>(o) +
+                      "` sensed was not recorded: " +
                       (Deployment<Graph> ? "record it to replay, with all environments in one process"
                                          : "record it to replay"));
     }

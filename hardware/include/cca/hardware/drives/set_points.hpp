@@ -122,8 +122,8 @@ struct safety_record {
   template <class Joints>
   std::string summary() const {
     if (count == 0) return {};
-    return std::to_string(count) + " numbers of set points limited; the first: " +
-           std::string(name_of(first.rule)) + " of " +
+    return std::to_string(count) +
+           " numbers of set points limited; the first: " + std::string(name_of(first.rule)) + " of " +
            std::string(Joints::names[static_cast<std::size_t>(first.joint)]) + ", beat " +
            std::to_string(first.beat);
   }

@@ -35,9 +35,10 @@ class can_synchronizer<Bus, Board, joint_list<J...>>
 public:
   using joints = joint_list<J...>;
 
-  auto sense(beat now) -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
-                             out<"trunk", robots::oncilla::measured_trunk>,
-                             out<"joints", joint_states<joints>>> {
+  auto sense(beat now)
+      -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
+                    out<"trunk", robots::oncilla::measured_trunk>,
+                    out<"joints", joint_states<joints>>> {
     this->read(now);
     return drives::each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense(now))(this->measured(I)..., trunk_record_of(this->reading), this->states());

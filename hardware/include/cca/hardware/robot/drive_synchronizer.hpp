@@ -12,16 +12,15 @@
 // Start: `on_start` and `start()` are the deliberate way to motion. They latch the calibration and enable the
 // drives. Once all are enabled, angle and velocity of all joints are measured and agree, and all joints are
 // in their range or at most `range_tolerance` outside, the phase `begins`, and the guards start where the
-// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range. `cause()`, for
-// people: the first trip or the refused start, with joint, drive and number (stop_cause.hpp).
-// Trips: a bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the
-// guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
-// points go out only if they damp, until `start()`.
-// Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
-// (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
-// with it where the controller runs no beats; `stopping()` and `unconfirmed(i)` say how far it is. A start
-// waits for its end. While the emergency stop is pressed no drive is enabled. No set point is sent behind
-// frames that still wait: it would be stale.
+// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range. `cause()`,
+// for people: the first trip or the refused start, with joint, drive and number (stop_cause.hpp). Trips: a
+// bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the guards use
+// (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set points go
+// out only if they damp, until `start()`. Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a
+// tripped emergency stop run the same sequence (stop_sequence.hpp): damp, then disable, in each beat, until
+// each drive has confirmed. `on_idle` goes on with it where the controller runs no beats; `stopping()` and
+// `unconfirmed(i)` say how far it is. A start waits for its end. While the emergency stop is pressed no drive
+// is enabled. No set point is sent behind frames that still wait: it would be stale.
 //
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
@@ -207,8 +206,7 @@ private:
       if (outbox.links[this->bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
     quiet_board = has_board && board_was_quiet ? quiet_board + 1 : 0;
     const bool is_board_lost = quiet_board >= silent_board_beats || reading.status != 0;
-    if (has_board && is_board_lost)
-      std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
+    if (has_board && is_board_lost) std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
     if (has_board && outbox.links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
     this->note_trips(drives, outbox.links, {pause, quiet_board, static_cast<int>(reading.status)});
   }

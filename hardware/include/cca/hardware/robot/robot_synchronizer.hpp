@@ -34,8 +34,8 @@ public:
   using joints = joint_list<J...>;
 
   auto sense(beat now) -> std::tuple<out<J::axis::label, robots::measured_joint<R, typename J::axis>>...,
-                             maybe<Sensors::name, robots::sensed<R, Sensors>>...,
-                             out<"joints", joint_states<joints>>> {
+                                     maybe<Sensors::name, robots::sensed<R, Sensors>>...,
+                                     out<"joints", joint_states<joints>>> {
     this->read(now);
     return drives::each([&]<std::size_t... I>(std::index_sequence<I...>) {
       return decltype(sense(now)){this->measured(I)..., reading_of<Sensors>()..., this->states()};

@@ -1,7 +1,8 @@
 // Why the drives of a robot have stopped, for people: the first trip since the start, or why the start was
 // refused. A base of drive_synchronizer.hpp.
 //
-//   cause()   left_hind_hip: its drive (id 0x2 on bus 1) is silent: no frame for 3 beats: check its supply, ...
+//   cause()   left_hind_hip: its drive (id 0x2 on bus 1) is silent: no frame for 3 beats: check its supply,
+//   ...
 //             The id is the first that the drive listens to. It allocates: between two beats only
 //
 // Cost: a comparison a joint and beat, until the first trip. Test: tests/runtime/robot_on_drives/causes.cpp.
@@ -45,11 +46,12 @@ public:
           return {drive + "says that it is disabled: look for its own watchdog or a second controller", at};
         return {drive + "reports a fault: " + std::string(name_of(first.fault)) + ": see its manual", at};
       case safety_rule::implausible:
-        return {drive +
-                    "reports what can't be: a jump, a velocity that is not the change of its angle, or no angle, "
-                    "velocity or state any more: check its encoder, its ranges, and that no other drive has "
-                    "its number",
-                at};
+        return {
+            drive +
+                "reports what can't be: a jump, a velocity that is not the change of its angle, or no angle, "
+                "velocity or state any more: check its encoder, its ranges, and that no other drive has "
+                "its number",
+            at};
       case safety_rule::link:
         return {"bus " + std::to_string(bus_of[first.joint]) + ", of " + joint + ": " +
                     std::string(name_of(first.link)) + ": check its cable, termination, bit rate and load",
@@ -61,10 +63,11 @@ public:
                     " beats: check its supply and its cable",
                 at - first.silent + 1};
       case safety_rule::stalled:
-        return {cca::detail::formatted("no frame came for %.1f ms, because the loop or the bus stood still: see "
-                                       "docs/real_time.md",
-                                       1e-6 * static_cast<double>(first.pause)),
-                at};
+        return {
+            cca::detail::formatted("no frame came for %.1f ms, because the loop or the bus stood still: see "
+                                   "docs/real_time.md",
+                                   1e-6 * static_cast<double>(first.pause)),
+            at};
       default:
         return {joint + ": " + std::string(name_of(first.rule)), at};
     }
@@ -98,7 +101,12 @@ private:
 
   void note(safety_rule rule, std::size_t i, const joint_monitor<J...>& now, link_cause link, const seen& s) {
     const bool is_of_board = rule == safety_rule::sensor_board;
-    first = {rule, i, is_of_board ? s.quiet_board : now.silent_for(i), now.reports[i].fault, link, s.pause,
+    first = {rule,
+             i,
+             is_of_board ? s.quiet_board : now.silent_for(i),
+             now.reports[i].fault,
+             link,
+             s.pause,
              s.board_status};
     at = beat;
   }
