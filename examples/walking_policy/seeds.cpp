@@ -18,7 +18,7 @@
 #include <cca/config.hpp>
 #include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
-#include <cca/runtime/after_run.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/command_line.hpp"

@@ -27,7 +27,7 @@
 #include <cca/base/file.hpp>
 #include <cca/config/files.hpp>
 #include <cca/main/command_line.hpp>
-#include <cca/runtime/outputs.hpp>
+#include <cca/runtime/each_component.hpp>
 #include <cca/space/space_schema.hpp>
 
 namespace cca {

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/one_file.hpp>
+#include <cca/main/one_file.hpp>
 #include <cca/base/output_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/one_file.hpp>
+#include <cca/main/one_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
 #include <cca/main/counted_pace.hpp>
@@ -20,7 +20,7 @@
 #include <cca/main/observed_run.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_program.hpp>
-#include <cca/runtime/after_run.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-#include <cca/component/after_run.hpp>
+#include <cca/base/after_run.hpp>
 #include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 

@@ -32,7 +32,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <cca/component/after_run.hpp>
+#include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/base/unrolled.hpp>
 #include <cca/component/port.hpp>

@@ -30,7 +30,7 @@
 #include <string>
 #include <tuple>
 
-#include <cca/component/after_run.hpp>
+#include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>

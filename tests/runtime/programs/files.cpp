@@ -13,7 +13,7 @@
 
 #include <unistd.h>
 
-#include <cca/base/one_file.hpp>
+#include <cca/main/one_file.hpp>
 #include <cca/base/output_file.hpp>
 #include <cca/main/run_program.hpp>
 

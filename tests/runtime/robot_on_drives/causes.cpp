@@ -14,7 +14,7 @@
 #include <cca/hardware/virtual_robot.hpp>
 #include <cca/robot/limiter.hpp>
 #include <cca/robot/watchdog.hpp>
-#include <cca/runtime/after_run.hpp>
+#include <cca/main/end_of_run.hpp>
 
 #include "pendulum.hpp"
 
@@ -127,7 +127,10 @@ TEST_SUITE("why a robot on drives has stopped") {
     l.is_silent = true;
     l.beats(10);
     REQUIRE(l.c.state() == cca::state::faulted);
-    CHECK_EQ(l.first(), "`robot.synchronizer`, after 0.001 s: swing: its drive does not report its angle");
+    CHECK_EQ(l.first(),
+             "`robot.synchronizer`, after 0.001 s: the start was not over yet: swing: its drive does not "
+             "report its "
+             "angle");
   }
 
   TEST_CASE("a fault of the drive, and one that nobody causes") {

@@ -68,9 +68,14 @@ constexpr input_status worse(input_status a, input_status b) { return a < b ? b 
 struct compliance_counts {
   std::int64_t unreadable = 0, clamped = 0, spring = 0, motion = 0, torque = 0;
 
-  [[gnu::always_inline]] void note(input_status inputs, saturation cut) {
-    if (inputs != input_status::usable || cut != saturation::none) [[unlikely]]
-      count(inputs, cut);
+  void note(input_status inputs, saturation cut) {
+    if (inputs == input_status::usable && cut == saturation::none) [[likely]]
+      return;
+    unreadable += inputs == input_status::unreadable;
+    clamped += inputs == input_status::clamped;
+    spring += cut == saturation::spring;
+    motion += cut == saturation::motion;
+    torque += cut == saturation::torque;
   }
   std::string summary() const {
     std::string text;
@@ -83,15 +88,6 @@ struct compliance_counts {
     add(unreadable, "%lld times an input was not finite");
     add(clamped, "%lld times an input was beyond its bound");
     return text;
-  }
-
-private:
-  [[gnu::noinline, gnu::cold]] void count(input_status inputs, saturation cut) {
-    unreadable += inputs == input_status::unreadable;
-    clamped += inputs == input_status::clamped;
-    spring += cut == saturation::spring;
-    motion += cut == saturation::motion;
-    torque += cut == saturation::torque;
   }
 };
 

@@ -35,7 +35,7 @@
 #include <cca/record/messages/viewer_message.hpp>
 #include <cca/record/settings.hpp>
 #include <cca/record/shown_body.hpp>
-#include <cca/runtime/outputs.hpp>
+#include <cca/runtime/each_component.hpp>
 #include <cca/runtime/recording/frame_layout.hpp>
 
 namespace cca::recording::detail {

@@ -1,7 +1,7 @@
 // The synchronizer of a robot on CAN without its ports: it reads the buses, enables the drives, watches them,
 // sends set points and stops. oncilla/can_synchronizer.hpp and robot_synchronizer.hpp give it ports.
 //
-//   read()                    in `sense`: takes what has come, and enables the drives where they start
+//   read(now)                 in `sense`: takes what has come, and enables the drives where they start
 //   measured<I>(), states()   then: angle, velocity and torque of joint I, NaN where they are too old; all
 //                             joints for the guards, and the phase
 //   send(set_points, more)    in `act`: set points of the guards go out. `more(runs)` may add frames for the
@@ -12,15 +12,15 @@
 // Start: `on_start` and `start()` are the deliberate way to motion. They latch the calibration and enable the
 // drives. Once all are enabled, angle and velocity of all joints are measured and agree, and all joints are
 // in their range or at most `range_tolerance` outside, the phase `begins`, and the guards start where the
-// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range. `cause()`,
-// for people: the first trip or the refused start, with joint, drive and number (stop_cause.hpp). Trips: a
-// bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the guards use
-// (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set points go
-// out only if they damp, until `start()`. Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a
-// tripped emergency stop run the same sequence (stop_sequence.hpp): damp, then disable, in each beat, until
-// each drive has confirmed. `on_idle` goes on with it where the controller runs no beats; `stopping()` and
-// `unconfirmed(i)` say how far it is. A start waits for its end. While the emergency stop is pressed no drive
-// is enabled. No set point is sent behind frames that still wait: it would be stale.
+// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range.
+// Trips: a bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the
+// guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
+// points go out only if they damp, until `start()`.
+// Stop: `stop()`, `on_stop`, `on_fault` and `damping_beats` of a tripped emergency stop run the same sequence
+// (stop_sequence.hpp): damp, then disable, in each beat, until each drive has confirmed. `on_idle` goes on
+// with it where the controller runs no beats; `stopping()` and `unconfirmed(i)` say how far it is. A start
+// waits for its end. While the emergency stop is pressed no drive is enabled. No set point is sent behind
+// frames that still wait: it would be stale.
 //
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
@@ -99,7 +99,7 @@ public:
   void on_stop() { stop(); }
   void on_fault() {
     if (phase_now == motion_phase::enabling)
-      this->note_refused(checks.missing(drives, enabling, has_reported()));  // what it still waited for
+      this->note_fault_in_start(checks.missing(drives, enabling, has_reported()));
     stop();
   }
   // Instead of a beat, while the controller is stopped or faulted.

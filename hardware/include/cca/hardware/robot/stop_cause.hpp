@@ -1,8 +1,7 @@
 // Why the drives of a robot have stopped, for people: the first trip since the start, or why the start was
 // refused. A base of drive_synchronizer.hpp.
 //
-//   cause()   left_hind_hip: its drive (id 0x2 on bus 1) is silent: no frame for 3 beats: check its supply,
-//   ...
+//   cause()   "left_hind_hip: its drive (id 0x2 on bus 1) is silent: no frame for 3 beats: check its ..."
 //             The id is the first that the drive listens to. It allocates: between two beats only
 //
 // Cost: a comparison a joint and beat, until the first trip. Test: tests/runtime/robot_on_drives/causes.cpp.
@@ -14,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include <cca/component/after_run.hpp>
+#include <cca/base/after_run.hpp>
 #include <cca/hardware/drives/set_points.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
@@ -30,6 +29,7 @@ public:
 
   cca::cause cause() const {
     if (start) return {text_of(start), at};
+    if (waited_for) return {"the start was not over yet: " + text_of(waited_for), at};
     const std::string joint(names[first.joint]);
     const std::string drive =
         joint + cca::detail::formatted(": its drive (id 0x%x on bus %zu) ",
@@ -84,7 +84,7 @@ protected:
   };
 
   void begin_beat(std::int64_t k) { beat = k; }
-  void forget_cause() { first = {}, start = {}, at = -1; }
+  void forget_cause() { first = {}, start = waited_for = {}, at = -1; }
 
   template <class Links>
   void note_trips(const joint_monitor<J...>& now, const Links& links, const seen& s) {
@@ -94,6 +94,8 @@ protected:
         return note(now.trips[i], i, now, links[bus_of[i]].first_cause(), s);
   }
   void note_refused(const start_failure& f) { start = f, at = beat; }
+  // A component has made the controller fault while the drives were enabled: what had not come yet.
+  void note_fault_in_start(const start_failure& missing) { waited_for = missing, at = beat; }
 
 private:
   static constexpr std::array<std::string_view, sizeof...(J)> names{J::axis::name...};
@@ -120,7 +122,7 @@ private:
     std::int64_t pause = 0;
     int board_status = 0;
   } first{};
-  start_failure start{};
+  start_failure start{}, waited_for{};
   std::int64_t beat = -1, at = -1;
 };
 

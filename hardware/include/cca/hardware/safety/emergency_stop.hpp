@@ -21,7 +21,7 @@
 #include <atomic>
 #include <string>
 
-#include <cca/component/after_run.hpp>
+#include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/set_points.hpp>

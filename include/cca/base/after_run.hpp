@@ -1,13 +1,13 @@
 // What a component has to say after a run, for people. Both members are optional; programs ask for them
 // between two beats, never in one, so they may allocate:
 //
-//   cca::cause cause() const       why it has stopped the robot, or made another component fault: which
-//   drive,
-//                                  joint or input, with the number, and what to change; empty: it has not
-//   std::string summary() const    what it has limited, cut or not reached since the start, in one line;
-//                                  empty: nothing of the kind
+//   cca::cause cause() const
+//       why it has stopped the robot, or made another component fault: which drive, joint or input, with the
+//       number, and what to change; empty: it has not
+//   std::string summary() const
+//       what it has limited, cut or not reached since the start, in one line; empty: nothing of the kind
 //
-// In a beat a component only counts, in the branch in which it limits. cca/runtime/after_run.hpp collects
+// In a beat a component only counts, in the branch in which it limits. cca/main/end_of_run.hpp collects
 // both of a whole controller; cca::robot_main prints them. docs/programs.md.
 #pragma once
 
@@ -42,15 +42,6 @@ std::string formatted(const char* format, Values... values) {
   std::snprintf(text, sizeof text, format, values...);
   return text;
 }
-
-// How often something happened, and in which beat first.
-struct counted_event {
-  std::int64_t times = 0, first = -1;
-
-  void add(std::int64_t beat) {
-    if (times++ == 0) first = beat;
-  }
-};
 
 }  // namespace detail
 }  // namespace cca

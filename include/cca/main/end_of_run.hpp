@@ -1,11 +1,10 @@
-// What the components of a controller say after a run (component/after_run.hpp), each with its path.
+// What the components of a controller say after a run (base/after_run.hpp), each with its path.
 //
-//   for (const std::string& line : cca::causes_of(c)) std::cerr << line << '\n';      // the first cause
-//   first for (const std::string& line : cca::summaries_of(c)) std::cout << line << '\n';   // what was
-//   limited
+//   cca::causes_of(c)      what stopped it, a line each, the first cause first
+//   cca::summaries_of(c)   what was limited, a line for each component that limited something
 //
 // `c` is a cca::controller or a cca::deployed, between two beats. A fault is among the causes, with what its
-// component says about it. Test: tests/runtime/programs/after_run.cpp.
+// component says about it. Test: tests/runtime/programs/descriptions.cpp.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/component/after_run.hpp>
+#include <cca/base/after_run.hpp>
 #include <cca/component/lifecycle.hpp>
 
 namespace cca {
