@@ -55,19 +55,20 @@ inline std::string rate_text(const space_info& space) {
   return text.str();
 }
 
-// Columns, as wide as their widest entry.
+// Columns. An entry of more than 40 letters is not aligned with.
 inline std::string in_columns(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> width;
   for (const auto& row : rows) {
     width.resize(std::max(width.size(), row.size()));
-    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i].size() <= 40) width[i] = std::max(width[i], row[i].size());
   }
   std::string text;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       line += row[i];
-      if (i + 1 < row.size()) line.append(width[i] + 2 - row[i].size(), ' ');
+      if (i + 1 < row.size()) line.append(std::max(width[i], row[i].size()) + 2 - row[i].size(), ' ');
     }
     text += line + '\n';
   }

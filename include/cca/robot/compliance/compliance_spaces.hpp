@@ -13,8 +13,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <tuple>
 
+#include <cca/base/after_run.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/robot/body.hpp>
 #include <cca/space/domain.hpp>
