@@ -14,7 +14,9 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/file.hpp"
@@ -40,6 +42,10 @@ void offer(cca::command_line& line, options& o) {
   skills::offer_push(line, o.run);
   skills::offer_seconds(line, o.run, "of trot, before and after (6)");
   line.text("--summary FILE", o.summary, "the figures as JSON: a list of runs");
+  cca::offer_descriptions<skills::combined>(line, [&o](skills::combined& c) {
+    skills::name_shape(c, o.shape);
+    if (o.config) cca::read_parameters(c, *o.config);
+  });
 }
 
 std::string quoted(std::string_view name) { return std::string("`").append(name).append("`"); }
@@ -123,15 +129,18 @@ int run(const options& o) {
         all.push_back(c);
       }
 
+  std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
   const std::vector<skills::finished_run> runs =
       trot::finished_runs("combination_of_skills_runs", all.size(), interrupted, [&](std::size_t i) {
         skills::combined controller = start;
-        return skills::finished_run{all[i],
-                                    skills::roll_out(controller, all[i], [&] { return !interrupted; })};
+        const auto result = skills::roll_out(controller, all[i], [&] { return !interrupted; });
+        if (i == 0) limited = cca::summaries_of(controller);
+        return skills::finished_run{all[i], result};
       });
 
   print(runs);
+  for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
   if (!o.summary.empty()) trot::write(o.summary, [&](std::ostream& file) { skills::write_json(file, runs); });
   if (interrupted) return interrupted.exit_code();
   return std::all_of(runs.begin(), runs.end(),

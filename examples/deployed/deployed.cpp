@@ -15,6 +15,7 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/main/command_line.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
 #include <cca/runtime/interruption.hpp>
 
@@ -51,6 +52,8 @@ struct options {
     line.text("--only E", only,
               "one environment in this process; others run the rest. It reaches them by\n"
               "--form: shared_memory or dds (shared_memory)");
+    using split = cca::deployed<deployed::split>;
+    cca::offer_descriptions<split>(line, [this](split& c) { skills::name_shape(c, run.shape); });
     line.text("--address N", address, "only processes with the same number find each other (0)");
   }
 };

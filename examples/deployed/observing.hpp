@@ -46,6 +46,7 @@ void offer_observing(cca::command_line& line, observing& files, const std::strin
 template <class Played>
 std::string end(cca::observed_run<Played>& look) {
   std::string problems;
+  for (const std::string& note : look.found()) problems += note + '\n';
   for (const std::string& problem : look.close()) problems += problem + '\n';
   return look.summary() + problems;
 }

@@ -47,6 +47,7 @@ struct wishes {
   std::string role;
   bool lock_step = false, quiet = false;
   std::vector<std::string> names;
+  std::vector<std::string> configs;
   std::string record, page, trace;
 
   void offer(cca::command_line& line) {
@@ -60,6 +61,7 @@ struct wishes {
         "--buses A,B,C,D,E", [this](const std::string& text) { split(text); }, "the five CAN interfaces");
     line.one_of("--pace P", lock_step, std::array{"wall-clock", "lock-step"},
                 "wall-clock or lock-step (wall-clock)");
+    line.texts("--config FILE", configs, "parameters of the controller");
     line.flag("--quiet", quiet, "prints no figures");
     line.text("--record FILE", record, "records all ports of the controller into this MCAP file");
     line.text("--page FILE", page, "records into this HTML file, which any browser shows");
@@ -67,6 +69,7 @@ struct wishes {
   }
   void set(cca::run_settings& s) const {
     s.seconds = seconds;
+    s.configs = configs;
     s.record = record, s.page = page, s.trace = trace;
   }
   void refuse_contradictions() const {
@@ -270,6 +273,10 @@ int main(int count, char** words) {
   wishes o;
   cca::command_line line("the trot moves virtual drives around the simulated Oncilla, over CAN buses");
   o.offer(line);
+  using controller = in_one_process::controller_type;
+  cca::offer_descriptions<controller>(line, [&o](controller& c) {
+    for (const std::string& file : o.configs) cca::read_parameters(c, file);
+  });
   return cca::run_program(count, words, line, [&] {
     o.refuse_contradictions();
     if (o.role == "drives") return as_drives(o);

@@ -14,7 +14,9 @@
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
 #include <cca/graph/shows.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../deployed/observing.hpp"
@@ -44,6 +46,9 @@ struct options {
     line.text("--summary FILE", summary, "the figures as JSON: a list of runs");
     deployed::offer_observing<controller>(line, files, "of the first run");
     line.text("--csv FILE", csv, "hand, force and step of the first run, every 10 ms");
+    cca::offer_descriptions<controller>(line, [this](controller& c) {
+      if (config) cca::read_parameters(c, *config);
+    });
   }
 };
 
@@ -53,6 +58,7 @@ int run(const options& o) {
   else start.load();
 
   std::string seen;
+  std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the table is of the runs that are over
   std::ostringstream moments;           // of the first run
   const std::vector<touch::result> runs =
@@ -64,6 +70,7 @@ int run(const options& o) {
           return !interrupted;
         });
         if (const std::string text = deployed::end(look); !text.empty()) seen = text;  // of one run
+        if (i == 0) limited = cca::summaries_of(*c);
         const auto& module = c->get<"repeat.module">();
         if (i == 0 && o.shape && !interrupted) module.learning.save(*o.shape, module.constants());
         return r;
@@ -73,6 +80,7 @@ int run(const options& o) {
   for (const touch::result& r : runs) touch::write_row(r);
   const auto good = std::count_if(runs.begin(), runs.end(), [](const auto& r) { return touch::within(r); });
   std::printf("%d of %d runs are within all bounds\n", static_cast<int>(good), static_cast<int>(runs.size()));
+  for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
   std::fputs(seen.c_str(), stdout);
   if (o.csv)
     trot::write(*o.csv, [&](std::ostream& file) { file << touch::moment_columns << '\n' << moments.str(); });

@@ -16,7 +16,9 @@
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/run_program.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
 
 #include "../trot/report/command_line.hpp"
@@ -46,6 +48,10 @@ struct options {
     trot::offer_terrain(line, ground);
     line.text("--summary FILE", summary,
               "falls, speed, drift and slip, of all and of each, as one JSON object");
+    cca::offer_descriptions<walking::controller>(line, [this](walking::controller& c) {
+      walking::name_weights(c, weights);
+      if (!config.empty()) cca::read_parameters(c, config);
+    });
   }
 };
 
@@ -68,6 +74,7 @@ double greatest(const std::vector<run_of_seed>& runs, Figure figure) {
 }
 
 int judge(const options& o) {
+  std::vector<std::string> limited;     // in the first run
   const cca::interruption interrupted;  // ctrl-c: the figures are of the runs that are over
   walking::controller start;
   walking::name_weights(start, o.weights);
@@ -80,8 +87,10 @@ int judge(const options& o) {
       trot::finished_runs("walking_policy_seeds", o.count, interrupted, [&](std::size_t i) {
         walking::controller c = start;
         const auto disturbance = cca::sim::disturbance::from_seed(o.first + i, o.seconds);
-        return run_of_seed{o.first + i, trot::evaluate(walking::roll_out(c, o.ground, disturbance, o.seconds,
-                                                                         [&] { return !interrupted; }))};
+        const auto figures = trot::evaluate(
+            walking::roll_out(c, o.ground, disturbance, o.seconds, [&] { return !interrupted; }));
+        if (i == 0) limited = cca::summaries_of(c);
+        return run_of_seed{o.first + i, figures};
       });
 
   std::size_t falls = 0, walked = 0;
@@ -121,6 +130,7 @@ int judge(const options& o) {
       "transport %.2f\n",
       walked, runs.size(), o.seconds, o.ground.name().c_str(), commanded, falls, speed, cruise, least,
       100 * aside, slip, most_slip, transport);
+  for (const std::string& line : limited) std::printf("first run: %s\n", line.c_str());
   if (!o.summary.empty())
     trot::write(o.summary, [&](std::ostream& file) {
       trot::write(file, trot::json{{"seeds", runs.size()},

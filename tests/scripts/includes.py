@@ -17,7 +17,7 @@ MOST_LINES = 300
 MOST_HEADERS = 20  # in a folder
 FOLDERS = ["base", "space", "component", "graph", "skeleton", "adaptive", "mapping", "motor", "robot"]
 APART = {"runtime": ["base", "space", "component", "graph"], "config": ["base", "space", "component"],
-         "trace": ["base", "component", "graph", "runtime"], "main": ["base", "component", "graph", "runtime", "config", "trace"]}
+         "trace": ["base", "component", "graph", "runtime"], "main": ["base", "space", "component", "graph", "runtime", "config", "trace"]}
 # Headers directly in cca/, and the folders that each may include from.
 TOP = {"cca.hpp": FOLDERS + ["runtime"], "deployment.hpp": ["graph", "runtime"], "modes.hpp": ["graph", "runtime"], "config.hpp": ["config"] + APART["config"], "main.hpp": ["main"], "trace.hpp": ["graph", "trace"]} | {
     f"{folder}.hpp": FOLDERS[: FOLDERS.index(folder) + 1] for folder in FOLDERS}

@@ -7,8 +7,9 @@
 //   line.parse({"--speed", "0.5"});   // throws cca::command_line_error
 //
 // Behind the name of an option stands what --help calls its value. `into` is a variable, an optional one, or
-// a function that takes the value. Each option may be given once, those of `texts` several times. Test:
-// tests/runtime/programs/command_line.cpp; docs/programs.md.
+// a function that takes the value. Each option may be given once, those of `texts` several times. What is
+// called FILE is a file: two options that name one file are refused, however they spell it (one_file.hpp).
+// Test: tests/runtime/programs/command_line.cpp; docs/programs.md.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +28,8 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+
+#include <cca/main/one_file.hpp>
 
 namespace cca {
 
@@ -94,11 +97,14 @@ public:
   }
   // take(text) checks it, and refuses by command_line_error, std::invalid_argument or cca::refused.
   void value(std::string_view option, std::function<void(const std::string&)> take, std::string_view help) {
-    app.add_option_function<std::string>(name_in(option), [take = std::move(take)](const std::string& text) {
+    const auto given = [this, name = name_in(option), is_file = is_file(option),
+                        take = std::move(take)](const std::string& text) {
       try {
         take(text);
       } catch (const std::invalid_argument& wrong) { throw command_line_error(wrong.what()); }
-    });
+      if (is_file) files.emplace_back(name, text);
+    };
+    app.add_option_function<std::string>(name_in(option), given);
     describe(option, help);
   }
   template <class Into>
@@ -107,6 +113,7 @@ public:
   }
   void texts(std::string_view option, std::vector<std::string>& into, std::string_view help) {
     app.add_option(name_in(option), into)->allow_extra_args(false);
+    if (is_file(option)) lists_of_files.emplace_back(name_in(option), &into);
     describe(option, help);
   }
   template <class Into>
@@ -147,6 +154,21 @@ public:
         },
         help);
   }
+  // What the program does instead of its work, and its exit code. The option takes a value if `option` says
+  // so, else the text is empty.
+  void instead(std::string_view option, std::function<int(const std::string&)> act, std::string_view help) {
+    const auto chosen = [this, name = name_in(option), act = std::move(act)](const std::string& text) {
+      if (other_work) throw command_line_error(name + " and " + other_name + ": take one of them");
+      other_name = name;
+      other_work = [act, text] { return act(text); };
+    };
+    if (option.find(' ') != option.npos) return value(option, chosen, help);
+    app.add_flag_callback(name_in(option), [chosen] { chosen({}); });
+    describe(option, help);
+  }
+  // Empty: its own work.
+  const std::function<int()>& work_instead() const { return other_work; }
+
   // Words without an option, at most so many.
   void words(std::string_view names,
              std::vector<std::string>& into,
@@ -178,6 +200,10 @@ public:
                                  " words; see --help");
       free_words->push_back(left);
     }
+    for (const auto& [option, all] : lists_of_files)
+      for (const std::string& file : *all) files.emplace_back(option, file);
+    if (const std::string twice = complaint_of_one_file(files); !twice.empty())
+      throw command_line_error(twice);
   }
 
   // What --help prints.
@@ -192,6 +218,7 @@ private:
   static std::string name_in(std::string_view option) {
     return std::string(option.substr(0, option.find(' ')));
   }
+  static bool is_file(std::string_view option) { return option.ends_with(" FILE"); }
   static std::string line_of(std::string_view option, std::string_view what) {
     constexpr std::size_t column = 20;
     std::string line = "  " + std::string(option);
@@ -208,6 +235,10 @@ private:
   std::string purpose, listed;
   std::vector<std::string>* free_words = nullptr;
   std::size_t most_words = 0;
+  std::vector<named_file> files;
+  std::vector<std::pair<std::string, const std::vector<std::string>*>> lists_of_files;
+  std::string other_name;
+  std::function<int()> other_work;
 };
 
 }  // namespace cca

@@ -5,9 +5,13 @@
 //   for (const std::string& problem : look.close()) std::cerr << problem << '\n';
 //   std::cout << look.summary();
 //
-// Make it before the controller starts, and close it once it has stopped. Errors: cca::refused, where the
-// graph is not recordable or traceable, or cca/record.hpp is not included; nothing is written then.
-// cca::robot_main has one. docs/programs.md.
+// Make it before the controller starts, and close it once it has stopped. A program that reads more after it
+// has made this, as parameters, takes `opening::later` and calls open() when all is accepted: before that no
+// file is opened. Until close() an older file stays, and the new one is in a part beside it
+// (base/output_file.hpp).
+//
+// Errors: cca::refused, where the graph is not recordable or traceable, cca/record.hpp is not included, or
+// two of the names are of one file; nothing is written then. cca::robot_main has one. docs/programs.md.
 #pragma once
 
 #include <map>
@@ -17,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include <cca/main/one_file.hpp>
+#include <cca/base/output_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
 #include <cca/trace/tracer.hpp>
@@ -28,6 +34,8 @@ struct run_files {
   std::string record{}, page{}, trace{};
   std::vector<std::string> record_scopes{};  // all ports, if empty
 };
+
+enum class opening { at_once, later };
 
 namespace detail {
 
@@ -64,20 +72,36 @@ class observed_run {
 
 public:
   // `waits`: nothing is on a clock, so the loop may wait for the files.
-  observed_run(Controller& controller, const run_files& files, const std::string& name, bool waits) {
-    if (!files.record.empty() || !files.page.empty()) {
+  observed_run(
+      Controller& controller, run_files files, std::string name, bool waits, opening when = opening::at_once)
+      : of(&controller), named(std::move(files)), called(std::move(name)), may_wait(waits) {
+    const std::string twice =
+        complaint_of_one_file({{"--record", named.record}, {"--page", named.page}, {"--trace", named.trace}});
+    if (!twice.empty()) throw refused(called + ": " + twice);
+    if (!named.record.empty() || !named.page.empty()) {
       if constexpr (can_record) {
-        if (!files.page.empty()) page_.emplace(files.page, files.record);
-        recorder_.emplace(controller, page_ ? page_->recording_file() : files.record, files.record_scopes,
-                          waits);
-      } else throw refused(name + ": this program can't record: see docs/recordings.md");
+        if (!named.page.empty()) page_.emplace(named.page, named.record);
+        recorder_.emplace(controller, recording_file(), named.record_scopes, waits);
+      } else throw refused(called + ": this program can't record: see docs/recordings.md");
     }
-    if (!files.trace.empty()) {
-      if constexpr (can_trace)
-        tracer_.emplace(controller, files.trace, trace_settings{.name = name, .waits = waits});
-      else throw refused(name + ": this program can't be traced: see docs/traces.md");
-    }
+    if (!named.trace.empty() && !can_trace)
+      throw refused(called + ": this program can't be traced: see docs/traces.md");
+    if (when == opening::at_once) open();
   }
+
+  // With opening::later, before the first beat.
+  void open() {
+    if constexpr (can_record)
+      if (recorder_) set_aside(recording_file()), recorder_->open();
+    if constexpr (can_trace)
+      if (!named.trace.empty()) {
+        set_aside(named.trace);
+        tracer_.emplace(*of, named.trace, trace_settings{.name = called, .waits = may_wait});
+      }
+  }
+
+  // What was found beside the files, a sentence for each: parts of runs that crashed.
+  const std::vector<std::string>& found() const { return found_; }
 
   // Into the recording.
   void note([[maybe_unused]] const std::map<std::string, std::string>& entries) {
@@ -103,6 +127,14 @@ public:
     return problems;
   }
 
+  // Instead of close(), where nothing has run: older files stay.
+  void discard() {
+    if constexpr (can_record)
+      if (recorder_) recorder_->discard();
+    if constexpr (can_trace)
+      if (tracer_) tracer_->discard();
+  }
+
   // Of the trace, a table.
   std::string summary() const {
     std::ostringstream text;
@@ -114,6 +146,21 @@ public:
 private:
   using recorders = detail::recorder_of<Controller, can_record>;
 
+  std::string recording_file() const {
+    if constexpr (can_record)
+      if (page_) return page_->recording_file();
+    return named.record;
+  }
+  void set_aside(const std::string& file) {
+    if (const std::string kept = set_aside_part(file); !kept.empty())
+      found_.push_back("a run that did not end has left a part of " + file + ": it is now " + kept);
+  }
+
+  Controller* of;
+  run_files named;
+  std::string called;
+  bool may_wait;
+  std::vector<std::string> found_{};
   std::optional<typename recorders::page> page_;
   std::optional<typename recorders::recorder> recorder_;
   std::optional<typename detail::tracer_of<Controller, can_trace>::type> tracer_;

@@ -12,13 +12,15 @@
 #include <utility>
 #include <vector>
 
+#include <cca/main/one_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/component/lifecycle.hpp>
-#include <cca/config/files.hpp>
 #include <cca/main/counted_pace.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/observed_run.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/main/run_program.hpp>
+#include <cca/main/end_of_run.hpp>
 #include <cca/runtime/interruption.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
 #include <cca/runtime/signals/stop_progress.hpp>
@@ -34,6 +36,7 @@ public:
   robot_run(Program& of, std::string name) : program(of), called(std::move(name)) {}
 
   int go() {
+    refuse_one_file();
     if (!program.settings.replay.empty()) return replay();
     const auto made = program.others.open ? program.others.open(only(program.settings.only))
                                           : std::make_unique<controller_type>();
@@ -45,35 +48,46 @@ public:
     const interruption interrupted;
     interrupted.leaves_behind(unstopped.c_str());
     program.prepare(c);
-    observed_run<controller_type> look(c, files(), called, !program.settings.speed);
-    if (program.settings.configs.empty()) c.load();
-    for (const std::string& file : program.settings.configs) c.load(file);
+    observed_run<controller_type> look(c, files(), called, !program.settings.speed, opening::later);
+    for (const std::string& file : program.settings.configs) read_parameters(c, file);
+    c.load();
     program.loaded(c);
+    look.open();  // all that is read has been accepted
+    for (const std::string& note : look.found()) tell(note);
     look.note(program.settings.notes);
     is_to_stop = true;
+    const std::int64_t first = c.beat_index();
+    const auto give_up = [&] {
+      const bool has_run = c.beat_index() > first;
+      stop(c);
+      if (!has_run) look.discard();
+    };
     try {
       c.start();
       program.started(c);
       run(c, interrupted);
     } catch (const refused&) {
-      stop(c);
+      give_up();
       if (!interrupted) throw;
     } catch (...) {
-      stop(c);
+      give_up();
       throw;
     }
-    const bool has_faulted = c.state() == state::faulted;
-    const std::string fault = has_faulted ? fault_of(c) : "";
+    const std::vector<std::string> causes = causes_of(c);
     stop(c);  // before anything is written: a robot does not wait for a terminal
     interrupted.leaves_behind(unwritten.c_str());
     const std::vector<std::string> problems = look.close();
-    if (has_faulted) tell(fault);
+    for (const std::string& cause : causes) tell(cause);
     for (const std::string& problem : problems) tell(problem);
     if (!ended_by_others.empty()) tell(ended_by_others);
     if (interrupted) tell("interrupted " + at(c));
-    if (!program.settings.quiet) print_figures(figures_of(c)), std::cout << look.summary() << std::flush;
+    if (!program.settings.quiet) {
+      print_figures(figures_of(c));
+      for (const std::string& line : summaries_of(c)) std::cout << line << '\n';
+      std::cout << look.summary() << std::flush;
+    }
     const int own = program.finish(c);
-    return has_faulted                                   ? exit_code::fault
+    return !causes.empty()                               ? exit_code::fault
            : interrupted                                 ? interrupted.exit_code()
            : !problems.empty() && own == exit_code::done ? exit_code::error
                                                          : own;
@@ -89,6 +103,14 @@ private:
     } else {
       throw refused(called + ": this program can't replay: see docs/recordings.md");
     }
+  }
+
+  void refuse_one_file() const {
+    const run_settings& s = program.settings;
+    std::vector<named_file> all{
+        {"--record", s.record}, {"--page", s.page}, {"--trace", s.trace}, {"--replay", s.replay}};
+    for (const std::string& config : s.configs) all.emplace_back("--config", config);
+    if (const std::string twice = complaint_of_one_file(all); !twice.empty()) throw refused(twice);
   }
 
   run_files files() const {
@@ -137,14 +159,6 @@ private:
   }
 
   void tell(const std::string& what) const { std::cerr << called + ": " + what + '\n'; }
-  static std::string fault_of(const controller_type& c) {
-    const std::string path = c.fault_path();
-    std::string text =
-        "fault" + (path.empty() ? "" : " in `" + path + "`") + ", " + at(c) + ": " + c.fault().reason();
-    if constexpr (requires { c.fault_cause(); })
-      if (const std::string cause = c.fault_cause(); !cause.empty()) text += ": " + cause;
-    return text;
-  }
   static std::string at(const controller_type& c) {
     char text[64];
     std::snprintf(text, sizeof text, "after %.3f s",

@@ -53,7 +53,7 @@ int run_program(int count, char** words, command_line& line, Act act) {
   }
   const auto tell = [&name](const std::exception& e) { std::cerr << name << ": " << e.what() << '\n'; };
   const auto acted = [&] {
-    const int code = act();
+    const int code = line.work_instead() ? line.work_instead()() : act();
     std::cout.flush();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       std::cerr << name + ": what it printed is not complete: its standard output is closed or full\n";

@@ -10,6 +10,7 @@
 
 #include <cca/graph/traceable.hpp>
 #include <cca/main/command_line.hpp>
+#include <cca/main/descriptions.hpp>
 #include <cca/main/robot_program.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
 #include <cca/runtime/transports/shared_memory.hpp>
@@ -139,6 +140,11 @@ void offer_standard_options(command_line& line, Program& p) {
             s.trace = text;
           },
           "writes when each component fires, for ui.perfetto.dev, and prints a summary");
+  if (!line.has("--write-parameters"))
+    offer_descriptions<typename Program::controller_type>(line, [&p](typename Program::controller_type& c) {
+      p.prepare(c);
+      for (const std::string& file : p.settings.configs) read_parameters(c, file);
+    });
   if (!line.has("--quiet")) line.flag("--quiet", s.quiet, "prints no figures");
 }
 

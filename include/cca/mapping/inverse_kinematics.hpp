@@ -23,6 +23,7 @@
 // Example: tests/runtime/mapping/kinematics.cpp.
 #pragma once
 
+#include <string>
 #include <tuple>
 
 #include <cca/mapping/many_starts.hpp>
@@ -70,8 +71,10 @@ public:
   auto process(in<detail::tip_port<Tip>(), Tip> wanted, optional_in<"near", Joints> near)
       -> std::tuple<out<"angles", Joints>, out<"status", reaching_status>> {
     auto target = wanted.vector();
-    if (!detail::readable<Tip>(target, limits::span))
+    if (!detail::readable<Tip>(target, limits::span)) {
+      ++missed.unreadable;
       return {order::to(last), status_of(reaching::unreadable)};
+    }
     if (near) {
       const vector start = order::from(near.vector());
       for (int i = 0; i < vector::RowsAtCompileTime; ++i)
@@ -79,17 +82,27 @@ public:
     }
     const auto found = search.solve(target, last);
     last = found.q;
+    if (found.status == reaching::nearest) [[unlikely]]
+      missed.add_nearest(distance_of(found));
     return {order::to(last), status_of(found.status)};
   }
 
   void on_start() {
     last = limits::clamped(vector(vector::Zero()));
     search = solver();
+    missed = {};
   }
+  std::string summary() const { return missed.summary(); }
 
 private:
+  double distance_of([[maybe_unused]] const auto& found) const {
+    if constexpr (requires { found.distance; }) return found.distance;
+    else return search.distance();
+  }
+
   vector last = limits::clamped(vector(vector::Zero()));
   [[no_unique_address]] solver search{};
+  detail::reaching_counts missed{};
 };
 
 }  // namespace cca

@@ -93,6 +93,9 @@ public:
     return {best.q, reaching::reached, steps};
   }
 
+  // m, from the tip at the last answer to the target.
+  double distance() const { return std::sqrt(best.square); }
+
 private:
   // m: a target that moves less keeps the search. The distance to the nearest point changes by no more.
   static constexpr double same_target = 0.25e-3;

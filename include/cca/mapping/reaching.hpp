@@ -8,7 +8,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include <cca/base/after_run.hpp>
 #include <cca/space/methods/scalar.hpp>
 #include <cca/space/space.hpp>
 
@@ -24,5 +26,30 @@ enum class reaching : std::uint8_t {
 
 struct solution : dimension<"solution"> {};
 struct reaching_status : space<status, axes<solution>> {};
+
+namespace detail {
+
+// What was not reached, counted: also where nobody reads the status.
+struct reaching_counts {
+  std::int64_t nearest = 0, unreadable = 0;
+  double farthest = 0;  // m
+
+  void add_nearest(double distance) {
+    ++nearest;
+    if (distance > farthest) farthest = distance;
+  }
+  std::string summary() const {
+    std::string text;
+    if (nearest > 0)
+      text = formatted("%lld times the target was out of reach, the farthest by %.4g m: see its `status`",
+                       static_cast<long long>(nearest), farthest);
+    if (unreadable > 0)
+      text += formatted("%s%lld times the target was not finite", text.empty() ? "" : "; ",
+                        static_cast<long long>(unreadable));
+    return text;
+  }
+};
+
+}  // namespace detail
 
 }  // namespace cca

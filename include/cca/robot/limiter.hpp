@@ -16,7 +16,7 @@
 //
 // It starts from "measured", if that is wired and a sample has arrived, and holds it until the first command;
 // else it takes the first command as it is. It counts each number that it changes, and keeps the first cause:
-// which axis, which check, in which beat.
+// which axis, which check, in which beat: `summary()` says so after a run.
 //
 // Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest
 // runs only when a command is changed. Errors: space.missing_limits. Example:
@@ -28,9 +28,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 
+#include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/base/unrolled.hpp>
 #include <cca/component/port.hpp>
@@ -171,6 +173,15 @@ public:
   // Numbers changed since the start.
   std::int64_t interventions() const { return count; }
   intervention first_intervention() const { return first; }
+  std::string summary() const {
+    if (count == 0) return {};
+    constexpr const char* reasons[] = {"", "it was not finite", "its range", "its rate"};
+    return detail::formatted("%lld numbers limited; the first: `%.*s` in beat %lld: %s",
+                             static_cast<long long>(count),
+                             static_cast<int>(detail::space_of<Space>.labels[first.axis].size()),
+                             detail::space_of<Space>.labels[first.axis].data(),
+                             static_cast<long long>(first.beat), reasons[static_cast<int>(first.cause)]);
+  }
 
 private:
   // By value, here and below: a reference to what is seldom looked at would keep it in memory in each beat.

@@ -10,6 +10,7 @@
 //   with `of`:
 //   fault "stale source"    when the newest sample of the source is older than `Beats` beats
 //   fault "stale command"   when no command has arrived for `Arrival` beats; without a number, for `Beats`
+//   cause()                 after the fault: how old it is, and how old it may be
 //
 // Without `of` the age is that of the oldest data from which the command was made: the time since the origin
 // of the command or since its arrival, whichever is longer ago. So a slow input, as a goal that comes once a
@@ -26,8 +27,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <tuple>
 
+#include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
@@ -50,12 +53,27 @@ public:
     const std::int64_t period = static_cast<std::int64_t>(now.dt() * 1e9 + 0.5);
     return now.time() - older(origin, arrived) > beats * period;
   }
+  // How old it is, in a beat that found it too old.
+  void note(std::int64_t origin, std::int64_t beats, const beat& now) {
+    found = {1e-9 * static_cast<double>(now.time() - older(origin, arrived)),
+             static_cast<double>(beats) * now.dt(), now.index()};
+  }
+  // "the command is 0.006 s old, 0.005 s are allowed"
+  cca::cause told(const std::string& what, const char* remedy) const {
+    if (found.beat < 0) return {};
+    return {what + formatted(" is %.4g s old, %.4g s are allowed: ", found.age, found.allowed) + remedy,
+            found.beat};
+  }
   // By its arrival only.
   bool is_too_old(bool fresh, std::int64_t beats, const beat& now) {
     return is_too_old(now.time(), fresh, beats, now);
   }
 
 private:
+  struct {
+    double age = 0, allowed = 0;  // s
+    std::int64_t beat = -1;
+  } found{};
   std::int64_t arrived = 0;
   bool begun = false;
 };
@@ -75,11 +93,16 @@ public:
   static constexpr bool preserves_limits = true;
 
   auto process(in<"command", Space> command, beat now) -> std::tuple<maybe<"fresh", Space>, fault> {
-    if (age.is_too_old(command.origin(), command.fresh(), Beats, now))
+    if (age.is_too_old(command.origin(), command.fresh(), Beats, now)) {
+      age.note(command.origin(), Beats, now);
       return {maybe<"fresh", Space>(), fault("stale command")};
+    }
     return {passed_on(command), fault()};
   }
 
+  cca::cause cause() const {
+    return age.told("the oldest data of the command", "see what its writers wait for, or raise `Beats`");
+  }
   void on_start() { age = {}; }
 
 private:
@@ -101,11 +124,23 @@ public:
     const observation& newest = *source.begin();
     const bool no_source = of_source.is_too_old(newest.origin, newest.fresh, Beats, now);
     const bool no_command = of_command.is_too_old(command.fresh(), Arrival, now);
-    if (no_source) return {maybe<"fresh", Space>(), fault("stale source")};
-    if (no_command) return {maybe<"fresh", Space>(), fault("stale command")};
+    if (no_source) {
+      of_source.note(newest.origin, Beats, now);
+      return {maybe<"fresh", Space>(), fault("stale source")};
+    }
+    if (no_command) {
+      of_command.note(now.time(), Arrival, now);
+      return {maybe<"fresh", Space>(), fault("stale command")};
+    }
     return {passed_on(command), fault()};
   }
 
+  cca::cause cause() const {
+    const std::string source = "the newest sample of `" + std::string(Source.view()) + "`";
+    if (const cca::cause old = of_source.told(source, "see why it is no longer published, or raise `Beats`"))
+      return old;
+    return of_command.told("the command", "see what its writer waits for, or raise `Arrival`");
+  }
   void on_start() { of_source = of_command = {}; }
 
 private:

@@ -1,4 +1,4 @@
-// All components of a controller, one after the other, and their paths.
+// All components of a controller, one after the other, and their paths; and those of outputs.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +21,25 @@ std::string path_of_node(int node) {
        plan.scopes[static_cast<std::size_t>(s)].item; s = plan.scopes[static_cast<std::size_t>(s)].parent)
     path = std::string(plan.scopes[static_cast<std::size_t>(s)].item->from) + "." + path;
   return path;
+}
+
+template <class Graph>
+int node_of_output(int output) {
+  return plan_of<Graph>.calls[array_size(plan_of<Graph>.outputs[array_size(output)].call)].node;
+}
+
+// "dmp.ode.phase"
+template <class Graph>
+std::string path_of_output(int output) {
+  const auto& o = plan_of<Graph>.outputs[array_size(output)];
+  const auto& call = plan_of<Graph>.calls[array_size(o.call)];
+  return path_of_node<Graph>(call.node) + "." + std::string(call.function->outputs[o.port].name);
+}
+
+template <class Graph>
+const space_info& space_of_output(int output) {
+  const auto& o = plan_of<Graph>.outputs[array_size(output)];
+  return *plan_of<Graph>.calls[array_size(o.call)].function->outputs[o.port].space;
 }
 
 template <class Graph, class F, class State, int First>

@@ -1,36 +1,27 @@
 // Writes events in Chrome's trace format, as one array: one event a line. A file that was cut off between two
 // events lacks only its last bracket, which readers of the format don't need.
 //
-// Errors: std::system_error if it can't be opened or written.
+// Until it is closed the events are in a part beside it (base/output_file.hpp).
+//
+// Errors: std::system_error if it can't be opened or written, cca::refused if another program writes it.
 #pragma once
 
-#include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include <cca/base/output_file.hpp>
 #include <cca/trace/json_text.hpp>
 
 namespace cca::detail {
 
 class trace_file {
 public:
-  explicit trace_file(std::string file)
-      : name(std::move(file)), to(::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-    if (to < 0) fail("can't be opened");
-    text << '[';
-  }
-  ~trace_file() {
-    if (to >= 0) ::close(to);
-  }
-  trace_file(const trace_file&) = delete;
-  trace_file& operator=(const trace_file&) = delete;
+  explicit trace_file(std::string file) : to(std::move(file)) { text << '['; }
 
   // What lasts. Times in ns; `arguments` are the members of a JSON object.
   void write_span(std::string_view called,
@@ -62,20 +53,17 @@ public:
 
   // Whole events, so that what is there after a crash can be read.
   void flush() {
-    std::string_view rest = text.view();
-    while (!rest.empty()) {
-      const ssize_t size = ::write(to, rest.data(), rest.size());
-      if (size < 0 && errno == EINTR) continue;
-      if (size < 0) fail("can't be written");
-      rest.remove_prefix(static_cast<std::size_t>(size));
-    }
+    to.write(text.view());
     text.clear();
   }
   void close() {
     text << "\n]\n";
     flush();
-    if (::close(std::exchange(to, -1)) != 0) fail("can't be written");
+    to.keep();
   }
+  // An older file of this name stays.
+  void discard() { to.discard(); }
+  const std::string& written_to() const { return to.written_to(); }  // until it is closed
 
 private:
   static constexpr std::size_t most_buffered = 1 << 18;
@@ -91,12 +79,8 @@ private:
     text << '}';
     if (text.view().size() > most_buffered) flush();
   }
-  [[noreturn]] void fail(const char* what) const {
-    throw std::system_error(errno, std::generic_category(), name + ' ' + what);
-  }
 
-  std::string name;
-  int to = -1;
+  output_file to;
   bool is_first = true;
   std::int64_t process = ::getpid();
   json_text text;

@@ -49,6 +49,12 @@ public:
     writer.join();
   }
 
+  // Ends it too, and leaves no file.
+  void discard() {
+    is_discarded = true;
+    close();
+  }
+
   // After close().
   trace_summary summary() const {
     trace_summary all;
@@ -126,7 +132,8 @@ private:
           write_lost(number, monotonic_clock::now(), monotonic_clock::now(), lost);
         ++number;
       }
-      to.close();
+      if (is_discarded) to.discard();
+      else to.close();
     });
   }
   // What fails ends the file, not the loop.
@@ -208,7 +215,7 @@ private:
   std::deque<traced_loop> loops;
   json_text arguments;
   std::atomic<bool> is_closing{false};
-  bool is_broken = false;
+  bool is_broken = false, is_discarded = false;
   mutable std::mutex guard;  // never the loop's
   std::condition_variable wake;
   std::string what_failed;

@@ -139,6 +139,8 @@ public:
 
   // Ends the trace. Not while a beat runs.
   void close() { writer.close(); }
+  // Ends it too, and leaves no file: an older one of this name stays.
+  void discard() { writer.discard(); }
 
   // After close().
   trace_summary summary() const { return writer.summary(); }

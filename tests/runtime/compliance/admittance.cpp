@@ -138,6 +138,7 @@ TEST_SUITE("admittance") {
     }
     const auto last = step(one, wrench);
     CHECK(is(std::get<3>(last), cca::saturation::motion));
+    CHECK(one.summary().ends_with(" times the motion was at `fastest` or `farthest`"));
     CHECK(std::get<1>(last).vector().norm() == 0);
     CHECK(fastest == doctest::Approx(0.1));
     CHECK(pose[0] - place()[0] == doctest::Approx(0.02));

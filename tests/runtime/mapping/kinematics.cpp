@@ -230,6 +230,23 @@ TEST_SUITE("kinematics") {
     CHECK(found.status == cca::reaching::reached);
   }
 
+  TEST_CASE("what it has not reached is told after the run, also where nobody reads the status") {
+    inverse<free_arm, foot_in_base_plane> ik;
+    CHECK(ik.summary() == "");
+    solve(ik, Eigen::Vector2d(0.3, 0.2));
+    CHECK(ik.summary() == "");
+    solve(ik, Eigen::Vector2d(1.0, 0));
+    solve(ik, Eigen::Vector2d(not_a_number, 0));
+    CHECK(ik.summary() ==
+          "1 times the target was out of reach, the farthest by 0.5 m: see its `status`; 1 times the target was "
+          "not finite");
+    of_left_leg leg;  // in closed form
+    solve(leg, Eigen::Vector3d(0, 0, -9));
+    CHECK(leg.summary().starts_with("1 times the target was out of reach, the farthest by 8."));
+    ik.on_start();
+    CHECK(ik.summary() == "");
+  }
+
   TEST_CASE("it finds the nearest point of a circle") {
     laws::source random{std::mt19937_64{24}};
     for (int i = 0; i < laws::rounds; ++i) {

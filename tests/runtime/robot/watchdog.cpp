@@ -237,6 +237,9 @@ TEST_SUITE("watchdog") {
     c.get<"robot">().reporting = false;  // the last sample is from beat 999
     CHECK_EQ(steps_until_fault(c, 50), 5);
     CHECK_EQ(std::string(c.fault().reason()), "stale source");
+    const cca::cause cause = c.get<"watchdog.watch">().cause();
+    CHECK(cause.what.starts_with("the newest sample of `"));
+    CHECK(cause.what.find("see why it is no longer published, or raise `Beats`") != std::string::npos);
     CHECK_EQ(c.fault_path(), "watchdog.watch");
     CHECK_EQ(c.get<"robot">().stops, 1);
     c.get<"robot">().reporting = true;

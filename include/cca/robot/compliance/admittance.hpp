@@ -123,10 +123,15 @@ struct admittance {
       advance(goal, load, k, d, now.dt(), cut);
       velocity = twist;
     }
-    return {pose, velocity, status_of(inputs.get()), status_of(cut ? saturation::motion : saturation::none)};
+    const saturation limited = cut ? saturation::motion : saturation::none;
+    counts.note(inputs.get(), limited);
+    return {pose, velocity, status_of(inputs.get()), status_of(limited)};
   }
 
+  std::string summary() const { return counts.summary(); }
+
   void on_start() {
+    counts = {};
     begun = false;
     twist.setZero();
     pose = sample<pose_in<Frame>>{}.vector();
@@ -178,6 +183,7 @@ private:
   pose_vector pose = sample<pose_in<Frame>>{}.vector();
   vector_6 twist = vector_6::Zero();
   bool begun = false;
+  detail::compliance_counts counts{};
 };
 
 }  // namespace cca

@@ -155,7 +155,7 @@ struct cartesian_impedance {
     if (damping) d = detail::at_least_zero(wish, damping.vector());
     if (feedforward) added = wish(feedforward.vector());
     if (posture) rest = wish(of(posture));
-    const auto status = status_of(detail::worse(motion.get(), wish.get()));
+    const input_status inputs = detail::worse(motion.get(), wish.get());
 
     vector torques = vector::Zero();
     vector_6 wrench = vector_6::Zero();
@@ -187,17 +187,20 @@ struct cartesian_impedance {
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
-    return {within, wrench, status,
-            status_of(torque_cut   ? saturation::torque
-                      : spring_cut ? saturation::spring
-                                   : saturation::none)};
+    const saturation cut = torque_cut   ? saturation::torque
+                           : spring_cut ? saturation::spring
+                                        : saturation::none;
+    counts.note(inputs, cut);
+    return {within, wrench, status_of(inputs), status_of(cut)};
   }
 
   void on_start() {
     begun = false;
     gap = false;
     tank.start(0);
+    counts = {};
   }
+  std::string summary() const { return counts.summary(); }
 
   // What the tank of the posture holds, in J.
   double posture_energy() const { return tank.joule(); }
@@ -228,6 +231,7 @@ private:
 
   detail::energy_tank<body_pose<Type>::size> tank;
   bool begun = false, gap = false;
+  detail::compliance_counts counts{};
 };
 
 }  // namespace cca

@@ -13,8 +13,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <tuple>
 
+#include <cca/base/after_run.hpp>
 #include <cca/component/input_status.hpp>
 #include <cca/robot/body.hpp>
 #include <cca/space/domain.hpp>
@@ -63,6 +65,33 @@ struct end_of_part {
 
 // The worse of two statuses.
 constexpr input_status worse(input_status a, input_status b) { return a < b ? b : a; }
+
+// What a compliant component publishes in `status` and `saturation`, counted: also where nobody reads these.
+struct compliance_counts {
+  std::int64_t unreadable = 0, clamped = 0, spring = 0, motion = 0, torque = 0;
+
+  void note(input_status inputs, saturation cut) {
+    if (inputs == input_status::usable && cut == saturation::none) [[likely]]
+      return;
+    unreadable += inputs == input_status::unreadable;
+    clamped += inputs == input_status::clamped;
+    spring += cut == saturation::spring;
+    motion += cut == saturation::motion;
+    torque += cut == saturation::torque;
+  }
+  std::string summary() const {
+    std::string text;
+    const auto add = [&](std::int64_t times, const char* what) {
+      if (times > 0) text += (text.empty() ? "" : "; ") + formatted(what, static_cast<long long>(times));
+    };
+    add(torque, "%lld times a torque was at the limit of its joint");
+    add(spring, "%lld times the spring, or the force control, was at its largest force");
+    add(motion, "%lld times the motion was at `fastest` or `farthest`");
+    add(unreadable, "%lld times an input was not finite");
+    add(clamped, "%lld times an input was beyond its bound");
+    return text;
+  }
+};
 
 // Of a stiffness or a damping: what is negative counts as 0.
 template <class Vector>

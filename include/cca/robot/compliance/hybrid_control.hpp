@@ -160,13 +160,19 @@ struct hybrid_control {
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
-    return {within, exerted, status_of(detail::worse(motion.get(), wish.get())),
-            status_of(torque_cut  ? saturation::torque
-                      : force_cut ? saturation::spring
-                                  : saturation::none)};
+    const input_status inputs = detail::worse(motion.get(), wish.get());
+    const saturation cut = torque_cut  ? saturation::torque
+                           : force_cut ? saturation::spring
+                                       : saturation::none;
+    counts.note(inputs, cut);
+    return {within, exerted, status_of(inputs), status_of(cut)};
   }
 
-  void on_start() { integrated.setZero(); }
+  void on_start() {
+    integrated.setZero();
+    counts = {};
+  }
+  std::string summary() const { return counts.summary(); }
 
 private:
   using order = axes_of<Type>;
@@ -203,6 +209,7 @@ private:
   }
 
   vector_6 integrated = vector_6::Zero();
+  detail::compliance_counts counts{};
 };
 
 }  // namespace cca

@@ -113,7 +113,7 @@ struct joint_impedance {
     if (stiffness) k = detail::at_least_zero(wish, of(stiffness));
     if (damping) d = detail::at_least_zero(wish, of(damping));
     if (feedforward) added = wish(of(feedforward));
-    const auto status = status_of(detail::worse(motion.get(), wish.get()));
+    const input_status inputs = detail::worse(motion.get(), wish.get());
 
     vector torques = vector::Zero();
     bool spring_cut = false, torque_cut = false;
@@ -131,11 +131,15 @@ struct joint_impedance {
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
-    return {within, status,
-            status_of(torque_cut   ? saturation::torque
-                      : spring_cut ? saturation::spring
-                                   : saturation::none)};
+    const saturation cut = torque_cut   ? saturation::torque
+                           : spring_cut ? saturation::spring
+                                        : saturation::none;
+    counts.note(inputs, cut);
+    return {within, status_of(inputs), status_of(cut)};
   }
+
+  void on_start() { counts = {}; }
+  std::string summary() const { return counts.summary(); }
 
 private:
   using order = axes_of<Type>;
@@ -152,6 +156,8 @@ private:
         detail::positive_matrix<body_pose<Type>::size>(mass_matrix(now)).solve(matrix(matrix::Identity()));
     return detail::damping_for<body_pose<Type>::size>(mobility, root, p.damping_ratio);
   }
+
+  detail::compliance_counts counts{};
 };
 
 }  // namespace cca

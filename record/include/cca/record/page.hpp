@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <ios>
@@ -20,6 +19,7 @@
 #include <string_view>
 #include <system_error>
 
+#include <cca/base/output_file.hpp>
 #include <cca/base/refused.hpp>
 
 namespace cca::recording {
@@ -65,7 +65,7 @@ inline std::string in_html(std::string_view plain) {
 }
 
 // Base64 of three bytes at a time; the last group may be shorter.
-inline void write_base64(std::ostream& to, std::istream& from) {
+inline void write_base64(output_file& to, std::istream& from) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<char, 3 << 14> bytes;
   std::string text;
@@ -78,7 +78,7 @@ inline void write_base64(std::ostream& to, std::istream& from) {
         three = three << 8 | (i + k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
       for (std::size_t k = 0; k < 4; ++k) text += i + k > count ? '=' : letters[three >> (18 - 6 * k) & 63U];
     }
-    to << text;
+    to.write(text);
   }
 }
 
@@ -91,21 +91,19 @@ inline void write_page(const std::string& page, const std::string& recording, co
   if (place == html.npos) throw refused(from + ": this is no page for recordings");
   std::ifstream recorded = detail::opened(recording);
 
-  const std::string part = page + ".part";
-  {
-    errno = 0;
-    std::ofstream to(part, std::ios::binary);
-    detail::check(to, part);
+  output_file to(page);
+  try {
     const std::string name = std::filesystem::path(page).stem().string();
-    to << std::string_view(html).substr(0, place)
-       << "<script id=\"recording\" type=\"text/plain\" data-name=\"" << detail::in_html(name) << "\">";
+    to.write(std::string_view(html).substr(0, place));
+    to.write("<script id=\"recording\" type=\"text/plain\" data-name=\"" + detail::in_html(name) + "\">");
     detail::write_base64(to, recorded);
-    to << "</script>" << std::string_view(html).substr(place + detail::place_of_recording.size());
-    to.close();
-    if (!to) std::remove(part.c_str());
-    detail::check(to, part);
+    to.write("</script>");
+    to.write(std::string_view(html).substr(place + detail::place_of_recording.size()));
+    to.keep();
+  } catch (...) {
+    to.discard();
+    throw;
   }
-  std::filesystem::rename(part, page);
 }
 
 }  // namespace cca::recording

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/refused.hpp>
 #include <cca/record/page.hpp>
 #include <cca/record/recorder.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
@@ -22,7 +21,10 @@ template <template <class> class Host, class Graph>
 struct program_recorder<Host<Graph>> {
   // `waits`: nothing is on a clock, so the loop may wait for the file.
   program_recorder(Host<Graph>& c, const std::string& file, std::vector<std::string> scopes, bool waits)
-      : recorder(c, file, {.scopes = std::move(scopes), .waits = waits}) {}
+      : recorder(c, file, {.scopes = std::move(scopes), .waits = waits, .opens_later = true}) {}
+
+  void open() { recorder.open(); }
+  void discard() { recorder.discard(); }
 
   void note(const std::map<std::string, std::string>& entries) {
     if (!entries.empty()) recorder.note("cca.program", entries);
@@ -47,10 +49,8 @@ public:
   program_page(const std::string& name, const std::string& record)
       : page(name),
         empty(recording::page_without_recording()),
-        recorded(record.empty() ? name + ".part.mcap" : record),
-        is_temporary(record.empty()) {
-    if (page == recorded) throw refused("--page " + page + ": this is the file of --record");
-  }
+        recorded(record.empty() ? name + ".mcap" : record),
+        is_temporary(record.empty()) {}
   program_page(const program_page&) = delete;
   program_page& operator=(const program_page&) = delete;
   ~program_page() {

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,11 +33,10 @@ struct beats_of_loop {
 // What all loops of a recording share.
 template <class Whole>
 struct recording_state {
-  recording_state(const settings& s, const std::string& name, const auto& contents)
-      : how(s), file(name, s, contents) {}
+  explicit recording_state(const settings& s) : how(s) {}
 
   settings how;
-  recording_file<Whole> file;                 // the writing thread's
+  std::optional<recording_file<Whole>> file;  // the writing thread's
   std::vector<std::string> nodes;             // their paths
   std::vector<std::string> environments{{}};  // of one loop it has no name
   std::vector<std::string> modes;
@@ -149,18 +149,18 @@ public:
     if (has_event) {
       events.take(oldest, payload);
       if (oldest.kind == event_kind::skipped) return skip();
-      if (is_written()) of.file.write(oldest, payload);
+      if (is_written()) of.file->write(oldest, payload);
       return;
     }
     write_lost_up_to(frame[0]);
     expected = frame[0] + 1;
-    if (is_written()) of.file.write(frame, cca::detail::frame_layout_of<Loop>);
+    if (is_written()) of.file->write(frame, cca::detail::frame_layout_of<Loop>);
     this->ring.take();
   }
   void write_lost_up_to(std::int64_t end) override {
     if (const std::int64_t beats = beats_of_loop<Loop>::count(expected, end); beats > 0 && end > expected) {
       of.lost.fetch_add(beats, std::memory_order_relaxed);
-      if (is_written()) of.file.write_lost(expected, beats, name());
+      if (is_written()) of.file->write_lost(expected, beats, name());
     }
     expected = std::max(expected, end);
   }
@@ -190,7 +190,7 @@ private:
     write_lost_up_to(first);
     expected = std::max(expected, first + beats);
     if (oldest.node == 1 && beats_of_loop<Loop>::count(first, first + beats) > 0 && is_written())
-      of.file.write(oldest, payload);
+      of.file->write(oldest, payload);
   }
 
   template <class Parameters>

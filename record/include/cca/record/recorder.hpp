@@ -9,8 +9,12 @@
 // beat copies what is published into a ring of its own loop: no allocation, no lock, no wait, no system call.
 // To be replayed, a recording must begin before the first beat.
 //
-// Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports. If writing
-// fails later, for example on a full disk, the loop goes on, and `problem()` says what happened. Threads: all
+// Until close() it is written to trot.mcap.part, and an older trot.mcap stays. A program that crashes leaves
+// the part, which can be read and replayed up to its last second (base/output_file.hpp).
+//
+// Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports and if
+// another program writes the file. If writing fails later, for example on a full disk, the loop goes on, and
+// `problem()` says what happened and where the rest is. Threads: all
 // of it for one thread, while no beat runs; note() and the counts for any. A cca::deployed must not be moved
 // meanwhile. Cost of a beat: docs/recordings.md. Tests: tests/runtime/record/.
 #pragma once
@@ -51,7 +55,8 @@ class recorder {
 
 public:
   recorder(Controller& c, const std::string& name, const settings& s = {})
-      : all(s, refuse_if_recorded(c, name), describe(c)), of(&c) {
+      : file_name(refuse_if_recorded(c, name)), all(s), of(&c), what(describe(c)) {
+    if (!s.opens_later) all.file.emplace(file_name, s, what);
     for (int n = 0; n < cca::detail::counts_of<whole>.node_count; ++n)
       all.nodes.push_back(cca::detail::path_of_node<whole>(n));
     all.environments = recorded::names_of_environments();
@@ -62,13 +67,20 @@ public:
       one = std::make_unique<loop>(all, types, Loop, c.beat_index());
       sources.push_back(one.get());
     });
-    writer = std::thread([this] { write_all(); });
+    if (all.file) begin();
     recorded::attach(c, loops);
     c.recorded_into()->moved(c.state(), c.beat_index());
   }
   ~recorder() { close(); }
   recorder(const recorder&) = delete;
   recorder& operator=(const recorder&) = delete;
+
+  // With settings::opens_later, before the first beat: until then what happens is kept in memory.
+  void open() {
+    if (all.file || is_closed) return;
+    all.file.emplace(file_name, all.how, what);
+    begin();
+  }
 
   // What the program wants to say about this run, as a seed: metadata of this name.
   void note(const std::string& name, const std::map<std::string, std::string>& entries) {
@@ -79,14 +91,20 @@ public:
 
   // Ends the recording. Not while a beat runs.
   void close() {
-    if (!writer.joinable()) return;
+    if (std::exchange(is_closed, true)) return;
     if (has_controller()) {
       end = of->beat_index();
       recorded::detach(*of);
     }
+    if (!writer.joinable()) return;  // it was never opened
     is_closing.store(true, std::memory_order_release);
     wake.notify_one();
     writer.join();
+  }
+  // Ends it too, and leaves no file: an older one of this name stays.
+  void discard() {
+    is_discarded = true;
+    close();
   }
 
   // Beats and events that did not fit.
@@ -123,6 +141,10 @@ private:
     return std::apply([](const auto&... one) { return ((!one || one->has_controller()) && ...); }, loops);
   }
 
+  void begin() {
+    writer = std::thread([this] { write_all(); });
+  }
+
   // ---- in the thread that writes ----
 
   void write_all() {
@@ -130,7 +152,7 @@ private:
     auto flushed = clock::now();
     const auto most = std::chrono::duration<double>(all.how.flush_seconds);
     const auto flush = [&] {
-      if (clock::now() - flushed > most) all.file.flush(), flushed = clock::now();
+      if (clock::now() - flushed > most) all.file->flush(), flushed = clock::now();
     };
     for (;;) {
       const bool is_last = is_closing.load(std::memory_order_acquire);
@@ -143,13 +165,14 @@ private:
       std::unique_lock lock(guard);
       wake.wait_for(lock, std::chrono::milliseconds(2), [&] { return is_closing.load(); });
     }
+    if (is_discarded) return all.file->discard();
     guarded([&] {
       for (auto* one : sources)
         if (end >= 0) one->write_lost_up_to(end);
       if (const auto events_lost = lost_events(); events_lost > 0)
-        all.file.note("cca.lost_events", {{"count", std::to_string(events_lost)}});
-      all.file.note("cca.end", {{"lost_beats", std::to_string(lost_beats())}});
-      all.file.close();
+        all.file->note("cca.lost_events", {{"count", std::to_string(events_lost)}});
+      all.file->note("cca.end", {{"lost_beats", std::to_string(lost_beats())}});
+      all.file->close();
     });
   }
   // The oldest item of all loops. A loop that is behind is waited for, unless the ring of another one gets
@@ -182,7 +205,7 @@ private:
       const std::scoped_lock lock(guard);
       taken.swap(notes);
     }
-    for (const auto& [name, entries] : taken) all.file.note(name, entries);
+    for (const auto& [name, entries] : taken) all.file->note(name, entries);
   }
   // What fails ends the file, not the loop.
   template <class F>
@@ -193,17 +216,20 @@ private:
         while (write_one(true)) {}
     } catch (const std::exception& e) {
       const std::scoped_lock lock(guard);
-      what_failed = e.what();
+      what_failed = std::string(e.what()) + "; up to there it is in " + all.file->written_to();
       all.is_broken.store(true, std::memory_order_release);
     }
   }
 
   std::vector<const detail::schema*> types;  // of the parameters of each node, or null
+  std::string file_name;
   detail::recording_state<whole> all;
   typename recorded::loops loops;
   std::vector<detail::loop_source*> sources;
   Controller* of;
+  typename detail::recording_file<whole>::contents what;
   std::int64_t end = -1;
+  bool is_closed = false, is_discarded = false;
   std::atomic<bool> is_closing{false};
   mutable std::mutex guard;  // of notes and what_failed: never the loops'
   std::condition_variable wake;

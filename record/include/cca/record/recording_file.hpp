@@ -35,6 +35,7 @@
 #include <cca/record/messages/viewer_message.hpp>
 #include <cca/record/settings.hpp>
 #include <cca/record/shown_body.hpp>
+#include <cca/runtime/each_component.hpp>
 #include <cca/runtime/recording/frame_layout.hpp>
 
 namespace cca::recording::detail {
@@ -50,23 +51,6 @@ inline bool is_in_scope(std::string_view path, std::string_view scope) {
   if (scope.ends_with('.')) scope.remove_suffix(1);
   return scope.empty() || path == scope ||
          (path.starts_with(scope) && path.size() > scope.size() && path[scope.size()] == '.');
-}
-
-template <class Graph>
-int node_of_port(int output) {
-  const auto& o = cca::detail::plan_of<Graph>.outputs[cca::detail::array_size(output)];
-  return cca::detail::plan_of<Graph>.calls[cca::detail::array_size(o.call)].node;
-}
-template <class Graph>
-std::string path_of_port(int output) {
-  const auto& o = cca::detail::plan_of<Graph>.outputs[cca::detail::array_size(output)];
-  const auto& call = cca::detail::plan_of<Graph>.calls[cca::detail::array_size(o.call)];
-  return cca::detail::path_of_node<Graph>(call.node) + "." + std::string(call.function->outputs[o.port].name);
-}
-template <class Graph>
-const cca::detail::space_info& space_of_port(int output) {
-  const auto& o = cca::detail::plan_of<Graph>.outputs[cca::detail::array_size(output)];
-  return *cca::detail::plan_of<Graph>.calls[cca::detail::array_size(o.call)].function->outputs[o.port].space;
 }
 
 // `Graph`: a graph, a deployment or a set of modes.
@@ -94,15 +78,16 @@ public:
     if (!of.environments.empty()) file.metadata("cca.environments", of.environments);
     if (!of.modes.empty()) file.metadata("cca.modes", of.modes);
     for (int o = 0; o < output_count; ++o) {
-      const std::string path = path_of_port<Graph>(o);
+      const std::string path = cca::detail::path_of_output<Graph>(o);
       bool is_wanted = s.scopes.empty();
       for (const std::string& scope : s.scopes)
         if (is_in_scope(path, scope)) {
           is_wanted = true;
           std::erase(unused, scope);
         }
-      is_wanted = is_wanted && of.nodes[cca::detail::array_size(node_of_port<Graph>(o))];
-      ports.push_back(is_wanted ? port_channel(path, space_of_port<Graph>(o)) : std::uint16_t{0});
+      is_wanted = is_wanted && of.nodes[cca::detail::array_size(cca::detail::node_of_output<Graph>(o))];
+      ports.push_back(is_wanted ? port_channel(path, cca::detail::space_of_output<Graph>(o))
+                                : std::uint16_t{0});
       if (is_wanted && s.viewer_hz > 0) add_view(o, path);
     }
     if (!unused.empty()) throw refused("cca::record: there is no port under `" + unused.front() + "`");
@@ -124,7 +109,7 @@ public:
       skipped = file.channel(skipped_topic, "cca/msg/skipped", beats + environment);
     }
     if constexpr (cca::detail::ShowsBody<Graph>)
-      if (s.viewer_hz > 0) body.emplace(file, space_of_port<Graph>);
+      if (s.viewer_hz > 0) body.emplace(file, cca::detail::space_of_output<Graph>);
     if (!of.modes.empty())
       mode = file.channel(mode_topic, "cca/msg/mode",
                           "int64 beat  # from which on it is active\nstring mode\n"
@@ -183,6 +168,8 @@ public:
 
   void flush() { file.flush(); }
   void close() { file.close(); }
+  void discard() { file.discard(); }
+  const std::string& written_to() const { return file.written_to(); }
   std::uint64_t bytes() const { return file.bytes(); }
 
 private:
@@ -205,7 +192,7 @@ private:
     return most;
   }();
   void add_view(int output, const std::string& path) {
-    viewer_message view_of(space_of_port<Graph>(output));
+    viewer_message view_of(cca::detail::space_of_output<Graph>(output));
     if (!view_of.fits()) return;
     const std::uint16_t channel =
         file.channel(std::string(viewer_topics) + topic_of(path), view_of.type(), view_of.schema());

@@ -18,6 +18,7 @@ struct settings {
   double viewer_hz = 50;        // messages of ROS 2 for viewers, of each port that one fits; 0: none
   std::size_t chunk_bytes = 1 << 20;
   int compression_level = 1;  // of zstd
+  bool opens_later = false;   // open() opens the file: once all that the run reads has been accepted
 };
 
 }  // namespace cca::recording

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include <cca/hardware/drives/drive.hpp>
@@ -116,6 +117,15 @@ struct safety_record {
   void note(safety_rule rule, int joint, std::int64_t beat) {
     ++count;
     if (first.rule == safety_rule::none) first = {rule, joint, beat};
+  }
+  // For people; empty: it has changed nothing.
+  template <class Joints>
+  std::string summary() const {
+    if (count == 0) return {};
+    return std::to_string(count) +
+           " numbers of set points limited; the first: " + std::string(name_of(first.rule)) + " of " +
+           std::string(Joints::names[static_cast<std::size_t>(first.joint)]) + ", beat " +
+           std::to_string(first.beat);
   }
 };
 

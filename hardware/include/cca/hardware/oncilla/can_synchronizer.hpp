@@ -35,12 +35,13 @@ class can_synchronizer<Bus, Board, joint_list<J...>>
 public:
   using joints = joint_list<J...>;
 
-  auto sense() -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
-                             out<"trunk", robots::oncilla::measured_trunk>,
-                             out<"joints", joint_states<joints>>> {
-    this->read();
+  auto sense(beat now)
+      -> std::tuple<out<J::axis::label, robots::oncilla::measured_joint<typename J::axis>>...,
+                    out<"trunk", robots::oncilla::measured_trunk>,
+                    out<"joints", joint_states<joints>>> {
+    this->read(now);
     return drives::each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense())(this->measured(I)..., trunk_record_of(this->reading), this->states());
+      return decltype(sense(now))(this->measured(I)..., trunk_record_of(this->reading), this->states());
     });
   }
 

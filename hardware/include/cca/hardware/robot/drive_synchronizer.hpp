@@ -1,7 +1,7 @@
 // The synchronizer of a robot on CAN without its ports: it reads the buses, enables the drives, watches them,
 // sends set points and stops. oncilla/can_synchronizer.hpp and robot_synchronizer.hpp give it ports.
 //
-//   read()                    in `sense`: takes what has come, and enables the drives where they start
+//   read(now)                 in `sense`: takes what has come, and enables the drives where they start
 //   measured<I>(), states()   then: angle, velocity and torque of joint I, NaN where they are too old; all
 //                             joints for the guards, and the phase
 //   send(set_points, more)    in `act`: set points of the guards go out. `more(runs)` may add frames for the
@@ -47,6 +47,7 @@
 #include <cca/hardware/robot/joint_monitor.hpp>
 #include <cca/hardware/robot/start_check.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
+#include <cca/hardware/robot/stop_cause.hpp>
 #include <cca/hardware/robot/stop_sequence.hpp>
 #include <cca/hardware/safety/bounds.hpp>
 
@@ -56,7 +57,7 @@ template <CanBus Bus, class Board, class Joints>
 class drive_synchronizer;
 
 template <CanBus Bus, class Board, class... J>
-class drive_synchronizer<Bus, Board, joint_list<J...>> {
+class drive_synchronizer<Bus, Board, joint_list<J...>> : public stop_cause<J...> {
 public:
   using joints = joint_list<J...>;
   static constexpr std::size_t count = sizeof...(J), buses = 1 + std::max({Board::bus, J::bus...});
@@ -88,14 +89,18 @@ public:
     stops.hurry();
     phase_now = motion_phase::enabling;
     latched = p.offset;
-    failed = {};
+    this->forget_cause();
     begin_enabling();
   }
   void stop() { begin_stop(moving()), send_stop(); }
 
   void on_start() { start(); }
   void on_stop() { stop(); }
-  void on_fault() { stop(); }
+  void on_fault() {
+    if (phase_now == motion_phase::enabling)
+      this->note_fault_in_start(checks.missing(drives, enabling, has_reported()));
+    stop();
+  }
   // Instead of a beat. Drives that move are damped until the next one.
   void on_idle() {
     if (stopping()) listen(), send_stop();
@@ -106,8 +111,6 @@ public:
   const drive_report& report(std::size_t joint) const { return drives.reports[joint]; }
   const board_reading& board() const { return reading; }
   const link_supervisor<3>& link(std::size_t bus) const { return outbox.links[bus]; }
-  safety_rule refusal() const { return failed.why; }  // why the last start failed
-  const start_failure& failure() const { return failed; }
   bool stopping() const { return stops.stage() != stop_stage::none; }
   // In the last stop, the drive of this joint has not said that it is off.
   bool unconfirmed(std::size_t joint) const { return !stops.is_confirmed(joint); }
@@ -126,7 +129,8 @@ protected:
     return f(std::make_index_sequence<count>());
   }
 
-  void read() {
+  void read(const beat& now) {
+    this->begin_beat(now.index());
     listen();
     bring_up();
   }
@@ -199,12 +203,12 @@ private:
     if (pause > longest_pause) trips.fill(safety_rule::stalled);
     drives.check();
     for (std::size_t i = 0; i < count; ++i)
-      if (outbox.links[bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
-    if (!has_board) return;
-    quiet_board = board_was_quiet ? quiet_board + 1 : 0;
-    if (quiet_board >= silent_board_beats || reading.status != 0)
-      std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
-    if (outbox.links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
+      if (outbox.links[this->bus_of[i]].state() == link_state::safe) trips[i] = safety_rule::link;
+    quiet_board = has_board && board_was_quiet ? quiet_board + 1 : 0;
+    const bool is_board_lost = quiet_board >= silent_board_beats || reading.status != 0;
+    if (has_board && is_board_lost) std::ranges::replace(trips, safety_rule::none, safety_rule::sensor_board);
+    if (has_board && outbox.links[Board::bus].state() == link_state::safe) trips.fill(safety_rule::link);
+    this->note_trips(drives, outbox.links, {pause, quiet_board, static_cast<int>(reading.status)});
   }
 
   void begin_enabling() {
@@ -234,7 +238,7 @@ private:
     phase_now = motion_phase::begins;
   }
   void refuse(const start_failure& f) {
-    failed = f;
+    this->note_refused(f);
     begin_stop(false);
   }
 
@@ -281,12 +285,9 @@ private:
     if (!stopping() && phase_now == motion_phase::enabling) begin_enabling();
   }
 
-  static constexpr std::array<std::size_t, count> bus_of{J::bus...};
-
   joint_monitor<J...> drives{};
   drive_enabling<J...> enabling{};
   start_check<J...> checks{};
-  start_failure failed{};
   stop_sequence<count> stops{};
   // Whether frames that disable were sent in this stop, and have gone over the bus.
   std::array<bool, buses> sent_disable{}, disabled_on{};

@@ -139,6 +139,9 @@ struct joint_monitor {
     return One::mounted.wraps > 0 && std::isfinite(angle[i]) ? One::speed_of(unwraps[i].turned()) : 0;
   }
 
+  // Beats without a frame of its drive.
+  int silent_for(std::size_t i) const { return since[i].frame; }
+
   void forget_trips() { trips.fill(safety_rule::none), senders.fill({}); }
   void restart() {
     forget_trips();

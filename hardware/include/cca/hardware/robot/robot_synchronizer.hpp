@@ -33,12 +33,12 @@ class robot_synchronizer<R, Bus, Board, joint_list<J...>, robots::sensors<Sensor
 public:
   using joints = joint_list<J...>;
 
-  auto sense() -> std::tuple<out<J::axis::label, robots::measured_joint<R, typename J::axis>>...,
-                             maybe<Sensors::name, robots::sensed<R, Sensors>>...,
-                             out<"joints", joint_states<joints>>> {
-    this->read();
+  auto sense(beat now) -> std::tuple<out<J::axis::label, robots::measured_joint<R, typename J::axis>>...,
+                                     maybe<Sensors::name, robots::sensed<R, Sensors>>...,
+                                     out<"joints", joint_states<joints>>> {
+    this->read(now);
     return drives::each([&]<std::size_t... I>(std::index_sequence<I...>) {
-      return decltype(sense()){this->measured(I)..., reading_of<Sensors>()..., this->states()};
+      return decltype(sense(now)){this->measured(I)..., reading_of<Sensors>()..., this->states()};
     });
   }
 

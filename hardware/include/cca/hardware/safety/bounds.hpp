@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
@@ -86,6 +87,7 @@ public:
     return std::any_of(sent.begin(), sent.end(), [](const approach_state& j) { return j.approaching; });
   }
   const safety_record& record() const { return noted; }
+  std::string summary() const { return noted.template summary<Joints>(); }
   void on_start() { sent = {}, noted = {}; }
 
 private:
@@ -147,6 +149,7 @@ public:
     return v;
   }
   const safety_record& record() const { return noted; }
+  std::string summary() const { return noted.template summary<Joints>(); }
   void on_start() { noted = {}, entered = lower_ends; }
 
   // The set point with no more torque than the joint may have at its present angle and speed.

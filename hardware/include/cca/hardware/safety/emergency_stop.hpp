@@ -19,7 +19,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <string>
 
+#include <cca/base/after_run.hpp>
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
 #include <cca/hardware/drives/set_points.hpp>
@@ -36,7 +38,8 @@ public:
     const bool is_pressed = read(pressed);
     if (phase == motion_phase::begins && !is_pressed) {
       is = motion_mode::run;
-      cause = {};
+      first = {};
+      has_begun = true;
       write(softly, false);
     }
     if (is_pressed) trip(safety_rule::pressed, -1, now);
@@ -58,16 +61,39 @@ public:
   void stop_softly() { write(softly, true); }
 
   motion_mode mode() const { return is; }
-  safety_event first_cause() const { return cause; }
+  safety_event first_cause() const { return first; }
+  // The synchronizer says more about what its drives do (robot/stop_cause.hpp).
+  cca::cause cause() const {
+    if (first.rule == safety_rule::none || !has_begun) return {};
+    const std::string joint =
+        first.joint < 0 ? "" : std::string(Joints::names[static_cast<std::size_t>(first.joint)]) + ": ";
+    return {joint + advice(first.rule), first.beat};
+  }
 
   // A button that is held stays pressed.
   void on_start() {
     is = motion_mode::damped;
-    cause = {};
+    first = {};
+    has_begun = false;
     write(softly, false);
   }
 
 private:
+  static std::string advice(safety_rule rule) {
+    switch (rule) {
+      case safety_rule::not_finite:
+        return "what it is commanded is not finite: look for the component that computes it";
+      case safety_rule::stale:
+        return "the data of the set points are older than `greatest_age` of the node `stale`: see what their "
+               "writers wait for, or raise it";
+      case safety_rule::pressed:
+        return "the emergency stop is pressed";
+      case safety_rule::asked:
+        return "a soft stop was asked for";
+      default:
+        return std::string(name_of(rule));
+    }
+  }
   // Atomic access to plain members: so the chain stays a value that can be copied.
   static bool read(bool& flag) { return std::atomic_ref(flag).load(std::memory_order_acquire); }
   static void write(bool& flag, bool value) { std::atomic_ref(flag).store(value, std::memory_order_release); }
@@ -75,8 +101,8 @@ private:
   void trip(safety_rule rule, int joint, const beat& now) {
     if (rule == safety_rule::none) return;
     is = std::max(is, leads_to(rule));
-    if (cause.rule != safety_rule::none) return;
-    cause = {rule, is_of_joint(rule) ? joint : -1, now.index()};
+    if (first.rule != safety_rule::none) return;
+    first = {rule, is_of_joint(rule) ? joint : -1, now.index()};
   }
   // The other rules come for all joints at once, so they name none.
   static constexpr bool is_of_joint(safety_rule rule) {
@@ -96,8 +122,8 @@ private:
   }
 
   motion_mode is = motion_mode::damped;  // until the first start
-  safety_event cause{};
-  bool pressed = false, softly = false;
+  safety_event first{};
+  bool pressed = false, softly = false, has_begun = false;
 };
 
 }  // namespace cca::hardware

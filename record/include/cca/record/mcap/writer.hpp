@@ -6,23 +6,22 @@
 //   file.flush();                              // ends the chunk: what is in the file survives a SIGKILL
 //   file.close();
 //
-// Errors: std::system_error of open and of write.
+// Until it is closed the bytes are in leg.mcap.part, and an older leg.mcap stays (base/output_file.hpp).
+// Without close() the part stays, readable up to its last chunk, or goes if it has none.
+//
+// Errors: std::system_error of open and of write, cca::refused if another program writes this file.
 #pragma once
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
-#include <fcntl.h>
-#include <unistd.h>
-
+#include <cca/base/output_file.hpp>
 #include <cca/record/mcap/bytes.hpp>
 #include <cca/record/mcap/crc32.hpp>
 #include <cca/record/mcap/format.hpp>
@@ -36,11 +35,7 @@ public:
   explicit mcap_writer(const std::string& name,
                        std::size_t bytes_of_chunk = 1 << 20,
                        int compression_level = 1)
-      : called(name),
-        file(::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
-        most_in_chunk(bytes_of_chunk),
-        compressor(compression_level) {
-    if (file < 0) throw std::system_error(errno, std::generic_category(), called);
+      : file(name), most_in_chunk(bytes_of_chunk), compressor(compression_level) {
     const std::string library = "cca " + std::to_string(version_major) + '.' + std::to_string(version_minor) +
                                 '.' + std::to_string(version_patch);
     detail::byte_writer start;
@@ -51,7 +46,7 @@ public:
   mcap_writer(const mcap_writer&) = delete;
   mcap_writer& operator=(const mcap_writer&) = delete;
   ~mcap_writer() {
-    if (file >= 0) ::close(file);
+    if (chunks == 0) file.discard();
   }
 
   // A schema without text is none: then the encoding of its messages says all.
@@ -156,18 +151,20 @@ public:
 
   // With the summary. Without it the file is readable up to its last chunk.
   void close() {
-    if (file < 0) return;
+    if (!file.is_open()) return;
     flush();
     const std::uint32_t crc = crc_of_data.value();
     detail::byte_writer end;
     add_record(end, detail::op::data_end, detail::byte_writer().add(crc).view());
     put(end.view());
     put(summary());
-    const int closed = ::close(std::exchange(file, -1));
-    if (closed != 0) throw std::system_error(errno, std::generic_category(), called);
+    file.keep();
   }
+  // An older file of this name stays.
+  void discard() { file.discard(); }
 
   std::uint64_t bytes() const { return at; }
+  const std::string& written_to() const { return file.written_to(); }  // until it is closed
 
 private:
   struct span_of_times {
@@ -237,16 +234,10 @@ private:
   void put(detail::byte_view bytes) {
     crc_of_data.add(bytes);
     at += bytes.size();
-    while (!bytes.empty()) {
-      const auto written = ::write(file, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throw std::system_error(errno, std::generic_category(), called);
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
+    file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
 
-  std::string called;
-  int file;
+  output_file file;
   std::size_t most_in_chunk;
   detail::zstd_compressor compressor;
   std::uint64_t at = 0;

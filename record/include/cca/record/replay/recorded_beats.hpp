@@ -112,7 +112,7 @@ private:
     for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o) {
       const auto& call = plan.calls[array_size(plan.outputs[array_size(o)].call)];
       if (call.phase != cca::detail::phase_of_beat::sense || has(o)) continue;
-      const std::string what = called + ": what `" + path_of_port<Graph>(o) + "` sensed ";
+      const std::string what = called + ": what `" + cca::detail::path_of_output<Graph>(o) + "` sensed ";
       if (!damaged.empty()) throw refused(what + "is not in the part that can be read: " + damaged);
       throw refused(what + "was not recorded: record it to replay" +
                     (Deployment<Graph> ? ", with all environments in one process" : ""));
@@ -123,7 +123,7 @@ private:
     channel_use use;
     const std::string& topic = channel.topic;
     for (int o = 0; o < cca::detail::counts_of<Graph>.output_count; ++o)
-      if (topic == topic_of(path_of_port<Graph>(o))) {
+      if (topic == topic_of(cca::detail::path_of_output<Graph>(o))) {
         use = {use_kind::sample, o};
         is_recorded[cca::detail::array_size(o)] = true;
       }

@@ -103,7 +103,7 @@ private:
 
   void take(const recorded_sample& s, std::int64_t beat_of_sample) {
     const auto refuse_sample = [&](const std::string& why) {
-      throw refused(called + ": a sample of `" + path_of_port<Graph>(s.output) + "` of beat " +
+      throw refused(called + ": a sample of `" + cca::detail::path_of_output<Graph>(s.output) + "` of beat " +
                     std::to_string(beat_of_sample) + why);
     };
     if (beat_of_sample < k)
