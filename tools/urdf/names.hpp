@@ -46,6 +46,12 @@ inline std::string identifier_of(std::string_view name) {
   return is_keyword(id) || is_macro(id) || id == "cca" ? id + "_" : id;
 }
 
+// The namespace of a robot: of a taken name with `_robot`.
+inline std::string namespace_of(std::string_view name) {
+  const std::string id = identifier_of(name), bare = id.substr(0, id.find_last_not_of('_') + 1);
+  return is_global(bare) || bare == "sim" ? bare + "_robot" : id;
+}
+
 // Names of one kind, each once.
 class name_list {
 public:

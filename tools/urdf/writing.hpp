@@ -40,8 +40,7 @@ public:
 
   std::string text(const std::vector<remark>& notes) const {
     std::string space = options_.name_space;
-    if (space.empty()) space = identifier_of(robot_.name);
-    if (is_global(space) || space == "sim") space += space.ends_with('_') ? "robot" : "_robot";
+    if (space.empty()) space = namespace_of(robot_.name);
     std::string all = "// The robot '" + one_line(robot_.name) + "', from " + one_line(options_.source) +
                       " by cca-urdf. Change that file and write this one again.\n";
     if (!notes.empty()) all += "//\n// Left out or changed:\n";
@@ -245,8 +244,10 @@ private:
   header_options options_;
   // Not the members of frames and axes, and not the other nodes of a robot (cca/robots/ports.hpp).
   name_list frame_names_{{"name", "label"}};
-  name_list axis_names_{{"name", "label", "limits", "simulator", "angles", "velocities", "torques",
-                         "position", "velocity", "torque", "stiffness", "damping"}};
+  name_list axis_names_{{"name",       "label",          "limits",       "simulator",    "angles",
+                         "velocities", "torques",        "position",     "velocity",     "torque",
+                         "stiffness",  "damping",        "synchronizer", "servos",       "finite",
+                         "stale",      "emergency_stop", "soft_stop",    "damping_stop", "rate"}};
 };
 
 }  // namespace cca_urdf
