@@ -58,6 +58,10 @@ public:
 private:
   const std::string& name_of(int link) const { return bodies_.link_at(link).name; }
   std::string frame_of(int link) const { return "frame::" + frame_names_[name_of(link)]; }
+  std::string chain_of(int link) const {  // C++ reserves names with two underscores in a row
+    const std::string& id = frame_names_[name_of(link)];
+    return id + (id.ends_with('_') ? "chain" : "_chain");
+  }
   std::string axis_of(const joint& j) const { return "axis::" + axis_names_[j.name]; }
   const joint& joint_of(int body) const { return *bodies_.all()[static_cast<std::size_t>(body)].moved_by; }
 
@@ -139,7 +143,7 @@ private:
       int frame = l.from;
       for (std::size_t i = 0; i < f.joints; ++i) {
         const joint& j = joint_of(l.bodies[i]);
-        joints += (i ? ", " : "") + frame_names_[name_of(l.to)] + "_chain::joints[" + std::to_string(i) + "]";
+        joints += (i ? ", " : "") + chain_of(l.to) + "::joints[" + std::to_string(i) + "]";
         if (leads(j)) own_axes += (own_axes.empty() ? "" : ", ") + axis_of(j);
         frame = bodies_.all()[static_cast<std::size_t>(l.bodies[i])].first;
       }
@@ -150,8 +154,8 @@ private:
   }
 
   std::string chain_begin(int to, int from, const std::string& own_axes) const {
-    return "struct " + frame_names_[name_of(to)] + "_chain : cca::serial_chain<" + frame_of(from) + ", " +
-           frame_of(to) + ", cca::axes<" + own_axes + ">> {\n";
+    return "struct " + chain_of(to) + " : cca::serial_chain<" + frame_of(from) + ", " + frame_of(to) +
+           ", cca::axes<" + own_axes + ">> {\n";
   }
   static std::string joints_text(const std::string& joints) {
     return joints.empty() ? "  static constexpr std::array<cca::joint, 0> joints{};\n"
@@ -170,7 +174,7 @@ private:
       for (const int i : l.bodies)
         if (const std::string& node = axis_name(joint_of(i)); named.insert(node).second)
           nodes += (nodes.empty() ? "\"" : ", \"") + node + "\"";
-      all += ",\n    cca::part<\"" + id + "\", " + id + "_chain" +
+      all += ",\n    cca::part<\"" + id + "\", " + chain_of(l.to) +
              (nodes.empty() ? "" : ", cca::driven_by<" + nodes + ">") + ">";
     }
     all += "> {\n";
