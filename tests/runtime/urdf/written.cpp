@@ -42,7 +42,9 @@ TEST_SUITE("written") {
     // A wheel without limits has no motor, but it can be in a command.
     CHECK(r::description::drives[3].motor.torque == 0);
     using torques = cca::robots::torques<r::description>;
-    CHECK(cca::limiter<torques>().process({Eigen::Vector4d::Ones(), 0, true}, {}, {}).vector()[3] == 0);
+    CHECK(cca::limiter<torques>()
+              .process({Eigen::Vector4d::Ones(), 0, true}, {}, cca::beat(0, 1, 1))
+              .vector()[3] == 0);
     REQUIRE(r::description::shapes.size() == 1);
     CHECK(r::description::shapes[0].form.kind == cca::robots::shape_kind::sphere);
   }
