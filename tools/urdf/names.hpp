@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "taken_globals.hpp"
+#include "taken/globals.hpp"
 
 namespace cca_urdf {
 

@@ -45,14 +45,14 @@ inline std::optional<joint_limit> read_limit(const element& e, const joint& j, c
          (l.effort > 0 ? ", so its motor gives its torque at any speed" : ""));
   l.effort = std::max(0.0, l.effort), l.velocity = std::max(0.0, l.velocity);
   if (!has_ends) return l;
-  l.lower = from.optional_number(*limit, "lower"), l.upper = from.optional_number(*limit, "upper");
-  const double low = l.lower.value_or(0), high = l.upper.value_or(0);  // 0 is URDF's default for one of them
-  l.lower = low, l.upper = high;
+  const auto lower = from.optional_number(*limit, "lower"), upper = from.optional_number(*limit, "upper");
+  const double low = lower.value_or(0), high = upper.value_or(0);  // 0 is URDF's default for one of them
   if (!limit->Attribute("lower") && !limit->Attribute("upper"))
     from.error(*limit, "<limit> needs `lower` and `upper`; a joint without a range is continuous");
   else if (from.said().errors() == before && !(low <= high))
     from.error(*limit, "`lower` is " + text_of(low) + " and `upper` is " + text_of(high) +
                            "; `lower` must be below `upper`; a joint without a range is continuous");
+  if (from.said().errors() == before) l.lower = low, l.upper = high;
   if (j.type == joint_type::revolute && high - low >= 2 * std::numbers::pi)
     note(": its range is a whole turn or more, so the simulator gives it no stops");
   return l;

@@ -156,16 +156,15 @@ auto inverse_dynamics(const body_pose<Type>& now,
                       const typename body_pose<Type>::vector_type& accelerations,
                       const base_motion& base = {}) {
   return detail::newton_euler<detail::weighed_links_of<Type>.size(), body_pose<Type>::size>(
-      detail::weighed_links_of<Type>, now.links(), detail::base_inertia_of<Type>(), velocities,
-      accelerations, base);
+      detail::weighed_links_of<Type>, now.links(), detail::base_inertia_of<Type>(), velocities, accelerations,
+      base);
 }
 
 // Gravity along the base's axes, m/s^2.
 template <Body Type>
 auto gravity_torques(const body_pose<Type>& now,
                      const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
-  return detail::torques_at_rest<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(),
-                                                        gravity);
+  return detail::torques_at_rest<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(), gravity);
 }
 
 }  // namespace cca

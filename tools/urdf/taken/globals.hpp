@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "taken_macros.hpp"
+#include "macros.hpp"
 
 namespace cca_urdf {
 
