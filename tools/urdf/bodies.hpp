@@ -9,16 +9,11 @@
 
 namespace cca_urdf {
 
-// A link in the frame of its body: the fixed joints that lead to it, in order.
+// A link in the frame of its body.
 struct place_in_body {
   int body = -1;
-  std::vector<origin> steps;
-
-  Eigen::Isometry3d placed() const {
-    Eigen::Isometry3d all = Eigen::Isometry3d::Identity();
-    for (const origin& o : steps) all = all * o.placed();
-    return all;
-  }
+  int before = -1;  // the link to which a fixed joint holds it; -1: it is the first one of its body
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
 };
 
 struct body {
@@ -35,16 +30,30 @@ public:
       : robot_(r), tree_(tree), places_(r.links.size()), floats_(floats) {
     find_base(said);
     if (base_ < 0) return;
-    add(base_, nullptr, said);
-    if (all_.size() == 1 && !said.has_error()) said.error(0, "the robot has no joint that moves");
-    for (const body& b : all_) check(b, said);
+    add_all();
+    if (all_.size() == 1 && !said.has_error())
+      said.error(0, "the robot has no joint that moves, so nothing can be commanded: give one a range");
   }
 
   const std::vector<body>& all() const { return all_; }  // the first is the base
+  std::vector<body>& all() { return all_; }
   const place_in_body& place(int link) const { return places_[static_cast<std::size_t>(link)]; }
   const link& link_at(int i) const { return robot_.links[static_cast<std::size_t>(i)]; }
   bool floats() const { return floats_; }
   const structure& tree() const { return tree_; }
+
+  // The steps from one frame of a body to another: those of the file if they are few.
+  std::vector<origin> between(int from, int to) const {
+    constexpr int most = 4;
+    std::vector<origin> steps;
+    int at = to;
+    for (int links = 0; at != from && place(at).before >= 0 && links < most; ++links) {
+      if (const origin& o = tree_.holding(at)->where; !o.is_identity()) steps.insert(steps.begin(), o);
+      at = place(at).before;
+    }
+    if (at == from) return steps;
+    return {origin::of(place(from).placed.inverse() * place(to).placed)};
+  }
 
 private:
   // A massless root that holds a floating joint is the world; what floats in it is the base.
@@ -61,40 +70,42 @@ private:
                    named(j) + " floats: only the base can, on a root without a mass that holds it alone");
   }
 
-  void add(int first, const joint* by, remarks& said) {
-    const int index = static_cast<int>(all_.size());
-    all_.push_back({by, first, {}, {}, {}});
-    collect(index, first, {});
-    for (const joint* j : std::vector(all_[static_cast<std::size_t>(index)].joints))
-      add(tree_.index_of(j->child), j, said);
-  }
-
-  void collect(int index, int link, std::vector<origin> steps) {
-    body& b = all_[static_cast<std::size_t>(index)];
-    b.links.push_back(link);
-    places_[static_cast<std::size_t>(link)] = {index, steps};
-    if (const auto& i = link_at(link).inertia)
-      b.mass = b.mass + i->own.seen_from(place(link).placed() * i->where.placed());
-    for (const joint* j : tree_.held(link)) {
-      if (j->type == joint_type::floating) continue;
-      if (j->moves()) {
-        b.joints.push_back(j);
-        continue;
-      }
-      auto further = steps;
-      if (!j->where.is_identity()) further.push_back(j->where);
-      collect(index, tree_.index_of(j->child), further);
+  // Bodies and their links in the order of the file, without recursion: a chain may be long.
+  void add_all() {
+    struct open_body {
+      int first;
+      const joint* by;
+    };
+    for (std::vector<open_body> open{{base_, nullptr}}; !open.empty();) {
+      const auto [first, by] = open.back();
+      open.pop_back();
+      all_.push_back({by, first, {}, {}, {}});
+      collect(all_.back(), first);
+      const auto& moving = all_.back().joints;
+      for (auto j = moving.rbegin(); j != moving.rend(); ++j)
+        open.push_back({tree_.index_of((*j)->child), *j});
     }
   }
 
-  void check(const body& b, remarks& said) const {
-    const link& first = link_at(b.first);
-    if (!b.moved_by && !floats_) return;  // a base that is fixed needs no mass
-    const std::string why = b.moved_by ? with_line(*b.moved_by) + " moves it" : "the base floats";
-    if (!(b.mass.mass > 0))
-      said.error(first.line, named(first) + " has no mass, but " + why + ": give it an <inertial>");
-    else if (!is_positive_definite(b.mass.about_centre))
-      said.error(first.line, named(first) + " has an inertia that is not positive definite, but " + why);
+  void collect(body& b, int first) {
+    const int index = static_cast<int>(all_.size()) - 1;
+    const auto take = [&](int link, const place_in_body& where, std::vector<const joint*>& open) {
+      b.links.push_back(link);
+      places_[static_cast<std::size_t>(link)] = where;
+      if (const auto& i = link_at(link).inertia)
+        b.mass = b.mass + i->own.seen_from(where.placed * i->where.placed());
+      const auto& held = tree_.held(link);
+      open.insert(open.end(), held.rbegin(), held.rend());
+    };
+    std::vector<const joint*> open;
+    for (take(first, {index, -1, Eigen::Isometry3d::Identity()}, open); !open.empty();) {
+      const joint* j = open.back();
+      open.pop_back();
+      if (j->type == joint_type::floating) continue;
+      const int parent = tree_.index_of(j->parent);
+      if (j->moves()) b.joints.push_back(j);
+      else take(tree_.index_of(j->child), {index, parent, place(parent).placed * j->where.placed()}, open);
+    }
   }
 
   const robot& robot_;

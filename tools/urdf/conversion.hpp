@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "cylinders.hpp"
+#include "locked.hpp"
+#include "masses.hpp"
 #include "reading.hpp"
 #include "writing.hpp"
 
@@ -12,8 +15,10 @@ namespace cca_urdf {
 
 struct options {
   header_options header{};
-  bool floats = false;  // nothing holds the base
-  bool strict = false;  // notes are errors
+  bool floats = false;              // nothing holds the base
+  bool strict = false;              // notes are errors
+  bool accept_inertia = false;      // the nearest sound one becomes of one that no body has
+  std::vector<std::string> ends{};  // links in which a part ends
 };
 
 struct conversion {
@@ -24,14 +29,18 @@ struct conversion {
 inline conversion convert(std::string_view text, const options& wanted) {
   remarks said;
   const auto end = [&](std::string header) { return conversion{std::move(header), said.sorted()}; };
-  const robot r = read_robot(text, said);
+  robot r = read_robot(text, said);
   if (r.name.empty() || (r.links.empty() && said.has_error())) return end({});
+  lock_joints(r, said);
   const structure tree(r, said);
   if (tree.root() < 0) return end({});
-  const bodies moving(r, tree, wanted.floats, said);
+  bodies moving(r, tree, wanted.floats, said);
+  check_masses(moving, wanted.accept_inertia, said);
+  replace_cylinders(r, moving, said);
   const followers coupled(r, said);
   if (said.has_error()) return end({});
-  const limbs parts(moving, said);
+  const limbs parts(moving, wanted.ends, said);
+  if (said.has_error()) return end({});
   const header written(r, parts, coupled, wanted.header, said);
   if (wanted.strict && said.has_note()) return end({});
   return end(written.text(said.sorted()));

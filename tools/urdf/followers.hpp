@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "model.hpp"
 #include "numbers.hpp"
@@ -24,38 +25,46 @@ public:
     for (const joint& j : r.joints)
       if (j.moves()) by_name[j.name] = &j;
     for (const joint& j : r.joints) {
-      drive_of d{&j};
-      for (std::size_t steps = 0; d.leader && d.leader->mimic; ++steps) {
-        const mimic_of& m = *d.leader->mimic;
-        const auto next = by_name.find(m.joint);
-        if (next == by_name.end() || steps == r.joints.size()) {
-          said.error(j.mimic->line,
-                     named(j) + ": " +
-                         (next == by_name.end() ? "there is no joint '" + m.joint + "' that moves"
-                                                : "it follows itself, over others"));
-          break;
-        }
-        d = {next->second, d.ratio * m.multiplier, d.ratio * m.offset + d.rest};
-      }
-      if (j.mimic && j.limit && j.limit->lower)
+      if (j.moves() && j.mimic && j.mimic->has_own_limit)
         said.note(j.line,
                   named(j) + ": it follows another joint, so its own limits and its motor are left out");
-      all_[&j] = d;
+      find_leader(j, by_name, said);
     }
+    for (const auto& [j, d] : all_) damping_[d.leader] += d.ratio * d.ratio * j->damping;
   }
 
   const drive_of& operator[](const joint& j) const { return all_.at(&j); }
 
   // Of the coordinate of a joint that leads: the damping of all joints that it moves.
-  double damping(const joint& leader) const {
-    double sum = 0;
-    for (const auto& [j, d] : all_)
-      if (d.leader == &leader) sum += d.ratio * d.ratio * j->damping;
-    return sum;
-  }
+  double damping(const joint& leader) const { return damping_.at(&leader); }
 
 private:
+  // Up to a joint that leads itself or whose leader is known, then back.
+  void find_leader(const joint& j, const std::map<std::string, const joint*>& by_name, remarks& said) {
+    std::vector<const joint*> path;
+    const joint* at = &j;
+    while (!all_.contains(at) && at->moves() && at->mimic) {
+      path.push_back(at);
+      const auto next = by_name.find(at->mimic->joint);
+      if (next == by_name.end() || path.size() > by_name.size()) {
+        said.error(at->mimic->line,
+                   named(*at) + ": " +
+                       (next == by_name.end() ? "there is no joint '" + at->mimic->joint + "' that moves"
+                                              : "it follows itself, over others"));
+        for (const joint* each : path) all_[each] = {each};  // said once
+        return;
+      }
+      at = next->second;
+    }
+    drive_of d = all_.try_emplace(at, drive_of{at}).first->second;
+    for (auto each = path.rbegin(); each != path.rend(); ++each) {
+      const mimic_of& m = *(*each)->mimic;
+      d = all_[*each] = {d.leader, m.multiplier * d.ratio, m.multiplier * d.rest + m.offset};
+    }
+  }
+
   std::map<const joint*, drive_of> all_;
+  std::map<const joint*, double> damping_;
 };
 
 }  // namespace cca_urdf

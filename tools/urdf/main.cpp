@@ -22,7 +22,7 @@ int convert(settings& s) {
   s.options.header.source = file.substr(file.rfind('/') + 1);
   if (!s.options.header.name_space.empty() && !cca_urdf::is_namespace(s.options.header.name_space))
     throw cca::command_line_error("--namespace " + s.options.header.name_space +
-                                  ": expected names of C++ with :: between them");
+                                  ": expected names of C++ with :: between them, which C does not declare");
   const auto made = cca_urdf::convert(cca::detail::read_file(file), s.options);
   std::cerr << cca_urdf::text_of(made.said, file);
   if (made.header.empty())
@@ -43,6 +43,9 @@ int main(int count, char** words) {
   line.text("--namespace NAME", s.options.header.name_space, "of the description (the name of the robot)");
   line.flag("--floats", s.options.floats, "nothing holds the base, as of a walking robot");
   line.number("--rate HZ", s.options.header.rate, 1, 1e6, "of the ports (1000)");
+  line.texts("--end LINK", s.options.ends, "a part ends in this link; may be given again");
+  line.flag("--accept-inertia", s.options.accept_inertia,
+            "an inertia that no body has becomes the nearest sound one");
   line.flag("--strict", s.options.strict, "writes nothing if something is left out");
   return cca::run_program(count, words, line, [&] { return convert(s); });
 }

@@ -1,4 +1,4 @@
-// Names of C++ from names of URDF: letters, digits and single underscores, no keyword, each once.
+// Names of C++ from names of URDF: letters, digits and single underscores, no keyword, no macro, each once.
 //
 // The names of joints are also those of axes and ports, so they must not be those of the robot's other nodes.
 #pragma once
@@ -11,12 +11,12 @@
 #include <string>
 #include <string_view>
 
-#include "remarks.hpp"
+#include "taken/globals.hpp"
 
 namespace cca_urdf {
 
 inline bool is_keyword(std::string_view word) {
-  static constexpr std::array<std::string_view, 97> all{
+  static constexpr std::array<std::string_view, 92> all{
       "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
       "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
       "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
@@ -30,7 +30,7 @@ inline bool is_keyword(std::string_view word) {
       "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
       "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
       "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-      "xor_eq",      "linux",    "unix",       "errno",     "assert",    "main"};
+      "xor_eq"};
   return std::ranges::find(all, word) != all.end();
 }
 
@@ -43,7 +43,13 @@ inline std::string identifier_of(std::string_view name) {
   }
   while (!id.empty() && id.back() == '_') id.pop_back();
   if (id.empty() || (id[0] >= '0' && id[0] <= '9')) id = "n" + id;
-  return is_keyword(id) ? id + "_" : id;
+  return is_keyword(id) || is_macro(id) || id == "cca" ? id + "_" : id;
+}
+
+// The namespace of a robot: of a taken name with `_robot`.
+inline std::string namespace_of(std::string_view name) {
+  const std::string id = identifier_of(name), bare = id.substr(0, id.find_last_not_of('_') + 1);
+  return is_global(bare) || bare == "sim" ? bare + "_robot" : id;
 }
 
 // Names of one kind, each once.
@@ -52,20 +58,25 @@ public:
   explicit name_list(std::set<std::string> taken = {}) : used_(std::move(taken)) {}
 
   const std::string& add(const std::string& name) {
-    std::string id = identifier_of(name);
-    for (int n = 2; used_.contains(id); ++n) id = identifier_of(name) + "_" + std::to_string(n);
-    used_.insert(id);
+    const std::string wanted = identifier_of(name);
+    std::string id = wanted;
+    const char* between = wanted.ends_with('_') ? "" : "_";
+    for (int& n = last_.emplace(wanted, 1).first->second; !used_.insert(id).second;)
+      id = wanted + between + std::to_string(++n);
     return given_[name] = id;
   }
+  bool has(const std::string& name) const { return given_.contains(name); }
   const std::string& operator[](const std::string& name) const { return given_.at(name); }
 
 private:
   std::set<std::string> used_;
+  std::map<std::string, int> last_;  // the last number behind a name
   std::map<std::string, std::string> given_;
 };
 
-// `robot::left`: identifiers with `::` between them.
+// `robot::left`: identifiers with `::` between them, the first of which is not declared otherwise.
 inline bool is_namespace(std::string_view text) {
+  if (is_global(text.substr(0, text.find("::")))) return false;
   while (true) {
     const std::size_t end = std::min(text.find("::"), text.size());
     if (const auto word = text.substr(0, end); identifier_of(word) != word || is_keyword(word)) return false;

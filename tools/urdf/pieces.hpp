@@ -40,6 +40,7 @@ inline std::string joint_text(const joint& j, const std::vector<origin>& steps) 
 
 inline std::string inertia_text(const mass_of_link& m, const std::string& name = "") {
   const auto& i = m.about_centre;
+  if (!(m.mass > 0)) return "cca::link_inertia" + name + "{}";
   return "cca::link_inertia" + name + "{" + text_of(m.mass) + ", {" + list_of(m.centre) + "}, {" +
          list_of(std::array{i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)}) + "}}";
 }
@@ -52,16 +53,17 @@ inline std::string limits_of(const joint& j) {
   };
   if (!j.limit) return all;
   if (j.limit->lower) add("angle", *j.limit->lower, *j.limit->upper);
-  add("velocity", -j.limit->velocity, j.limit->velocity);
+  if (j.limit->velocity > 0) add("velocity", -j.limit->velocity, j.limit->velocity);
   add("torque", -j.limit->effort, j.limit->effort);
   return all;
 }
 
-// A motor gives its full torque up to half of its no-load speed.
+// A motor gives its full torque up to half of its no-load speed; without a limit of velocity, at any.
 inline std::string drive_text(const joint& j, double damping) {
   std::string inside;
   if (j.limit && j.limit->effort > 0)
-    inside = ".motor = {" + text_of(j.limit->effort) + ", " + text_of(2 * j.limit->velocity) + "}";
+    inside = ".motor = {" + text_of(j.limit->effort) + ", " +
+             (j.limit->velocity > 0 ? text_of(2 * j.limit->velocity) : "1e9") + "}";
   if (damping > 0) inside += (inside.empty() ? "" : ", ") + std::string(".friction = ") + text_of(damping);
   return "cca::robots::joint_drive{" + inside + "}";
 }

@@ -1,6 +1,7 @@
 // <joint> elements: type, place, axis, limits, friction, and what they follow.
 #pragma once
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 
@@ -23,36 +24,37 @@ inline std::optional<joint_type> type_of(const element& e, const reader& from) {
   return {};
 }
 
-// The limits that a motor and the stops need.
+// The limits that a motor and the stops need. Numbers that stand for no number leave out what they limit.
 inline std::optional<joint_limit> read_limit(const element& e, const joint& j, const reader& from) {
   const element* limit = child_of(e, "limit", from.said());
   const bool has_ends = j.type != joint_type::continuous;
+  joint_limit l;
   if (!limit) {
     if (has_ends) from.error(e, "it needs a <limit> with `lower`, `upper`, `effort` and `velocity`");
-    else from.said().note(j.line, named(j) + ": without a <limit> it has no motor");
-    return {};
+    else from.said().note(j.line, named(j) + ": without a <limit> it has no motor, and no limit of velocity");
+    return l;
   }
   const long before = from.said().errors();
-  joint_limit l;
+  const auto note = [&](const std::string& text) { from.said().note(limit->GetLineNum(), named(j) + text); };
   l.effort = from.number(*limit, "effort");
   l.velocity = from.number(*limit, "velocity");
-  if (l.effort < 0) from.error(*limit, "`effort` is " + text_of(l.effort) + "; it must not be negative");
-  if (l.effort == 0 && limit->Attribute("effort"))
-    from.said().note(limit->GetLineNum(), named(j) + ": with an `effort` of 0 it has no motor");
-  if (!(l.velocity > 0) && limit->Attribute("velocity"))
-    from.error(*limit, "`velocity` is " + text_of(l.velocity) + "; it must be above 0");
+  if (from.said().errors() > before) return l;
+  if (l.effort <= 0) note(": with an `effort` of " + text_of(l.effort) + " it has no motor");
+  if (l.velocity <= 0)
+    note(": a `velocity` of " + text_of(l.velocity) + " is taken as no limit" +
+         (l.effort > 0 ? ", so its motor gives its torque at any speed" : ""));
+  l.effort = std::max(0.0, l.effort), l.velocity = std::max(0.0, l.velocity);
   if (!has_ends) return l;
-  l.lower = from.optional_number(*limit, "lower"), l.upper = from.optional_number(*limit, "upper");
-  const double low = l.lower.value_or(0), high = l.upper.value_or(0);  // 0 is URDF's default for one of them
-  l.lower = low, l.upper = high;
+  const auto lower = from.optional_number(*limit, "lower"), upper = from.optional_number(*limit, "upper");
+  const double low = lower.value_or(0), high = upper.value_or(0);  // 0 is URDF's default for one of them
   if (!limit->Attribute("lower") && !limit->Attribute("upper"))
-    from.error(*limit, "<limit> needs `lower` and `upper`");
-  else if (from.said().errors() == before && !(low < high))
+    from.error(*limit, "<limit> needs `lower` and `upper`; a joint without a range is continuous");
+  else if (from.said().errors() == before && !(low <= high))
     from.error(*limit, "`lower` is " + text_of(low) + " and `upper` is " + text_of(high) +
-                           "; `lower` must be below `upper`");
+                           "; `lower` must be below `upper`; a joint without a range is continuous");
+  if (from.said().errors() == before) l.lower = low, l.upper = high;
   if (j.type == joint_type::revolute && high - low >= 2 * std::numbers::pi)
-    from.said().note(limit->GetLineNum(),
-                     named(j) + ": its range is a whole turn or more, so the simulator gives it no stops");
+    note(": its range is a whole turn or more, so the simulator gives it no stops");
   return l;
 }
 
@@ -83,13 +85,15 @@ inline joint read_joint(const element& e, remarks& said) {
     j.axis = from.list<3>(*axis, "xyz", j.axis);
     if (j.axis == std::array<double, 3>{}) from.error(*axis, "the axis has no direction");
   }
-  j.limit = read_limit(e, j, from);
   read_dynamics(e, j, from);
   if (const element* mimic = child_of(e, "mimic", said)) {
-    j.mimic = mimic_of{mimic->GetLineNum(), from.text(*mimic, "joint"),
-                       from.optional_number(*mimic, "multiplier").value_or(1),
-                       from.optional_number(*mimic, "offset").value_or(0)};
+    j.mimic =
+        mimic_of{mimic->GetLineNum(), from.text(*mimic, "joint"),
+                 from.optional_number(*mimic, "multiplier").value_or(1),
+                 from.optional_number(*mimic, "offset").value_or(0), e.FirstChildElement("limit") != nullptr};
     if (j.mimic->multiplier == 0) from.error(*mimic, "a `multiplier` of 0: make it a fixed joint");
+  } else {
+    j.limit = read_limit(e, j, from);
   }
   return j;
 }

@@ -1,6 +1,7 @@
 // <link> elements: mass, inertia and the shapes that touch. What is only drawn (<visual>) is not read.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "elements.hpp"
@@ -15,7 +16,7 @@ inline origin read_origin(const element& e, const reader& from) {
   return {from.list<3>(*at, "xyz", zero), from.list<3>(*at, "rpy", zero)};
 }
 
-inline std::optional<inertial> read_inertial(const element& e, const reader& from) {
+inline std::optional<inertial> read_inertial(const element& e, const reader& from, const std::string& owner) {
   const element* mass = from.needed_child(e, "mass");
   const element* inertia = from.needed_child(e, "inertia");
   if (!mass || !inertia) return {};
@@ -30,11 +31,10 @@ inline std::optional<inertial> read_inertial(const element& e, const reader& fro
     from.error(*mass, "a mass of " + text_of(of.own.mass) + " kg; it must not be negative");
   if (from.said().errors() > before) return {};
   if (of.own.mass == 0) {  // a frame without a body, as some programs write it
-    if (!of.own.about_centre.isZero(0)) from.error(*inertia, "an inertia without a mass");
+    if (!of.own.about_centre.isZero(0))
+      from.said().note(inertia->GetLineNum(), owner + ": an inertia without a mass is left out");
     return {};
   }
-  if (const std::string fault = fault_of(of.own.about_centre); !fault.empty())
-    from.error(*inertia, "no body has this inertia: " + fault);
   return of;
 }
 
@@ -58,28 +58,23 @@ inline void read_collision(const element& e, const reader& from, const std::stri
   } else if (kind == "sphere") {
     c.size[0] = from.number(*form, "radius");
   } else if (kind == "cylinder" || kind == "capsule") {
-    c.kind = form_kind::capsule;
+    c.kind = kind == "capsule" ? form_kind::capsule : form_kind::cylinder;
     c.size = {from.number(*form, "radius"), from.number(*form, "length"), 0};
   } else {
     return left_out("the shape " + tag(*form) + " is left out: shapes are boxes, spheres and capsules");
   }
   if (from.said().errors() > before) return;
-  const std::size_t sizes = c.kind == form_kind::box ? 3 : c.kind == form_kind::capsule ? 2 : 1;
-  for (std::size_t i = 0; i < sizes; ++i)
-    if (!(c.size[i] > 0)) return from.error(*form, "each size of " + tag(*form) + " must be above 0");
-  if (kind == "cylinder") {
-    if (c.size[1] <= 2 * c.size[0])
-      return left_out("the cylinder is left out: it is no longer than wide, so no capsule fits into it");
-    c.size[1] -= 2 * c.size[0];
-    left_out("the cylinder becomes a capsule of the same length and radius: its edges are round");
-  }
+  const std::size_t sizes = c.kind == form_kind::box ? 3 : c.kind == form_kind::sphere ? 1 : 2;
+  const double least = *std::min_element(c.size.begin(), c.size.begin() + static_cast<std::ptrdiff_t>(sizes));
+  if (least < 0) return from.error(*form, "each size of " + tag(*form) + " must be above 0");
+  if (least == 0) return left_out("the " + kind + " is left out: one of its sizes is 0");
   into.collisions.push_back(c);
 }
 
 inline link read_link(const element& e, remarks& said) {
   link l{reader("a link", said).text(e, "name"), e.GetLineNum(), {}, {}};
   const reader from(named(l), said);
-  if (const element* i = child_of(e, "inertial", said)) l.inertia = read_inertial(*i, from);
+  if (const element* i = child_of(e, "inertial", said)) l.inertia = read_inertial(*i, from, named(l));
   for (const element* c = e.FirstChildElement("collision"); c; c = c->NextSiblingElement("collision"))
     read_collision(*c, from, named(l), l);
   return l;

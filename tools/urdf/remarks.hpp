@@ -16,22 +16,26 @@ struct remark {
 
 class remarks {
 public:
-  void error(int line, std::string text) { all_.push_back({line, true, std::move(text)}); }
+  void error(int line, std::string text) {
+    all_.push_back({line, true, std::move(text)});
+    ++errors_;
+  }
   void note(int line, std::string text) { all_.push_back({line, false, std::move(text)}); }
 
-  long errors() const { return std::ranges::count(all_, true, &remark::is_error); }
+  long errors() const { return errors_; }
   bool has_error() const { return errors() > 0; }
   bool has_note() const { return errors() < static_cast<long>(all_.size()); }
 
   // By line; those of one line in the order in which they were said.
   std::vector<remark> sorted() const {
-    std::vector<remark> all;
-    for (const remark& r : all_) all.insert(std::ranges::upper_bound(all, r.line, {}, &remark::line), r);
+    std::vector<remark> all = all_;
+    std::ranges::stable_sort(all, {}, &remark::line);
     return all;
   }
 
 private:
   std::vector<remark> all_;
+  long errors_ = 0;
 };
 
 inline std::string text_of(const std::vector<remark>& all, const std::string& file) {

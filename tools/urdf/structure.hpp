@@ -66,9 +66,11 @@ private:
     std::vector<int> roots;
     for (int i = 0; i < static_cast<int>(robot_.links.size()); ++i)
       if (!holding(i)) roots.push_back(i);
+    constexpr std::size_t most = 5;
     std::string all;
-    for (const int i : roots)
-      all += (all.empty() ? "" : ", ") + with_line(robot_.links[static_cast<std::size_t>(i)]);
+    for (std::size_t i = 0; i < roots.size() && i < most; ++i)
+      all += (all.empty() ? "" : ", ") + with_line(robot_.links[static_cast<std::size_t>(roots[i])]);
+    if (roots.size() > most) all += " and " + std::to_string(roots.size() - most) + " more";
     if (roots.size() > 1)
       said.error(robot_.links[static_cast<std::size_t>(roots[1])].line,
                  "no joint holds these links: " + all + "; a robot is a tree with one root");
@@ -86,9 +88,8 @@ private:
 
   // Upwards from a link that no root holds there is a loop.
   void tell_loop(int from, remarks& said) {
-    std::vector<int> path;
     int at = from;
-    while (std::ranges::find(path, at) == path.end()) path.push_back(at), at = index_of(holding(at)->parent);
+    for (std::set<int> seen; seen.insert(at).second;) at = index_of(holding(at)->parent);
     std::string loop = "'" + robot_.links[static_cast<std::size_t>(at)].name + "'";
     int next = at;
     do {

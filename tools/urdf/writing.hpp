@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ public:
       : robot_(r), limbs_(parts), bodies_(parts.of()), followers_(coupled), options_(options) {
     for (const limb& l : limbs_.all()) frame_names_.add(name_of(l.to));
     frame_names_.add(name_of(limbs_.base()));
+    for (const frame_on_way& f : limbs_.frames()) frame_names_.add(name_of(f.link));
     for (const body& b : bodies_.all()) {
       if (!b.moved_by || !leads(*b.moved_by)) continue;
       const std::string& name = b.moved_by->name;
@@ -38,8 +40,7 @@ public:
 
   std::string text(const std::vector<remark>& notes) const {
     std::string space = options_.name_space;
-    if (space.empty()) space = identifier_of(robot_.name);
-    if (space == "cca" || space == "std") space += "_robot";
+    if (space.empty()) space = namespace_of(robot_.name);
     std::string all = "// The robot '" + one_line(robot_.name) + "', from " + one_line(options_.source) +
                       " by cca-urdf. Change that file and write this one again.\n";
     if (!notes.empty()) all += "//\n// Left out or changed:\n";
@@ -49,22 +50,33 @@ public:
         "//\n// Units: m, rad, kg, kg m^2, N m; prismatic joints: m, N.\n#pragma once\n\n#include <array>\n\n"
         "#include <cca/robot/body.hpp>\n#include <cca/robots/description.hpp>\n#include "
         "<cca/space/limits.hpp>\n\n";
-    all += "namespace " + space + " {\n\n" + frames() + axes() + chains() + whole_body() + description();
+    all += "namespace " + space + " {\n\n" + frames() + axes() + chains() + chains_to_frames() +
+           whole_body() + description();
     return all + "}  // namespace " + space + "\n";
   }
 
 private:
   const std::string& name_of(int link) const { return bodies_.link_at(link).name; }
   std::string frame_of(int link) const { return "frame::" + frame_names_[name_of(link)]; }
+  std::string chain_of(int link) const {  // C++ reserves names with two underscores in a row
+    const std::string& id = frame_names_[name_of(link)];
+    return id + (id.ends_with('_') ? "chain" : "_chain");
+  }
   std::string axis_of(const joint& j) const { return "axis::" + axis_names_[j.name]; }
   const joint& joint_of(int body) const { return *bodies_.all()[static_cast<std::size_t>(body)].moved_by; }
 
   bool leads(const joint& j) const { return followers_[j].leader == &j; }
   const std::string& axis_name(const joint& j) const { return axis_names_[followers_[j].leader->name]; }
 
-  // Only where a joint of the chain follows another do joints name their axes.
-  std::string driven_text(const joint& j, const limb& of) const {
-    if (std::ranges::all_of(of.bodies, [&](int i) { return leads(joint_of(i)); })) return "";
+  bool all_lead(const limb& of) const {
+    return std::ranges::all_of(of.bodies, [&](int i) { return leads(joint_of(i)); });
+  }
+  bool has_mass(const limb& of) const {
+    return std::ranges::any_of(
+        of.bodies, [&](int i) { return bodies_.all()[static_cast<std::size_t>(i)].mass.mass > 0; });
+  }
+
+  std::string driven_text(const joint& j) const {
     const drive_of& d = followers_[j];
     std::string numbers;
     if (d.ratio != 1 || d.rest != 0) numbers += ", " + text_of(d.ratio);
@@ -80,6 +92,7 @@ private:
     };
     add(limbs_.base());
     for (const limb& l : limbs_.all()) add(l.to);
+    for (const frame_on_way& f : limbs_.frames()) add(f.link);
     return all + "}  // namespace frame\n\n";
   }
 
@@ -100,26 +113,56 @@ private:
     std::string all = "// Of each link: mass; centre; xx, yy, zz, xy, xz, yz about the centre.\n";
     for (const limb& l : limbs_.all()) {
       std::string joints, links, own_axes;
+      const bool name_axes = !all_lead(l);  // only then do joints name their axes
       int frame = l.from;
       for (const int i : l.bodies) {
         const body& b = bodies_.all()[static_cast<std::size_t>(i)];
         const joint& j = *b.moved_by;
-        std::vector<origin> steps = limbs_.between(frame, bodies_.tree().index_of(j.parent));
+        std::vector<origin> steps = bodies_.between(frame, bodies_.tree().index_of(j.parent));
         steps.push_back(j.where);
         if (leads(j)) own_axes += (own_axes.empty() ? "" : ", ") + axis_of(j);
-        joints += (joints.empty() ? "" : ",\n      ") + joint_text(j, steps) + driven_text(j, l);
+        joints +=
+            (joints.empty() ? "" : ",\n      ") + joint_text(j, steps) + (name_axes ? driven_text(j) : "");
         links += (links.empty() ? "" : ",\n      ") + inertia_text(b.mass);
         frame = b.first;
       }
-      all += "struct " + frame_names_[name_of(l.to)] + "_chain : cca::serial_chain<" + frame_of(l.from) +
-             ", " + frame_of(l.to) + ", cca::axes<" + own_axes + ">> {\n";
-      all += l.bodies.empty() ? "  static constexpr std::array<cca::joint, 0> joints{};\n"
-                              : "  static constexpr std::array joints{\n      " + joints + "};\n";
-      all += "  static constexpr cca::placement tip = " + placement_text(l.tip) + ";\n";
-      if (!l.bodies.empty()) all += "  static constexpr std::array links{\n      " + links + "};\n";
+      all += chain_begin(l.to, l.from, own_axes) + joints_text(joints) + tip_text(l.tip);
+      if (has_mass(l)) all += "  static constexpr std::array links{\n      " + links + "};\n";
       all += "};\n";
     }
     return all + "\n";
+  }
+
+  // Kinematics only: what hangs on the rest of the part is missing.
+  std::string chains_to_frames() const {
+    std::string all;
+    for (const frame_on_way& f : limbs_.frames()) {
+      const limb base{limbs_.base(), -1, {}, {}};
+      const limb& l = f.part < 0 ? base : limbs_.all()[static_cast<std::size_t>(f.part)];
+      std::string joints, own_axes;
+      int frame = l.from;
+      for (std::size_t i = 0; i < f.joints; ++i) {
+        const joint& j = joint_of(l.bodies[i]);
+        joints += (i ? ", " : "") + chain_of(l.to) + "::joints[" + std::to_string(i) + "]";
+        if (leads(j)) own_axes += (own_axes.empty() ? "" : ", ") + axis_of(j);
+        frame = bodies_.all()[static_cast<std::size_t>(l.bodies[i])].first;
+      }
+      all += chain_begin(f.link, l.from, own_axes) + joints_text(joints) +
+             tip_text(bodies_.between(frame, f.link)) + "};\n";
+    }
+    return all.empty() ? all : "// To frames on the way of a part, for kinematics.\n" + all + "\n";
+  }
+
+  std::string chain_begin(int to, int from, const std::string& own_axes) const {
+    return "struct " + chain_of(to) + " : cca::serial_chain<" + frame_of(from) + ", " + frame_of(to) +
+           ", cca::axes<" + own_axes + ">> {\n";
+  }
+  static std::string joints_text(const std::string& joints) {
+    return joints.empty() ? "  static constexpr std::array<cca::joint, 0> joints{};\n"
+                          : "  static constexpr std::array joints{\n      " + joints + "};\n";
+  }
+  static std::string tip_text(const std::vector<origin>& steps) {
+    return "  static constexpr cca::placement tip = " + placement_text(steps) + ";\n";
   }
 
   std::string whole_body() const {
@@ -127,10 +170,11 @@ private:
     for (const limb& l : limbs_.all()) {
       const std::string& id = frame_names_[name_of(l.to)];
       std::string nodes;
+      std::set<std::string> named;
       for (const int i : l.bodies)
-        if (const std::string node = "\"" + axis_name(joint_of(i)) + "\""; nodes.find(node) == nodes.npos)
-          nodes += std::string(nodes.empty() ? "" : ", ") + node;
-      all += ",\n    cca::part<\"" + id + "\", " + id + "_chain" +
+        if (const std::string& node = axis_name(joint_of(i)); named.insert(node).second)
+          nodes += (nodes.empty() ? "\"" : ", \"") + node + "\"";
+      all += ",\n    cca::part<\"" + id + "\", " + chain_of(l.to) +
              (nodes.empty() ? "" : ", cca::driven_by<" + nodes + ">") + ">";
     }
     all += "> {\n";
@@ -164,7 +208,11 @@ private:
           std::to_string(count) + "> start{" + start + "};\n";
     if (const std::string shapes = all_shapes(); !shapes.empty())
       all += "  static constexpr std::array shapes{\n      " + shapes + "};\n";
-    return all + "};\n\nstatic_assert(cca::robots::check_description<description>());\n\n";
+    const bool weighs =
+        std::ranges::all_of(bodies_.all(), [](const body& b) { return !b.moved_by || b.mass.mass > 0; });
+    return all +
+           "};\n\nstatic_assert(cca::robots::" + (weighs ? "check_description" : "check_without_masses") +
+           "<description>());\n\n";
   }
 
   // A shape on the link in which a part ends is at the tip: the force sensor of that part feels it.
@@ -180,21 +228,16 @@ private:
   }
   std::string shape_text(int link, const collision& c) const {
     const place_in_body& at = bodies_.place(link);
-    const bool is_first = bodies_.all()[static_cast<std::size_t>(at.body)].first == link;
-    std::vector<origin> steps = at.steps;
+    const int first = bodies_.all()[static_cast<std::size_t>(at.body)].first;
+    if (const int part = limbs_.ending_in(link); part >= 0 && link != first)
+      return "cca::robots::at_tip(\"" + frame_names_[name_of(link)] + "\", " + form_text(c) + ", " +
+             placement_text({c.where}) + ")";
+    std::vector<origin> steps = bodies_.between(first, link);
     steps.push_back(c.where);
-    for (const limb& l : limbs_.all()) {
-      if (l.to == link && !is_first)
-        return "cca::robots::at_tip(\"" + frame_names_[name_of(l.to)] + "\", " + form_text(c) + ", " +
-               placement_text({c.where}) + ")";
-    }
-    for (const limb& l : limbs_.all()) {
-      const auto found = std::ranges::find(l.bodies, at.body);
-      if (found != l.bodies.end())
-        return "cca::robots::on_link(\"" + frame_names_[name_of(l.to)] + "\", " +
-               std::to_string(found - l.bodies.begin()) + ", " + form_text(c) + ", " + placement_text(steps) +
-               ")";
-    }
+    if (const auto [part, joint] = limbs_.moved_in(at.body); part >= 0)
+      return "cca::robots::on_link(\"" +
+             frame_names_[name_of(limbs_.all()[static_cast<std::size_t>(part)].to)] + "\", " +
+             std::to_string(joint) + ", " + form_text(c) + ", " + placement_text(steps) + ")";
     return "cca::robots::on_base(" + form_text(c) + ", " + placement_text(steps) + ")";
   }
 
@@ -205,8 +248,10 @@ private:
   header_options options_;
   // Not the members of frames and axes, and not the other nodes of a robot (cca/robots/ports.hpp).
   name_list frame_names_{{"name", "label"}};
-  name_list axis_names_{{"name", "label", "limits", "simulator", "angles", "velocities", "torques",
-                         "position", "velocity", "torque", "stiffness", "damping"}};
+  name_list axis_names_{{"name",       "label",          "limits",       "simulator",    "angles",
+                         "velocities", "torques",        "position",     "velocity",     "torque",
+                         "stiffness",  "damping",        "synchronizer", "servos",       "finite",
+                         "stale",      "emergency_stop", "soft_stop",    "damping_stop", "rate"}};
 };
 
 }  // namespace cca_urdf

@@ -7,7 +7,8 @@
 //
 // `base` is the motion of the base and the direction of gravity, along the axes of the base. For a robot on
 // the ground, gravity is (0, 0, -9.81) turned back by the orientation of the trunk. A wrench f on the end of
-// a part adds -J^T f. Parts without `links` weigh nothing.
+// a part adds -J^T f. Parts without `links` weigh nothing; a body of which all parts do is refused:
+// body.no_inertia, also by the other headers of dynamics.
 //
 // Numbers that are NaN or infinite make results that are not finite. Nothing is kept, and no status says so:
 // check them before (input_status.hpp).
@@ -154,17 +155,16 @@ auto inverse_dynamics(const body_pose<Type>& now,
                       const typename body_pose<Type>::vector_type& velocities,
                       const typename body_pose<Type>::vector_type& accelerations,
                       const base_motion& base = {}) {
-  return detail::newton_euler<detail::body_tree_of<Type>.links.size(), body_pose<Type>::size>(
-      detail::body_tree_of<Type>.links, now.links(), detail::base_inertia_of<Type>(), velocities,
-      accelerations, base);
+  return detail::newton_euler<detail::weighed_links_of<Type>.size(), body_pose<Type>::size>(
+      detail::weighed_links_of<Type>, now.links(), detail::base_inertia_of<Type>(), velocities, accelerations,
+      base);
 }
 
 // Gravity along the base's axes, m/s^2.
 template <Body Type>
 auto gravity_torques(const body_pose<Type>& now,
                      const Eigen::Matrix<double, 3, 1>& gravity = base_motion{}.gravity) {
-  return detail::torques_at_rest<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(),
-                                                        gravity);
+  return detail::torques_at_rest<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(), gravity);
 }
 
 }  // namespace cca

@@ -94,6 +94,22 @@ struct tree_facts<Body, std::tuple<Parts...>> {
 template <class Body>
 inline constexpr const auto& body_tree_of = tree_facts<Body, typename Body::parts>::value;
 
+// The same links, for dynamics.
+template <class Body>
+struct weighed {
+  static constexpr const auto& links = body_tree_of<Body>.links;
+  static constexpr bool has_inertia = [] {
+    for (const body_link& l : links)
+      if (l.inertia.mass > 0) return true;
+    return links.empty();
+  }();
+  static_assert(has_inertia,
+                "body.no_inertia: no link of this body has a mass, so it has no dynamics, only kinematics; "
+                "give its chains the inertia of each link, `links`");
+};
+template <class Body>
+inline constexpr const auto& weighed_links_of = weighed<Body>::links;
+
 template <class Body>
 constexpr link_inertia base_inertia_of() {
   if constexpr (requires { Body::base.mass; }) return Body::base;

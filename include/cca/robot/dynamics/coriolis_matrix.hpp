@@ -91,8 +91,7 @@ auto coriolis_torques(const body_pose<Type>& now, const typename body_pose<Type>
 
 template <Body Type>
 auto coriolis_matrix(const body_pose<Type>& now, const typename body_pose<Type>::vector_type& velocities) {
-  return detail::coriolis_of<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(),
-                                                    velocities);
+  return detail::coriolis_of<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(), velocities);
 }
 
 }  // namespace cca

@@ -120,7 +120,7 @@ typename body_pose<Type>::vector_type forward_dynamics(
     const typename body_pose<Type>::vector_type& torques,
     const base_motion& base = {}) {
   using vector = typename body_pose<Type>::vector_type;
-  constexpr const auto& links = detail::body_tree_of<Type>.links;
+  constexpr const auto& links = detail::weighed_links_of<Type>;
   if constexpr (detail::has_coupled_joints(links)) {
     const vector bias = inverse_dynamics(now, velocities, vector(vector::Zero()), base).torques;
     return detail::positive_matrix<body_pose<Type>::size>(mass_matrix(now)).solve(vector(torques - bias));
@@ -138,7 +138,7 @@ auto floating_forward_dynamics(
     const typename body_pose<Type>::vector_type& torques,
     const base_motion& base = {},
     const Eigen::Matrix<double, 6, 1>& wrench = Eigen::Matrix<double, 6, 1>::Zero()) {
-  constexpr const auto& links = detail::body_tree_of<Type>.links;
+  constexpr const auto& links = detail::weighed_links_of<Type>;
   if constexpr (detail::has_coupled_joints(links)) {
     constexpr int n = body_pose<Type>::size;
     base_motion still = base;

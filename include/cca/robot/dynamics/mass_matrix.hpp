@@ -41,7 +41,7 @@ Eigen::Matrix<double, Size, Size> joint_space_inertia(const std::array<body_link
 
 template <Body Type>
 auto mass_matrix(const body_pose<Type>& now) {
-  constexpr const auto& links = detail::body_tree_of<Type>.links;
+  constexpr const auto& links = detail::weighed_links_of<Type>;
   return detail::joint_space_inertia<body_pose<Type>::size>(
       links, detail::composite_bodies<links.size()>(links, now.links(), {}));
 }
@@ -49,7 +49,7 @@ auto mass_matrix(const body_pose<Type>& now) {
 template <Body Type>
 auto floating_mass_matrix(const body_pose<Type>& now) {
   constexpr int n = body_pose<Type>::size;
-  constexpr const auto& links = detail::body_tree_of<Type>.links;
+  constexpr const auto& links = detail::weighed_links_of<Type>;
   const detail::composite_bodies<links.size()> bodies(links, now.links(), detail::base_inertia_of<Type>());
   Eigen::Matrix<double, 6 + n, 6 + n> m = Eigen::Matrix<double, 6 + n, 6 + n>::Zero();
   const detail::matrix6 whole = bodies.all.matrix();

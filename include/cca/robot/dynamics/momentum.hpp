@@ -85,7 +85,7 @@ Eigen::Matrix<double, 6, 6 + Size> momentum_matrix(const std::array<body_link, C
 
 template <Body Type>
 auto joint_momentum(const body_pose<Type>& now, const typename body_pose<Type>::vector_type& velocities) {
-  return detail::momentum_of_joints<body_pose<Type>::size>(detail::body_tree_of<Type>.links, now.links(),
+  return detail::momentum_of_joints<body_pose<Type>::size>(detail::weighed_links_of<Type>, now.links(),
                                                            velocities);
 }
 
@@ -94,7 +94,7 @@ Eigen::Matrix<double, 6, 1> centroidal_momentum(
     const body_pose<Type>& now,
     const typename body_pose<Type>::vector_type& velocities,
     const Eigen::Matrix<double, 6, 1>& base = Eigen::Matrix<double, 6, 1>::Zero()) {
-  constexpr const auto& links = detail::body_tree_of<Type>.links;
+  constexpr const auto& links = detail::weighed_links_of<Type>;
   const auto v = detail::motions_of(links, now.links(), velocities, base);
   Eigen::Matrix<double, 6, 1> h = detail::spatial_inertia(detail::base_inertia_of<Type>()) * base;
   for (std::size_t i = 0; i < links.size(); ++i)
@@ -105,7 +105,7 @@ Eigen::Matrix<double, 6, 1> centroidal_momentum(
 
 template <Body Type>
 auto floating_centroidal_momentum_matrix(const body_pose<Type>& now) {
-  constexpr const auto& links = detail::body_tree_of<Type>.links;
+  constexpr const auto& links = detail::weighed_links_of<Type>;
   return detail::momentum_matrix<body_pose<Type>::size>(
       links, detail::composite_bodies<links.size()>(links, now.links(), detail::base_inertia_of<Type>()));
 }

@@ -1,10 +1,10 @@
 // What a robot is, in one type: the simulator builds its world from it, and its ports follow from it.
 //
 //   struct description {
-//     using body = arm_body;                 // cca::body; every link has a mass and an inertia
-//     using rate = cca::rate<1000>;          // of all ports; a beat
-//     using commands = cca::robots::commands<cca::robots::torque_command>;   // what its drives take
-//     static constexpr std::array<cca::robots::joint_drive, 7> drives{...};  // over axes_of<body>
+//     using body = arm_body;                 // cca::body; for the simulator each link has a mass and an
+//     inertia using rate = cca::rate<1000>;          // of all ports; a beat using commands =
+//     cca::robots::commands<cca::robots::torque_command>;   // what its drives take static constexpr
+//     std::array<cca::robots::joint_drive, 7> drives{...};  // over axes_of<body>
 //
 //     // optional
 //     static constexpr std::array shapes{...};                               // shape.hpp
@@ -161,7 +161,7 @@ using sensors_of = typename detail::sensors_of<R>::type;
 namespace detail {
 
 template <class R>
-constexpr void check_places() {
+constexpr void check_masses() {
   using body = typename R::body;
   static_assert(moves_mass<body>,
                 "robot.description: a link of this body has no mass, so no torque could move it; give each "
@@ -169,6 +169,11 @@ constexpr void check_places() {
   static_assert(!floats<R> || cca::detail::base_inertia_of<body>().mass > 0,
                 "robot.description: this robot floats, but the base of its body has no mass; add "
                 "`static constexpr cca::link_inertia base{...};` to the body");
+}
+
+template <class R>
+constexpr void check_places() {
+  using body = typename R::body;
   static_assert(shapes_exist<R>,
                 "robot.description: a shape is on a part or on a link that the body doesn't have; correct "
                 "the name of the part, or the number of the link, which counts from 0 in each part");
@@ -181,11 +186,8 @@ constexpr void check_places() {
                 "name of the part, the second one in cca::robots::force_sensor<name, part>");
 }
 
-}  // namespace detail
-
-// A function that any user of a description calls first. Only the first mistake is reported.
-template <class R>
-constexpr bool check_description() {
+template <class R, bool HasMasses>
+constexpr bool check() {
   static_assert(Described<R>,
                 "robot.description: this description of a robot lacks a `body`, a `rate`, `commands` or "
                 "`drives`; state all four, as in cca/robots/description.hpp");
@@ -195,14 +197,31 @@ constexpr bool check_description() {
                   "robot.description: `drives` has more or fewer entries than the body has axes; give one "
                   "for each axis, in the order of cca::axes_of<body>, also for a passive joint");
     if constexpr (drives) {
-      constexpr bool measured = detail::motors_are_measured<R>;
+      constexpr bool measured = motors_are_measured<R>;
       static_assert(measured,
                     "robot.description: a joint of this robot has a motor and is not measured, so nobody "
                     "could command it; leave out `measured = false`, or the motor");
-      if constexpr (measured) detail::check_places<R>();
+      if constexpr (measured) {
+        if constexpr (HasMasses) check_masses<R>();
+        check_places<R>();
+      }
     }
   }
   return true;
+}
+
+}  // namespace detail
+
+// Functions that any user of a description calls first. Only the first mistake is reported.
+template <class R>
+constexpr bool check_description() {
+  return detail::check<R, true>();
+}
+
+// The same for what needs no masses: ports and drives.
+template <class R>
+constexpr bool check_without_masses() {
+  return detail::check<R, false>();
 }
 
 }  // namespace cca::robots

@@ -137,7 +137,7 @@ template <class R,
           fixed_string Motors,
           template <class> class Joint,
           class... More>
-using graph_of_robot = typename detail::robot_graph<std::enable_if_t<check_description<R>(), R>,
+using graph_of_robot = typename detail::robot_graph<std::enable_if_t<check_without_masses<R>(), R>,
                                                     Name,
                                                     Device,
                                                     Motors,

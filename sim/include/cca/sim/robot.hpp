@@ -18,7 +18,7 @@
 namespace cca::sim {
 
 template <class R>
-struct robot : robots::graph_of_robot<R,
+struct robot : robots::graph_of_robot<std::enable_if_t<robots::check_description<R>(), R>,
                                       "simulator",
                                       simulated_robot<R>,
                                       "simulator",

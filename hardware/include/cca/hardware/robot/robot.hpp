@@ -89,7 +89,7 @@ struct robot_drives {
 // Only the first mistake is reported.
 template <class R, class... Drives>
 constexpr auto check_drives() {
-  static_assert(robots::check_description<R>());
+  static_assert(robots::check_without_masses<R>());
   constexpr std::size_t count = robots::measured_axes_of<R>::count;
   constexpr bool enough = sizeof...(Drives) == count || sizeof...(Drives) == count + 1;
   static_assert(enough,
