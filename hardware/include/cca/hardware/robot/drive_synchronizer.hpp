@@ -10,9 +10,10 @@
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them.
 //
 // Start: `on_start` and `start()` are the deliberate way to motion. They latch the calibration and enable the
-// drives. Once all are enabled, angle and velocity of all joints are measured and agree, and all joints are
-// in their range or at most `range_tolerance` outside, the phase `begins`, and the guards start where the
-// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range.
+// drives. Once all are enabled, angle and velocity of all joints are measured and agree, all joints are in
+// their range or at most `range_tolerance` outside, and none turns faster than its axis allows, the phase
+// `begins`, and the guards start where the joints are. Else the start is refused: `refusal()`, and
+// `failure()` with joint, angle or speed, and range.
 // Trips: a bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the
 // guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
 // points go out only if they damp, until `start()`.
@@ -136,7 +137,7 @@ protected:
   typename joint_states<joints>::vector_type states() const {
     typename joint_states<joints>::vector_type all;
     for (std::size_t i = 0; i < count; ++i)
-      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), phase_now}.put(all, i);
+      joint_state{drives.angle[i], drives.speed[i], drives.torque_now(i), trip_of(i), phase_now}.put(all, i);
     return all;
   }
 
@@ -228,7 +229,7 @@ private:
     if (const start_failure f = checks.check(drives)) return refuse(f);
     enabling.count_beat();
     if (enabling.is_over()) return refuse(checks.missing(drives, enabling, has_reported()));
-    if (!outbox.are_all_free() || !enabling.are_all_ready() || !has_reported()) return;
+    if (!outbox.are_all_free() || !enabling.are_all_ready() || !has_reported() || !checks.may_begin()) return;
     for (auto& l : outbox.links) l.start(0);
     drives.forget_trips();
     phase_now = motion_phase::begins;
@@ -254,7 +255,7 @@ private:
     const joint_state q{drives.angle[I], drives.speed[I]};
     const double where = q.known() ? q.angle : 0;
     const set_point s = limit_guard<joints>::scaled(
-        I, q, {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)});
+        I, q, {{where, 0, 0, 0, One::servo.safe_damping}, motion_mode::damped});
     return frames_for<One>(s, where, drives.speed[I], drives.can_be_damped(I));
   }
 

@@ -16,8 +16,8 @@
 //   is_off<D>(report)                        the drive says that it holds nothing. A drive for which that is
 //                                            not the activity `disabled` or `faulted` states its own is_off;
 //                                            one that can't say it has answered
-//   patience<J>(beats, ns)                   after how many beats of so many ns a drive counts as silent:
-//                                            more for drives that report by themselves, with a longer period
+//   patience(beats, period, beat)            after how many beats (of `beat` ns) a report counts as missing:
+//                                            more where a drive reports by itself, with a longer period (ns)
 //
 // Cost: some multiplications and the codec's. docs/hardware.md.
 #pragma once
@@ -74,10 +74,8 @@ constexpr bool is_off(const drive_report& r) {
   else return r.activity == drive_activity::disabled || r.activity == drive_activity::faulted;
 }
 
-template <class J>
-constexpr int patience(int beats, std::int64_t beat) {
-  return beats *
-         static_cast<int>(std::max<std::int64_t>(1, (report_period_of<typename J::drive> + beat - 1) / beat));
+constexpr int patience(int beats, std::int64_t period, std::int64_t beat) {
+  return beats * static_cast<int>(std::max<std::int64_t>(1, (period + beat - 1) / beat));
 }
 
 }  // namespace cca::hardware

@@ -6,12 +6,13 @@
 //                  jump, and is not taken
 //   begin_beat(), check()
 //                  before and after the frames of a beat. A drive trips if it has been silent for
-//                  `silent_beats` or three of its own periods; if it still sends, but no angle or no velocity
-//                  for that time, or no state for `state_beats`; if it has jumped as often in a row, or in
-//                  every second report (two drives under one id); if it is not alone (sender_check.hpp); if
-//                  its velocity is not the change of its angle (velocity_check.hpp); if it reports a fault,
-//                  or that it is disabled
-//   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree
+//                  `silent_beats` or three of its own periods; if it still sends, but no angle, no velocity
+//                  or, where it has reported one, no torque for that time, or no state for `state_beats`; if
+//                  it has jumped as often in a row, or in every second report (two drives under one id); if
+//                  it is not alone (sender_check.hpp); if its velocity is not the change of its angle
+//                  (velocity_check.hpp); if it reports a fault, or that it is disabled
+//   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree; so has its
+//                  torque, if its drive must report it (torque_period in drives/drive.hpp) or has done so
 //   angle_now(i), speed_now(i), torque_now(i)
 //                  what is measured; not a number where it is too old
 //   can_be_damped(i)
@@ -78,7 +79,9 @@ struct joint_monitor {
     ages& age = since[I];
     age.frame = 0;
     if (heard.told & of_activity) age.state = 0;
-    if (heard.told & of_torque) torque[I] = One::torque_of(heard.torque), age.torque = 0;
+    // A drive that has no number for its torque has not reported one.
+    if ((heard.told & of_torque) && std::isfinite(heard.torque))
+      torque[I] = One::torque_of(heard.torque), age.torque = 0;
     if (heard.told & of_velocity) speed[I] = One::speed_of(heard.velocity), age.speed = 0;
     if (heard.told & of_position) {
       angle[I] = now, age.angle = 0;
@@ -100,7 +103,8 @@ struct joint_monitor {
           velocities[i].disagrees())
         trip(i, safety_rule::implausible);
       if (a.frame >= silent_after[i]) trip(i, safety_rule::silent);
-      if (is_old(i, a.angle) || is_old(i, a.speed) || (a.state >= state_beats && a.state < untold))
+      if (is_old(i, a.angle) || is_old(i, a.speed) || has_lost_torque(i) ||
+          (a.state >= state_beats && a.state < untold))
         trip(i, safety_rule::implausible);
       if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
         trip(i, safety_rule::drive_fault);
@@ -108,10 +112,15 @@ struct joint_monitor {
   }
 
   bool is_ready(std::size_t i) const {
-    return std::isfinite(angle[i]) && knows_angle(i) && knows_speed(i) && velocities[i].passed();
+    return std::isfinite(angle[i]) && knows_angle(i) && knows_speed(i) && knows_torque(i) &&
+           velocities[i].passed();
   }
   bool knows_angle(std::size_t i) const { return std::isfinite(angle[i]) && !is_old(i, since[i].angle); }
   bool knows_speed(std::size_t i) const { return !is_old(i, since[i].speed); }
+  // True for a drive that need not report its torque, and has not yet.
+  bool knows_torque(std::size_t i) const {
+    return since[i].torque == untold ? !must_report_torque[i] : !has_lost_torque(i);
+  }
   const velocity_check& velocity(std::size_t i) const { return velocities[i]; }
 
   double angle_now(std::size_t i) const {
@@ -121,7 +130,7 @@ struct joint_monitor {
     return is_old(i, since[i].speed) ? drive_report::untold : speed[i];
   }
   double torque_now(std::size_t i) const {
-    return since[i].torque >= state_beats ? drive_report::untold : torque[i];
+    return since[i].torque >= torque_lost_after[i] ? drive_report::untold : torque[i];
   }
 
   bool can_be_damped(std::size_t i) const {
@@ -155,8 +164,15 @@ private:
     int frame = untold, angle = untold, speed = untold, torque = untold, state = untold;
   };
   static constexpr std::array<double, count> unknown() { return {(sizeof(J) ? drive_report::untold : 0)...}; }
-  static constexpr std::array<int, count> silent_after{patience<J>(silent_beats, 1'000'000)...};
+  static constexpr std::array<int, count> silent_after{
+      patience(silent_beats, report_period_of<typename J::drive>, 1'000'000)...};
+  static constexpr std::array<int, count> torque_lost_after{
+      patience(silent_beats, torque_period_of<typename J::drive>, 1'000'000)...};
+  static constexpr std::array<bool, count> must_report_torque{requires { J::drive::torque_period; }...};
   static bool is_old(std::size_t i, int age) { return age >= silent_after[i]; }
+  bool has_lost_torque(std::size_t i) const {
+    return since[i].torque >= torque_lost_after[i] && since[i].torque < untold;
+  }
 
   std::array<ages, count> since{};
   std::array<velocity_check, count> velocities{};

@@ -4,7 +4,7 @@
 //   servos -> finite -> stale -> emergency_stop -> soft_stop -> damping -> rate -> limits -> Synchronizer
 //
 // The servos make set points of what the robot's joints want: `Servos` has "wanted" out, "joints" in, and its
-// `joints`. Each link takes the set-points of the one before it as "wanted" and passes them on as "safe".
+// `joints`. Each link takes the set points of the one before it as "wanted" and passes them on as "safe".
 // `Synchronizer` names the node that has the drives: it takes "set_points" and gives "joints". `Damping`
 // names the node that damps, where "damping" is the name of a command. Cost: that of the links. Example:
 // cca/hardware/robot/robot.hpp; docs/hardware.md.
