@@ -136,6 +136,7 @@ struct joint_list {
   static constexpr std::array<double, count> torque_rate{Joints::torque_rate...};
   static constexpr std::array<joint_servo, count> servo{Joints::servo...};
   static constexpr std::array<std::string_view, count> names{Joints::axis::name...};
+  static constexpr std::array<bool, count> continuous{is_continuous<typename Joints::axis>...};
 };
 
 }  // namespace cca::hardware

@@ -86,7 +86,8 @@ private:
     if (q.phase < motion_phase::begins) servos[i] = {};  // a target begins where the joint is then
     const joint_servo& servo = joints::servo[i];
     const robots::joint_law law = servos[i].follow(
-        given, {servo.stiffness, servo.damping, joints::torque[i].upper, joints::speed[i].upper},
+        given, {servo.stiffness, servo.damping, joints::torque[i].upper, joints::speed[i].upper,
+                joints::continuous[i]},
         q.known() ? q.angle : s.position, beat);
     if (!servos[i].has_command()) return s.damping = servo.safe_damping, s;
     if (law.stiffness > 0) s.position = law.position;
