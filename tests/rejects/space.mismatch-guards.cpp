@@ -1,6 +1,6 @@
 // EXPECT: space\.mismatch: `stop\.safe` publishes set_points<joint_list<left_knee>> .* but `stale\.wanted` expects wanted_points
-// Before the emergency stop a set point carries the rule that it breaks, after it what the drive may do. A guard
-// on the wrong side of it would read one as the other.
+// Before the emergency stop a set point carries the rule that it breaks, after it what the drive may do. A
+// guard on the wrong side of it would read one as the other.
 #include <cca/cca.hpp>
 #include <cca/hardware/joint.hpp>
 #include <cca/hardware/mit.hpp>

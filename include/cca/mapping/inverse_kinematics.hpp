@@ -8,13 +8,13 @@
 //   out "angles"       Joints           rad (prismatic joints: m), within the limits of the axes
 //   out "status"       reaching_status  a cca::reaching
 //
-// The angles are always finite and within the limits; that of a continuous axis is the one nearest to where the
-// search began, whole turns apart. A cca::pantograph_leg is solved in closed form, in one
-// beat. Every other chain is solved by damped least squares from many starts (many_starts.hpp); the fourth
-// argument holds the settings. A beat takes at most `steps_per_beat` steps (100), and a longer search goes on
-// in the next ones. Until it ends the status is `unfinished`, and the angles lead to the nearest point so
-// far: they may jump when a better start is found. A target out of reach gives the angles of the nearest
-// point and `nearest`, after `starts` descents (128). A target that is not finite gives the last angles and
+// The angles are always finite and within the limits; that of a continuous axis is the one nearest to where
+// the search began, whole turns apart. A cca::pantograph_leg is solved in closed form, in one beat. Every
+// other chain is solved by damped least squares from many starts (many_starts.hpp); the fourth argument holds
+// the settings. A beat takes at most `steps_per_beat` steps (100), and a longer search goes on in the next
+// ones. Until it ends the status is `unfinished`, and the angles lead to the nearest point so far: they may
+// jump when a better start is found. A target out of reach gives the angles of the nearest point and
+// `nearest`, after `starts` descents (128). A target that is not finite gives the last angles and
 // `unreadable`.
 //
 // While a search goes on, `near` is not read again. A component fires when an input is fresh: if the target

@@ -98,8 +98,7 @@ struct pid {
     vector hand = vector::Zero();
     if (by_hand) hand = inputs(manual.vector());
     const bool hand_is_readable = !inputs.unreadable();
-    const vector y = inputs(measured.vector()),
-                 e = difference_of<Measured>(inputs(reference.vector()), y);
+    const vector y = inputs(measured.vector()), e = difference_of<Measured>(inputs(reference.vector()), y);
     vector speed = vector::Zero(), added = vector::Zero();
     if (velocity) speed = inputs(velocity.vector());
     if (feedforward) added = inputs(feedforward.vector());

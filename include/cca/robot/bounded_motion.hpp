@@ -136,7 +136,9 @@ private:
     at_ = next.at, rate_ = next.rate, second_ = next.second, plan_ = p;
   }
 
-  double next_slope() const { return plan_.first > 0 ? plan_.slope : plan_.hold > 0 || plan_.third == 0 ? 0 : plan_.back; }
+  double next_slope() const {
+    return plan_.first > 0 ? plan_.slope : plan_.hold > 0 || plan_.third == 0 ? 0 : plan_.back;
+  }
   void go_on() {
     if (plan_.first > 0) second_ += plan_.slope, --plan_.first;
     else if (plan_.hold > 0) --plan_.hold;
@@ -156,8 +158,8 @@ private:
     if (!most.range.holds(from.at)) return false;
     if (from.rate == 0 && from.second == 0) return true;
     const auto steps = [](double n) { return std::max(1.0, std::ceil(n - 1e-9)); };
-    const double rest = steps(from.second > 0 ? from.second / -most.third.lower
-                                              : -from.second / most.third.upper);
+    const double rest =
+        steps(from.second > 0 ? from.second / -most.third.lower : -from.second / most.third.upper);
     // The rate once the second one is 0. Mirrored, so that it is positive.
     const double turns = from.rate + from.second * (rest - 1) / 2 > 0 ? 1 : -1;
     const double rate = turns * from.rate, second = turns * from.second;
@@ -168,12 +170,13 @@ private:
     // How strongly it brakes, and for how many steps, in continuous time; then in whole steps.
     double most_braking = strongest;
     if (in + out > 0)
-      most_braking = std::min(strongest, std::sqrt(std::max(0.0, 2 * rate + second * second * in) / (in + out)));
+      most_braking =
+          std::min(strongest, std::sqrt(std::max(0.0, 2 * rate + second * second * in) / (in + out)));
     double first = steps((second + most_braking) * in), third = steps(most_braking * out), hold = 0;
     if (most_braking > 0)
       hold = std::floor(std::max(0.0, (rate + 0.5 * (second * second - most_braking * most_braking) * in -
-                                      0.5 * most_braking * most_braking * out) /
-                                             most_braking));
+                                       0.5 * most_braking * most_braking * out) /
+                                          most_braking));
     for (int tries = 0; tries < 24 && first + hold + third < 1e9; ++tries) {
       const double braking_by = (rate + second * (first - 1) / 2) / (first / 2 + hold + third / 2);
       const double slope = (-braking_by - second) / first, back = braking_by / third;

@@ -55,8 +55,8 @@ struct limits_along<List<Axes...>, Quantity> {
   // Whether the axis of this index is continuous, and this is about its angle.
   static constexpr std::array<bool, sizeof...(Axes)> continuous{
       (is_continuous<Axes> && std::is_same_v<Quantity, angle>)...};
-  static constexpr bool any_continuous = (false || ... || is_continuous<Axes>) &&
-                                         std::is_same_v<Quantity, angle>;
+  static constexpr bool any_continuous =
+      (false || ... || is_continuous<Axes>) && std::is_same_v<Quantity, angle>;
 };
 
 // One number per axis.

@@ -38,9 +38,8 @@ using state_space = hw::joint_states<joints>;
 using wishes = std::array<hw::wanted_point, 2>;
 using both = std::array<hw::set_point, 2>;
 template <class Point>
-using space_of = std::conditional_t<std::is_same_v<Point, hw::wanted_point>,
-                                    hw::wanted_points<joints>,
-                                    hw::set_points<joints>>;
+using space_of = std::
+    conditional_t<std::is_same_v<Point, hw::wanted_point>, hw::wanted_points<joints>, hw::set_points<joints>>;
 using measured = std::array<hw::joint_state, 2>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
@@ -374,8 +373,7 @@ TEST_SUITE("guards") {
     const auto to = [&](const hw::set_point& s, const hw::joint_state& q) {
       return pass(g, {s, none[1]}, {q, at(1)})[0];
     };
-    const hw::set_point held{{.position = 1, .torque = 3, .stiffness = 5},
-                             hw::motion_mode::soft};
+    const hw::set_point held{{.position = 1, .torque = 3, .stiffness = 5}, hw::motion_mode::soft};
     CHECK(same(to(held, at(-0.5)), held));
     const hw::set_point early{{.position = 1, .torque = 3}};
     CHECK(same(to(early, at(-0.5, 0, hw::motion_phase::enabling)), early));
@@ -390,11 +388,12 @@ TEST_SUITE("guards") {
       "torque, and is marked") {
     const wishes good{hw::wanted_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::wanted_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     for (const std::size_t joint : {0u, 1u})
-      for (double hw::wanted_point::* number : {static_cast<double hw::wanted_point::*>(&hw::wanted_point::position),
-                                             static_cast<double hw::wanted_point::*>(&hw::wanted_point::velocity),
-                                             static_cast<double hw::wanted_point::*>(&hw::wanted_point::torque),
-                                             static_cast<double hw::wanted_point::*>(&hw::wanted_point::stiffness),
-                                             static_cast<double hw::wanted_point::*>(&hw::wanted_point::damping)})
+      for (double hw::wanted_point::* number :
+           {static_cast<double hw::wanted_point::*>(&hw::wanted_point::position),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::velocity),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::torque),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::stiffness),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::damping)})
         for (const double x : {no_number, inf, -inf}) {
           hw::finite_guard<joints> g;
           const wishes before = pass(g, good, 40);

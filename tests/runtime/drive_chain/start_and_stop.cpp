@@ -294,8 +294,9 @@ TEST_SUITE("starting") {
       const std::string text = hw::text_of(l.synchronizer().failure());
       CAPTURE(text);
       CHECK(text.starts_with(speed > 0 ? "left_front_knee turns at " : "left_front_knee turns at -"));
-      CHECK(text.ends_with(" rad/s, faster than its axis allows (-16.000 to 16.000 rad/s): stop its motion, "
-                           "then start again"));
+      CHECK(
+          text.ends_with(" rad/s, faster than its axis allows (-16.000 to 16.000 rad/s): stop its motion, "
+                         "then start again"));
       CHECK(std::abs(l.synchronizer().failure().angle - speed) < 0.1 * std::abs(speed));
       l.motors[4].inertia = 0.01;
       l.put(4, damiao::joints::angle[4].lower + 0.2);

@@ -83,9 +83,10 @@ struct by_itself : joint<turning,
                          odrive<1, odrive_mode::torque, odrive_firmware::v0_6, 2 * ms, 5 * ms>,
                          mounting{},
                          joint_servo{}> {};
-struct without_torques
-    : joint<turning, odrive<1, odrive_mode::torque, odrive_firmware::v0_6, 2 * ms>, mounting{}, joint_servo{}> {
-};
+struct without_torques : joint<turning,
+                               odrive<1, odrive_mode::torque, odrive_firmware::v0_6, 2 * ms>,
+                               mounting{},
+                               joint_servo{}> {};
 
 // Beats with estimates each 2 ms, and torques each 5 ms until `end` of them have been sent.
 template <class J>
@@ -117,7 +118,8 @@ TEST_CASE("joint monitor: a torque that is no longer reported is not published, 
   CHECK(b.m.angle_now(0) == doctest::Approx(0.5));
 }
 
-TEST_CASE("joint monitor: a start waits for the torque of a drive whose type states its period, not of others") {
+TEST_CASE(
+    "joint monitor: a start waits for the torque of a drive whose type states its period, not of others") {
   bench<by_itself> b;
   CHECK(reports(b, 100, 0) == safety_rule::none);
   CHECK_FALSE(b.m.is_ready(0));

@@ -32,7 +32,7 @@ struct judge {
     before = {x, p, pp};
     const double rounding = 4e-15 * (1 + std::abs(x));
     const auto beyond = [&](double d, closed_range r) {
-      return d > r.upper ? (d - r.upper - rounding) / r.upper
+      return d > r.upper   ? (d - r.upper - rounding) / r.upper
              : d < r.lower ? (r.lower - d - rounding) / -r.lower
                            : 0.0;
     };
@@ -59,11 +59,20 @@ motion_limits random_limits(dice& d) {
                   d.around_zero(10, 50'000, 1e-9)};
   const closed_range none{-inf, inf};
   switch (d.below(6)) {
-    case 0: m.third = none; break;
-    case 1: m.second = none; break;
-    case 2: m.rate = none; break;
-    case 3: m.range = {-1e300, 1e300}; break;
-    default: break;
+    case 0:
+      m.third = none;
+      break;
+    case 1:
+      m.second = none;
+      break;
+    case 2:
+      m.rate = none;
+      break;
+    case 3:
+      m.range = {-1e300, 1e300};
+      break;
+    default:
+      break;
   }
   return m;
 }
@@ -71,13 +80,20 @@ motion_limits random_limits(dice& d) {
 // Steps, sines, noise, ramps, reversals in each beat, and no number (NaN).
 double command(dice& d, int mode, int k, double& goal) {
   switch (mode) {
-    case 0: return goal;
-    case 1: return goal + std::sin(0.02 * k);
-    case 2: return d.between(-5, 5);
-    case 3: return goal += d.between(-0.01, 0.01);
-    case 4: return k % 2 == 0 ? 4 : -4;
-    case 5: return no_number;
-    default: return goal += 0.002;
+    case 0:
+      return goal;
+    case 1:
+      return goal + std::sin(0.02 * k);
+    case 2:
+      return d.between(-5, 5);
+    case 3:
+      return goal += d.between(-0.01, 0.01);
+    case 4:
+      return k % 2 == 0 ? 4 : -4;
+    case 5:
+      return no_number;
+    default:
+      return goal += 0.002;
   }
 }
 

@@ -88,8 +88,8 @@ TEST_SUITE("continuous axes") {
     cca::pid<angles, torques> pid;
     pid.p.proportional = vector(2, 2), pid.p.derivative = vector(1, 1);
     const auto command = [&](const vector& wanted, const vector& measured) {
-      return std::get<0>(pid.process(now<"reference", angles>(wanted), now<"measured", angles>(measured), {}, {},
-                                     first, {}, {}))
+      return std::get<0>(pid.process(now<"reference", angles>(wanted), now<"measured", angles>(measured), {},
+                                     {}, first, {}, {}))
           .vector();
     };
     CHECK(command({3, 3}, {-3, -3})[0] == doctest::Approx(12));

@@ -10,9 +10,8 @@
 namespace robot_test {
 
 struct hip : cca::dimension<"hip"> {
-  static constexpr auto limits =
-      cca::limits{cca::angle{-0.9, 0.8}, cca::velocity{-5, 4}, cca::torque{-3, 2},
-                  cca::torque_rate{-100, 200}, cca::stiffness{2, 60}};
+  static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.8}, cca::velocity{-5, 4}, cca::torque{-3, 2},
+                                             cca::torque_rate{-100, 200}, cca::stiffness{2, 60}};
 };
 struct fast_hip : cca::dimension<"fast_hip"> {
   static constexpr auto limits = cca::limits{cca::velocity{-5, 4}, cca::acceleration{-50, 40}};

@@ -122,7 +122,8 @@ struct joint_impedance {
       const matrix by_ratio = damping_by_ratio(now, k);
       torques = added + d.cwiseProduct(dq_wanted - dq) + by_ratio * (dq_wanted - dq);
       if (!wish.unreadable() && reference.origin() != never) {
-        const vector pull = k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, wanted)),
+        const vector pull =
+                         k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, wanted)),
                      cut = pull.cwiseMin(p.largest).cwiseMax(-p.largest);
         spring_cut = cut != pull;
         torques += cut;

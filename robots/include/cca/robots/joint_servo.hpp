@@ -42,8 +42,7 @@ public:
     law.stiffness = std::isfinite(last_[stiffness]) ? last_[stiffness] : servo.stiffness;
     if (!std::isfinite(last_[damping]))
       law.damping = servo.stiffness > 0 ? servo.damping * law.stiffness / servo.stiffness : servo.damping;
-    const double wanted =
-        servo.continuous ? cca::detail::same_turn(last_[position], angle) : last_[position];
+    const double wanted = servo.continuous ? cca::detail::same_turn(last_[position], angle) : last_[position];
     if (!begun_) target_ = to_position ? wanted : angle;
     begun_ = true;
     if (at_speed) law.velocity = last_[velocity];

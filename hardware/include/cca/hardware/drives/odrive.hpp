@@ -104,10 +104,9 @@ struct odrive : detail::odrive_torques<TorquesPeriod> {
   static constexpr std::array<can_filter, 1> occupies{{{{Node << 5, Node > 63}, 0x1FFFFFE0}}};
   static constexpr auto traffic = [] {
     constexpr frame_shape shape{.length = 8, .extended = Node > 63};
-    std::array<frame_traffic, 3 + (TorquesPeriod > 0)> all{
-        {{.shape = shape},
-         {.shape = shape, .period = EstimatesPeriod},
-         {.shape = shape, .period = 100'000'000}}};
+    std::array<frame_traffic, 3 + (TorquesPeriod > 0)> all{{{.shape = shape},
+                                                            {.shape = shape, .period = EstimatesPeriod},
+                                                            {.shape = shape, .period = 100'000'000}}};
     if constexpr (TorquesPeriod > 0) all[3] = {.shape = shape, .period = TorquesPeriod};
     return all;
   }();

@@ -69,11 +69,11 @@ template <int Numbers>
 struct wanted_record : record<Numbers> {};
 
 template <class Joints>
-struct joint_states : cca::space<drive_record<5>, typename Joints::axes, cca::rate<1000>> {};
+struct joint_states : cca::space<drive_record<5>, typename Joints::axes> {};
 template <class Joints>
-struct wanted_points : cca::space<wanted_record<6>, typename Joints::axes, cca::rate<1000>> {};
+struct wanted_points : cca::space<wanted_record<6>, typename Joints::axes> {};
 template <class Joints>
-struct set_points : cca::space<drive_record<6>, typename Joints::axes, cca::rate<1000>> {};
+struct set_points : cca::space<drive_record<6>, typename Joints::axes> {};
 
 struct joint_state {
   double angle = drive_report::untold, velocity = 0, torque = 0;

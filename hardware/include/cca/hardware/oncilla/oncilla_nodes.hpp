@@ -6,8 +6,8 @@
 //                      act:   in "command" (rad); out "target", of no origin (`never`) until a command comes
 //   trunk_node         sense: in "measured"; out each field of trunk_record under its name, each a maybe
 //   joint_servos       act:   in one target for each joint, "joints", optional "stiffness" of the hips;
-//                             out "wanted" wanted_points: each joint's servo law, with the speed of its target.
-//                             Without a target a joint holds its position.
+//                             out "wanted" wanted_points: each joint's servo law, with the speed of its
+//                             target. Without a target a joint holds its position.
 //
 // Until a drive or the board reports a quantity, its port publishes nothing. So "angles" of the whole robot
 // come once all drives have reported theirs. A target's stiffness scales its damping, as in the simulator.

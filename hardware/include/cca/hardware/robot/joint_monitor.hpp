@@ -5,12 +5,12 @@
 //                  moves, a position that is farther from the last one than the joint can have turned is a
 //                  jump, and is not taken
 //   begin_beat(), check()
-//                  before and after the frames of a beat. A drive trips if it has been silent for
-//                  `silent_beats` or three of its own periods; if it still sends, but no angle, no velocity
-//                  or, where it has reported one, no torque for that time, or no state for `state_beats`; if
-//                  it has jumped as often in a row, or in every second report (two drives under one id); if
-//                  it is not alone (sender_check.hpp); if its velocity is not the change of its angle
-//                  (velocity_check.hpp); if it reports a fault, or that it is disabled
+//                  before and after the frames of a beat. A drive trips if it has been silent for three
+//                  beats or three of its own periods, and at least 3 ms (beats.hpp); if it still sends, but
+//                  no angle, no velocity or, where it has reported one, no torque for that time, or no state
+//                  for 350 ms; if it has jumped in three reports in a row, or in every second report (two
+//                  drives under one id); if it is not alone (sender_check.hpp); if its velocity is not the
+//                  change of its angle (velocity_check.hpp); if it reports a fault, or that it is disabled
 //   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree; so has its
 //                  torque, if its drive must report it (torque_period in drives/drive.hpp) or has done so
 //   angle_now(i), speed_now(i), torque_now(i)
@@ -21,7 +21,8 @@
 //   trip(i, rule)  keeps the first rule of joint i; forget_trips() when motion begins; restart() for a new
 //                  start: everything must be measured again
 //
-// Used by drive_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
+// joint_monitor<cca::rate<Hz>, J...> is for a robot of another rate than 1 kHz. Used by
+// drive_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -36,14 +37,20 @@
 #include <cca/hardware/robot/joint_frames.hpp>
 #include <cca/hardware/robot/sender_check.hpp>
 #include <cca/hardware/robot/velocity_check.hpp>
+#include <cca/hardware/safety/beats.hpp>
 
 namespace cca::hardware {
 
 template <class... J>
-struct joint_monitor {
+struct joint_monitor;
+
+template <auto Hz, class... J>
+struct joint_monitor<cca::rate<Hz>, J...> {
+  using time = beats<cca::rate<Hz>>;
   static constexpr std::size_t count = sizeof...(J);
-  static constexpr int silent_beats = 3;
-  static constexpr int state_beats = 350;  // an ODrive reports its state every 100 ms
+  static constexpr int silent_beats = time::patience(0);
+  static constexpr int state_beats = time::lasting(350'000'000);  // an ODrive reports its state every 100 ms
+  static constexpr int most_jumps = 3;
 
   std::array<drive_report, count> reports{};
   std::array<double, count> angle = unknown(), speed{}, torque{};  // of the joint: rad, rad/s, N m
@@ -99,7 +106,7 @@ struct joint_monitor {
     for (std::size_t i = 0; i < count; ++i) {
       const ages& a = since[i];
       senders[i].begin_beat();
-      if (jumps[i] >= 2 * silent_beats || senders[i].too_many() || senders[i].has_stranger() ||
+      if (jumps[i] >= 2 * most_jumps || senders[i].too_many() || senders[i].has_stranger() ||
           velocities[i].disagrees())
         trip(i, safety_rule::implausible);
       if (a.frame >= silent_after[i]) trip(i, safety_rule::silent);
@@ -165,21 +172,27 @@ private:
   };
   static constexpr std::array<double, count> unknown() { return {(sizeof(J) ? drive_report::untold : 0)...}; }
   static constexpr std::array<int, count> silent_after{
-      patience(silent_beats, report_period_of<typename J::drive>, 1'000'000)...};
+      time::patience(report_period_of<typename J::drive>)...};
   static constexpr std::array<int, count> torque_lost_after{
-      patience(silent_beats, torque_period_of<typename J::drive>, 1'000'000)...};
-  static constexpr std::array<bool, count> must_report_torque{requires { J::drive::torque_period; }...};
-  static bool is_old(std::size_t i, int age) { return age >= silent_after[i]; }
-  bool has_lost_torque(std::size_t i) const {
-    return since[i].torque >= torque_lost_after[i] && since[i].torque < untold;
-  }
+      time::patience(torque_period_of<typename J::drive>)...};
+  static constexpr std::array<bool, count> must_report_torque{requires {J::drive::torque_period;
+}...
+};  // namespace cca::hardware
+static bool is_old(std::size_t i, int age) { return age >= silent_after[i]; }
+bool has_lost_torque(std::size_t i) const {
+  return since[i].torque >= torque_lost_after[i] && since[i].torque < untold;
+}
 
-  std::array<ages, count> since{};
-  std::array<velocity_check, count> velocities{};
-  std::array<std::int64_t, count> reported_at{};
-  std::array<position_unwrap, count> unwraps{position_unwrap(J::mounted.wraps)...};
-  std::array<sender_check, count> senders{};
-  std::array<int, count> jumps{};
-};
+std::array<ages, count> since{};
+std::array<velocity_check, count> velocities{};
+std::array<std::int64_t, count> reported_at{};
+std::array<position_unwrap, count> unwraps{position_unwrap(J::mounted.wraps)...};
+std::array<sender_check, count> senders{};
+std::array<int, count> jumps{};
+}
+;
+
+template <class... J>
+struct joint_monitor : joint_monitor<cca::rate<1000>, J...> {};
 
 }  // namespace cca::hardware

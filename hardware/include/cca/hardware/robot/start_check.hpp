@@ -18,8 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <cca/hardware/robot/drive_enabling.hpp>
-#include <cca/hardware/robot/joint_monitor.hpp>
+#include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
 
 namespace cca::hardware {
@@ -36,7 +35,8 @@ public:
 
   void begin() { outside = too_fast = {}; }
 
-  start_failure check(const joint_monitor<J...>& drives) {
+  template <class Monitor>
+  start_failure check(const Monitor& drives) {
     for (std::size_t i = 0; i < joints::count; ++i) {
       const double angle = drives.angle_now(i);
       const bool is_outside = std::abs(angle - joints::angle[i].nearest(angle)) > range_tolerance;
@@ -55,9 +55,8 @@ public:
     return std::ranges::all_of(outside, is_zero) && std::ranges::all_of(too_fast, is_zero);
   }
 
-  start_failure missing(const joint_monitor<J...>& drives,
-                        const drive_enabling<J...>& enabling,
-                        bool board_reports) const {
+  template <class Monitor, class Enabling>
+  start_failure missing(const Monitor& drives, const Enabling& enabling, bool board_reports) const {
     for (std::size_t i = 0; i < joints::count; ++i) {
       start_failure f = of(i, safety_rule::enabling, drives);
       f.missing = !drives.knows_angle(i)    ? "does not report its angle"
@@ -77,7 +76,8 @@ public:
   }
 
 private:
-  static start_failure of(std::size_t i, safety_rule why, const joint_monitor<J...>& drives) {
+  template <class Monitor>
+  static start_failure of(std::size_t i, safety_rule why, const Monitor& drives) {
     const bool by_speed = why == safety_rule::rate;
     return {why,
             joints::names[i],

@@ -43,10 +43,11 @@ inline std::string text_of(const start_failure& f) {
     }
     case safety_rule::rate: {
       char numbers[160];
-      std::snprintf(numbers, sizeof numbers,
-                    " turns at %.3f rad/s, faster than its axis allows (%.3f to %.3f rad/s): stop its motion, "
-                    "then start again",
-                    f.angle, f.range.lower, f.range.upper);
+      std::snprintf(
+          numbers, sizeof numbers,
+          " turns at %.3f rad/s, faster than its axis allows (%.3f to %.3f rad/s): stop its motion, "
+          "then start again",
+          f.angle, f.range.lower, f.range.upper);
       return name + numbers;
     }
     case safety_rule::implausible:

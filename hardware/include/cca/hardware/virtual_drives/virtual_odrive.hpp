@@ -4,13 +4,13 @@
 //                                                                     50 ms
 //
 // It sends by itself: a heartbeat each `Heartbeat`, its estimates and torques with the periods that the
-// drive's type states. It moves only in closed loop, by the mode that was set: position (from where it is, with the gains
-// `Gains`), velocity, torque. Unfed for `Timeout` it goes idle with the error of its watchdog. An error keeps
-// it from closed loop until it is cleared; then closed loop must be requested again. 0.6 is fed by set points
-// and state requests; 0.5 by each frame to its node, and its watchdog also runs out while it is idle. NaN and
-// infinity: it goes idle with an error (0.6 missing input, 0.5 controller failed); what the real one does is
-// not published. A reboot forgets mode and inputs. Not modelled: the integrator, limits of its own.
-// Source: odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp,
+// drive's type states. It moves only in closed loop, by the mode that was set: position (from where it is,
+// with the gains `Gains`), velocity, torque. Unfed for `Timeout` it goes idle with the error of its watchdog.
+// An error keeps it from closed loop until it is cleared; then closed loop must be requested again. 0.6 is
+// fed by set points and state requests; 0.5 by each frame to its node, and its watchdog also runs out while
+// it is idle. NaN and infinity: it goes idle with an error (0.6 missing input, 0.5 controller failed); what
+// the real one does is not published. A reboot forgets mode and inputs. Not modelled: the integrator, limits
+// of its own. Source: odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp,
 // Firmware/MotorControl/{axis,controller}.cpp (0.5); for 0.6 its documentation alone.
 #pragma once
 

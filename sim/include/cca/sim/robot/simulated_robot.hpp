@@ -59,10 +59,10 @@ public:
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t c = coordinate[i];
       const robots::joint_drive& d = world_.model().drives[c];
-      laws[c] = servos_[i].follow(commands[i],
-                                  {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed,
-                                   turns_without_end[i]},
-                                  world_.joints()[c].angle, world_.model().beat);
+      laws[c] = servos_[i].follow(
+          commands[i],
+          {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed, turns_without_end[i]},
+          world_.joints()[c].angle, world_.model().beat);
     }
     world_.advance(laws);
   }
