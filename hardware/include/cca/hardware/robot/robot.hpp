@@ -16,7 +16,8 @@
 //
 // Give it its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller
 // enables the drives. Until they are enabled, and after a trip, the controller runs and nothing moves.
-// Errors: robot.unlimited_command, space.missing_limits, bus.overloaded, drive.duplicate_id,
+// Where there is no robot, virtual_hardware.hpp plays its drives. Errors: robot.unlimited_command,
+// space.missing_limits, bus.overloaded, drive.duplicate_id,
 // robot.description, robot.drives. Example: tests/runtime/robot_on_drives/one_joint.cpp; docs/robots.md,
 // docs/hardware.md.
 #pragma once
@@ -160,9 +161,16 @@ using robot_on_drives =
 template <bool Fits, class R, class Bus, class... Drives>
 struct robot_that_fits {
   using type = graph<>;
+  struct parts {};
 };
 template <class R, class Bus, class... Drives>
 struct robot_that_fits<true, R, Bus, Drives...> {
+  // For virtual_hardware.hpp.
+  struct parts {
+    using description = R;
+    using joints = typename robot_drives<R, Drives...>::joints;
+    using board = typename robot_drives<R, Drives...>::board;
+  };
   using type = robot_on_drives<R,
                                Bus,
                                typename robot_drives<R, Drives...>::board,
@@ -173,7 +181,8 @@ struct robot_that_fits<true, R, Bus, Drives...> {
 
 template <class R, class Bus, class... Drives>
 struct robot
-    : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
-          type {};
+    : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::type,
+      detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
+          parts {};
 
 }  // namespace cca::hardware
