@@ -19,10 +19,12 @@ struct arm_axis : cca::dimension<"arm_axis"> {
   static constexpr auto limits =
       cca::limits{cca::angle{-3.1, 3.1}, cca::velocity{-5, 5}, cca::torque{-100, 100}};
 };
+// [wheel]
 struct wheel : cca::dimension<"wheel"> {
   static constexpr bool continuous = true;
   static constexpr auto limits = cca::limits{cca::velocity{-5, 5}, cca::torque{-100, 100}};
 };
+// [wheel end]
 using both = cca::axes<arm_axis, wheel>;
 struct angles : cca::space<cca::joint_angles, both, cca::rate<1000>> {};
 struct velocities : cca::space<cca::joint_velocities, both, cca::rate<1000>> {};

@@ -57,12 +57,13 @@ struct source {
   }
 };
 template <class Robot, class R = typename Robot::description>
-struct architecture : cca::graph<typename R::rate,
-                                 cca::node<"source", source<R>>,
-                                 cca::node<"limits", cca::unlimited<robots::commanded<R, robots::position_command>>>,
-                                 cca::node<"robot", Robot>,
-                                 cca::wire<"source.value", "limits.command">,
-                                 cca::wire<"limits.safe", "robot.position">> {};
+struct architecture
+    : cca::graph<typename R::rate,
+                 cca::node<"source", source<R>>,
+                 cca::node<"limits", cca::unlimited<robots::commanded<R, robots::position_command>>>,
+                 cca::node<"robot", Robot>,
+                 cca::wire<"source.value", "limits.command">,
+                 cca::wire<"limits.safe", "robot.position">> {};
 
 template <class Robot>
 struct lab {
@@ -95,7 +96,8 @@ struct lab {
 // A wheel on a drive whose position wraps after 25 rad.
 struct wheel : cca::dimension<"wheel"> {
   static constexpr bool continuous = true;
-  static constexpr auto limits = cca::limits{cca::velocity{-20, 20}, cca::torque{-5, 5}, cca::stiffness{0, 50}};
+  static constexpr auto limits =
+      cca::limits{cca::velocity{-20, 20}, cca::torque{-5, 5}, cca::stiffness{0, 50}};
 };
 struct mount : cca::frame<"mount"> {};
 struct rim : cca::frame<"rim"> {};
@@ -171,7 +173,8 @@ TEST_SUITE("robots on drives at other rates") {
     starts_moves_and_stops<robot<4000, on_fast_moteus>>();
   }
 
-  TEST_CASE("a wheel turns on and on, on a drive whose position wraps, and a far command goes the short way") {
+  TEST_CASE(
+      "a wheel turns on and on, on a drive whose position wraps, and a far command goes the short way") {
     cca::controller<architecture<rolling>> c;
     hw::virtual_hardware<rolling, hw::virtual_motors<rolling::joints>, wrapping> far(
         c.get<"robot.synchronizer">());

@@ -16,8 +16,9 @@
 //   Virtual   the virtual drive for each drive (virtual_of.hpp)
 //
 // step(tap) calls tap(bus, frame) for each frame of the controller. `wires`: the third end of each bus is for
-// spies and for nodes that disturb. `speed_scale`: of the velocities that the drives report, for tests. Neither
-// copied nor moved: its parts point to one another. Example: tests/runtime/robot_on_drives; docs/hardware.md.
+// spies and for nodes that disturb. `speed_scale`: of the velocities that the drives report, for tests.
+// Neither copied nor moved: its parts point to one another. Example: tests/runtime/robot_on_drives;
+// docs/hardware.md.
 #pragma once
 
 #include <algorithm>

@@ -6,7 +6,8 @@
 // A drive measures its velocity with its encoder: the change of the angle over a beat. What holds the robot
 // while its drives hold nothing, `hold`:
 //   nothing    it falls
-//   brakes     each joint has a brake, as in arms: it holds the joint while its drive holds nothing, and takes
+//   brakes     each joint has a brake, as in arms: it holds the joint while its drive holds nothing, and
+//   takes
 //              60 ms to open
 //   stand      the robot does not move until all drives have been enabled once
 //
