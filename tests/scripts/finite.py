@@ -52,6 +52,8 @@ WITHOUT = {
     "robot/body_components.hpp": "without a state: NaN passes",
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
+    "robot/bounded_motion.hpp": "tested within limiter",
+    "robot/command_limits.hpp": CONSTANTS,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,
     "robot/compliance/compliance_spaces.hpp": FUNCTION,
     "robot/compliance/damping_design.hpp": FUNCTION,
@@ -66,6 +68,7 @@ WITHOUT = {
     "robot/dynamics/operational_space.hpp": FUNCTION,
     "robot/dynamics/positive_matrix.hpp": FUNCTION,
     "robot/dynamics/spatial_inertia.hpp": FUNCTION,
+    "robot/command_limits.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }
 STATES = re.compile(r"\bNaN\b|\bnot finite\b")

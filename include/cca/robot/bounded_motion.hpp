@@ -10,7 +10,7 @@
 //   A command that keeps the limits passes as it is. To any other the axis goes as fast as they allow: it
 //   takes the greatest second rate after which it can still stop before the command, found by bisection. Of a
 //   command that moves on, it takes the speed as well. The last steps meet the command exactly, in three
-//   beats.
+//   beats. While a command is NaN or infinite, the limiter calls brake() instead.
 //
 // All numbers are per beat: the rate times dt, the second rate times dt^2, the third times dt^3. Infinite
 // limits of the third mean that the second rate may jump. Preconditions: the limits of all rates have 0

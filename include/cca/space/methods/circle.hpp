@@ -33,7 +33,7 @@ namespace detail {
 // to - from: along continuous axes the shortest way around the circle. `Limits` is the limits_along of the
 // numbers' axes and quantity.
 template <class Limits, class Vector>
-[[gnu::always_inline]] inline Vector shortest_way(const Vector& from, const Vector& to) {
+inline Vector shortest_way(const Vector& from, const Vector& to) {
   Vector way = to - from;
   if constexpr (Limits::any_continuous)
     for (int i = 0; i < static_cast<int>(Limits::continuous.size()); ++i)
