@@ -53,7 +53,7 @@ WITHOUT = {
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
     "robot/bounded_motion.hpp": "tested within limiter",
-    "robot/command_limits.hpp": CONSTANTS,
+    "robot/command_limits.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,
     "robot/compliance/compliance_spaces.hpp": FUNCTION,
     "robot/compliance/damping_design.hpp": FUNCTION,
