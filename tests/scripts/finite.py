@@ -68,7 +68,6 @@ WITHOUT = {
     "robot/dynamics/operational_space.hpp": FUNCTION,
     "robot/dynamics/positive_matrix.hpp": FUNCTION,
     "robot/dynamics/spatial_inertia.hpp": FUNCTION,
-    "robot/command_limits.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }
 STATES = re.compile(r"\bNaN\b|\bnot finite\b")
@@ -83,6 +82,7 @@ SILENT = {
     "motor/gait.hpp": CONSTANTS,
     "motor/spaces.hpp": CONSTANTS,
     "robot/body.hpp": CONSTANTS,
+    "robot/command_limits.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }
 
