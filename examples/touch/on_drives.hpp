@@ -2,38 +2,43 @@
 // The demonstrator with the arm on drives: one type is another than in the simulator.
 #include <utility>
 
+#include <cca/hardware/virtual_hardware.hpp>
+#include <cca/sim/robot/plant.hpp>
+
 #include "architecture.hpp"
-#include "behind_drives.hpp"
 #include "drives.hpp"
 #include "rollout.hpp"
 
 namespace touch {
 
 // [on drives]
-struct with_canopen : architecture<on_canopen::robot<memory_end>> {};
-struct with_moteus : architecture<on_moteus::robot<memory_end>> {};
+struct with_canopen : architecture<on_canopen::robot<hw::virtual_bus_end>> {};
+struct with_moteus : architecture<on_moteus::robot<hw::virtual_bus_end>> {};
 // [on drives end]
 
-// Where the arm is: behind virtual drives.
-template <class Joints, class Board>
+// Where the arm is: the simulator moves it, after virtual drives on buses in memory. It has brakes.
+template <class Robot>
 struct on_virtual_drives {
   template <class Controller>
-  void put_down(Controller& c, arm_world&& world) {
-    far.connect(c);
-    far.put_down(std::move(world));
+  explicit on_virtual_drives(Controller& c) : far(c.template get<"robot.synchronizer">()) {
+    far.plant.hold = cca::sim::held_by::brakes;
+  }
+  template <class Controller>
+  void put_down(Controller&, arm_world&& world) {
+    far.plant.put_down(std::move(world));
   }
   template <class Controller>
   arm_world& world(Controller&) {
-    return far.world();
+    return far.plant.world();
   }
   template <class Controller>
   void after_beat(Controller&) {
-    far.pass_millisecond();
+    far.step();
   }
 
-  behind_drives<Joints, Board> far{};
+  hw::virtual_hardware<Robot, cca::sim::plant<arm::description>> far;
 };
-using behind_canopen = on_virtual_drives<on_canopen::joints, on_canopen::board>;
-using behind_moteus = on_virtual_drives<on_moteus::joints, on_moteus::board>;
+using behind_canopen = on_virtual_drives<on_canopen::robot<hw::virtual_bus_end>>;
+using behind_moteus = on_virtual_drives<on_moteus::robot<hw::virtual_bus_end>>;
 
 }  // namespace touch

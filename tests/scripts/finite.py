@@ -52,6 +52,8 @@ WITHOUT = {
     "robot/body_components.hpp": "without a state: NaN passes",
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
+    "robot/bounded_motion.hpp": "tested within limiter",
+    "robot/command_limits.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,
     "robot/compliance/compliance_spaces.hpp": FUNCTION,
     "robot/compliance/damping_design.hpp": FUNCTION,
@@ -80,6 +82,7 @@ SILENT = {
     "motor/gait.hpp": CONSTANTS,
     "motor/spaces.hpp": CONSTANTS,
     "robot/body.hpp": CONSTANTS,
+    "robot/command_limits.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }
 

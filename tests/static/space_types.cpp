@@ -101,6 +101,7 @@ constexpr bool listed() {
 static_assert(listed<cca::angle,
                      cca::velocity,
                      cca::acceleration,
+                     cca::jerk,
                      cca::torque,
                      cca::torque_rate,
                      cca::stiffness,

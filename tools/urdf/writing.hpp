@@ -102,8 +102,11 @@ private:
       if (!b.moved_by || !leads(*b.moved_by)) continue;
       const std::string& id = axis_names_[b.moved_by->name];
       const std::string limits = limits_of(*b.moved_by);
-      all += "struct " + id + " : cca::dimension<\"" + id + "\"> {";
-      if (!limits.empty()) all += "\n  static constexpr auto limits = cca::limits{" + limits + "};\n";
+      std::string states;
+      if (b.moved_by->type == joint_type::continuous)
+        states += "  static constexpr bool continuous = true;\n";
+      if (!limits.empty()) states += "  static constexpr auto limits = cca::limits{" + limits + "};\n";
+      all += "struct " + id + " : cca::dimension<\"" + id + "\"> {" + (states.empty() ? "" : "\n") + states;
       all += "};\n";
     }
     return all + "}  // namespace axis\n\n";

@@ -8,12 +8,13 @@
 //   out "angles"       Joints           rad (prismatic joints: m), within the limits of the axes
 //   out "status"       reaching_status  a cca::reaching
 //
-// The angles are always finite and within the limits. A cca::pantograph_leg is solved in closed form, in one
-// beat. Every other chain is solved by damped least squares from many starts (many_starts.hpp); the fourth
-// argument holds the settings. A beat takes at most `steps_per_beat` steps (100), and a longer search goes on
-// in the next ones. Until it ends the status is `unfinished`, and the angles lead to the nearest point so
-// far: they may jump when a better start is found. A target out of reach gives the angles of the nearest
-// point and `nearest`, after `starts` descents (128). A target that is not finite gives the last angles and
+// The angles are always finite and within the limits; that of a continuous axis is the one nearest to where
+// the search began, whole turns apart. A cca::pantograph_leg is solved in closed form, in one beat. Every
+// other chain is solved by damped least squares from many starts (many_starts.hpp); the fourth argument holds
+// the settings. A beat takes at most `steps_per_beat` steps (100), and a longer search goes on in the next
+// ones. Until it ends the status is `unfinished`, and the angles lead to the nearest point so far: they may
+// jump when a better start is found. A target out of reach gives the angles of the nearest point and
+// `nearest`, after `starts` descents (128). A target that is not finite gives the last angles and
 // `unreadable`.
 //
 // While a search goes on, `near` is not read again. A component fires when an input is fresh: if the target
@@ -28,6 +29,7 @@
 
 #include <cca/mapping/many_starts.hpp>
 #include <cca/mapping/pantograph.hpp>
+#include <cca/space/methods/circle.hpp>
 
 namespace cca {
 namespace detail {
@@ -81,7 +83,8 @@ public:
         if (std::isfinite(start[i])) last[i] = limits::clamped(i, start[i]);
     }
     const auto found = search.solve(target, last);
-    last = found.q;
+    for (int i = 0; i < vector::RowsAtCompileTime; ++i)
+      last[i] = limits::is_continuous(i) ? detail::same_turn(found.q[i], last[i]) : found.q[i];
     if (found.status == reaching::nearest) [[unlikely]]
       missed.add_nearest(distance_of(found));
     return {order::to(last), status_of(found.status)};

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include <cca/base/array_size.hpp>
 #include <cca/mapping/forward_kinematics.hpp>
@@ -99,6 +100,11 @@ struct chain_limits {
     return all;
   }(typename Chain::axes());
 
+  static constexpr std::array<bool, array_size(size)> continuous = []<class... Axes>(axes<Axes...>) {
+    return std::array<bool, array_size(size)>{cca::is_continuous<Axes>...};
+  }(typename Chain::axes());
+  static constexpr bool is_continuous(int i) { return continuous[static_cast<std::size_t>(i)]; }
+
   static constexpr double lower(int i) { return bounds[static_cast<std::size_t>(2 * i)]; }
   static constexpr double upper(int i) { return bounds[static_cast<std::size_t>(2 * i + 1)]; }
   static double clamped(int i, double q) { return q < lower(i) ? lower(i) : q > upper(i) ? upper(i) : q; }
@@ -106,8 +112,10 @@ struct chain_limits {
     for (int i = 0; i < size; ++i) q[i] = clamped(i, q[i]);
     return q;
   }
-  // The point at the fraction `part` between the limits; without limits between -3 and 3 rad.
+  // The point at the fraction `part` between the limits; without limits between -3 and 3 rad, of a continuous
+  // axis once around the circle.
   static double between(int i, double part) {
+    if (is_continuous(i)) return (2 * part - 1) * std::numbers::pi;
     const double low = std::isfinite(lower(i)) ? lower(i) : std::isfinite(upper(i)) ? upper(i) - 3 : -3;
     const double high = std::isfinite(upper(i)) ? upper(i) : low + 6;
     return low + part * (high - low);

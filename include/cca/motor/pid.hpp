@@ -16,6 +16,7 @@
 //   D  = kd (r' - y_f'),  filter y_f' = y - y_f   r' is "velocity": a step of the reference makes no kick
 //   F is "feedforward"
 //
+// Along a continuous axis (space/dimension.hpp) r - y and y - y_f are the shortest way around the circle.
 // With the velocity that a movement publishes (vite, dmp_discrete) and the torque that it needs
 // (inverse_dynamics_of), the error need not be large to make the command. Measured and Command are spaces
 // with one number per axis. Gains: unit of Command per unit of Measured (ki: and per s, kd: times s), at most
@@ -42,6 +43,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/motor/spaces.hpp>
+#include <cca/space/methods/circle.hpp>
 
 namespace cca {
 
@@ -96,7 +98,7 @@ struct pid {
     vector hand = vector::Zero();
     if (by_hand) hand = inputs(manual.vector());
     const bool hand_is_readable = !inputs.unreadable();
-    const vector y = inputs(measured.vector()), e = inputs(reference.vector()) - y;
+    const vector y = inputs(measured.vector()), e = difference_of<Measured>(inputs(reference.vector()), y);
     vector speed = vector::Zero(), added = vector::Zero();
     if (velocity) speed = inputs(velocity.vector());
     if (feedforward) added = inputs(feedforward.vector());
@@ -109,7 +111,7 @@ struct pid {
       begun = true;
     }
     const double dt = now.dt();
-    const vector slope = (y - filtered) / (p.filter + dt), lag = speed - slope;
+    const vector slope = difference_of<Measured>(y, filtered) / (p.filter + dt), lag = speed - slope;
     filtered += dt * slope;
     integral +=
         (proportional - p.proportional).cwiseProduct(e) + (derivative - p.derivative).cwiseProduct(lag);

@@ -4,23 +4,30 @@
 //
 // What it publishes is finite and lies within the limits that its axes state for the domain type's own
 // quantity, always. Besides, it changes from one safe command to the next at most as fast as the axes allow:
-// an angle by their `velocity`, a velocity by `acceleration`, a torque by `torque_rate`, an axis that states
-// none at will. Each number is checked for
+// an angle by their `velocity`, a velocity by `acceleration`, an acceleration by `jerk`, a torque by
+// `torque_rate`, an axis that states none at will. And this change changes by the next one of these: the
+// angle of an axis that states `acceleration` or `jerk` starts, turns round and stops within them, and stops
+// before the end of its range (bounded_motion.hpp). Each number is checked for
 //
 //   finite   NaN and infinity are no commands: the quantity's `on_nan` says whether the last safe command is
 //            held (an angle, a stiffness) or the allowed number nearest to zero is published (a velocity, a
 //            torque);
 //   range    else the nearest allowed number is published;
 //   rate     and of the allowed numbers the nearest that can be reached since the last safe command, in at
-//            most one period of the space's rate: after a pause a command may not jump.
+//            most one period of the space's rate: after a pause a command may not jump. Where also the
+//            change is limited, a command that keeps the limits passes, and others are reached in the
+//            shortest time that leaves room to brake; a command that is no number is a command to brake.
+//
+// The angle of a continuous axis is published as the one that means the same as the command and is nearest to
+// the last safe one, so it never jumps by a turn.
 //
 // It starts from "measured", if that is wired and a sample has arrived, and holds it until the first command;
 // else it takes the first command as it is. It counts each number that it changes, and keeps the first cause:
 // which axis, which check, in which beat: `summary()` says so after a run.
 //
 // Cost: two comparisons an axis and one branch; two additions more in a space that limits a rate. The rest
-// runs only when a command is changed. Errors: space.missing_limits. Example:
-// tests/runtime/robot/limiter.cpp; docs/robot.md.
+// runs only when a command is changed. In a space that also limits the change of the rate: that of
+// bounded_motion.hpp. Errors: space.missing_limits. Example: tests/runtime/robot/limiter.cpp; docs/robot.md.
 #pragma once
 
 #include <array>
@@ -36,6 +43,8 @@
 #include <cca/component/beat.hpp>
 #include <cca/base/unrolled.hpp>
 #include <cca/component/port.hpp>
+#include <cca/robot/bounded_motion.hpp>
+#include <cca/robot/command_limits.hpp>
 #include <cca/space/domain.hpp>
 #include <cca/space/limits.hpp>
 
@@ -50,89 +59,6 @@ struct intervention {
   std::int64_t beat = -1;
 };
 
-namespace detail {
-
-// The quantity that limits how fast another one may change.
-template <class Quantity>
-struct rate_of_quantity {
-  using type = void;
-};
-template <>
-struct rate_of_quantity<angle> {
-  using type = velocity;
-};
-template <>
-struct rate_of_quantity<velocity> {
-  using type = acceleration;
-};
-template <>
-struct rate_of_quantity<torque> {
-  using type = torque_rate;
-};
-
-// `a` where the comparison is false, so also where `b` is NaN: one instruction each.
-constexpr double at_least(double a, double b) { return b > a ? b : a; }
-constexpr double at_most(double a, double b) { return b < a ? b : a; }
-
-// The limits of one space as arrays: range and rate.
-template <class Space>
-struct limits_of {
-  static constexpr std::size_t size = Space::size;
-  using quantity = typename Space::domain::quantity;
-  using rate_quantity = typename rate_of_quantity<quantity>::type;
-  struct bounds {
-    double lower, upper;
-  };
-
-  // An axis without limits has those of a double, so that infinity lies outside in any case.
-  static constexpr std::array<bounds, size> range = [] {
-    std::array<bounds, size> all{};
-    constexpr double largest = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < size; ++i)
-      all[i] = {at_least(-largest, lower_limits<Space, quantity>[i]),
-                at_most(largest, upper_limits<Space, quantity>[i])};
-    return all;
-  }();
-
-  static constexpr std::array<bounds, size> rate = [] {
-    std::array<bounds, size> all{};
-    for (std::size_t i = 0; i < size; ++i) {
-      if constexpr (std::is_void_v<rate_quantity>)
-        all[i] = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-      else all[i] = {lower_limits<Space, rate_quantity>[i], upper_limits<Space, rate_quantity>[i]};
-    }
-    return all;
-  }();
-
-  static constexpr bool has_any_rate = [] {
-    constexpr double all = std::numeric_limits<double>::infinity();
-    for (const auto& r : rate)
-      if (r.lower > -all || r.upper < all) return true;
-    return false;
-  }();
-  static constexpr bool may_rest = [] {
-    for (const auto& r : rate)
-      if (!(r.lower <= 0 && r.upper >= 0)) return false;
-    return true;
-  }();
-
-  static constexpr double in_range(int axis, double value) {
-    const auto i = static_cast<std::size_t>(axis);
-    return at_most(range[i].upper, at_least(range[i].lower, value));
-  }
-
-  // The range, and of it what can be reached from the last number within dt: all of it where the rate is
-  // infinite, also in no time, since `at_least` and `at_most` pass over the NaN of infinity * 0.
-  static constexpr bounds window(int axis, double last, double dt) {
-    const auto i = static_cast<std::size_t>(axis);
-    if constexpr (!has_any_rate) return range[i];
-    return {at_least(range[i].lower, last + rate[i].lower * dt),
-            at_most(range[i].upper, last + rate[i].upper * dt)};
-  }
-};
-
-}  // namespace detail
-
 template <class Space>
 class limiter {
   static_assert(Space::size == Space::axes::count,
@@ -141,6 +67,14 @@ class limiter {
                 "cca::limiter: -ffinite-math-only (of -ffast-math) would let NaN pass to the actuators");
   using limits = detail::limits_of<Space>;
   static_assert(limits::may_rest, "cca::limiter: the limits of how fast a command may change must include 0");
+  static_assert(
+      limits::may_turn_round,
+      "cca::limiter: the limits of acceleration and jerk must be below and above 0: an axis that has "
+      "begun to move must be able to stop");
+  static_assert(
+      !limits::has_any_second || detail::hz_of<typename Space::rate> > 0,
+      "cca::limiter: an axis of this space limits acceleration or jerk, which need the time from one "
+      "command to the next: give the space a rate, for example cca::rate<1000>");
 
 public:
   static constexpr bool limits_commands = true;
@@ -156,6 +90,8 @@ public:
     const double dt = time_since(now);
     vector_type value;
     bool changed = false;
+    if constexpr (detail::has_continuous_angles<Space>) return limited(command.vector(), now.index(), dt);
+    if constexpr (limits::has_any_second) return limited(command.vector(), now.index(), dt);
     detail::unrolled<Space::size>([&](auto axis) {
       const auto [low, high] = limits::window(axis, last[axis], dt);
       const double wanted = command.vector()[axis];
@@ -190,6 +126,7 @@ private:
       const double there = measured[axis], wanted = command[axis];
       const double start = is_measured && std::isfinite(there) ? there : std::isfinite(wanted) ? wanted : 0;
       last[axis] = limits::in_range(axis, start);
+      if constexpr (limits::has_any_second) motions[static_cast<std::size_t>(axis)].rest_at(last[axis]);
     });
     begun = now;
   }
@@ -210,13 +147,37 @@ private:
       const double goal = !lost ? wanted : limits::quantity::on_nan == nan_policy::hold ? last[axis] : 0;
       value[axis] = detail::at_most(high, detail::at_least(low, goal));
       ++count;
-      if (first.cause == limited_by::nothing)
-        first = {lost                                                               ? limited_by::finite
-                 : limits::has_any_rate && limits::in_range(axis, wanted) == wanted ? limited_by::rate
-                                                                                    : limited_by::range,
-                 axis, k};
+      if (first.cause == limited_by::nothing) first = {cause_of(wanted, lost, axis), axis, k};
     });
     return value;
+  }
+
+  // The same where angles have no end, or the change of the rate is limited.
+  vector_type limited(vector_type value, std::int64_t k, double dt) {
+    for (int axis = 0; axis < Space::size; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      double wanted = value[axis];
+      if (detail::continuous_along<Space>[i] && std::isfinite(wanted))
+        wanted = detail::same_turn(wanted, last[axis]);
+      const bool lost = !std::isfinite(wanted), holds = lost && limits::quantity::on_nan == nan_policy::hold;
+      const double goal = holds ? last[axis] : lost ? 0 : wanted;
+      const auto [low, high] = limits::window(axis, last[axis], dt);
+      value[axis] = detail::at_most(high, detail::at_least(low, goal));
+      if constexpr (limits::has_any_second)
+        if (limits::is_bounded(i))
+          value[axis] =
+              holds ? motions[i].brake(most[i]) : motions[i].go_to(limits::in_range(axis, goal), most[i]);
+      if (value[axis] == wanted) continue;
+      ++count;
+      if (first.cause == limited_by::nothing) first = {cause_of(wanted, lost, axis), axis, k};
+    }
+    return last = value;
+  }
+
+  [[gnu::always_inline]] static limited_by cause_of(double wanted, bool lost, int axis) {
+    return lost                                                               ? limited_by::finite
+           : limits::has_any_rate && limits::in_range(axis, wanted) == wanted ? limited_by::rate
+                                                                              : limited_by::range;
   }
 
   static vector_type rest() {
@@ -229,6 +190,17 @@ private:
   bool begun = false;
   std::int64_t count = 0;
   intervention first{};
+
+  struct nothing {};
+  static constexpr std::array<detail::motion_limits, Space::size> most = [] {
+    std::array<detail::motion_limits, Space::size> all{};
+    if constexpr (limits::has_any_second)
+      for (std::size_t i = 0; i < Space::size; ++i) all[i] = limits::a_beat(i);
+    return all;
+  }();
+  [[no_unique_address]] std::conditional_t<limits::has_any_second,
+                                           std::array<detail::bounded_motion, Space::size>,
+                                           nothing> motions{};
 };
 
 // Lets commands pass as they are, NaN too: the way to switch the limiter off, where all can see it.

@@ -3,6 +3,16 @@
 //   struct hip : cca::dimension<"hip"> {
 //     static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.9}};
 //   };
+//
+// A continuous axis turns without end. Its dimension says so, and states no limits of angle:
+//
+//   struct wheel : cca::dimension<"wheel"> {
+//     static constexpr bool continuous = true;
+//     static constexpr auto limits = cca::limits{cca::velocity{-20, 20}, cca::torque{-5, 5}};
+//   };
+//
+// Angles of such an axis that differ by whole turns mean the same, and the difference of two of them is the
+// shortest way around the circle (difference_of in methods/circle.hpp).
 #pragma once
 
 #include <concepts>
@@ -23,6 +33,12 @@ struct dimension {
 template <class Type> concept Dimension = requires {
   { Type::name } -> std::convertible_to<std::string_view>;
 };
+
+template <class Axis>
+constexpr bool is_continuous = false;
+template <class Axis>
+  requires requires { Axis::continuous; }
+constexpr bool is_continuous<Axis> = Axis::continuous;
 
 namespace detail {
 

@@ -22,8 +22,9 @@ struct space_info {
   double hz;           // 0 if the space states no rate
   std::uint64_t key;   // equal if the domain type (with its frame) and the ordered axes are equal
   bool actuated;
-  int duplicate_axis;  // index, or -1
-  int missing_limits;  // index of the first axis without limits for the domain's quantity, or -1
+  int duplicate_axis;          // index, or -1
+  int missing_limits;          // index of the first axis without limits for the domain's quantity, or -1
+  bool missing_is_continuous;  // that axis is continuous, and its angle needs limits of velocity
   std::string_view quantity;
   const double *lower,
       *upper;  // limits of that quantity, one per axis; infinite if an axis states none
@@ -87,6 +88,8 @@ inline constexpr space_info space_of = {
     Space::domain::actuated,
     duplicate_axis<Space>,
     missing_limits<Space>,
+    missing_limits<Space> >= 0 && continuous_along<Space>[static_cast<std::size_t>(
+                                      missing_limits<Space> < 0 ? 0 : missing_limits<Space>)],
     type_name<typename Space::domain::quantity>(),
     lower_limits<Space, typename Space::domain::quantity>.data(),
     upper_limits<Space, typename Space::domain::quantity>.data(),

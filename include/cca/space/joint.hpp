@@ -24,7 +24,7 @@ struct joint_domain : linear_domain {
 }  // namespace detail
 
 // Interpolation follows the straight line between the two numbers, never the short way around: between two
-// angles within the limits it stays within them. For a joint that turns without end use a `phase`.
+// angles within the limits it stays within them. Along a continuous axis it takes the short way.
 struct joint_angles : detail::joint_domain {
   using quantity = angle;
 
@@ -45,6 +45,20 @@ struct joint_angles : detail::joint_domain {
         for (int i = 0; i < Self::space::size; ++i)
           v.coeffRef(i) = wrap_signed(v.coeff(i) - from.vector().coeff(i));
       return v;
+    }
+
+    template <Sample To>
+    constexpr Self interpolated(const To& to, double t) const {
+      if constexpr (detail::has_continuous_angles<typename Self::space> && detail::combinable<Self, To>()) {
+        const auto& from = this->self().vector();
+        auto v = ((1 - t) * from + t * to.vector()).eval();
+        for (int i = 0; i < Self::space::size; ++i)
+          if (detail::continuous_along<typename Self::space>[static_cast<std::size_t>(i)])
+            v[i] = (1 - t) * from[i] + t * detail::same_turn(to.vector()[i], from[i]);
+        return Self(v, detail::older(this->self().origin(), to.origin()));
+      } else {
+        return detail::on_a_line<Self>::interpolated(to, t);
+      }
     }
 
     template <class Vector>

@@ -1,11 +1,14 @@
 // The limits of a space's axes, as arrays in the order of the axes; infinite where an axis states none.
 //
+// The angle of a continuous axis has no limits; a command of it is kept within the limits of its velocity
+// instead, so these must be there. Errors: the message of a limit that is missing is space.missing_limits.
 // Cost: constants. For an axis without limits the compiler drops both comparisons.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include <cca/space/dimension.hpp>
 
@@ -23,6 +26,11 @@ constexpr double upper_limit_of = [] {
   else return std::numeric_limits<double>::infinity();
 }();
 
+// The quantity whose limits a command along this axis needs.
+template <class Axis, class Quantity>
+using needed_limits =
+    std::conditional_t<is_continuous<Axis> && std::is_same_v<Quantity, angle>, velocity, Quantity>;
+
 template <class Axes, class Quantity>
 struct limits_along;
 
@@ -34,12 +42,21 @@ struct limits_along<List<Axes...>, Quantity> {
   static_assert(((lower_limit_of<Axes, Quantity> <= upper_limit_of<Axes, Quantity>) && ...),
                 "cca::limits: an axis of this space states a lower limit above its upper limit");
 
+  static_assert(!((is_continuous<Axes> && axis_has_limits<Axes, angle>) || ...),
+                "cca::limits: a continuous axis of this space states limits of angle; leave out these, or "
+                "`continuous`");
+
   static constexpr int first_missing() {
-    const std::array<bool, sizeof...(Axes)> stated{axis_has_limits<Axes, Quantity>...};
+    const std::array<bool, sizeof...(Axes)> stated{axis_has_limits<Axes, needed_limits<Axes, Quantity>>...};
     for (std::size_t i = 0; i < sizeof...(Axes); ++i)
       if (!stated[i]) return static_cast<int>(i);
     return -1;
   }
+  // Whether the axis of this index is continuous, and this is about its angle.
+  static constexpr std::array<bool, sizeof...(Axes)> continuous{
+      (is_continuous<Axes> && std::is_same_v<Quantity, angle>)...};
+  static constexpr bool any_continuous =
+      (false || ... || is_continuous<Axes>) && std::is_same_v<Quantity, angle>;
 };
 
 // One number per axis.
@@ -52,6 +69,14 @@ constexpr const auto& upper_limits = limits_along<typename Space::axes, Quantity
 template <class Space>
 constexpr int missing_limits =
     limits_along<typename Space::axes, typename Space::domain::quantity>::first_missing();
+
+// Whether the angle of an axis has no end, per axis; false for other quantities.
+template <class Space>
+constexpr const auto& continuous_along =
+    limits_along<typename Space::axes, typename Space::domain::quantity>::continuous;
+template <class Space>
+constexpr bool has_continuous_angles =
+    limits_along<typename Space::axes, typename Space::domain::quantity>::any_continuous;
 
 template <class Axes>
 struct repeated_in;

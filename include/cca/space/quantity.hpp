@@ -41,6 +41,11 @@ struct acceleration {
   static constexpr std::string_view unit = "rad/s^2";
   static constexpr auto on_nan = nan_policy::zero;
 };
+struct jerk {
+  double lower, upper;
+  static constexpr std::string_view unit = "rad/s^3";
+  static constexpr auto on_nan = nan_policy::zero;
+};
 struct torque {
   double lower, upper;
   static constexpr std::string_view unit = "N m";

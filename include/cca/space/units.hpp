@@ -37,6 +37,8 @@ inline constexpr unit units_of<velocity>[] = {
 template <>
 inline constexpr unit units_of<acceleration>[] = {{"rad/s^2"}, {"deg/s^2", detail::degree}, {}};
 template <>
+inline constexpr unit units_of<jerk>[] = {{"rad/s^3"}, {"deg/s^3", detail::degree}, {}};
+template <>
 inline constexpr unit units_of<torque>[] = {{"N m"}, {"Nm"}, {"mN m", 1e-3}, {"mNm", 1e-3}, {}};
 template <>
 inline constexpr unit units_of<torque_rate>[] = {{"N m/s"}, {"Nm/s"}, {}};

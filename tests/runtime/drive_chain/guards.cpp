@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include <doctest/doctest.h>
@@ -32,9 +33,13 @@ struct turning_joint : hw::joint<turning, hw::mit_drive<hw::ak60_6, 1>, hw::moun
 struct pulled_joint : hw::joint<pulled, hw::mit_drive<hw::ak60_6, 2>, hw::mounting{}, servo> {};
 using joints = hw::joint_list<turning_joint, pulled_joint>;
 
-using wanted_space = hw::set_points<joints>;
 using state_space = hw::joint_states<joints>;
+// Before and after the emergency stop.
+using wishes = std::array<hw::wanted_point, 2>;
 using both = std::array<hw::set_point, 2>;
+template <class Point>
+using space_of = std::
+    conditional_t<std::is_same_v<Point, hw::wanted_point>, hw::wanted_points<joints>, hw::set_points<joints>>;
 using measured = std::array<hw::joint_state, 2>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
@@ -47,9 +52,11 @@ constexpr hw::joint_state at(double angle, double velocity = 0, hw::motion_phase
 }
 constexpr measured in_the_middle{at(0), at(1)};
 constexpr both none{hw::set_point{}, hw::set_point{{.position = 1}}};
+constexpr wishes no_wish{hw::wanted_point{}, hw::wanted_point{{.position = 1}}};
 
-cca::in<"wanted", wanted_space> as_wanted(const both& all, std::int64_t origin = 0) {
-  wanted_space::vector_type v;
+template <class Point>
+cca::in<"wanted", space_of<Point>> as_wanted(const std::array<Point, 2>& all, std::int64_t origin = 0) {
+  typename space_of<Point>::vector_type v;
   for (std::size_t i = 0; i < all.size(); ++i) all[i].put(v, i);
   return {v, origin, true};
 }
@@ -59,20 +66,29 @@ cca::in<"joints", state_space> as_joints(const measured& all) {
   return {v, 0, true};
 }
 template <class Out>
-both points_of(const Out& safe) {
-  return {hw::set_point::of(safe.vector(), 0), hw::set_point::of(safe.vector(), 1)};
+auto points_of(const Out& safe) {
+  using point = std::conditional_t<std::is_same_v<typename Out::space, space_of<hw::set_point>>,
+                                   hw::set_point, hw::wanted_point>;
+  return std::array{point::of(safe.vector(), 0), point::of(safe.vector(), 1)};
 }
 
-template <class Guard>
-both pass(Guard& g, const both& all, const measured& where, std::int64_t beat = 0) {
+template <class Guard, class Point>
+auto pass(Guard& g, const std::array<Point, 2>& all, const measured& where, std::int64_t beat = 0) {
   return points_of(g.act(as_wanted(all), as_joints(where), cca::beat(beat, millisecond, 1)));
 }
-template <class Guard>
-both pass(Guard& g, const both& all, std::int64_t beat = 0, std::int64_t origin = 0) {
+template <class Guard, class Point>
+auto pass(Guard& g, const std::array<Point, 2>& all, std::int64_t beat = 0, std::int64_t origin = 0) {
   return points_of(g.act(as_wanted(all, origin), cca::beat(beat, millisecond, 1)));
 }
 
-bool same(const hw::set_point& a, const hw::set_point& b) {
+// So that a test may write {a, b}.
+template <class Guard>
+both pass(Guard& g, const both& all, const measured& where, std::int64_t beat = 0) {
+  return pass<Guard, hw::set_point>(g, all, where, beat);
+}
+
+template <class Point>
+bool same(const Point& a, const Point& b) {
   return a.position == b.position && a.velocity == b.velocity && a.torque == b.torque &&
          a.stiffness == b.stiffness && a.damping == b.damping && a.mark == b.mark;
 }
@@ -319,7 +335,7 @@ TEST_SUITE("guards") {
   TEST_CASE("rate: after a pause of the loop a position moves by one beat's way at most") {
     hw::rate_guard<joints> g;
     const auto safe =
-        g.act(as_wanted({hw::set_point{{.position = 1}}, none[1]}),
+        g.act(as_wanted(both{hw::set_point{{.position = 1}}, none[1]}),
               as_joints({at(0, 0, hw::motion_phase::begins), at(1)}), cca::beat(90, millisecond, 50));
     CHECK(points_of(safe)[0].position == 2 * 1e-3);
   }
@@ -357,8 +373,7 @@ TEST_SUITE("guards") {
     const auto to = [&](const hw::set_point& s, const hw::joint_state& q) {
       return pass(g, {s, none[1]}, {q, at(1)})[0];
     };
-    const hw::set_point held{{.position = 1, .torque = 3, .stiffness = 5},
-                             static_cast<double>(hw::motion_mode::soft)};
+    const hw::set_point held{{.position = 1, .torque = 3, .stiffness = 5}, hw::motion_mode::soft};
     CHECK(same(to(held, at(-0.5)), held));
     const hw::set_point early{{.position = 1, .torque = 3}};
     CHECK(same(to(early, at(-0.5, 0, hw::motion_phase::enabling)), early));
@@ -371,27 +386,28 @@ TEST_SUITE("guards") {
   TEST_CASE(
       "finite: for NaN or infinity in any number the last finite set point goes on, without velocity and "
       "torque, and is marked") {
-    const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
+    const wishes good{hw::wanted_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::wanted_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     for (const std::size_t joint : {0u, 1u})
-      for (double hw::set_point::* number : {static_cast<double hw::set_point::*>(&hw::set_point::position),
-                                             static_cast<double hw::set_point::*>(&hw::set_point::velocity),
-                                             static_cast<double hw::set_point::*>(&hw::set_point::torque),
-                                             static_cast<double hw::set_point::*>(&hw::set_point::stiffness),
-                                             static_cast<double hw::set_point::*>(&hw::set_point::damping)})
+      for (double hw::wanted_point::* number :
+           {static_cast<double hw::wanted_point::*>(&hw::wanted_point::position),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::velocity),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::torque),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::stiffness),
+            static_cast<double hw::wanted_point::*>(&hw::wanted_point::damping)})
         for (const double x : {no_number, inf, -inf}) {
           hw::finite_guard<joints> g;
-          const both before = pass(g, good, 40);
+          const wishes before = pass(g, good, 40);
           CHECK(same(before[0], good[0]));
           CHECK(same(before[1], good[1]));
           records_nothing(g.record());
-          both bad{hw::set_point{{9, 9, 9, 9, 9}}, hw::set_point{{9, 9, 9, 9, 9}}};
-          const hw::set_point other = bad[1 - joint];
+          wishes bad{hw::wanted_point{{9, 9, 9, 9, 9}}, hw::wanted_point{{9, 9, 9, 9, 9}}};
+          const hw::wanted_point other = bad[1 - joint];
           bad[joint].*number = x;
-          const both safe = pass(g, bad, 41);
+          const wishes safe = pass(g, bad, 41);
           CHECK(same(safe[1 - joint], other));
-          hw::set_point expected = good[joint];
+          hw::wanted_point expected = good[joint];
           expected.velocity = expected.torque = 0;
-          expected.mark = static_cast<double>(safety_rule::not_finite);
+          expected.mark = safety_rule::not_finite;
           CHECK(same(safe[joint], expected));
           records(g.record(), safety_rule::not_finite, static_cast<int>(joint), 41, 1);
           bad[0].damping = no_number;
@@ -400,7 +416,7 @@ TEST_SUITE("guards") {
           CHECK(g.record().first.beat == 41);
           g.on_start();
           records_nothing(g.record());
-          const both first = pass(g, bad, 0);  // there was none before: no stiffness, no torque
+          const wishes first = pass(g, bad, 0);  // there was none before: no stiffness, no torque
           CHECK(first[0].stiffness == 0);
           CHECK(first[0].damping == 0);
         }
@@ -408,15 +424,15 @@ TEST_SUITE("guards") {
 
   TEST_CASE("stale: by the age of the data, for all joints, and no number changes") {
     hw::stale_guard<joints> g;  // 50 ms
-    const both good{hw::set_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::set_point{{1.1, 1.2, 1.3, 14, 1.5}}};
+    const wishes good{hw::wanted_point{{0.1, 0.2, 0.3, 4, 0.5}}, hw::wanted_point{{1.1, 1.2, 1.3, 14, 1.5}}};
     const auto is_stale = [&](std::int64_t beat, std::int64_t origin) {
-      const both safe = pass(g, good, beat, origin);
+      const wishes safe = pass(g, good, beat, origin);
       bool all = true;
       for (std::size_t i = 0; i < 2; ++i) {
-        hw::set_point s = safe[i];
+        hw::wanted_point s = safe[i];
         all = all && s.broken() == safety_rule::stale;
         CHECK((s.broken() == safety_rule::stale || s.broken() == safety_rule::none));
-        s.mark = 0;
+        s.mark = safety_rule::none;
         CHECK(same(s, good[i]));
       }
       return all;
@@ -435,9 +451,9 @@ TEST_SUITE("guards") {
     CHECK_FALSE(is_stale(110, 100 * millisecond));
     CHECK(is_stale(111, 100 * millisecond));
 
-    both marked = good;
+    wishes marked = good;
     marked[1].trip(safety_rule::not_finite);
-    const both safe = pass(g, marked, 111, 100 * millisecond);
+    const wishes safe = pass(g, marked, 111, 100 * millisecond);
     CHECK(safe[0].broken() == safety_rule::stale);
     CHECK(safe[1].broken() == safety_rule::not_finite);  // the first rule that it broke
   }
@@ -445,7 +461,7 @@ TEST_SUITE("guards") {
   TEST_CASE("stale: an origin in the future counts as its arrival") {
     hw::stale_guard<joints> g;  // 50 ms
     const auto is_stale = [&](std::int64_t beat, std::int64_t origin) {
-      return pass(g, none, beat, origin)[0].broken() == safety_rule::stale;
+      return pass(g, no_wish, beat, origin)[0].broken() == safety_rule::stale;
     };
     const std::int64_t ahead = 5000 * millisecond;
     for (std::int64_t k = 10; k <= 60; ++k) CHECK_FALSE(is_stale(k, ahead));
@@ -463,14 +479,14 @@ TEST_SUITE("guards") {
       for (int i = 0; i < 1000; ++i) stop.press(), stop.stop_softly(), stop.release();
       stop.press();
     });
-    for (int k = 0; k < 1000; ++k) pass(stop, none, begin, k);
+    for (int k = 0; k < 1000; ++k) pass(stop, no_wish, begin, k);
     hand.join();
     stop.on_start();
-    pass(stop, none, begin, 1000);
+    pass(stop, no_wish, begin, 1000);
     CHECK(stop.mode() == hw::motion_mode::damped);
     CHECK(stop.first_cause().rule == safety_rule::pressed);
     stop.release();
-    pass(stop, none, begin, 1001);
+    pass(stop, no_wish, begin, 1001);
     CHECK(stop.mode() == hw::motion_mode::run);
   }
 
@@ -478,16 +494,16 @@ TEST_SUITE("guards") {
     const auto trip = [](safety_rule rule, bool of_the_joint) {
       hw::emergency_stop<joints> stop;
       measured begin{at(0, 0, hw::motion_phase::begins), at(1, 0, hw::motion_phase::begins)};
-      CHECK(pass(stop, none, begin, 3)[0].mode() == hw::motion_mode::run);
+      CHECK(pass(stop, no_wish, begin, 3)[0].mode() == hw::motion_mode::run);
       measured where = in_the_middle;
-      both all = none;
+      wishes all = no_wish;
       if (of_the_joint) where[1].trip = rule;
       else all[1].trip(rule);
       const both safe = pass(stop, all, where, 12);
       CHECK(safe[0].mode() == stop.mode());
       CHECK(safe[1].mode() == stop.mode());
       where[0].trip = safety_rule::drive_fault;  // later, so not the first cause
-      pass(stop, none, where, 13);
+      pass(stop, no_wish, where, 13);
       CHECK(stop.mode() == hw::motion_mode::damped);
       CHECK(stop.first_cause().rule == rule);
       CHECK(stop.first_cause().beat == 12);

@@ -29,9 +29,9 @@ flowchart LR
   n21[("limits<br/><i>1000 Hz</i>")]
   n21 -- "safe → set_points<br/>set_points, 1000 Hz" --> n0
   n0 -- "joints<br/>joint_states, 1000 Hz" --> n14
-  n14 -- "wanted<br/>set_points, 1000 Hz" --> n15
-  n15 -- "safe → wanted<br/>set_points, 1000 Hz" --> n16
-  n16 -- "safe → wanted<br/>set_points, 1000 Hz" --> n17
+  n14 -- "wanted<br/>wanted_points, 1000 Hz" --> n15
+  n15 -- "safe → wanted<br/>wanted_points, 1000 Hz" --> n16
+  n16 -- "safe → wanted<br/>wanted_points, 1000 Hz" --> n17
   n0 -- "joints<br/>joint_states, 1000 Hz" --> n17
   n17 -- "safe → wanted<br/>set_points, 1000 Hz" --> n18
   n0 -- "joints<br/>joint_states, 1000 Hz" --> n18

@@ -297,6 +297,44 @@ TEST_SUITE("starting") {
     l.run();
   }
 
+  TEST_CASE("a joint that turns faster than its axis allows: refused, with joint and speed") {
+    for (const double speed : {20.0, 30.0, -20.0}) {
+      CAPTURE(speed);
+      lab l;
+      l.put(4, damiao::joints::angle[4].lower + 0.2);
+      l.motors[4].now.velocity = speed;
+      l.motors[4].inertia = 1;  // goes on turning
+      l.controller.start();
+      for (int k = 0; k < 100; ++k) {
+        l.beat();
+        REQUIRE(l.phase() < hw::motion_phase::begins);
+        REQUIRE(l.stiffest() == 0);
+      }
+      CHECK(l.synchronizer().refusal() == hw::safety_rule::rate);
+      const std::string text = hw::text_of(l.synchronizer().failure());
+      CAPTURE(text);
+      CHECK(text.starts_with(speed > 0 ? "left_front_knee turns at " : "left_front_knee turns at -"));
+      CHECK(
+          text.ends_with(" rad/s, faster than its axis allows (-16.000 to 16.000 rad/s): stop its motion, "
+                         "then start again"));
+      CHECK(std::abs(l.synchronizer().failure().angle - speed) < 0.1 * std::abs(speed));
+      l.motors[4].inertia = 0.01;
+      l.put(4, damiao::joints::angle[4].lower + 0.2);
+      l.controller.stop();
+      l.run();
+    }
+  }
+
+  TEST_CASE("a joint that turns as fast as its axis allows is started") {
+    lab l;
+    l.put(4, damiao::joints::angle[4].lower + 0.1);
+    l.motors[4].now.velocity = 15;
+    l.controller.start();
+    for (int k = 0; k < 60 && l.phase() < hw::motion_phase::begins; ++k) l.beat();
+    CHECK(l.phase() == hw::motion_phase::running);
+    CHECK(l.motors[4].now.velocity > 10);
+  }
+
   TEST_CASE("a soft stop while a joint comes in from outside holds it where it is") {
     for (const double outside : {0.1, 0.3, 0.45}) {
       CAPTURE(outside);

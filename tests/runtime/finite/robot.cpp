@@ -16,9 +16,21 @@ struct limit : laws::finite_case<cca::limiter<Space>> {
   static constexpr int settles_in = 2000;
 };
 
+// The same where the change of the rate is limited, and where an angle has no end.
+struct smooth_hip : cca::dimension<"smooth_hip"> {
+  static constexpr auto limits = cca::limits{cca::angle{-0.9, 0.8}, cca::velocity{-5, 4},
+                                             cca::acceleration{-50, 40}, cca::jerk{-5000, 5000}};
+};
+struct spindle : cca::dimension<"spindle"> {
+  static constexpr bool continuous = true;
+  static constexpr auto limits = cca::limits{cca::velocity{-5, 4}};
+};
+struct smooth_angles : cca::space<cca::joint_angles, cca::axes<smooth_hip, spindle>, cca::rate<1000>> {};
+
 }  // namespace
 
 TEST_CASE("robot/limiter.hpp") {
   laws::finite<limit<leg_angles>>();
   laws::finite<limit<leg_torques>>();
+  laws::finite<limit<smooth_angles>>();
 }

@@ -5,6 +5,8 @@
 
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/mit.hpp>
+#include <cca/hardware/moteus.hpp>
+#include <cca/hardware/odrive.hpp>
 #include <cca/hardware/robot/joint_monitor.hpp>
 
 using namespace cca::hardware;
@@ -20,6 +22,10 @@ struct wrapping
     : joint<turning, drive, mounting{.gear = 2, .sign = -1, .offset = 0.5, .wraps = 25}, joint_servo{}> {};
 
 constexpr std::int64_t ms = 1'000'000;
+struct moteus_motor {
+  static constexpr std::string_view name = "n1";
+  static constexpr double stiffness = 80, damping = 2, torque = 12, timeout = 0.02;
+};
 
 template <class J>
 struct bench {
@@ -69,6 +75,90 @@ TEST_CASE("joint monitor: a single jump now and then is passed over") {
   for (int i = 0; i < 500; ++i) CHECK(b.beat(at(i % 20 == 10 ? 5 : 0, i)) == safety_rule::none);
   for (int i = 0; i < 2; ++i) CHECK(b.beat(at(5, i)) == safety_rule::none);
   CHECK(b.beat(at(5, 3)) == safety_rule::implausible);  // the third in a row
+}
+
+// A drive that sends estimates and torques by itself, in frames of their own.
+namespace {
+struct by_itself : joint<turning,
+                         odrive<1, odrive_mode::torque, odrive_firmware::v0_6, 2 * ms, 5 * ms>,
+                         mounting{},
+                         joint_servo{}> {};
+struct without_torques : joint<turning,
+                               odrive<1, odrive_mode::torque, odrive_firmware::v0_6, 2 * ms>,
+                               mounting{},
+                               joint_servo{}> {};
+
+// Beats with estimates each 2 ms, and torques each 5 ms until `end` of them have been sent.
+template <class J>
+safety_rule reports(bench<J>& b, int beats, int torques) {
+  using drive = typename J::drive;
+  safety_rule first = safety_rule::none;
+  for (int k = 0, sent = 0; k < beats; ++k) {
+    const bool sends = k % 5 == 0 && sent < torques;
+    sent += sends;
+    const can_frame heartbeat = drive::heartbeat(8), estimates = drive::estimates(0.5, 0);
+    first = sends        ? b.beat(heartbeat, estimates, drive::torques(0.25))
+            : k % 2 == 0 ? b.beat(heartbeat, estimates)
+                         : b.beat(heartbeat);
+  }
+  return first;
+}
+}  // namespace
+
+TEST_CASE("joint monitor: a torque that is no longer reported is not published, and trips") {
+  bench<by_itself> b;
+  CHECK_FALSE(b.m.is_ready(0));
+  CHECK(reports(b, 100, 1000) == safety_rule::none);
+  CHECK(b.m.is_ready(0));
+  CHECK(b.m.torque_now(0) == doctest::Approx(0.25));
+  CHECK(reports(b, 10, 0) == safety_rule::none);  // three of its periods are 15 beats; the last was 4 ago
+  CHECK(b.m.torque_now(0) == doctest::Approx(0.25));
+  CHECK(reports(b, 8, 0) == safety_rule::implausible);
+  CHECK(std::isnan(b.m.torque_now(0)));
+  CHECK(b.m.angle_now(0) == doctest::Approx(0.5));
+}
+
+TEST_CASE(
+    "joint monitor: a start waits for the torque of a drive whose type states its period, not of others") {
+  bench<by_itself> b;
+  CHECK(reports(b, 100, 0) == safety_rule::none);
+  CHECK_FALSE(b.m.is_ready(0));
+  CHECK_FALSE(b.m.knows_torque(0));
+  bench<without_torques> other;
+  CHECK(reports(other, 100, 0) == safety_rule::none);
+  CHECK(other.m.is_ready(0));
+  CHECK(std::isnan(other.m.torque_now(0)));
+  CHECK(reports(other, 100, 1) == safety_rule::implausible);  // it has begun, so it must go on
+  other.m.restart();
+  reports(other, 20, 0);
+  CHECK(other.m.is_ready(0));
+  CHECK(std::isnan(other.m.torque_now(0)));  // and not the torque from before
+}
+
+TEST_CASE("joint monitor: a drive that has no number for its torque has lost it") {
+  using servo = moteus<moteus_motor, 1>;
+  struct on_moteus : joint<turning, servo, mounting{}, joint_servo{}> {};
+  bench<on_moteus> b;
+  // The most negative integer in the place of the torque.
+  const auto no_torque = [] {
+    can_frame f = servo::reply(10, 0.5, 0, 0.001);
+    const can_frame other = servo::reply(10, 0.5, 0, 0.002);
+    std::size_t at = 0;
+    while (f.data[at] == other.data[at]) ++at;
+    f.data[at] = 0, f.data[at + 3] = 0x80;
+    return f;
+  };
+  const auto beats = [&](double torque, int n) {
+    safety_rule rule = safety_rule::none;
+    for (int k = 0; k < n; ++k)
+      rule = b.beat(std::isnan(torque) ? no_torque() : servo::reply(10, 0.5, 0, torque, 0));
+    return rule;
+  };
+  CHECK(beats(0.1, 10) == safety_rule::none);
+  CHECK(beats(drive_report::untold, 2) == safety_rule::none);
+  CHECK(b.m.torque_now(0) == doctest::Approx(0.1).epsilon(0.1));
+  CHECK(beats(drive_report::untold, 1) == safety_rule::implausible);
+  CHECK(std::isnan(b.m.torque_now(0)));
 }
 
 TEST_CASE("joint monitor: a drive that somebody else has told to leave is not taken for running") {

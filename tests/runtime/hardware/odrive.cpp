@@ -22,6 +22,7 @@ using velocity = odrive<2, odrive_mode::velocity>;
 using torque = odrive<3, odrive_mode::torque>;
 using old = odrive<4, odrive_mode::position, odrive_firmware::v0_5>;
 using far = odrive<0x1234, odrive_mode::torque>;
+using with_torques = odrive<5, odrive_mode::torque, odrive_firmware::v0_6, 1'000'000, 5'000'000>;
 constexpr double turn = detail::radians_in_turn;
 constexpr std::uint32_t stride = 9973;  // step through the bits of all floats
 
@@ -36,6 +37,18 @@ TEST_CASE("odrive: the laws of a drive") {
   laws::drive<torque>();
   laws::drive<old>();
   laws::drive<far>();
+  laws::drive<with_torques>();
+}
+
+TEST_CASE("odrive: torques in frames of their own, with their period, if the type states it") {
+  static_assert(with_torques::torque_period == 5'000'000 && with_torques::traffic.size() == 4 &&
+                with_torques::traffic[3].period == 5'000'000 && torque::traffic.size() == 3);
+  static_assert(torque_period_of<with_torques> == 5'000'000 &&
+                torque_period_of<torque> == torque::report_period);
+  drive_report r;
+  REQUIRE(with_torques::decode(with_torques::torques(-0.75), r));
+  CHECK(r.torque == -0.75);
+  CHECK(r.told == of_torque);
 }
 
 TEST_CASE("odrive: known frames") {

@@ -122,8 +122,8 @@ TEST_CASE("a program writes the page of its run") {
   REQUIRE(cca::run_robot(both, "walk") == 0);
   CHECK(recording_in(bytes_in(page.name)) == bytes_in(recording.name));
   program twice(page.name, page.name);
-  CHECK_THROWS_WITH_AS(cca::run_robot(twice, "walk"), doctest::Contains(" name one file: give each option its own"),
-                       cca::refused);
+  CHECK_THROWS_WITH_AS(cca::run_robot(twice, "walk"),
+                       doctest::Contains(" name one file: give each option its own"), cca::refused);
   program nowhere("/nowhere/a.html", recording.name);
   CHECK(cca::run_robot(nowhere, "walk") == cca::exit_code::error);
   CHECK_FALSE(std::filesystem::exists(page.name + ".mcap"));

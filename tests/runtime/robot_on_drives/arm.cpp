@@ -16,7 +16,9 @@
 #include <cca/robot/body_components.hpp>
 #include <cca/robot/limiter.hpp>
 
-#include "../../../examples/touch/behind_drives.hpp"
+#include <cca/hardware/virtual_hardware.hpp>
+#include <cca/sim/robot/plant.hpp>
+
 #include "../../../examples/touch/drives.hpp"
 
 namespace {
@@ -49,16 +51,14 @@ struct architecture
                  cca::wire<"gravity.torques", "torques.gravity">,
                  cca::wire<"torques.torques", "limits.command">,
                  cca::wire<"limits.safe", "robot.torque">> {};
-struct on_canopen : architecture<touch::on_canopen::robot<touch::memory_end>> {
-  using joints = touch::on_canopen::joints;
-  using board = touch::on_canopen::board;
+struct on_canopen : architecture<touch::on_canopen::robot<hw::virtual_bus_end>> {
+  using robot = touch::on_canopen::robot<hw::virtual_bus_end>;
 };
-struct on_moteus : architecture<touch::on_moteus::robot<touch::memory_end>> {
-  using joints = touch::on_moteus::joints;
-  using board = touch::on_moteus::board;
+struct on_moteus : architecture<touch::on_moteus::robot<hw::virtual_bus_end>> {
+  using robot = touch::on_moteus::robot<hw::virtual_bus_end>;
 };
 static_assert(cca::well_formed<on_canopen> && cca::well_formed<on_moteus>);
-static_assert(cca::embodied<arm::body, touch::on_canopen::robot<touch::memory_end>>);
+static_assert(cca::embodied<arm::body, touch::on_canopen::robot<hw::virtual_bus_end>>);
 
 // The torque that a frame asks of a drive, N m at the joint; nothing: it asks for none.
 template <class J>
@@ -79,16 +79,16 @@ std::optional<double> asked(const hw::can_frame& f) {
 template <class Graph>
 class lab {
 public:
-  using joints = typename Graph::joints;
+  using joints = typename Graph::robot::joints;
 
   lab() {
-    far.connect(controller);
+    far.plant.hold = cca::sim::held_by::brakes;
     controller.load();
   }
   void beats(int n) {
     for (; n > 0; --n) {
       controller.step();
-      far.pass_millisecond([this](std::size_t bus, const hw::can_frame& f) { look(bus, f, joints()); });
+      far.step([this](std::size_t bus, const hw::can_frame& f) { look(bus, f, joints()); });
     }
   }
   auto& synchronizer() { return controller.template get<"robot.synchronizer">(); }
@@ -101,20 +101,16 @@ public:
     REQUIRE(stop().mode() == hw::motion_mode::run);
     REQUIRE(enabled() == count);
   }
-  std::size_t enabled() const {
-    std::size_t n = 0;
-    std::apply([&](const auto&... d) { ((n += d.enabled()), ...); }, far.far.drives);
-    return n;
-  }
+  std::size_t enabled() const { return far.enabled_count(); }
   double fastest() {
     double most = 0;
-    for (const auto& j : far.world().joints()) most = std::max(most, std::abs(j.velocity));
+    for (const auto& j : far.plant.world().joints()) most = std::max(most, std::abs(j.velocity));
     return most;
   }
   double lean() {  // how far it is from where it began, rad
     double most = 0;
     for (std::size_t i = 0; i < count; ++i)
-      most = std::max(most, std::abs(far.world().joints()[i].angle - arm::description::start[i]));
+      most = std::max(most, std::abs(far.plant.world().joints()[i].angle - arm::description::start[i]));
     return most;
   }
   bool damps() const {  // each drive only brakes
@@ -126,7 +122,7 @@ public:
   }
 
   cca::controller<Graph> controller{};
-  touch::behind_drives<joints, typename Graph::board> far{};
+  hw::virtual_hardware<typename Graph::robot, cca::sim::plant<arm::description>> far{synchronizer()};
   std::array<double, count> most_asked{};
   bool always_finite = true;
 
@@ -150,7 +146,7 @@ private:
 template <class Graph>
 bool within_limits(const lab<Graph>& l) {
   for (std::size_t i = 0; i < count; ++i)
-    if (!(l.most_asked[i] <= Graph::joints::torque[i].upper + 0.016)) return false;
+    if (!(l.most_asked[i] <= Graph::robot::joints::torque[i].upper + 0.016)) return false;
   return l.always_finite;
 }
 
@@ -177,7 +173,7 @@ TEST_SUITE("the arm on drives") {
     l->synchronizer().p.offset[3] = -0.65;
     cca::sim::robot_world world(cca::sim::model_of<arm::description>());
     world.place(q, std::array<double, count>{});
-    l->far.put_down(std::move(world));
+    l->far.plant.put_down(std::move(world));
     l->controller.start();
     l->beats(50);
     CHECK(l->synchronizer().refusal() == hw::safety_rule::range);

@@ -5,19 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include <doctest/doctest.h>
 
 #include <cca/cca.hpp>
 #include <cca/config.hpp>
-#include <cca/hardware/memory_bus.hpp>
 #include <cca/hardware/mit.hpp>
 #include <cca/hardware/robot/robot.hpp>
 #include <cca/hardware/robot/boards/robot_fd_board.hpp>
 #include <cca/hardware/virtual_mit.hpp>
-#include <cca/hardware/virtual_robot.hpp>
+#include <cca/hardware/virtual_hardware.hpp>
+#include <cca/sim/robot/plant.hpp>
 
 #include "../any_robot/described_oncilla.hpp"
 
@@ -84,10 +83,7 @@ using namespace oncilla_on_drives;
 
 namespace {
 
-using wire = hw::memory_bus<3, 16>;
-using end_of_wire = wire::end_type;
-
-struct robot : with_drives::on<end_of_wire> {};
+struct robot : with_drives::on<hw::virtual_bus_end> {};
 struct trot_on_drives : trot_of<robot> {};
 static_assert(cca::well_formed<trot_on_drives>);
 
@@ -95,54 +91,19 @@ static_assert(cca::well_formed<trot_on_drives>);
 template <class Drive>
 struct virtual_damiao : hw::virtual_mit<Drive, 4'000'000> {};
 
-// Of each drive, among those of the body.
-constexpr auto coordinate = []<class... Axes>(cca::axes<Axes...>) {
-  return std::array{static_cast<std::size_t>(robots::axes_of_robot<described>::index_of<Axes>)...};
-}(robots::measured_axes_of<described>());
+struct lab {
+  static constexpr std::size_t count = with_drives::joints::count;
+  static_assert(count == 12 && hw::virtual_hardware<robot, sim::plant<oncilla::description>>::buses == 7);
 
-class lab {
-public:
-  static constexpr std::size_t count = with_drives::joints::count, buses = 7;
-  static_assert(count == 12);
-
-  explicit lab(sim::robot_world&& on_ground) : world(std::move(on_ground)) {
-    std::apply([&](auto&... b) { far.connect(b...); }, ends);
-    std::apply([&](auto&... b) { controller.get<"robot.body.synchronizer">().connect(b...); }, near);
+  explicit lab(sim::robot_world&& on_ground) {
+    far.plant.hold = sim::held_by::stand;  // until all drives have been enabled
+    far.plant.put_down(std::move(on_ground));
     controller.load();
   }
-  lab(const lab&) = delete;
-  lab& operator=(const lab&) = delete;
-
-  void beat() {
-    controller.step();
-    pass_millisecond();
-  }
-  // What the drives do until the next beat. Until they have been enabled, a stand holds the robot.
-  void pass_millisecond() {
-    const std::int64_t heard = now + 500'000;
-    go_to(heard);
-    far.listen(heard);
-    const auto laws = far.laws(heard);
-    if (has_stood || enabled() == count) has_stood = true, advance(laws);
-    std::array<hw::drive_motion, count> motions;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& q = world.joints()[coordinate[i]];
-      motions[i] = {q.angle, has_stood ? q.velocity : 0, q.torque};
-    }
-    board::reading felt;
-    for (std::size_t leg = 0; leg < 4; ++leg) felt.loads[leg] = world.load(leg);
-    felt.inertial[0] = world.inertial(0);
-    far.tell(motions, felt);
-    now += 1'000'000;
-    go_to(now - 1);
-  }
-  std::size_t enabled() const {
-    std::size_t n = 0;
-    std::apply([&](const auto&... d) { ((n += d.enabled()), ...); }, far.drives);
-    return n;
-  }
+  void beat() { controller.step(), far.step(); }
   auto& synchronizer() { return controller.get<"robot.body.synchronizer">(); }
   auto& stop() { return controller.get<"robot.body.emergency_stop">(); }
+  std::size_t enabled() const { return far.enabled_count(); }
 
   // Until the drives follow the controller.
   void run() {
@@ -153,32 +114,8 @@ public:
   }
 
   cca::controller<trot_on_drives> controller{};
-  sim::robot_world world;
-  hw::virtual_robot<end_of_wire, virtual_damiao, board, with_drives::joints> far{};
-
-private:
-  void advance(const std::array<hw::drive_command, count>& laws) {
-    std::array<sim::joint_law, 16> motors{};
-    for (std::size_t i = 0; i < count; ++i)
-      motors[coordinate[i]] = {laws[i].position, laws[i].velocity, laws[i].torque, laws[i].stiffness,
-                               laws[i].damping};
-    world.advance(motors);
-  }
-  void go_to(std::int64_t time) {
-    for (auto& w : wires) w.advance(time);
-  }
-  template <std::size_t... I>
-  static std::array<end_of_wire, buses> all_ends(std::array<wire, buses>& of,
-                                                 int side,
-                                                 std::index_sequence<I...>) {
-    return {of[I].end(side)...};
-  }
-
-  std::array<wire, buses> wires;
-  std::array<end_of_wire, buses> near = all_ends(wires, 0, std::make_index_sequence<buses>()),
-                                 ends = all_ends(wires, 1, std::make_index_sequence<buses>());
-  bool has_stood = false;
-  std::int64_t now = 0;
+  hw::virtual_hardware<robot, sim::plant<oncilla::description>, virtual_damiao> far{
+      controller.get<"robot.body.synchronizer">()};
 };
 
 sim::robot_world standing() {
@@ -195,7 +132,7 @@ TEST_SUITE("the described oncilla on drives") {
   TEST_CASE("the trot walks, and nothing trips") {
     lab l(standing());
     l.run();
-    const walk w = walked_in(l.world, 8, [&] { l.beat(); });
+    const walk w = walked_in(l.far.plant.world(), 8, [&] { l.beat(); });
     MESSAGE(w.speed, " m/s, slip ", w.slip, ", aside ", w.aside);
     CHECK(!w.fell);
     CHECK(w.speed > 0.55);
@@ -221,7 +158,7 @@ TEST_SUITE("the described oncilla on drives") {
     lab l(standing());
     l.run();
     for (int k = 0; k < 500; ++k) l.beat();
-    l.far.board_silent = true;
+    l.far.far.board_silent = true;
     for (int k = 0; k < 12; ++k) l.beat();
     CHECK(l.stop().first_cause().rule == hw::safety_rule::sensor_board);
     CHECK(l.stop().mode() != hw::motion_mode::run);

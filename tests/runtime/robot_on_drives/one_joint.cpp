@@ -10,8 +10,7 @@
 
 #include <cca/cca.hpp>
 #include <cca/hardware/robot/robot.hpp>
-#include <cca/hardware/virtual_drives/virtual_of.hpp>
-#include <cca/hardware/virtual_robot.hpp>
+#include <cca/hardware/virtual_hardware.hpp>
 #include <cca/robot/limiter.hpp>
 
 #include "pendulum.hpp"
@@ -84,53 +83,40 @@ static_assert(hw::detail::follows<positioned>(robots::command_kind::position) &&
               !hw::detail::follows<positioned>(robots::command_kind::stiffness) &&
               hw::detail::follows<swing_joint::drive>(robots::command_kind::damping));
 
-class lab {
-public:
+struct lab {
   explicit lab(double at = 0.3) {
     motor.now.position = at;
     motor.inertia = 0.02, motor.friction = 0.01, motor.most_torque = 5;
-    controller.get<"robot.synchronizer">().connect(near);
-    far.connect(end);
     controller.load();
   }
-  lab(const lab&) = delete;
-  lab& operator=(const lab&) = delete;
 
   void beats(int n) {
     for (; n > 0; --n) {
       controller.step();
-      bus.advance(now + 500'000);
-      far.listen(now + 500'000, [this](std::size_t, const hw::can_frame& f) {
+      far.step([this](std::size_t, const hw::can_frame& f) {
         std::uint16_t word = 0;
         hw::drive_command c;
         if (!swing_joint::drive::hear(f, word, c)) return;
         most_sent = std::max(most_sent, std::abs(swing_joint::from_drive(c).torque));
       });
-      law = far.laws(now + 500'000)[0];
-      motor.advance(law, load, 1e-3);
-      far.tell({motor.now}, {});
-      bus.advance((now += 1'000'000) - 1);
     }
   }
   auto& stop() { return controller.get<"robot.emergency_stop">(); }
   auto& synchronizer() { return controller.get<"robot.synchronizer">(); }
-  auto& drive() { return std::get<0>(far.drives); }
+  auto& drive() { return std::get<0>(far.far.drives); }
   void run() {
     controller.start();
     beats(60);
     REQUIRE(synchronizer().phase() == hw::motion_phase::running);
   }
 
-  wire bus{};
   cca::controller<architecture> controller{};
-  hw::virtual_robot<end_of_wire, hw::virtual_of, hw::no_board, hw::joint_list<swing_joint>> far{};
-  hw::virtual_motor motor{};
-  hw::drive_command law{};
-  double load = 0, most_sent = 0;
-  std::int64_t now = 0;
-
-private:
-  end_of_wire near{bus.end(0)}, end{bus.end(1)};
+  hw::virtual_hardware<on_drive, hw::virtual_motors<hw::joint_list<swing_joint>>> far{
+      controller.get<"robot.synchronizer">()};
+  hw::virtual_motor& motor = far.plant.motors[0];
+  hw::drive_command& law = far.laws[0];
+  double& load = far.plant.load[0];
+  double most_sent = 0;
 };
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
@@ -252,16 +238,9 @@ TEST_SUITE("a described robot on one drive") {
     lab l;
     l.controller.get<"torque">().value = 0;
     l.run();
-    hw::virtual_motor& m = l.motor;
-    for (int k = 0; k < 100 && l.stop().mode() == hw::motion_mode::run; ++k) {
-      l.controller.step();
-      l.bus.advance(l.now + 500'000);
-      l.far.listen(l.now + 500'000);
-      l.law = l.far.laws(l.now + 500'000)[0];
-      m.now.velocity = 1.5, m.now.position += 1.5e-3;
-      l.far.tell({hw::drive_motion{m.now.position, -m.now.velocity, 0}}, {});
-      l.bus.advance((l.now += 1'000'000) - 1);
-    }
+    l.load = 1;
+    l.far.speed_scale[0] = -1;
+    for (int k = 0; k < 300 && l.stop().mode() == hw::motion_mode::run; ++k) l.beats(1);
     CHECK(l.stop().first_cause().rule == hw::safety_rule::implausible);
     l.beats(3);
     CHECK_FALSE(l.drive().enabled());

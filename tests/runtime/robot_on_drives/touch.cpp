@@ -11,7 +11,7 @@ namespace {
 template <class Architecture, class Place>
 void check() {
   const auto c = std::make_unique<cca::controller<Architecture>>();
-  const auto place = std::make_unique<Place>();
+  const auto place = std::make_unique<Place>(*c);
   c->load();
   const auto r = touch::roll_out(*c, 0, [](auto&, int) { return true; }, *place);
   const auto& stop = c->template get<"robot.emergency_stop">();

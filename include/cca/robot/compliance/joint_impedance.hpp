@@ -16,7 +16,8 @@
 // Without "reference_velocities" they are 0.
 //
 //   torques = spring + D (reference velocities - velocities) + feedforward + gravity
-//   spring = stiffness (reference - angles), each axis cut to `largest`
+//   spring = stiffness (reference - angles), each axis cut to `largest`; along a continuous axis the
+//   difference is the shortest way around the circle
 //   D = diag(damping) + the damping that gives each mode `damping_ratio` (damping_design.hpp)
 //
 // Parameters: `stiffness`, `damping` and `largest` over axes_of<Body>; `damping_ratio` (0: only `damping`);
@@ -49,6 +50,7 @@
 #include <cca/robot/compliance/damping_design.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
 #include <cca/robot/dynamics/positive_matrix.hpp>
+#include <cca/space/methods/circle.hpp>
 
 namespace cca {
 
@@ -123,7 +125,9 @@ struct joint_impedance {
       const matrix by_ratio = damping_by_ratio(now, k);
       torques = added + d.cwiseProduct(dq_wanted - dq) + by_ratio * (dq_wanted - dq);
       if (!wish.unreadable() && reference.origin() != never) {
-        const vector pull = k.cwiseProduct(wanted - q), cut = pull.cwiseMin(p.largest).cwiseMax(-p.largest);
+        const vector pull =
+                         k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, wanted)),
+                     cut = pull.cwiseMin(p.largest).cwiseMax(-p.largest);
         spring_cut = cut != pull;
         torques += cut;
       }

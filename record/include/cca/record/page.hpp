@@ -2,9 +2,10 @@
 //
 //   cca::recording::write_page("trot.html", "trot.mcap", cca::recording::page_without_recording());
 //
-// The page without a recording is page/recording.html of cca; the target cca::record states where it is. Errors: cca::refused if it is missing or is none, std::system_error if a file can't be read or
-// written. An HTML file of this name is replaced when the new one is complete. Test:
-// tests/runtime/record/page.cpp; docs/page.md.
+// The page without a recording is page/recording.html of cca; the target cca::record states where it is.
+// Errors: cca::refused if it is missing or is none, std::system_error if a file can't be read or written. An
+// HTML file of this name is replaced when the new one is complete. Test: tests/runtime/record/page.cpp;
+// docs/page.md.
 #pragma once
 
 #include <array>

@@ -4,7 +4,8 @@
 // Position: stiffness and damping towards the target, whose speed is the commanded velocity, or else the
 // change of the target, at most the fastest that the joint can move. Velocity without position: the target
 // moves at that speed from where the joint was; it runs ahead of the joint by no more than the motor's torque
-// can pull. Torque is added. Torque alone: nothing else acts. A commanded damping also brakes without a
+// can pull. The target of a continuous axis is the nearest one that means the same. Torque is added. Torque
+// alone: nothing else acts. A commanded damping also brakes without a
 // target. `has_command`: some command has come. Cost: some operations.
 #pragma once
 
@@ -13,6 +14,7 @@
 
 #include <cca/robots/commands.hpp>
 #include <cca/robots/joint_law.hpp>
+#include <cca/space/methods/circle.hpp>
 
 namespace cca::robots {
 
@@ -20,6 +22,7 @@ namespace cca::robots {
 struct servo_numbers {
   double stiffness = 0, damping = 0;  // N m/rad, N m s/rad
   double torque = 0, speed = 0;       // N m, rad/s, at most
+  bool continuous = false;            // the axis turns without end
 };
 
 class joint_servo {
@@ -39,12 +42,13 @@ public:
     law.stiffness = std::isfinite(last_[stiffness]) ? last_[stiffness] : servo.stiffness;
     if (!std::isfinite(last_[damping]))
       law.damping = servo.stiffness > 0 ? servo.damping * law.stiffness / servo.stiffness : servo.damping;
-    if (!begun_) target_ = to_position ? last_[position] : angle;
+    const double wanted = servo.continuous ? cca::detail::same_turn(last_[position], angle) : last_[position];
+    if (!begun_) target_ = to_position ? wanted : angle;
     begun_ = true;
     if (at_speed) law.velocity = last_[velocity];
-    else law.velocity = std::clamp((last_[position] - target_) / beat, -servo.speed, servo.speed);
+    else law.velocity = std::clamp((wanted - target_) / beat, -servo.speed, servo.speed);
     if (to_position) {
-      target_ = last_[position];
+      target_ = wanted;
     } else {
       const double lead =
           law.stiffness > 0 ? servo.torque / law.stiffness : 0;  // without stiffness only damping acts

@@ -54,5 +54,10 @@ inline constexpr std::int64_t report_period_of = 0;
 template <class D>
   requires requires { D::report_period; }
 inline constexpr std::int64_t report_period_of<D> = D::report_period;
+template <class D>
+inline constexpr std::int64_t torque_period_of = report_period_of<D>;
+template <class D>
+  requires requires { D::torque_period; }
+inline constexpr std::int64_t torque_period_of<D> = D::torque_period;
 
 }  // namespace cca::hardware

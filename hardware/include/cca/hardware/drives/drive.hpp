@@ -21,6 +21,8 @@
 //   D::broadcasts             ids that all drives of its kind listen to
 //   D::cycle_frames           frames that end a cycle, once a bus for all drives with the same ones
 //   D::report_period          ns; the drive reports by itself, this often, and not when asked
+//   D::torque_period          ns; likewise for its torque, where that has frames of its own. A drive that
+//                             states it must report its torque; others may
 //   D::occupies               further ids of its own, which no other drive on the bus may have (bus_plan.hpp)
 //   D::reply_mark             the first byte of its replies, for drives that may share the id of their
 //                             replies

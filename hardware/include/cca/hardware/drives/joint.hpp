@@ -10,14 +10,18 @@
 // Angle of the joint = sign (angle of the drive / gear) + offset; gear is turns of the drive's output per
 // turn of the joint. Torque of the joint = sign gear (torque of the drive). All drives on one bus state the
 // same bit rates, by default 1 Mbit/s, and 5 for fast FD frames (checked by robot_buses.hpp). The limits are
-// those of the axis, as far as the drive's frames can express them. Errors: space.missing_limits,
-// drive.bad_joint. Cost: constants, and some multiplications. docs/hardware.md.
+// those of the axis, as far as the drive's frames can express them; a continuous axis needs none of angle,
+// but a drive that counts on or wraps. Errors: space.missing_limits, drive.bad_joint. Cost: constants, and
+// some multiplications. docs/hardware.md.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 #include <string_view>
 
+#include <cca/graph/diagnosis.hpp>
 #include <cca/hardware/drives/drive.hpp>
 #include <cca/space/limits.hpp>
 #include <cca/space/quantity.hpp>
@@ -48,8 +52,47 @@ struct joint_bounds {
 
 namespace detail {
 
+// The limits that a drive needs: of velocity, torque and, unless the axis is continuous, angle.
+template <class Axis>
+struct stated_limits {
+  static constexpr bool angle = is_continuous<Axis> || cca::detail::axis_has_limits<Axis, cca::angle>,
+                        velocity = cca::detail::axis_has_limits<Axis, cca::velocity>,
+                        torque = cca::detail::axis_has_limits<Axis, cca::torque>,
+                        sound = angle && velocity && torque;
+  static constexpr cca::detail::report tell() {
+    cca::detail::report r;
+    r.where << Axis::name;
+    r.message << "space.missing_limits: the axis `" << Axis::name << "` of a joint states no limits of ";
+    const auto list = [&](std::string_view before, std::string_view between, std::string_view after) {
+      bool any = false;
+      const auto add = [&](bool stated, std::string_view quantity) {
+        if (stated) return;
+        if (any) r.message << between;
+        r.message << before << quantity << after;
+        any = true;
+      };
+      add(angle, "angle"), add(velocity, "velocity"), add(torque, "torque");
+    };
+    list("", " and ", "");
+    r.message << "; a drive is commanded only within limits: add ";
+    list("`cca::", ", ", "{lower, upper}`");
+    r.message << " to the `limits` of its dimension";
+    if (!angle) r.message << ", or `static constexpr bool continuous = true;` if it turns without end";
+    return r;
+  }
+};
+
+// Turns of the drive's output until its position ends.
+template <Drive Device>
+constexpr double turns_of() {
+  if constexpr (Device::limits.template has<cca::angle>)
+    return (Device::limits.template of<cca::angle>().upper - Device::limits.template of<cca::angle>().lower) /
+           (2 * std::numbers::pi);
+  else return std::numeric_limits<double>::infinity();
+}
+
 // In a function; cca/mapping/mapping.hpp says why.
-template <class Axis, mounting Mounting, joint_servo Servo>
+template <class Axis, Drive Device, mounting Mounting, joint_servo Servo>
 constexpr auto check_joint() {
   static_assert(Mounting.gear > 0 && (Mounting.sign == 1 || Mounting.sign == -1) && Mounting.wraps >= 0,
                 "drive.bad_joint: the mounting of this joint is impossible: `gear` is above 0 (a drive that "
@@ -58,11 +101,12 @@ constexpr auto check_joint() {
   static_assert(Servo.safe_damping >= 0 && Servo.safe_damping <= Servo.most_damping,
                 "drive.bad_joint: `safe_damping` of this joint's servo, with which it stops, is negative or "
                 "above its `most_damping`; raise `most_damping`, or stop more softly");
-  static_assert(cca::detail::axis_has_limits<Axis, cca::angle> &&
-                    cca::detail::axis_has_limits<Axis, cca::velocity> &&
-                    cca::detail::axis_has_limits<Axis, cca::torque>,
-                "space.missing_limits: the axis of this joint lacks limits of angle, velocity or torque; a "
-                "drive is commanded only within limits, so state all three in its dimension");
+  if constexpr (!stated_limits<Axis>::sound)
+    static_assert(sizeof(cca::detail::refusal<stated_limits<Axis>>) != 0);
+  static_assert(!is_continuous<Axis> || Mounting.wraps > 0 || turns_of<Device>() / Mounting.gear >= 1000,
+                "drive.bad_joint: the axis of this joint is continuous, but the position of its drive ends "
+                "after a few turns: state in the mounting's `wraps` the width of the range after which it "
+                "begins again, or use a drive that counts on");
 }
 
 }  // namespace detail
@@ -81,7 +125,7 @@ struct joint {
   static constexpr std::size_t bus = Bus;
   static constexpr bit_rates rates = Rates;
 
-  using checked = decltype(detail::check_joint<Axis, Mounting, Servo>());
+  using checked = decltype(detail::check_joint<Axis, Device, Mounting, Servo>());
 
   static constexpr double angle_of(double drive_angle) {
     return Mounting.sign * drive_angle / Mounting.gear + Mounting.offset;
@@ -136,6 +180,15 @@ struct joint_list {
   static constexpr std::array<double, count> torque_rate{Joints::torque_rate...};
   static constexpr std::array<joint_servo, count> servo{Joints::servo...};
   static constexpr std::array<std::string_view, count> names{Joints::axis::name...};
+  static constexpr std::array<bool, count> continuous{is_continuous<typename Joints::axis>...};
 };
 
 }  // namespace cca::hardware
+
+namespace cca::detail {
+
+template <class Axis>
+inline constexpr report report_of<hardware::detail::stated_limits<Axis>> =
+    hardware::detail::stated_limits<Axis>::tell();
+
+}  // namespace cca::detail

@@ -17,7 +17,8 @@
 //   watchdog    a setting (axis.config.enable_watchdog, watchdog_timeout), off by default. Set points and
 //               state requests feed it (0.5: each frame to its node). When it runs out: idle, and an error
 // It does not ask by remote frames, since many adapters don't pass them: let the drive send cyclically
-// (config.can.*_rate_ms).
+// (config.can.*_rate_ms). The last two arguments are the periods (ns) of its estimates and of its torques; 0:
+// it sends no torques.
 //
 // Source: 0.6: odriverobotics/ros_odrive, odrive_base/include/can_simple_messages.hpp (made from the maker's
 // own database); the error and state numbers of odriverobotics/ODriveArduino, src/ODriveEnums.h, and of
@@ -29,16 +30,15 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
 #include <cca/hardware/drives/drive.hpp>
+#include <cca/hardware/drives/odrive_errors.hpp>
 #include <cca/hardware/drives/wire_number.hpp>
 #include <cca/space/quantity.hpp>
 
 namespace cca::hardware {
 
 enum class odrive_mode : std::uint8_t { torque = 1, velocity = 2, position = 3 };
-enum class odrive_firmware : std::uint8_t { v0_5, v0_6 };
 enum class odrive_command : std::uint8_t {
   heartbeat = 0x01,
   estop = 0x02,
@@ -54,44 +54,18 @@ enum class odrive_command : std::uint8_t {
   torques = 0x1C,
 };
 
-namespace detail {
-
-constexpr bool is_odrive_node(std::uint32_t node, odrive_firmware firmware) {
-  return node <= 0xFFFFFF && !(firmware == odrive_firmware::v0_6 && node == 0x3F);
-}
-
-using fault_bit = std::pair<std::uint32_t, drive_fault>;
-
-// The fault of the first bit in `known` that is set.
-constexpr drive_fault fault_in(std::uint32_t bits, std::span<const fault_bit> known) {
-  for (const auto& [bit, fault] : known)
-    if (bits & bit) return fault;
-  return bits == 0 ? drive_fault::none : drive_fault::other;
-}
-inline constexpr fault_bit odrive_0_6_faults[] = {
-    {0x02000000, drive_fault::emergency_stop},  {0x01000000, drive_fault::watchdog},
-    {0x00001400, drive_fault::over_current},    {0x00000900, drive_fault::over_voltage},
-    {0x00000200, drive_fault::under_voltage},   {0x00006000, drive_fault::over_temperature},
-    {0x04000008, drive_fault::position_sensor}, {0x00018000, drive_fault::limit},
-    {0x40000010, drive_fault::configuration},   {0x08000020, drive_fault::power_stage}};
-inline constexpr fault_bit odrive_0_5_faults[] = {
-    {0x4000, drive_fault::emergency_stop}, {0x800, drive_fault::watchdog},
-    {0x18000, drive_fault::over_current},  {0x4, drive_fault::over_voltage},
-    {0x2, drive_fault::under_voltage},     {0x80180, drive_fault::position_sensor},
-    {0x3000, drive_fault::limit},          {0x1, drive_fault::configuration},
-    {0x70, drive_fault::power_stage},      {0x40000, drive_fault::over_temperature}};
-
-}  // namespace detail
-
 template <std::uint32_t Node,
           odrive_mode Mode,
           odrive_firmware Firmware = odrive_firmware::v0_6,
-          std::int64_t EstimatesPeriod = 10'000'000>
-struct odrive {
+          std::int64_t EstimatesPeriod = 10'000'000,
+          std::int64_t TorquesPeriod = 0>
+struct odrive : detail::odrive_torques<TorquesPeriod> {
   static_assert(Node <= 0xFFFFFF, "drive.bad_number: a node of an ODrive is at most 0xFFFFFF");
   static_assert(detail::is_odrive_node(Node, Firmware),
                 "drive.bad_number: node 63 (0x3F) of an ODrive with firmware 0.6 means `not addressed`: it "
                 "would hear nothing; use another");
+  static_assert(TorquesPeriod == 0 || Firmware == odrive_firmware::v0_6,
+                "drive.bad_number: an ODrive with firmware 0.5 sends no torques: leave out their period");
   static constexpr std::uint32_t node = Node;
   static constexpr odrive_firmware firmware = Firmware;
   static constexpr std::int64_t report_period = EstimatesPeriod;  // ns, between two encoder estimates
@@ -128,10 +102,14 @@ struct odrive {
                                                       {id(odrive_command::torques)}}};
   // All its other commands: reboot, settings and so on.
   static constexpr std::array<can_filter, 1> occupies{{{{Node << 5, Node > 63}, 0x1FFFFFE0}}};
-  static constexpr std::array<frame_traffic, 3> traffic{
-      {{.shape = {.length = 8, .extended = Node > 63}},
-       {.shape = {.length = 8, .extended = Node > 63}, .period = EstimatesPeriod},
-       {.shape = {.length = 8, .extended = Node > 63}, .period = 100'000'000}}};
+  static constexpr auto traffic = [] {
+    constexpr frame_shape shape{.length = 8, .extended = Node > 63};
+    std::array<frame_traffic, 3 + (TorquesPeriod > 0)> all{{{.shape = shape},
+                                                            {.shape = shape, .period = EstimatesPeriod},
+                                                            {.shape = shape, .period = 100'000'000}}};
+    if constexpr (TorquesPeriod > 0) all[3] = {.shape = shape, .period = TorquesPeriod};
+    return all;
+  }();
   static constexpr drive_watchdog watchdog{0, "goes idle, with an error; off unless enable_watchdog is set"};
 
   static constexpr set_point_frames set_point(const drive_command& c) noexcept {
@@ -288,6 +266,12 @@ struct odrive {
     bool cut = false;
     detail::put_float(f.data, 0, detail::to_float(position / detail::radians_in_turn, cut));
     detail::put_float(f.data, 4, detail::to_float(velocity / detail::radians_in_turn, cut));
+    return f;
+  }
+  static constexpr can_frame torques(double torque) noexcept {
+    can_frame f = empty(odrive_command::torques, 8);
+    bool cut = false;
+    detail::put_float(f.data, 4, detail::to_float(torque, cut));
     return f;
   }
 

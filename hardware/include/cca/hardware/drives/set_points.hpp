@@ -1,14 +1,18 @@
 // What flows between the synchronizer and the guards: what each joint measures, what each drive shall do, and
 // why it may not.
 //
-// Both spaces hold a few numbers an axis. They are for the guards and the synchronizer only.
-//   joint_state   of an axis: angle, velocity, torque, trip (a safety_rule; 0: none), phase (a motion_phase)
-//   set_point     of an axis: position, velocity, torque, stiffness, damping (a drive_command of the joint),
-//                 and `mark`: before the emergency stop the rule that it broke, behind it the motion_mode
-// Cost: 5 and 6 doubles an axis. docs/hardware.md.
+// The spaces hold a few numbers an axis. They are for the guards and the synchronizer only.
+//   joint_states    joint_state of an axis: angle, velocity, torque, trip (a safety_rule; 0: none), phase (a
+//                   motion_phase)
+//   wanted_points   wanted_point of an axis, until the emergency stop: position, velocity, torque, stiffness,
+//                   damping (a drive_command of the joint), and the safety_rule that it breaks
+//   set_points      set_point of an axis, from the emergency stop on: the same, and the motion_mode
+// The last two are different spaces, so a guard on the wrong side of the emergency stop does not compile
+// (space.mismatch). Cost: 5 and 6 doubles an axis. docs/hardware.md.
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -62,11 +66,15 @@ enum class motion_mode : std::uint8_t { run, soft, damped, barred };
 
 template <int Numbers>
 struct drive_record : record<Numbers> {};
+template <int Numbers>
+struct wanted_record : record<Numbers> {};
 
 template <class Joints>
-struct joint_states : cca::space<drive_record<5>, typename Joints::axes, cca::rate<1000>> {};
+struct joint_states : cca::space<drive_record<5>, typename Joints::axes> {};
 template <class Joints>
-struct set_points : cca::space<drive_record<6>, typename Joints::axes, cca::rate<1000>> {};
+struct wanted_points : cca::space<wanted_record<6>, typename Joints::axes> {};
+template <class Joints>
+struct set_points : cca::space<drive_record<6>, typename Joints::axes> {};
 
 struct joint_state {
   double angle = drive_report::untold, velocity = 0, torque = 0;
@@ -88,27 +96,42 @@ struct joint_state {
   bool known() const { return angle - angle == 0; }
 };
 
-struct set_point : drive_command {
-  double mark = 0;
+template <class Mark>
+struct marked_command : drive_command {
+  Mark mark{};
 
   template <class Vector>
-  static set_point of(const Vector& v, std::size_t axis) {
+  static marked_command of(const Vector& v, std::size_t axis) {
     const auto i = static_cast<Eigen::Index>(6 * axis);
-    return {{v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4]}, v[i + 5]};
+    return {{v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4]}, static_cast<Mark>(v[i + 5])};
   }
   template <class Vector>
   void put(Vector& v, std::size_t axis) const {
     const auto i = static_cast<Eigen::Index>(6 * axis);
     v[i] = position, v[i + 1] = velocity, v[i + 2] = torque, v[i + 3] = stiffness, v[i + 4] = damping,
-    v[i + 5] = mark;
+    v[i + 5] = static_cast<double>(mark);
   }
-  void trip(safety_rule r) {
-    if (mark == 0) mark = static_cast<double>(r);
-  }
-  safety_rule broken() const { return static_cast<safety_rule>(mark); }
-  motion_mode mode() const { return static_cast<motion_mode>(mark); }
   bool finite() const { return (position + velocity + torque + stiffness + damping) * 0 == 0; }
+
+  // The rule that it breaks: the first one is kept.
+  void trip(safety_rule r)
+    requires std::same_as<Mark, safety_rule>
+  {
+    if (mark == safety_rule::none) mark = r;
+  }
+  safety_rule broken() const
+    requires std::same_as<Mark, safety_rule>
+  {
+    return mark;
+  }
+  motion_mode mode() const
+    requires std::same_as<Mark, motion_mode>
+  {
+    return mark;
+  }
 };
+using wanted_point = marked_command<safety_rule>;
+using set_point = marked_command<motion_mode>;
 
 // How often a guard has changed something, and its first change since the start.
 struct safety_record {

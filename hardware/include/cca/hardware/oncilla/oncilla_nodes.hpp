@@ -6,8 +6,8 @@
 //                      act:   in "command" (rad); out "target", of no origin (`never`) until a command comes
 //   trunk_node         sense: in "measured"; out each field of trunk_record under its name, each a maybe
 //   joint_servos       act:   in one target for each joint, "joints", optional "stiffness" of the hips;
-//                             out "wanted" set_points: each joint's servo law, with the speed of its target.
-//                             Without a target a joint holds its position.
+//                             out "wanted" wanted_points: each joint's servo law, with the speed of its
+//                             target. Without a target a joint holds its position.
 //
 // Until a drive or the board reports a quantity, its port publishes nothing. So "angles" of the whole robot
 // come once all drives have reported theirs. A target's stiffness scales its damping, as in the simulator.
@@ -71,13 +71,13 @@ public:
   auto act(in<J::axis::label, robots::oncilla::joint_angle<typename J::axis>>... targets,
            in<"joints", joint_states<joints>> states,
            optional_in<"stiffness", robots::oncilla::hip_stiffnesses> stiffness,
-           beat now) -> out<"wanted", set_points<joints>> {
-    typename set_points<joints>::vector_type v;
+           beat now) -> out<"wanted", wanted_points<joints>> {
+    typename wanted_points<joints>::vector_type v;
     std::size_t i = 0;
     const auto follow = [&]<class Axis>(double target, bool given, std::type_identity<Axis>) {
       const joint_state q = joint_state::of(states.vector(), i);
       const joint_servo& servo = joints::servo[i];
-      set_point s;
+      wanted_point s;
       s.position = given ? target : joints::angle[i].nearest(q.known() ? q.angle : 0);
       s.velocity = given && begun[i] ? joints::speed[i].nearest((target - former[i]) / now.dt()) : 0;
       s.stiffness = servo.stiffness;

@@ -5,9 +5,9 @@
 //   next<J, I>(report, known, frames)
 //                                the frames for joint I in this beat; `known`: it is measured (joint_monitor)
 //   are_all_ready()              all drives are enabled, and all joints measured
-//   count_beat(), is_over()      whether `most_beats` have passed
+//   count_beat(), is_over()      whether `most_beats` have passed: 1 s
 //
-// A drive that refuses, or falls back, is tried again every 50 beats, since a frame may be lost. Used by
+// A drive that refuses, or falls back, is tried again every 50 ms, since a frame may be lost. Used by
 // drive_synchronizer.hpp. Cost: some operations a joint, while it enables.
 #pragma once
 
@@ -17,14 +17,19 @@
 #include <tuple>
 
 #include <cca/hardware/drives/drive.hpp>
+#include <cca/hardware/safety/beats.hpp>
 
 namespace cca::hardware {
 
 template <class... J>
-class drive_enabling {
+class drive_enabling;
+
+template <auto Hz, class... J>
+class drive_enabling<cca::rate<Hz>, J...> {
 public:
   static constexpr std::size_t count = sizeof...(J);
-  static constexpr int most_beats = 1000, again = 50;
+  static constexpr int most_beats = beats<cca::rate<Hz>>::in(1'000'000'000),
+                       again = beats<cca::rate<Hz>>::in(50'000'000);
 
   void begin() { *this = {}; }
 
@@ -53,5 +58,8 @@ private:
   std::array<bool, count> ready{}, enabled{}, refused{};
   int beats_left = most_beats;
 };
+
+template <class... J>
+class drive_enabling : public drive_enabling<cca::rate<1000>, J...> {};
 
 }  // namespace cca::hardware

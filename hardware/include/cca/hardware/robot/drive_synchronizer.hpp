@@ -10,9 +10,8 @@
 // `connect(bus0, bus1, ...)` gives it the buses, which must outlive it; copies share them.
 //
 // Start: `on_start` and `start()` are the deliberate way to motion. They latch the calibration and enable the
-// drives. Once all are enabled, angle and velocity of all joints are measured and agree, and all joints are
-// in their range or at most `range_tolerance` outside, the phase `begins`, and the guards start where the
-// joints are. Else the start is refused: `refusal()`, and `failure()` with joint, angle and range.
+// drives. Once all are enabled and measured, and no check refuses it (start_check.hpp), the phase `begins`,
+// and the guards start where the joints are. Else: `refusal()`, and `failure()` with joint and numbers.
 // Trips: a bus that went away; a drive that is silent, reports a fault, jumps or no longer reports what the
 // guards use (joint_monitor.hpp); a sensor board that is silent or faulty; a loop that stood still. Then set
 // points go out only if they damp, until `start()`.
@@ -21,6 +20,7 @@
 // `stopping()` and `unconfirmed(i)` say how far it is. A start waits for its end. While the emergency stop is
 // pressed no drive is enabled. No set point is sent behind frames that still wait: it would be stale.
 //
+//   Rate    of the beats: times are the same at any rate (beats.hpp)
 //   Board   what is on the buses beside the drives (oncilla/sensor_board.hpp, boards/), or no_board: `bus`,
 //           `decode(frame, reading)`, and a reading with `frames` and `status` (0: fine)
 //
@@ -49,15 +49,20 @@
 #include <cca/hardware/robot/start_failure.hpp>
 #include <cca/hardware/robot/stop_cause.hpp>
 #include <cca/hardware/robot/stop_sequence.hpp>
+#include <cca/hardware/safety/beats.hpp>
 #include <cca/hardware/safety/bounds.hpp>
 
 namespace cca::hardware {
 
-template <CanBus Bus, class Board, class Joints>
+template <CanBus Bus, class Board, class Joints, class Rate = cca::rate<1000>>
 class drive_synchronizer;
 
-template <CanBus Bus, class Board, class... J>
-class drive_synchronizer<Bus, Board, joint_list<J...>> : public stop_cause<J...> {
+template <CanBus Bus, class Board, class... J, class Rate>
+class drive_synchronizer<Bus, Board, joint_list<J...>, Rate> : public stop_cause<J...> {
+  using monitor = joint_monitor<Rate, J...>;
+  using enabler = drive_enabling<Rate, J...>;
+  using sequence = stop_sequence<sizeof...(J), Rate>;
+
 public:
   using joints = joint_list<J...>;
   static constexpr std::size_t count = sizeof...(J), buses = 1 + std::max({Board::bus, J::bus...});
@@ -68,12 +73,12 @@ public:
   };
   parameters p{};
 
-  static constexpr int silent_beats = joint_monitor<J...>::silent_beats, silent_board_beats = 10,
-                       enabling_beats = drive_enabling<J...>::most_beats,
-                       damping_beats = stop_sequence<count>::damping_beats,
-                       confirming_beats = stop_sequence<count>::confirming_beats;
-  // ns on the bus's clock, between two beats' frames
-  static constexpr std::int64_t longest_pause = 3'500'000;
+  static constexpr int silent_beats = monitor::silent_beats,
+                       silent_board_beats = beats<Rate>::lasting(10'000'000),
+                       enabling_beats = enabler::most_beats, damping_beats = sequence::damping_beats,
+                       confirming_beats = sequence::confirming_beats;
+  // ns on the bus's clock, between two beats' frames: 3.5 beats, and at least 3.5 ms
+  static constexpr auto longest_pause = std::max<std::int64_t>(3'500'000, beats<Rate>::period * 7 / 2);
   static constexpr double range_tolerance = start_check<J...>::range_tolerance;  // rad
 
   template <class... Buses>
@@ -140,7 +145,7 @@ protected:
   typename joint_states<joints>::vector_type states() const {
     typename joint_states<joints>::vector_type all;
     for (std::size_t i = 0; i < count; ++i)
-      joint_state{drives.angle[i], drives.speed[i], drives.torque[i], trip_of(i), phase_now}.put(all, i);
+      joint_state{drives.angle[i], drives.speed[i], drives.torque_now(i), trip_of(i), phase_now}.put(all, i);
     return all;
   }
 
@@ -218,7 +223,7 @@ private:
     quiet_board = damped_for = 0;
     last_arrival = 0;
   }
-  // A step of enabling. Motion begins once all drives are ready, all joints measured and all buses free.
+  // A step of enabling.
   void bring_up() {
     if (phase_now != motion_phase::enabling || stopping()) return;
     outbox.clear();
@@ -232,7 +237,7 @@ private:
     if (const start_failure f = checks.check(drives)) return refuse(f);
     enabling.count_beat();
     if (enabling.is_over()) return refuse(checks.missing(drives, enabling, has_reported()));
-    if (!outbox.are_all_free() || !enabling.are_all_ready() || !has_reported()) return;
+    if (!outbox.are_all_free() || !enabling.are_all_ready() || !has_reported() || !checks.may_begin()) return;
     for (auto& l : outbox.links) l.start(0);
     drives.forget_trips();
     phase_now = motion_phase::begins;
@@ -257,8 +262,8 @@ private:
   drive_frames damped() const {
     const joint_state q{drives.angle[I], drives.speed[I]};
     const double where = q.known() ? q.angle : 0;
-    const set_point s = limit_guard<joints>::scaled(
-        I, q, {{where, 0, 0, 0, One::servo.safe_damping}, static_cast<double>(motion_mode::damped)});
+    const set_point s =
+        limit_guard<joints>::scaled(I, q, {{where, 0, 0, 0, One::servo.safe_damping}, motion_mode::damped});
     return frames_for<One>(s, where, drives.speed[I], drives.can_be_damped(I));
   }
 
@@ -281,14 +286,13 @@ private:
     for (std::size_t b = 0; b < buses; ++b)
       sent_disable[b] = sent_disable[b] || (stage == stop_stage::disabling && outbox.has_sent[b]);
     stops.advance();
-    // Then the start that has waited begins.
-    if (!stopping() && phase_now == motion_phase::enabling) begin_enabling();
+    if (!stopping() && phase_now == motion_phase::enabling) begin_enabling();  // the start that has waited
   }
 
-  joint_monitor<J...> drives{};
-  drive_enabling<J...> enabling{};
+  monitor drives{};
+  enabler enabling{};
   start_check<J...> checks{};
-  stop_sequence<count> stops{};
+  sequence stops{};
   // Whether frames that disable were sent in this stop, and have gone over the bus.
   std::array<bool, buses> sent_disable{}, disabled_on{};
   offsets latched{};

@@ -11,13 +11,12 @@
 //                                            only damps: by damp() where it has that. One that takes torque
 //                                            alone is damped by torque against its speed, or else disabled
 //                                            (`can_be_damped`, joint_monitor.hpp); one with gains of its own
-//                                            is disabled
+//                                            is disabled. A continuous joint whose set point lies beyond
+//                                            the end of what its drive can say gets a torque instead
 //   cycle_ends<Buses, J...>()                the frames that end a cycle on each bus (SYNC), each once
 //   is_off<D>(report)                        the drive says that it holds nothing. A drive for which that is
 //                                            not the activity `disabled` or `faulted` states its own is_off;
 //                                            one that can't say it has answered
-//   patience<J>(beats, ns)                   after how many beats of so many ns a drive counts as silent:
-//                                            more for drives that report by themselves, with a longer period
 //
 // Cost: some multiplications and the codec's. docs/hardware.md.
 #pragma once
@@ -48,6 +47,13 @@ drive_frames frames_for(set_point s, double angle, double speed, bool can_be_dam
     }
   }
   if constexpr (by_torque) s.torque += s.stiffness * (s.position - angle) + s.damping * (s.velocity - speed);
+  // Across the end of the range of its position a drive can't be led by position, so by torque.
+  if constexpr (is_continuous<typename J::axis> && by_stiffness && D::limits.template has<cca::angle>) {
+    constexpr auto range = D::limits.template of<cca::angle>();
+    const double there = J::drive_angle_of(s.position);
+    if (there < range.lower || there > range.upper)
+      s.torque += s.stiffness * (s.position - angle), s.position = angle, s.stiffness = 0;
+  }
   drive_command c = J::to_drive(s);
   if constexpr (requires { D::most_damping(c.stiffness); })
     if (const double most = D::most_damping(c.stiffness); c.damping > most) {
@@ -72,12 +78,6 @@ template <Drive D>
 constexpr bool is_off(const drive_report& r) {
   if constexpr (requires { D::is_off(r); }) return D::is_off(r);
   else return r.activity == drive_activity::disabled || r.activity == drive_activity::faulted;
-}
-
-template <class J>
-constexpr int patience(int beats, std::int64_t beat) {
-  return beats *
-         static_cast<int>(std::max<std::int64_t>(1, (report_period_of<typename J::drive> + beat - 1) / beat));
 }
 
 }  // namespace cca::hardware

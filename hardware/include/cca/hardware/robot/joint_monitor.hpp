@@ -5,13 +5,14 @@
 //                  moves, a position that is farther from the last one than the joint can have turned is a
 //                  jump, and is not taken
 //   begin_beat(), check()
-//                  before and after the frames of a beat. A drive trips if it has been silent for
-//                  `silent_beats` or three of its own periods; if it still sends, but no angle or no velocity
-//                  for that time, or no state for `state_beats`; if it has jumped as often in a row, or in
-//                  every second report (two drives under one id); if it is not alone (sender_check.hpp); if
-//                  its velocity is not the change of its angle (velocity_check.hpp); if it reports a fault,
-//                  or that it is disabled
-//   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree
+//                  before and after the frames of a beat. A drive trips if it has been silent for three
+//                  beats or three of its own periods, and at least 3 ms (beats.hpp); if it still sends, but
+//                  no angle, no velocity or, where it has reported one, no torque for that time, or no state
+//                  for 350 ms; if it has jumped in three reports in a row, or in every second report (two
+//                  drives under one id); if it is not alone (sender_check.hpp); if its velocity is not the
+//                  change of its angle (velocity_check.hpp); if it reports a fault, or that it is disabled
+//   is_ready(i)     angle and velocity of joint i have been measured since `restart`, and agree; so has its
+//                  torque, if its drive must report it (torque_period in drives/drive.hpp) or has done so
 //   angle_now(i), speed_now(i), torque_now(i)
 //                  what is measured; not a number where it is too old
 //   can_be_damped(i)
@@ -20,7 +21,8 @@
 //   trip(i, rule)  keeps the first rule of joint i; forget_trips() when motion begins; restart() for a new
 //                  start: everything must be measured again
 //
-// Used by drive_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
+// joint_monitor<cca::rate<Hz>, J...> is for a robot of another rate than 1 kHz. Used by
+// drive_synchronizer.hpp. Cost: some operations a frame and a joint. docs/hardware.md.
 #pragma once
 
 #include <algorithm>
@@ -35,14 +37,20 @@
 #include <cca/hardware/robot/joint_frames.hpp>
 #include <cca/hardware/robot/sender_check.hpp>
 #include <cca/hardware/robot/velocity_check.hpp>
+#include <cca/hardware/safety/beats.hpp>
 
 namespace cca::hardware {
 
 template <class... J>
-struct joint_monitor {
+struct joint_monitor;
+
+template <auto Hz, class... J>
+struct joint_monitor<cca::rate<Hz>, J...> {
+  using time = beats<cca::rate<Hz>>;
   static constexpr std::size_t count = sizeof...(J);
-  static constexpr int silent_beats = 3;
-  static constexpr int state_beats = 350;  // an ODrive reports its state every 100 ms
+  static constexpr int silent_beats = time::patience(0);
+  static constexpr int state_beats = time::lasting(350'000'000);  // an ODrive reports its state every 100 ms
+  static constexpr int most_jumps = 3;
 
   std::array<drive_report, count> reports{};
   std::array<double, count> angle = unknown(), speed{}, torque{};  // of the joint: rad, rad/s, N m
@@ -78,7 +86,9 @@ struct joint_monitor {
     ages& age = since[I];
     age.frame = 0;
     if (heard.told & of_activity) age.state = 0;
-    if (heard.told & of_torque) torque[I] = One::torque_of(heard.torque), age.torque = 0;
+    // A drive that has no number for its torque has not reported one.
+    if ((heard.told & of_torque) && std::isfinite(heard.torque))
+      torque[I] = One::torque_of(heard.torque), age.torque = 0;
     if (heard.told & of_velocity) speed[I] = One::speed_of(heard.velocity), age.speed = 0;
     if (heard.told & of_position) {
       angle[I] = now, age.angle = 0;
@@ -96,11 +106,12 @@ struct joint_monitor {
     for (std::size_t i = 0; i < count; ++i) {
       const ages& a = since[i];
       senders[i].begin_beat();
-      if (jumps[i] >= 2 * silent_beats || senders[i].too_many() || senders[i].has_stranger() ||
+      if (jumps[i] >= 2 * most_jumps || senders[i].too_many() || senders[i].has_stranger() ||
           velocities[i].disagrees())
         trip(i, safety_rule::implausible);
       if (a.frame >= silent_after[i]) trip(i, safety_rule::silent);
-      if (is_old(i, a.angle) || is_old(i, a.speed) || (a.state >= state_beats && a.state < untold))
+      if (is_old(i, a.angle) || is_old(i, a.speed) || has_lost_torque(i) ||
+          (a.state >= state_beats && a.state < untold))
         trip(i, safety_rule::implausible);
       if (reports[i].fault != drive_fault::none || reports[i].activity == drive_activity::disabled)
         trip(i, safety_rule::drive_fault);
@@ -108,10 +119,15 @@ struct joint_monitor {
   }
 
   bool is_ready(std::size_t i) const {
-    return std::isfinite(angle[i]) && knows_angle(i) && knows_speed(i) && velocities[i].passed();
+    return std::isfinite(angle[i]) && knows_angle(i) && knows_speed(i) && knows_torque(i) &&
+           velocities[i].passed();
   }
   bool knows_angle(std::size_t i) const { return std::isfinite(angle[i]) && !is_old(i, since[i].angle); }
   bool knows_speed(std::size_t i) const { return !is_old(i, since[i].speed); }
+  // True for a drive that need not report its torque, and has not yet.
+  bool knows_torque(std::size_t i) const {
+    return since[i].torque == untold ? !must_report_torque[i] : !has_lost_torque(i);
+  }
   const velocity_check& velocity(std::size_t i) const { return velocities[i]; }
 
   double angle_now(std::size_t i) const {
@@ -121,7 +137,7 @@ struct joint_monitor {
     return is_old(i, since[i].speed) ? drive_report::untold : speed[i];
   }
   double torque_now(std::size_t i) const {
-    return since[i].torque >= state_beats ? drive_report::untold : torque[i];
+    return since[i].torque >= torque_lost_after[i] ? drive_report::untold : torque[i];
   }
 
   bool can_be_damped(std::size_t i) const {
@@ -158,15 +174,28 @@ private:
     int frame = untold, angle = untold, speed = untold, torque = untold, state = untold;
   };
   static constexpr std::array<double, count> unknown() { return {(sizeof(J) ? drive_report::untold : 0)...}; }
-  static constexpr std::array<int, count> silent_after{patience<J>(silent_beats, 1'000'000)...};
-  static bool is_old(std::size_t i, int age) { return age >= silent_after[i]; }
+  static constexpr std::array<int, count> silent_after{
+      time::patience(report_period_of<typename J::drive>)...};
+  static constexpr std::array<int, count> torque_lost_after{
+      time::patience(torque_period_of<typename J::drive>)...};
+  static constexpr std::array<bool, count> must_report_torque{requires {J::drive::torque_period;
+}...
+};  // namespace cca::hardware
+static bool is_old(std::size_t i, int age) { return age >= silent_after[i]; }
+bool has_lost_torque(std::size_t i) const {
+  return since[i].torque >= torque_lost_after[i] && since[i].torque < untold;
+}
 
-  std::array<ages, count> since{};
-  std::array<velocity_check, count> velocities{};
-  std::array<std::int64_t, count> reported_at{};
-  std::array<position_unwrap, count> unwraps{position_unwrap(J::mounted.wraps)...};
-  std::array<sender_check, count> senders{};
-  std::array<int, count> jumps{};
-};
+std::array<ages, count> since{};
+std::array<velocity_check, count> velocities{};
+std::array<std::int64_t, count> reported_at{};
+std::array<position_unwrap, count> unwraps{position_unwrap(J::mounted.wraps)...};
+std::array<sender_check, count> senders{};
+std::array<int, count> jumps{};
+}
+;
+
+template <class... J>
+struct joint_monitor : joint_monitor<cca::rate<1000>, J...> {};
 
 }  // namespace cca::hardware

@@ -4,9 +4,9 @@
 //   struct my_arm : cca::hardware::robot<cca::robots::arm::description, cca::hardware::socket_can,
 //                                        a1_drive, ..., a7_drive, flange_board> {};
 //
-// R: a description (cca/robots/description.hpp), whose rate is 1 kHz: the safety chain counts beats of a
-// millisecond. Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each measured axis of R's body, in
-// their order; then a robot_board, if R has sensors. Ports, nodes and wires are those of every described
+// R: a description (cca/robots/description.hpp), whose rate is 200 Hz to 4 kHz, if its buses carry that
+// (bus.overloaded). Bus: any CanBus. Drives: one joint (drives/joint.hpp) for each measured axis of R's body,
+// in their order; then a robot_board, if R has sensors. Ports, nodes and wires are those of every described
 // robot (cca/robots/ports.hpp); the safety chain (safety_chain.hpp) stands between what the joints want and
 // the drives, and the limits of the axes bound it.
 //
@@ -16,7 +16,8 @@
 //
 // Give it its buses: controller.get<"robot.synchronizer">().connect(bus0, ...). Starting the controller
 // enables the drives. Until they are enabled, and after a trip, the controller runs and nothing moves.
-// Errors: robot.unlimited_command, space.missing_limits, bus.overloaded, drive.duplicate_id,
+// Where there is no robot, virtual_hardware.hpp plays its drives. Errors: robot.unlimited_command,
+// space.missing_limits, bus.overloaded, drive.duplicate_id,
 // robot.description, robot.drives. Example: tests/runtime/robot_on_drives/one_joint.cpp; docs/robots.md,
 // docs/hardware.md.
 #pragma once
@@ -59,6 +60,17 @@ inline constexpr bool all_follow<joint_list<J...>, robots::commands<Commands...>
   return all;
 }();
 
+// Whether no drive stops by itself within a beat of so many ns.
+template <class Joints>
+inline constexpr auto outlast = nullptr;
+template <class... J>
+inline constexpr auto outlast<joint_list<J...>> = [](double beat) {
+  constexpr auto one = [](drive_watchdog w, double ns) {
+    return w.nanoseconds == 0 || static_cast<double>(w.nanoseconds) > ns;
+  };
+  return (one(J::drive::watchdog, beat) && ...);
+};
+
 template <class Board>
 constexpr std::size_t loads_of = 0;
 template <class Board>
@@ -99,28 +111,30 @@ constexpr auto check_drives() {
     using joints = typename robot_drives<R, Drives...>::joints;
     using board = typename robot_drives<R, Drives...>::board;
     constexpr bool in_order = std::is_same_v<typename joints::axes, robots::measured_axes_of<R>>;
-    constexpr bool at_one_khz = cca::detail::hz_of<typename R::rate> == 1000;
+    constexpr double hz = cca::detail::hz_of<typename R::rate>;
+    constexpr bool can_be_held = hz >= 200 && hz <= 4000 && outlast<joints>(1e9 / hz);
     constexpr bool senses = has_sensors<board>(robots::sensors_of<R>());
     constexpr bool follows = all_follow<joints, typename R::commands>;
     static_assert(in_order,
                   "robot.drives: the joints of this robot are not in the order of its body's axes; list them "
                   "in the order of cca::axes_of<body>");
     if constexpr (in_order)
-      static_assert(at_one_khz,
-                    "robot.drives: the rate of this robot is not 1 kHz, but the safety chain counts beats of "
-                    "a millisecond; write `using rate = cca::rate<1000>`, and let slower nodes be "
-                    "cca::timed<N>");
-    if constexpr (in_order && at_one_khz)
+      static_assert(
+          can_be_held,
+          "robot.drives: the rate of this robot is below 200 Hz or above 4 kHz, or a drive stops by "
+          "itself before the next beat (its `timeout`); write for example `using rate = "
+          "cca::rate<1000>`, and let slower nodes be cca::timed<N>");
+    if constexpr (in_order && can_be_held)
       static_assert(senses,
                     "robot.drives: this robot has sensors, but no board that reads as many; after the joints "
                     "add a cca::hardware::robot_board with the number of its force sensors and of the places "
                     "where it has inertial ones");
-    if constexpr (in_order && at_one_khz && senses)
+    if constexpr (in_order && can_be_held && senses)
       static_assert(follows,
                     "robot.drives: a drive of this robot has gains of its own, so it follows positions or "
                     "velocities, but the description has other `commands`; leave those out, or use a drive "
                     "that takes torque");
-    return std::bool_constant<in_order && at_one_khz && senses && follows>{};
+    return std::bool_constant<in_order && can_be_held && senses && follows>{};
   } else {
     return std::false_type{};
   }
@@ -133,22 +147,30 @@ struct driven_joints_of {
 };
 
 template <class R, class Bus, class Board, class Joints>
-using robot_on_drives = robots::graph_of_robot<R,
-                                               "synchronizer",
-                                               robot_synchronizer<R, Bus, Board, Joints>,
-                                               "servos",
-                                               driven_joints_of<R>::template node,
-                                               safety_nodes<robot_servos<R, Joints>, "damping_stop">,
-                                               safety_wires<"synchronizer", "damping_stop">,
-                                               safety_readings<"synchronizer", "damping_stop">>;
+using robot_on_drives =
+    robots::graph_of_robot<R,
+                           "synchronizer",
+                           robot_synchronizer<R, Bus, Board, Joints>,
+                           "servos",
+                           driven_joints_of<R>::template node,
+                           safety_nodes<robot_servos<R, Joints>, "damping_stop", typename R::rate>,
+                           safety_wires<"synchronizer", "damping_stop">,
+                           safety_readings<"synchronizer", "damping_stop">>;
 
 // After a mistake there is no graph, so that nothing else is reported.
 template <bool Fits, class R, class Bus, class... Drives>
 struct robot_that_fits {
   using type = graph<>;
+  struct parts {};
 };
 template <class R, class Bus, class... Drives>
 struct robot_that_fits<true, R, Bus, Drives...> {
+  // For virtual_hardware.hpp.
+  struct parts {
+    using description = R;
+    using joints = typename robot_drives<R, Drives...>::joints;
+    using board = typename robot_drives<R, Drives...>::board;
+  };
   using type = robot_on_drives<R,
                                Bus,
                                typename robot_drives<R, Drives...>::board,
@@ -159,7 +181,8 @@ struct robot_that_fits<true, R, Bus, Drives...> {
 
 template <class R, class Bus, class... Drives>
 struct robot
-    : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
-          type {};
+    : detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::type,
+      detail::robot_that_fits<decltype(detail::check_drives<R, Drives...>())::value, R, Bus, Drives...>::
+          parts {};
 
 }  // namespace cca::hardware

@@ -7,7 +7,7 @@
 //     act    as in cca/robots/commanded_joint.hpp
 //   robot_servos<R, Joints>
 //     act    in what each joint wants, under its axis' name; "joints"; out "wanted"
-//            set_points: the law of the joint's servo (cca/robots/joint_servo.hpp) with the gains of its
+//            wanted_points: the law of the joint's servo (cca/robots/joint_servo.hpp) with the gains of its
 //            joint type. A joint without a command is damped
 //
 // A command that is not finite makes a set point that is not finite: the guards stop for it. Cost: some
@@ -65,29 +65,30 @@ public:
 
   auto act(in<J::axis::label, robots::wanted_joint<R, typename J::axis>>... wanted,
            in<"joints", joint_states<joints>> states,
-           beat now) -> out<"wanted", set_points<joints>> {
+           beat now) -> out<"wanted", wanted_points<joints>> {
     const std::array<robots::joint_commands, joints::count> commands{robots::commands_of(wanted.vector())...};
-    typename set_points<joints>::vector_type v;
+    typename wanted_points<joints>::vector_type v;
     for (std::size_t i = 0; i < joints::count; ++i)
-      set_point_of(i, commands[i], joint_state::of(states.vector(), i), now.dt()).put(v, i);
+      point_of(i, commands[i], joint_state::of(states.vector(), i), now.dt()).put(v, i);
     return v;
   }
   void on_start() { servos = {}; }
 
 private:
-  set_point set_point_of(std::size_t i,
-                         const robots::joint_commands& given,
-                         const joint_state& q,
-                         double beat) {
-    set_point s;
+  wanted_point point_of(std::size_t i,
+                        const robots::joint_commands& given,
+                        const joint_state& q,
+                        double beat) {
+    wanted_point s;
     s.position = joints::angle[i].nearest(q.known() ? q.angle : 0);
     for (const double number : given.values)
       if (std::isinf(number)) return s.torque = number, s;
     if (q.phase < motion_phase::begins) servos[i] = {};  // a target begins where the joint is then
     const joint_servo& servo = joints::servo[i];
-    const robots::joint_law law = servos[i].follow(
-        given, {servo.stiffness, servo.damping, joints::torque[i].upper, joints::speed[i].upper},
-        q.known() ? q.angle : s.position, beat);
+    const robots::joint_law law = servos[i].follow(given,
+                                                   {servo.stiffness, servo.damping, joints::torque[i].upper,
+                                                    joints::speed[i].upper, joints::continuous[i]},
+                                                   q.known() ? q.angle : s.position, beat);
     if (!servos[i].has_command()) return s.damping = servo.safe_damping, s;
     if (law.stiffness > 0) s.position = law.position;
     s.velocity = law.velocity, s.torque = law.torque, s.stiffness = law.stiffness, s.damping = law.damping;

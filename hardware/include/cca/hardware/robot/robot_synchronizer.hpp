@@ -27,8 +27,8 @@ class robot_synchronizer;
 
 template <class R, CanBus Bus, class Board, class... J, class... Sensors>
 class robot_synchronizer<R, Bus, Board, joint_list<J...>, robots::sensors<Sensors...>>
-    : public drive_synchronizer<Bus, Board, joint_list<J...>> {
-  using drives = drive_synchronizer<Bus, Board, joint_list<J...>>;
+    : public drive_synchronizer<Bus, Board, joint_list<J...>, typename R::rate> {
+  using drives = drive_synchronizer<Bus, Board, joint_list<J...>, typename R::rate>;
 
 public:
   using joints = joint_list<J...>;

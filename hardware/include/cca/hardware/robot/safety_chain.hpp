@@ -4,13 +4,14 @@
 //   servos -> finite -> stale -> emergency_stop -> soft_stop -> damping -> rate -> limits -> Synchronizer
 //
 // The servos make set points of what the robot's joints want: `Servos` has "wanted" out, "joints" in, and its
-// `joints`. Each link takes the set-points of the one before it as "wanted" and passes them on as "safe".
+// `joints`. Each link takes the set points of the one before it as "wanted" and passes them on as "safe".
 // `Synchronizer` names the node that has the drives: it takes "set_points" and gives "joints". `Damping`
-// names the node that damps, where "damping" is the name of a command. Cost: that of the links. Example:
-// cca/hardware/robot/robot.hpp; docs/hardware.md.
+// names the node that damps, where "damping" is the name of a command; `Rate` is that of the robot. Cost:
+// that of the links. Example: cca/hardware/robot/robot.hpp; docs/hardware.md.
 #pragma once
 
 #include <cca/base/joined_names.hpp>
+#include <cca/hardware/safety/beats.hpp>
 #include <cca/hardware/safety/bounds.hpp>
 #include <cca/hardware/safety/emergency_stop.hpp>
 #include <cca/hardware/safety/guards.hpp>
@@ -27,14 +28,17 @@ using joint_state_wires = robots::items<
 
 }  // namespace detail
 
-template <class Servos, fixed_string Damping = "damping", class Joints = typename Servos::joints>
+template <class Servos,
+          fixed_string Damping = "damping",
+          class Rate = cca::rate<1000>,
+          class Joints = typename Servos::joints>
 using safety_nodes = robots::items<node<"servos", Servos>,
                                    node<"finite", finite_guard<Joints>>,
                                    node<"stale", stale_guard<Joints>>,
                                    node<"emergency_stop", emergency_stop<Joints>>,
-                                   node<"soft_stop", soft_stop<Joints>>,
+                                   node<"soft_stop", soft_stop<Joints, beats<Rate>::in(100'000'000)>>,
                                    node<Damping, damping_stop<Joints>>,
-                                   node<"rate", rate_guard<Joints>>,
+                                   node<"rate", rate_guard<Joints, Rate>>,
                                    node<"limits", limit_guard<Joints>>>;
 
 template <fixed_string Synchronizer, fixed_string Damping = "damping">

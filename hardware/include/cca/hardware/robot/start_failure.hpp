@@ -4,8 +4,8 @@
 //   if (f) std::puts(text_of(f).c_str());   // left_front_hip is at 2.31 rad, outside of its range ...
 //
 // `why` is the rule: enabling (a drive, or a quantity that it must report, is missing), range (a joint is
-// outside), implausible (velocity and angle disagree), pressed (the emergency stop). text_of allocates: call
-// it outside of the loop.
+// outside), rate (a joint turns faster than its axis allows), implausible (velocity and angle disagree),
+// pressed (the emergency stop). text_of allocates: call it outside of the loop.
 #pragma once
 
 #include <cstdio>
@@ -20,9 +20,9 @@ namespace cca::hardware {
 struct start_failure {
   safety_rule why = safety_rule::none;
   std::string_view joint{};    // empty: of no joint
-  double angle = 0;            // rad, where the joint is
-  joint_bounds range{0, 0};    // rad, where it may be
-  double tolerance = 0;        // rad
+  double angle = 0;            // rad, where the joint is; of `rate` its speed in rad/s
+  joint_bounds range{0, 0};    // where it may be; of `rate` how fast
+  double tolerance = 0;        // rad, or rad/s
   std::string_view missing{};  // of `enabling`: what has not come
 
   explicit operator bool() const { return why != safety_rule::none; }
@@ -39,6 +39,15 @@ inline std::string text_of(const start_failure& f) {
                     " is at %.3f rad, outside of its range %.3f to %.3f rad by more than %.2f rad: "
                     "turn it back by hand, or correct its offset",
                     f.angle, f.range.lower, f.range.upper, f.tolerance);
+      return name + numbers;
+    }
+    case safety_rule::rate: {
+      char numbers[160];
+      std::snprintf(
+          numbers, sizeof numbers,
+          " turns at %.3f rad/s, faster than its axis allows (%.3f to %.3f rad/s): stop its motion, "
+          "then start again",
+          f.angle, f.range.lower, f.range.upper);
       return name + numbers;
     }
     case safety_rule::implausible:

@@ -15,7 +15,6 @@
 
 #include <cca/base/after_run.hpp>
 #include <cca/hardware/drives/set_points.hpp>
-#include <cca/hardware/robot/joint_monitor.hpp>
 #include <cca/hardware/robot/start_failure.hpp>
 #include <cca/hardware/safety/link_supervisor.hpp>
 
@@ -86,8 +85,8 @@ protected:
   void begin_beat(std::int64_t k) { beat = k; }
   void forget_cause() { first = {}, start = waited_for = {}, at = -1; }
 
-  template <class Links>
-  void note_trips(const joint_monitor<J...>& now, const Links& links, const seen& s) {
+  template <class Monitor, class Links>
+  void note_trips(const Monitor& now, const Links& links, const seen& s) {
     if (first.rule != safety_rule::none) return;
     for (std::size_t i = 0; i < sizeof...(J); ++i)
       if (now.trips[i] != safety_rule::none)
@@ -101,7 +100,8 @@ private:
   static constexpr std::array<std::string_view, sizeof...(J)> names{J::axis::name...};
   static constexpr std::array<std::uint32_t, sizeof...(J)> ids{J::drive::requests[0].id.number...};
 
-  void note(safety_rule rule, std::size_t i, const joint_monitor<J...>& now, link_cause link, const seen& s) {
+  template <class Monitor>
+  void note(safety_rule rule, std::size_t i, const Monitor& now, link_cause link, const seen& s) {
     const bool is_of_board = rule == safety_rule::sensor_board;
     first = {rule,
              i,

@@ -1,7 +1,8 @@
 // How a robot stops: its drives damp, then they are disabled, and each frame is repeated in every beat until
 // each drive has confirmed that it is off, or until the time is over.
 //
-//   begin(damp)           from now on: `damping_beats` of damping (none, where nothing moved), then disabling
+//   begin(damp)           from now on: `damping_beats` (1 s) of damping (none, where nothing moved), then
+//                         disabling
 //   hurry()               ends the damping early, so that the robot can start again
 //   listen(joints, reports, gone)
 //                         each beat, after the frames have been read. gone[b]: the frames that disable went
@@ -12,7 +13,7 @@
 //                         went over the bus, that it holds nothing (is_off in joint_frames.hpp). A drive that
 //                         can't say that has answered as often
 //
-// After `confirming_beats` of disabling it ends, confirmed or not. Used by drive_synchronizer.hpp;
+// After `confirming_beats` (0.5 s) of disabling it ends, confirmed or not. Used by drive_synchronizer.hpp;
 // shut_down.hpp goes through it to its end. Cost: some comparisons a joint. docs/hardware.md.
 #pragma once
 
@@ -24,15 +25,17 @@
 
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/robot/joint_frames.hpp>
+#include <cca/hardware/safety/beats.hpp>
 
 namespace cca::hardware {
 
 enum class stop_stage : std::uint8_t { none, damping, disabling };
 
-template <std::size_t Count>
+template <std::size_t Count, class Rate = cca::rate<1000>>
 class stop_sequence {
 public:
-  static constexpr int damping_beats = 1000, confirming_beats = 500, confirmations = 3;
+  static constexpr int damping_beats = beats<Rate>::in(1'000'000'000),
+                       confirming_beats = beats<Rate>::in(500'000'000), confirmations = 3;
 
   // False: it is under way already, and goes on.
   bool begin(bool damp) {

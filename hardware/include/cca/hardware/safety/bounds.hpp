@@ -36,7 +36,7 @@
 
 namespace cca::hardware {
 
-template <class Joints>
+template <class Joints, class Rate = cca::rate<1000>>
 class rate_guard {
 public:
   struct parameters {
@@ -47,7 +47,7 @@ public:
   auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints, beat now)
       -> out<"safe", set_points<Joints>> {
     auto v = wanted.vector();
-    const double dt = std::min(now.dt(), 1e-3);
+    const double dt = std::min(now.dt(), 1 / Rate::hz);
     for (std::size_t i = 0; i < Joints::count; ++i) {
       set_point s = set_point::of(v, i);
       const joint_state q = joint_state::of(joints.vector(), i);

@@ -1,8 +1,8 @@
 // The emergency stop: collects every trip of the chain and keeps it until an operator starts the robot
 // deliberately.
 //
-//   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points, whose `mark` is now the
-//         motion_mode
+//   act   in "wanted" wanted_points, "joints" joint_states; out "safe" set_points: what is wanted, with the
+//         motion_mode instead of the rules that it breaks
 //
 // It trips on what the guards before it have marked, on what the synchronizer reports about a joint, and by
 // hand:
@@ -31,9 +31,9 @@ namespace cca::hardware {
 template <class Joints>
 class emergency_stop {
 public:
-  auto act(in<"wanted", set_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints, beat now)
+  auto act(in<"wanted", wanted_points<Joints>> wanted, in<"joints", joint_states<Joints>> joints, beat now)
       -> out<"safe", set_points<Joints>> {
-    auto v = wanted.vector();
+    const auto& asked = wanted.vector();
     const auto phase = joint_state::of(joints.vector(), 0).phase;
     const bool is_pressed = read(pressed);
     if (phase == motion_phase::begins && !is_pressed) {
@@ -46,13 +46,11 @@ public:
     if (read(softly)) trip(safety_rule::asked, -1, now);
     for (std::size_t i = 0; i < Joints::count; ++i) {
       trip(joint_state::of(joints.vector(), i).trip, static_cast<int>(i), now);
-      trip(set_point::of(v, i).broken(), static_cast<int>(i), now);
+      trip(wanted_point::of(asked, i).broken(), static_cast<int>(i), now);
     }
-    for (std::size_t i = 0; i < Joints::count; ++i) {
-      set_point s = set_point::of(v, i);
-      s.mark = static_cast<double>(is_pressed ? motion_mode::barred : is);
-      s.put(v, i);
-    }
+    typename set_points<Joints>::vector_type v;
+    for (std::size_t i = 0; i < Joints::count; ++i)
+      set_point{wanted_point::of(asked, i), is_pressed ? motion_mode::barred : is}.put(v, i);
     return v;
   }
 

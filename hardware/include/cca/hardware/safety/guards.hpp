@@ -1,7 +1,7 @@
 // The first guards of the chain: they check set points before the others look at where these lead.
 //
-//   act   in "wanted" set_points, out "safe" set_points. Each guard marks the joints whose set point breaks
-//         its rule (`mark`); the emergency stop behind them acts on that
+//   act   in "wanted" wanted_points, out "safe" wanted_points. Each guard marks the joints whose set point
+//         breaks its rule (`trip`); the emergency stop after them acts on that
 //   finite_guard   NaN or infinity: repeats the last finite set point, marked not_finite
 //   stale_guard    data older than the parameter `greatest_age`: marked stale. The age is the time since the
 //                  origin, or since data of this origin came first, whichever is longer
@@ -24,10 +24,10 @@ namespace cca::hardware {
 template <class Joints>
 class finite_guard {
 public:
-  auto act(in<"wanted", set_points<Joints>> wanted, beat now) -> out<"safe", set_points<Joints>> {
+  auto act(in<"wanted", wanted_points<Joints>> wanted, beat now) -> out<"safe", wanted_points<Joints>> {
     auto v = wanted.vector();
     for (std::size_t i = 0; i < Joints::count; ++i) {
-      set_point s = set_point::of(v, i);
+      wanted_point s = wanted_point::of(v, i);
       if (s.finite()) {
         last[i] = s;
         continue;
@@ -56,13 +56,13 @@ public:
   };
   parameters p{0.05};
 
-  auto act(in<"wanted", set_points<Joints>> wanted, beat now) -> out<"safe", set_points<Joints>> {
+  auto act(in<"wanted", wanted_points<Joints>> wanted, beat now) -> out<"safe", wanted_points<Joints>> {
     auto v = wanted.vector();
     if (wanted.origin() != newest) newest = wanted.origin(), arrived = now.time();
     const std::int64_t from = std::min(newest, arrived);  // an origin in the future counts as its arrival
     const bool stale = newest != never && static_cast<double>(now.time() - from) > 1e9 * p.greatest_age;
     for (std::size_t i = 0; stale && i < Joints::count; ++i) {
-      set_point s = set_point::of(v, i);
+      wanted_point s = wanted_point::of(v, i);
       s.trip(safety_rule::stale);
       s.put(v, i);
     }

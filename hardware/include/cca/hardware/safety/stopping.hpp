@@ -1,4 +1,4 @@
-// How the drives stop: the guards behind the emergency stop.
+// How the drives stop: the guards after the emergency stop.
 //
 //   act   in "wanted" set_points, "joints" joint_states; out "safe" set_points
 //   soft_stop<Joints, Beats>   in the mode `soft` holds each joint at its measured position. Over `Beats`
@@ -43,7 +43,7 @@ public:
       s.stiffness = left * from[i].stiffness;
       const double safe = Joints::servo[i].safe_damping;
       s.damping = from[i].stiffness > 0 ? left * from[i].damping + (1 - left) * safe : safe;
-      s.mark = static_cast<double>(since < Beats ? motion_mode::soft : motion_mode::damped);
+      s.mark = since < Beats ? motion_mode::soft : motion_mode::damped;
       s.put(v, i);
     }
     if (since < Beats) ++since;
@@ -68,7 +68,7 @@ struct damping_stop {
       set_point s;
       s.position = Joints::angle[i].nearest(q.known() ? q.angle : 0);
       s.damping = Joints::servo[i].safe_damping;
-      s.mark = static_cast<double>(mode);
+      s.mark = mode;
       s.put(v, i);
     }
     return v;

@@ -3,14 +3,14 @@
 //   virtual_odrive<odrive<3, odrive_mode::position>, 50'000'000> v;   // enable_watchdog, watchdog_timeout:
 //                                                                     50 ms
 //
-// It sends by itself: a heartbeat each `Heartbeat`, its estimates with the period that the drive's type
-// states. It moves only in closed loop, by the mode that was set: position (from where it is, with the gains
-// `Gains`), velocity, torque. Unfed for `Timeout` it goes idle with the error of its watchdog. An error keeps
-// it from closed loop until it is cleared; then closed loop must be requested again. 0.6 is fed by set points
-// and state requests; 0.5 by each frame to its node, and its watchdog also runs out while it is idle. NaN and
-// infinity: it goes idle with an error (0.6 missing input, 0.5 controller failed); what the real one does is
-// not published. A reboot forgets mode and inputs. Not modelled: the integrator, limits of its own.
-// Source: odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp,
+// It sends by itself: a heartbeat each `Heartbeat`, its estimates and torques with the periods that the
+// drive's type states. It moves only in closed loop, by the mode that was set: position (from where it is,
+// with the gains `Gains`), velocity, torque. Unfed for `Timeout` it goes idle with the error of its watchdog.
+// An error keeps it from closed loop until it is cleared; then closed loop must be requested again. 0.6 is
+// fed by set points and state requests; 0.5 by each frame to its node, and its watchdog also runs out while
+// it is idle. NaN and infinity: it goes idle with an error (0.6 missing input, 0.5 controller failed); what
+// the real one does is not published. A reboot forgets mode and inputs. Not modelled: the integrator, limits
+// of its own. Source: odriverobotics/ODrive, Firmware/communication/can/can_simple.cpp,
 // Firmware/MotorControl/{axis,controller}.cpp (0.5); for 0.6 its documentation alone.
 #pragma once
 
@@ -73,6 +73,8 @@ public:
     if (mute()) return all;
     if (due(heartbeat, Heartbeat)) all.add(Drive::heartbeat(closed ? 8 : 1, code));
     if (due(estimates, Drive::report_period)) all.add(Drive::estimates(m.position, m.velocity));
+    if constexpr (requires { Drive::torque_period; })
+      if (due(torques, Drive::torque_period)) all.add(Drive::torques(m.torque));
     return all;
   }
 
@@ -83,7 +85,7 @@ public:
   void reboot(std::int64_t now, std::int64_t duration) {
     boot(now, duration);
     closed = false, code = 0, input = {}, mode = odrive_mode::position;
-    fed = back, heartbeat = estimates = never;
+    fed = back, heartbeat = estimates = torques = never;
   }
 
 private:
@@ -120,7 +122,7 @@ private:
 
   drive_command input{};
   drive_motion last{};
-  std::int64_t fed = 0, heartbeat = never, estimates = never;
+  std::int64_t fed = 0, heartbeat = never, estimates = never, torques = never;
   std::uint32_t code = 0;
   odrive_mode mode = odrive_mode::position;
   bool closed = false;

@@ -14,9 +14,13 @@ struct virtual_of;
 template <class Ranges, std::uint32_t Number, std::uint32_t Master, mit_firmware Firmware>
 struct virtual_of<mit_drive<Ranges, Number, Master, Firmware>>
     : virtual_mit<mit_drive<Ranges, Number, Master, Firmware>> {};
-template <std::uint32_t Node, odrive_mode Mode, odrive_firmware Firmware, std::int64_t Period>
-struct virtual_of<odrive<Node, Mode, Firmware, Period>>
-    : virtual_odrive<odrive<Node, Mode, Firmware, Period>> {};
+template <std::uint32_t Node,
+          odrive_mode Mode,
+          odrive_firmware Firmware,
+          std::int64_t Estimates,
+          std::int64_t Torques>
+struct virtual_of<odrive<Node, Mode, Firmware, Estimates, Torques>>
+    : virtual_odrive<odrive<Node, Mode, Firmware, Estimates, Torques>> {};
 template <class Motor, std::uint8_t Servo, std::uint8_t Source, std::uint16_t Prefix>
 struct virtual_of<moteus<Motor, Servo, Source, Prefix>>
     : virtual_moteus<moteus<Motor, Servo, Source, Prefix>> {};

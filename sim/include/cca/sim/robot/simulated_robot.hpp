@@ -37,6 +37,7 @@ class simulated_robot_of<R, axes<Axes...>, robots::sensors<Sensors...>> {
   static constexpr auto coordinates = static_cast<std::size_t>(robots::axes_of_robot<R>::count);
   static constexpr std::array<std::size_t, count> coordinate{
       static_cast<std::size_t>(robots::axes_of_robot<R>::template index_of<Axes>)...};
+  static constexpr std::array<bool, count> turns_without_end{is_continuous<Axes>...};
 
 public:
   void put_down(robot_world&& world) {
@@ -58,9 +59,10 @@ public:
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t c = coordinate[i];
       const robots::joint_drive& d = world_.model().drives[c];
-      laws[c] = servos_[i].follow(commands[i],
-                                  {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed},
-                                  world_.joints()[c].angle, world_.model().beat);
+      laws[c] = servos_[i].follow(
+          commands[i],
+          {d.position_stiffness(), d.damping, d.motor.torque, d.motor.no_load_speed, turns_without_end[i]},
+          world_.joints()[c].angle, world_.model().beat);
     }
     is_driven_ = true;
     world_.advance(laws);

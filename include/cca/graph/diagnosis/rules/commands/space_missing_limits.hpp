@@ -20,9 +20,11 @@ struct space_missing_limits {
     const auto& space = m.space(in);
     m.at(in);
     m.port(in);
+    // The angle of a continuous axis is bounded by its velocity alone (space/limits.hpp).
+    const std::string_view needed = space.missing_is_continuous ? "velocity" : space.quantity;
     m.say() << " takes commands of " << space.name << ", but its axis `" << space.axes[space.missing_limits]
-            << "` states no limits of " << space.quantity
-            << " to keep them within: add `static constexpr auto limits = cca::limits{cca::" << space.quantity
+            << "` states no limits of " << needed
+            << " to keep them within: add `static constexpr auto limits = cca::limits{cca::" << needed
             << "{lower, upper}};` to it";
   }
 };

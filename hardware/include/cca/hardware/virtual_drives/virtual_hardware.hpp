@@ -1,0 +1,161 @@
+// All that is at the far end of a robot's buses, in memory: the buses, a virtual drive for each joint, the
+// board, and after them a plant, which moves the joints. So a robot runs where there is none, in one line:
+//
+//   struct my_arm : cca::hardware::robot<description, cca::hardware::virtual_bus_end, a1, ..., board> {};
+//   ...
+//   cca::hardware::virtual_hardware<my_arm, cca::sim::plant<description>> far(
+//       controller.get<"robot.synchronizer">());
+//   controller.step(), far.step();   // and so on: what happens until the controller's next beat
+//
+//   Robot     a hardware::robot, or any type with its `joints` and `board`; any mixture of drives and buses
+//   Plant     advance(laws, enabled, seconds)   a beat; the law of each joint (drive_command, at the joint)
+//                                               and whether its drive is enabled
+//             motions()                         position, velocity and torque of each joint: rad, rad/s, N m
+//             feel(reading)                     optional: what the board reads
+//             cca::sim::plant (the simulator) is one; virtual_motors below another, a motor a joint
+//   Virtual   the virtual drive for each drive (virtual_of.hpp)
+//
+// step(tap) calls tap(bus, frame) for each frame of the controller. `wires`: the third end of each bus is for
+// spies and for nodes that disturb. `speed_scale`: of the velocities that the drives report, for tests.
+// Neither copied nor moved: its parts point to one another. Example: tests/runtime/robot_on_drives;
+// docs/hardware.md.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include <cca/hardware/bus/memory_bus.hpp>
+#include <cca/hardware/safety/beats.hpp>
+#include <cca/hardware/virtual_drives/virtual_of.hpp>
+#include <cca/hardware/virtual_drives/virtual_robot.hpp>
+
+namespace cca::hardware {
+
+using virtual_bus = memory_bus<3, 16>;
+using virtual_bus_end = virtual_bus::end_type;
+
+// A plain motor for each joint, with a load (N m) on it.
+template <class Joints>
+struct virtual_motors {
+  static constexpr std::size_t count = Joints::count;
+  std::array<virtual_motor, count> motors{};
+  std::array<double, count> load{};
+
+  void advance(const std::array<drive_command, count>& laws, const std::array<bool, count>&, double seconds) {
+    for (std::size_t i = 0; i < count; ++i) motors[i].advance(laws[i], load[i], seconds);
+  }
+  std::array<drive_motion, count> motions() const {
+    std::array<drive_motion, count> all;
+    std::ranges::transform(motors, all.begin(), &virtual_motor::now);
+    return all;
+  }
+};
+
+namespace detail {
+
+template <class Robot>
+struct beat_of {
+  static constexpr std::int64_t ns = 1'000'000;
+};
+template <class Robot>
+  requires requires { typename Robot::description::rate; }
+struct beat_of<Robot> {
+  static constexpr std::int64_t ns = beats<typename Robot::description::rate>::period;
+};
+
+// The bit rates of each bus: those of the joints on it, or of the board.
+template <std::size_t Buses, class Board, class... J>
+constexpr std::array<bit_rates, Buses> rates_of_buses(joint_list<J...>) {
+  std::array<bit_rates, Buses> all{};
+  if constexpr (requires { Board::rates; }) all[Board::bus] = Board::rates;
+  ((all[J::bus] = J::rates), ...);
+  return all;
+}
+
+}  // namespace detail
+
+template <class Robot, class Plant, template <class> class Virtual = virtual_of>
+class virtual_hardware {
+public:
+  using joints = typename Robot::joints;
+  using board = typename Robot::board;
+  using drives_and_board = virtual_robot<virtual_bus_end, Virtual, board, joints>;
+  static constexpr std::size_t count = drives_and_board::count, buses = drives_and_board::buses;
+  static constexpr std::int64_t beat = detail::beat_of<Robot>::ns;
+
+  template <class Synchronizer>
+  explicit virtual_hardware(Synchronizer& synchronizer) {
+    connect(synchronizer);
+    std::apply([&](auto&... end) { far.connect(end...); }, ends);
+  }
+  virtual_hardware(const virtual_hardware&) = delete;
+  virtual_hardware& operator=(const virtual_hardware&) = delete;
+
+  // Also after the controller has become another one.
+  template <class Synchronizer>
+  void connect(Synchronizer& synchronizer) {
+    std::apply([&](auto&... end) { synchronizer.connect(end...); }, near);
+  }
+
+  template <class Tap>
+  void step(Tap tap) {
+    const std::int64_t heard = now + beat / 2;
+    go_to(heard);
+    far.listen(heard, tap);
+    laws = far.laws(heard);
+    plant.advance(laws, enabled(), 1e-9 * static_cast<double>(beat));
+    const auto moved = plant.motions();
+    std::array<drive_motion, count> motions;
+    for (std::size_t i = 0; i < count; ++i)
+      motions[i] = {moved[i].position, speed_scale[i] * moved[i].velocity, moved[i].torque};
+    typename board::reading felt{};
+    if constexpr (requires { plant.feel(felt); }) plant.feel(felt);
+    far.tell(motions, felt);
+    now += beat;
+    go_to(now - 1);
+  }
+  void step() {
+    step([](std::size_t, const can_frame&) {});
+  }
+
+  std::array<bool, count> enabled() const {
+    return std::apply([](const auto&... drive) { return std::array{drive.enabled()...}; }, far.drives);
+  }
+  std::size_t enabled_count() const { return static_cast<std::size_t>(std::ranges::count(enabled(), true)); }
+
+  std::array<virtual_bus, buses> wires = made_wires();
+  drives_and_board far{};
+  Plant plant{};
+  std::array<drive_command, count> laws{};  // of the drives in the last beat, in numbers of the joints
+  std::array<double, count> speed_scale = ones();
+  std::int64_t now = 0;  // ns
+
+private:
+  static std::array<virtual_bus, buses> made_wires() {
+    constexpr auto rates = detail::rates_of_buses<buses, board>(joints());
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array{virtual_bus({.rates = rates[I]})...};
+    }(std::make_index_sequence<buses>());
+  }
+  static constexpr std::array<double, count> ones() {
+    std::array<double, count> all{};
+    all.fill(1);
+    return all;
+  }
+  std::array<virtual_bus_end, buses> all_ends(std::size_t side) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array{wires[I].end(side)...};
+    }(std::make_index_sequence<buses>());
+  }
+  void go_to(std::int64_t time) {
+    for (auto& w : wires) w.advance(time);
+  }
+
+  std::array<virtual_bus_end, buses> near = all_ends(0), ends = all_ends(1);
+};
+
+}  // namespace cca::hardware
