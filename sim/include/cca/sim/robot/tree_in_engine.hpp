@@ -196,6 +196,7 @@ private:
     dMassSetParameters(&mass, of.mass, 0, 0, 0, i[0], i[1], i[2], i[3], i[4], i[5]);
     const dBodyID b = dBodyCreate(world);
     dBodySetMass(b, &mass);
+    dBodySetGyroscopicMode(b, 0);  // gyroscopic.hpp
     return b;
   }
 
