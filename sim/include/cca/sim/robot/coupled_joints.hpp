@@ -46,10 +46,10 @@ public:
   using vector = Eigen::Vector3d;
 
   coupled_joints(const std::shared_ptr<const robot_model>& model, const tree_in_engine& tree)
-      : model_(model), inertia_(model), follows_(model->drives.size(), 0) {
+      : model_(model), inertia_(model) {
     for (std::size_t i = 0; i < model->links.size(); ++i)
       if (!(tree.leads(i) || tree.is_held_parallel(i)))
-        exist_ = follows_[static_cast<std::size_t>(model->links[i].coordinate)] = true;
+        exist_ = true;
     if (!exist_) return;
     const auto n = inertia_.size();
     moved_.assign(model->links.size() + 1, vector6::Zero());
@@ -66,8 +66,6 @@ public:
   }
 
   bool exist() const { return exist_; }
-  // Whether joints follow this coordinate.
-  bool has(std::size_t c) const { return follows_[c] != 0; }
 
   // Before the engine's step.
   void begin(const tree_in_engine& tree) {
@@ -76,7 +74,7 @@ public:
     for (part& p : springs_) p.acts = false;
   }
 
-  // For the next step; of a coordinate that joints follow.
+  // For the next step.
   void set(std::size_t c, joint_force which, const soft_force& f) {
     soft_[c][static_cast<std::size_t>(which)] = {f, true};
   }
@@ -92,14 +90,15 @@ public:
     inertia_.slope(s.from.link, from, along, -1, row);
   }
 
-  // After it.
-  void end(tree_in_engine& tree, std::vector<joint_reading>& joints, double step) {
+  // After it. False if it finds no motion that is finite.
+  bool end(tree_in_engine& tree, std::vector<joint_reading>& joints, double step) {
     for (int i = -1; i < inertia_.links(); ++i)
       if (const dBodyID b = tree.body_of(i))
         moved_[slot(i)] =
             cca::detail::spatial(vector::Map(dBodyGetAngularVel(b)), vector::Map(dBodyGetLinearVel(b)));
     for (std::size_t c = 0; c < q_.size(); ++c) q_[c] = joints[c].angle;
     project(step);
+    if (!std::isfinite(motion_.sum())) return false;
     for (std::size_t c = 0; c < q_.size(); ++c) {
       q_[c] += step * speed(c);
       dq_[c] = 0;
@@ -109,12 +108,14 @@ public:
     tree.place(q_, dq_, base_);
     inertia_.look_at(tree);
     project(step);
+    if (!std::isfinite(motion_.sum())) return false;
     if (floats()) base_.angular_velocity = motion_.head<3>(), base_.velocity = motion_.segment<3>(3);
     for (std::size_t c = 0; c < q_.size(); ++c) {
       dq_[c] = speed(c);
       joints[c].angle = q_[c], joints[c].velocity = dq_[c];
     }
     tree.place(q_, dq_, base_);
+    return true;
   }
 
 private:
@@ -203,7 +204,7 @@ private:
     for (std::size_t c = 0; c < stopped_.size(); ++c) {
       const joint_stops& s = model_->stops[c];
       const double end = q_[c] + step * speed(c);
-      if (!has(c) || stopped_[c] || (end >= s.low && end <= s.high)) continue;
+      if (stopped_[c] || (end >= s.low && end <= s.high)) continue;
       stopped_[c] = end < s.low ? -1 : 1;
       found = true;
     }
@@ -218,7 +219,6 @@ private:
 
   std::shared_ptr<const robot_model> model_;
   tree_inertia inertia_;
-  std::vector<char> follows_;  // over the coordinates
   bool exist_ = false;
   moving_frame base_;
   std::vector<vector6> moved_;

@@ -1,12 +1,12 @@
 // The drives of a robot in the engine, and the springs and dampers in its joints.
 //
 // In each physics step each of them is a soft force (soft_force.hpp). Where the step is well within its stable
-// range (mobility.hpp) it is explicit: a torque. Else it is a constraint: of the engine, or, where joints
-// follow, of their projection. So every stiffness, damping and step is stable, and what was right already
+// range (mobility.hpp) it is explicit: a torque. Else it is a constraint: of the engine, or, in a robot
+// with coupled joints, of their projection. So every stiffness, damping and step is stable, and what was right already
 // costs nothing.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -33,33 +33,45 @@ public:
         motors_(model_->drives.size()),
         held_(model_->drives.size(), 0),
         resistances_(moves_.count()),
-        forces_(2 * model_->drives.size() + model_->line_springs.size()),
+        turning_(model_->drives.size(), 0),
+        forces_(parts * model_->drives.size() + model_->line_springs.size()),
         stiff_(forces_.size(), 0),
         step_(step) {}
 
-  // A beat begins: which forces are explicit in it.
-  void begin(const tree_in_engine& tree, const robot_state& state) {
+  // A beat begins: which forces are explicit in it. `lines` are the springs as they are.
+  template <class Lines>
+  void begin(const tree_in_engine& tree, const robot_state& state, const Lines& line_of) {
     const std::size_t n = model_->drives.size();
     for (std::size_t c = 0; c < n; ++c) {
       const robots::joint_drive& d = model_->drives[c];
       const joint_law& law = state.laws[c];
       const bool by_cable = d.cable.stiffness > 0 && law.stiffness > 0;
-      forces_[2 * c] = {c, d.friction + step_ * d.spring};
-      forces_[2 * c + 1] = {c, !(d.motor.torque > 0) ? 0
-                               : by_cable            ? d.cable.damping + step_ * d.cable.stiffness
-                                                     : law.damping + step_ * law.stiffness};
-      resistances_[c] = forces_[2 * c].resistance + forces_[2 * c + 1].resistance;
+      const double motor = by_cable ? d.cable.damping + step_ * d.cable.stiffness
+                                    : law.damping + step_ * law.stiffness;
+      forces_[parts * c + in_joint] = {c, d.friction + step_ * d.spring};
+      forces_[parts * c + by_motor] = {c, d.motor.torque > 0 ? motor : 0};
+      resistances_[c] = forces_[parts * c + in_joint].resistance + forces_[parts * c + by_motor].resistance;
     }
     for (std::size_t i = 0; i < model_->line_springs.size(); ++i) {
       const placed_spring& s = model_->line_springs[i];
       resistances_[n + i] = s.damping + step_ * s.stiffness;
-      forces_[2 * n + i] = {n + i, resistances_[n + i]};
+      forces_[parts * n + i] = {n + i, resistances_[n + i]};
     }
     moves_.look_at(tree, resistances_, step_);
+    std::fill(turning_.begin(), turning_.end(), 0);
+    for (std::size_t i = 0; i < model_->line_springs.size(); ++i) {
+      const auto [length, force] = line_of(i);
+      if (length > 0) moves_.add_turning(i, length, force, step_, turning_);
+    }
+    for (std::size_t c = 0; c < n; ++c) forces_[parts * c + by_turning] = {c, turning_[c]};
     moves_.choose(forces_, stiff_, step_);
   }
 
-  bool spring_is_stiff(std::size_t i) const { return stiff_[2 * model_->drives.size() + i] != 0; }
+  bool is_stiff(std::size_t c) const {
+    return stiff_[parts * c + in_joint] || stiff_[parts * c + by_motor] || stiff_[parts * c + by_turning] ||
+           held_[c];
+  }
+  bool spring_is_stiff(std::size_t i) const { return stiff_[parts * model_->drives.size() + i] != 0; }
 
   // Before a step. `share`: of the step in the beat.
   void act(const tree_in_engine& tree, coupled_joints& coupled, robot_state& state, double share) {
@@ -70,7 +82,7 @@ public:
       joint_reading& r = state.joints[c];
       const soft_force motor = force_of_motor(d, state, c);
       double push = 0;
-      held_[c] = motor.low < motor.high && (stiff_[2 * c + 1] || runs_out(motor, c));
+      held_[c] = motor.low < motor.high && (stiff_[parts * c + by_motor] || runs_out(motor, c));
       if (held_[c]) {
         motors_[c] = motor;
         hold(tree, coupled, i, joint_force::motor, motor);
@@ -79,8 +91,10 @@ public:
         r.torque += share * push;
         release(coupled, c, joint_force::motor);
       }
-      if (stiff_[2 * c]) {
-        hold(tree, coupled, i, joint_force::passive, passive_force(d, r.angle));
+      if (stiff_[parts * c + in_joint] || stiff_[parts * c + by_turning]) {
+        soft_force passive = passive_force(d, r.angle);
+        if (stiff_[parts * c + by_turning]) passive.damping += turning_[c];
+        hold(tree, coupled, i, joint_force::passive, passive);
       } else {
         push = push - d.friction * r.velocity - d.spring * (r.angle - d.spring_rest);
         release(coupled, c, joint_force::passive);
@@ -100,6 +114,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t in_joint = 0, by_motor = 1, by_turning = 2, parts = 3;
+
   // At the end of a motor's line its torque falls steeply, whatever the law says.
   bool runs_out(const soft_force& f, std::size_t c) const {
     constexpr double shallow = 0.25;
@@ -112,11 +128,11 @@ private:
             joint_force which,
             const soft_force& f) {
     const auto c = static_cast<std::size_t>(model_->links[link].coordinate);
-    if (coupled.has(c)) coupled.set(c, which, f);
+    if (coupled.exist()) coupled.set(c, which, f);
     else soft_.set(tree, link, c, which, f, step_);
   }
   void release(coupled_joints& coupled, std::size_t c, joint_force which) {
-    if (coupled.has(c)) coupled.clear(c, which);
+    if (coupled.exist()) coupled.clear(c, which);
     else soft_.clear(c, which);
   }
 
@@ -150,7 +166,8 @@ private:
   std::vector<soft_force> motors_;         // over the coordinates: those that are held
   std::vector<char> held_;                 // over the coordinates
   std::vector<double> resistances_;        // over coordinates and springs
-  std::vector<mobility::force> forces_;    // in a joint, of its motor, for each coordinate; of the springs
+  std::vector<double> turning_;            // over the coordinates: of lines that turn (mobility.hpp)
+  std::vector<mobility::force> forces_;    // the parts of each coordinate, then the springs
   std::vector<char> stiff_;                // over the forces
   double step_;
 };

@@ -40,6 +40,10 @@ public:
     slopes_.middleRows(inertia_.first(), coordinates_).setIdentity();
     now_.setZero(count, count);
     most_.setZero(count);
+    levers_.assign(model_->line_springs.size(), std::vector<double>(model_->drives.size(), 0));
+    turns_.assign(model_->drives.size(), 0);
+    for (const auto& l : model_->links)
+      if (l.kind == joint_kind::revolute) turns_[static_cast<std::size_t>(l.coordinate)] = 1;
     look_around(tree, mount);
   }
 
@@ -50,9 +54,21 @@ public:
   void look_at(const tree_in_engine& tree, const std::vector<double>& resistances, double step) {
     double sum = 0;
     for (std::size_t i = 0; i < count(); ++i) sum += step * most_[place(i)] * resistances[i];
-    is_soft_ = sum <= 1;
+    is_soft_ = sum <= 1 && model_->line_springs.empty();
     if (is_soft_) now_.diagonal() = most_;
     else find(tree);
+  }
+
+  // Adds to `resistances`, over the coordinates, what a spring that pulls in a line resists when that line
+  // turns: force times the second derivatives of its length, which levers and length bound.
+  void add_turning(std::size_t spring, double length, double force, double step, std::vector<double>& resistances) const {
+    const auto& of = levers_[spring];
+    for (std::size_t c = 0; c < of.size(); ++c)
+      for (std::size_t k = 0; k < of.size(); ++k) {
+        if (of[c] == 0 || of[k] == 0) continue;
+        const double bend = turns_[c] && turns_[k] ? std::min(of[c], of[k]) : turns_[c] || turns_[k] ? 1 : 0;
+        resistances[c] += step * std::abs(force) * (bend + of[c] * of[k] / length);
+      }
   }
 
   // Marks the forces that are to be taken at the end of a step. Several can act on one place: `force(k)` has
@@ -116,6 +132,8 @@ private:
       const Eigen::Vector3d along = (to - from) / length;
       inertia_.slope(s.to.link, to, along, 1, row);
       inertia_.slope(s.from.link, from, along, -1, row);
+      for (std::size_t c = 0; c < levers_[i].size(); ++c)
+        levers_[i][c] = (inertia_.speed_of(s.to.link, to, c) - inertia_.speed_of(s.from.link, from, c)).norm();
     }
     solver_.compute(inertia_.weights());
     half_ = slopes_;
@@ -145,7 +163,9 @@ private:
   Eigen::Index coordinates_;
   Eigen::LLT<Eigen::MatrixXd> solver_;
   Eigen::MatrixXd slopes_, half_, now_;
-  Eigen::VectorXd most_;  // over the postures
+  Eigen::VectorXd most_;                      // over the postures
+  std::vector<std::vector<double>> levers_;   // of springs: how far their points move, for each coordinate
+  std::vector<char> turns_;                   // over the coordinates
   bool is_soft_ = true;
 };
 

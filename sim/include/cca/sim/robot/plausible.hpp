@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -27,6 +28,11 @@ struct plausible_bounds {
   double turn = std::numbers::pi;    // rad, in a physics step
   double energy = 1e7;               // J
   double stop = 0.5, stop_way = 0.1;  // rad, m
+
+  static constexpr plausible_bounds none() {
+    constexpr double most = std::numeric_limits<double>::infinity();
+    return {most, most, most, most, most};
+  }
 };
 
 enum class implausible : std::uint8_t { nothing, number, speed, turning, energy, stop, engine };

@@ -45,6 +45,7 @@
 #include <cca/sim/robot/scene.hpp>
 #include <cca/sim/robot/shapes_in_engine.hpp>
 #include <cca/sim/robot/springs_in_engine.hpp>
+#include <cca/sim/robot/stops_in_engine.hpp>
 #include <cca/sim/robot/touching.hpp>
 #include <cca/sim/robot/tree_in_engine.hpp>
 
@@ -87,6 +88,9 @@ public:
   void place(std::span<const double> q, std::span<const double> dq, const moving_frame& base) {
     if (q.size() != state_.joints.size() || dq.size() != q.size())
       throw std::invalid_argument("cca::sim::robot_world: one angle and one speed for each coordinate");
+    double sum = base.where.at.sum() + base.where.turn.sum() + base.velocity.sum() + base.angular_velocity.sum();
+    for (std::size_t c = 0; c < q.size(); ++c) sum += q[c] + dq[c];
+    if (!std::isfinite(sum)) throw std::invalid_argument("cca::sim::robot_world: a place is not finite");
     tree_.place(q, dq, base);
     for (std::size_t c = 0; c < q.size(); ++c) {
       state_.joints[c] = {q[c], dq[c], 0};
@@ -95,7 +99,7 @@ public:
     units_.begin(tree_);
     units_.read(tree_, state_.inertial);
     state_.trouble = {};
-    look();
+    look(settings_.plausible);
   }
 
   // One beat. A law that isn't finite is ignored: the drive keeps the last one.
@@ -106,7 +110,9 @@ public:
       if (laws[c].is_finite()) state_.laws[c] = laws[c];
     for (std::size_t c = 0; c < state_.winches.size(); ++c)
       state_.winches[c].aim(state_.laws[c].position, model_->beat);
-    drives_.begin(tree_, state_);
+    drives_.begin(tree_, state_, [this](std::size_t i) {
+      return springs_in_engine::length_and_tension(model_->line_springs[i], tree_);
+    });
     units_.begin(tree_);
     for (joint_reading& r : state_.joints) r.torque = 0;
     for (auto& load : state_.loads) load.fill(0);
@@ -218,7 +224,8 @@ private:
         units_(model_, settings.engine.gravity),
         shapes_(engine_.id(), *model_, *scene_, tree_),
         touching_(scene_->contact, step_),
-        drives_(engine_.id(), model_, tree_, mount(), step_, like) {
+        drives_(engine_.id(), model_, tree_, mount(), step_, like),
+        stops_(*model_, tree_, settings.engine.erp) {
     touching_.set_pairs(shapes_.pairs());
     state_.pressing.assign(touching_.pair_count(), 0);
     state_.laws.assign(model_->drives.size(), {});
@@ -256,17 +263,25 @@ private:
     tree_.hold_parallel();
     if (coupled_.exist()) coupled_.begin(tree_);
     drives_.act(tree_, coupled_, state_, share);
+    if (!coupled_.exist())
+      stops_.act(*model_, tree_, state_.joints, step_, [&](std::size_t c) { return drives_.is_stiff(c); });
     springs_in_engine::act(engine_, *model_, tree_, drives_, coupled_, step_);
     each_link([&](dBodyID b) { turn_freely(b, step_); });
     for (std::size_t part = 0; part < state_.pulls.size(); ++part) pull_at(part);
     touching_.find(engine_, state_.pressing);
     if (!engine_.step(step_)) state_.trouble = {implausible::engine};
-    if (!state_.trouble) look();
+    // With coupled joints the engine's step is half of one: only its numbers must be right.
+    if (!state_.trouble) look(coupled_.exist() ? plausible_bounds::none() : settings_.plausible);
     if (state_.trouble) return;
     touching_.account(state_.pressing, [&](const touch& t) { feel(t, share); });
     dJointGroupEmpty(engine_.contacts());
-    if (coupled_.exist()) coupled_.end(tree_, state_.joints, step_);
-    else read_joints();
+    if (!coupled_.exist()) {
+      read_joints();
+    } else {
+      if (!coupled_.end(tree_, state_.joints, step_)) state_.trouble = {implausible::engine};
+      else look(settings_.plausible);
+      if (state_.trouble) return;
+    }
     drives_.account(state_, share);
     look_at_stops();
   }
@@ -285,10 +300,10 @@ private:
   }
 
   // The first body that can't be right.
-  void look() {
+  void look(const plausible_bounds& bounds) {
     double energy = 0;
     const auto judge = [&](dBodyID b, int name) {
-      if (!state_.trouble) state_.trouble = look_at_body(b, name, settings_.plausible, step_, energy);
+      if (!state_.trouble) state_.trouble = look_at_body(b, name, bounds, step_, energy);
     };
     if (tree_.base()) judge(tree_.base(), world_trouble::base);
     for (std::size_t i = 0; i < tree_.links().size(); ++i) judge(tree_.links()[i], static_cast<int>(i));
@@ -347,6 +362,7 @@ private:
   shapes_in_engine shapes_;
   touching touching_;
   drives_in_engine drives_;
+  stops_in_engine stops_;
   robot_state state_;
 };
 

@@ -3,7 +3,7 @@
 // A soft force (soft_force.hpp) is a motor of the engine whose softness (CFM) is one divided by the force's
 // resistance: the engine finds its force together with those of joints, stops and contacts. Two for each
 // coordinate: what is in the joint, without bounds, and its motor, within bounds. One without a force costs
-// nothing in a step. Coordinates of which joints follow have none (coupled_joints.hpp).
+// nothing in a step. In a robot with coupled joints all are part of the projection (coupled_joints.hpp).
 #pragma once
 
 #include <array>

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <cca/sim/engine.hpp>
 #include <cca/sim/robot/coupled_joints.hpp>
@@ -23,6 +24,12 @@ public:
   // The force that pulls the two points of a spring together, N; negative: it pushes.
   static double tension(const placed_spring& s, const tree_in_engine& tree) {
     return tension(s, line_of(s, tree));
+  }
+
+  // Of a spring: its length and its force.
+  static std::pair<double, double> length_and_tension(const placed_spring& s, const tree_in_engine& tree) {
+    const line l = line_of(s, tree);
+    return {l.length, tension(s, l)};
   }
 
   static void act(const engine& e,

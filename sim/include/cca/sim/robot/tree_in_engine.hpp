@@ -84,6 +84,7 @@ public:
   }
 
   dBodyID body_of(int link) const { return link < 0 ? base_ : links_[static_cast<std::size_t>(link)]; }
+  dJointID joint_of(std::size_t link) const { return joints_[link]; }
   const std::vector<dBodyID>& links() const { return links_; }
   dBodyID base() const { return base_; }  // null: it is fixed
 

@@ -44,6 +44,11 @@ public:
   double mass(int link) const { return inertia_of(link).mass; }
   const vector& centre(int link) const { return centres_[slot(link)]; }
 
+  // The velocity of a point of a link for a speed of 1 of a coordinate.
+  vector speed_of(int link, const vector& at, std::size_t c) const {
+    const auto column = jacobian(link).col(first_ + static_cast<Eigen::Index>(c));
+    return column.tail<3>() + cca::detail::cross(vector(column.head<3>()), vector(at - centre(link)));
+  }
   // How fast a point of a link moves along a direction, for each of the speeds.
   template <class Row>
   void slope(int link, const vector& at, const vector& along, double sign, Row&& row) const {
