@@ -112,7 +112,8 @@ inline stiff_robot random_stiff_robot(source& random, double hz) {
     const Eigen::Vector3d axis = random.vector(1).normalized(), at = random.vector(size);
     j.axis = {axis[0], axis[1], axis[2]};
     j.where = cca::at(at[0], at[1], at[2]);
-    auto& link = m.links.emplace_back(cca::detail::body_link_of(j, static_cast<int>(m.drives.size()), parent));
+    auto& link =
+        m.links.emplace_back(cca::detail::body_link_of(j, static_cast<int>(m.drives.size()), parent));
     if (i > 0 && random(0, 1) < 0.15) {  // follows the joint before it
       link.coordinate = m.links[i - 1].coordinate;
       link.ratio = random(0.3, 2) * (random(0, 1) < 0.5 ? -1 : 1);

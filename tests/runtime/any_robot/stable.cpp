@@ -254,7 +254,9 @@ TEST_SUITE("free bodies") {
     start.angular_velocity = {0.5, 0, 500};
     w.place({}, {}, start);
     const Eigen::Vector3d inertia(0.005, 0.005, 0.01);
-    const auto local = [&] { return (w.frame(-1).where.turn.transpose() * w.frame(-1).angular_velocity).eval(); };
+    const auto local = [&] {
+      return (w.frame(-1).where.turn.transpose() * w.frame(-1).angular_velocity).eval();
+    };
     const Eigen::Vector3d momentum = inertia.cwiseProduct(local());
     double farthest = 0;
     for (int k = 0; k < 5000; ++k) {
@@ -296,7 +298,8 @@ TEST_SUITE("names") {
     w.pull("arm", {0, 8, 0});
     w.advance({});
     CHECK(w.end("arm").velocity[1] > 0);
-    CHECK_THROWS_WITH_AS(w.end("amr"), "cca::sim: this robot has no part `amr`; it has `arm`", std::out_of_range);
+    CHECK_THROWS_WITH_AS(w.end("amr"), "cca::sim: this robot has no part `amr`; it has `arm`",
+                         std::out_of_range);
     sim::robot_world hand(sim::model_of<light_hand>());
     CHECK(&hand.inertial("turning") == &hand.inertial(0));
     CHECK_THROWS_AS(hand.inertial("load"), std::out_of_range);

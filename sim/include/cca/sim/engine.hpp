@@ -63,9 +63,7 @@ public:
     detail::in_engine_step = true;
     try {
       dWorldStep(id(), dt);
-    } catch (const engine_alarm&) {
-      parts_->has_failed = true;
-    }
+    } catch (const engine_alarm&) { parts_->has_failed = true; }
     detail::in_engine_step = false;
     return !parts_->has_failed;
   }

@@ -48,8 +48,7 @@ public:
   coupled_joints(const std::shared_ptr<const robot_model>& model, const tree_in_engine& tree)
       : model_(model), inertia_(model) {
     for (std::size_t i = 0; i < model->links.size(); ++i)
-      if (!(tree.leads(i) || tree.is_held_parallel(i)))
-        exist_ = true;
+      if (!(tree.leads(i) || tree.is_held_parallel(i))) exist_ = true;
     if (!exist_) return;
     const auto n = inertia_.size();
     moved_.assign(model->links.size() + 1, vector6::Zero());
@@ -81,7 +80,8 @@ public:
   void clear(std::size_t c, joint_force which) { soft_[c][static_cast<std::size_t>(which)].acts = false; }
 
   // The force of a spring that makes its line longer; it acts at two points, along the line.
-  void set_spring(std::size_t i, const soft_force& f, const vector& from, const vector& to, const vector& along) {
+  void set_spring(
+      std::size_t i, const soft_force& f, const vector& from, const vector& to, const vector& along) {
     const placed_spring& s = model_->line_springs[i];
     springs_[i] = {f, true};
     auto row = rows_.col(static_cast<Eigen::Index>(i));
@@ -228,7 +228,7 @@ private:
   Eigen::MatrixXd weights_;
   Eigen::VectorXd pushed_, motion_;  // of the base, if it floats; of the coordinates
   Eigen::LDLT<Eigen::MatrixXd> solver_;
-  std::vector<int> stopped_;         // over the coordinates: -1 at the lower stop, 1 at the upper one
+  std::vector<int> stopped_;  // over the coordinates: -1 at the lower stop, 1 at the upper one
   std::vector<double> q_, dq_;
 };
 

@@ -1,14 +1,16 @@
 // The drives of a robot in the engine, and the springs and dampers in its joints.
 //
-// In each physics step each of them is a soft force (soft_force.hpp). Where the step is well within its stable
-// range (mobility.hpp) it is explicit: a torque. Else it is a constraint: of the engine, or, in a robot
-// with coupled joints, of their projection. So every stiffness, damping and step is stable, and what was right already
-// costs nothing.
+// In each physics step each of them is a soft force (soft_force.hpp). Where the step is well within its
+// stable range (mobility.hpp) it is explicit: a torque. Else it is a constraint: of the engine, or, in a
+// robot with coupled joints, of their projection. So every stiffness, damping and step is stable, and what
+// was right already costs nothing.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include <cca/sim/robot/coupled_joints.hpp>
@@ -46,8 +48,8 @@ public:
       const robots::joint_drive& d = model_->drives[c];
       const joint_law& law = state.laws[c];
       const bool by_cable = d.cable.stiffness > 0 && law.stiffness > 0;
-      const double motor = by_cable ? d.cable.damping + step_ * d.cable.stiffness
-                                    : law.damping + step_ * law.stiffness;
+      const double motor =
+          by_cable ? d.cable.damping + step_ * d.cable.stiffness : law.damping + step_ * law.stiffness;
       forces_[parts * c + in_joint] = {c, d.friction + step_ * d.spring};
       forces_[parts * c + by_motor] = {c, d.motor.torque > 0 ? motor : 0};
       resistances_[c] = forces_[parts * c + in_joint].resistance + forces_[parts * c + by_motor].resistance;
@@ -103,14 +105,37 @@ public:
     }
   }
 
-  // After a step: the torques of the motors that it found.
-  void account(robot_state& state, double share) const {
+  // After a step: where the joints are, unless their coupling knows it, and the torques of the motors.
+  void account(const tree_in_engine& tree,
+               const coupled_joints& coupled,
+               robot_state& state,
+               double share) const {
+    for (std::size_t i = 0; i < model_->links.size() && !coupled.exist(); ++i) {
+      if (tree.is_held_parallel(i)) continue;
+      const auto& l = model_->links[i];
+      joint_reading& r = state.joints[static_cast<std::size_t>(l.coordinate)];
+      const auto now = tree.read(i);
+      const double turn = l.kind == joint_kind::revolute ? 2 * std::numbers::pi / l.ratio : 0;
+      const double about = r.angle + step_ * now.speed;
+      r.angle = turn == 0 ? now.position : now.position + turn * std::round((about - now.position) / turn);
+      r.velocity = now.speed;
+    }
     for (std::size_t c = 0; c < motors_.size(); ++c) {
       if (!held_[c]) continue;
       const double torque = motors_[c].after(state.joints[c].velocity, step_);
       state.joints[c].torque += share * torque;
       if (model_->drives[c].cable.stiffness > 0) state.winches[c].torque = torque;
     }
+  }
+
+  // In the springs of joints, J.
+  static double stored(const robot_model& model, const robot_state& state) {
+    double sum = 0;
+    for (std::size_t c = 0; c < model.drives.size(); ++c) {
+      const double stretch = state.joints[c].angle - model.drives[c].spring_rest;
+      sum += 0.5 * model.drives[c].spring * stretch * stretch;
+    }
+    return sum;
   }
 
 private:
@@ -163,12 +188,12 @@ private:
   std::shared_ptr<const robot_model> model_;
   mobility moves_;
   soft_joints soft_;
-  std::vector<soft_force> motors_;         // over the coordinates: those that are held
-  std::vector<char> held_;                 // over the coordinates
-  std::vector<double> resistances_;        // over coordinates and springs
-  std::vector<double> turning_;            // over the coordinates: of lines that turn (mobility.hpp)
-  std::vector<mobility::force> forces_;    // the parts of each coordinate, then the springs
-  std::vector<char> stiff_;                // over the forces
+  std::vector<soft_force> motors_;       // over the coordinates: those that are held
+  std::vector<char> held_;               // over the coordinates
+  std::vector<double> resistances_;      // over coordinates and springs
+  std::vector<double> turning_;          // over the coordinates: of lines that turn (mobility.hpp)
+  std::vector<mobility::force> forces_;  // the parts of each coordinate, then the springs
+  std::vector<char> stiff_;              // over the forces
   double step_;
 };
 

@@ -23,7 +23,9 @@
 namespace cca::sim {
 
 // The angular velocity after `step`, both along the axes of the body.
-inline Eigen::Vector3d turned_freely(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& before, double step) {
+inline Eigen::Vector3d turned_freely(const Eigen::Matrix3d& inertia,
+                                     const Eigen::Vector3d& before,
+                                     double step) {
   using cca::detail::cross;
   constexpr double longest = 0.25;  // rad
   constexpr int most_parts = 16, most_iterations = 8;
@@ -41,8 +43,8 @@ inline Eigen::Vector3d turned_freely(const Eigen::Matrix3d& inertia, const Eigen
       // The slope of `miss`: I + h/2 ([w]x I - [I w]x).
       Eigen::Matrix3d slope = inertia;
       for (int c = 0; c < 3; ++c)
-        slope.col(c) += 0.5 * h * (cross(middle, inertia.col(c).eval()) -
-                                   cross(there, Eigen::Vector3d::Unit(c).eval()));
+        slope.col(c) +=
+            0.5 * h * (cross(middle, inertia.col(c).eval()) - cross(there, Eigen::Vector3d::Unit(c).eval()));
       w -= slope.inverse() * miss;
     }
   }

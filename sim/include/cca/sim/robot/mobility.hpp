@@ -1,8 +1,8 @@
 // Which soft forces (soft_force.hpp) a step can take explicitly, and which not.
 //
-// A force of resistance R that acts on what a force moves with the mobility w (speed per N m s) is explicit in
-// a step h if h w R is small; together, if all eigenvalues of h W R are below 2. W has the mobilities of all
-// coordinates and springs, from the inertia of the robot in its posture. Each sum over a row of h |W| R,
+// A force of resistance R that acts on what a force moves with the mobility w (speed per N m s) is explicit
+// in a step h if h w R is small; together, if all eigenvalues of h W R are below 2. W has the mobilities of
+// all coordinates and springs, from the inertia of the robot in its posture. Each sum over a row of h |W| R,
 // scaled by the square roots of the diagonal, bounds them: while one is above 1, the force that has the
 // largest share in it is taken at the end of the step. What remains is explicit, and costs and does what it
 // always did; so every robot is stable, and a soft one is not slowed down.
@@ -61,7 +61,8 @@ public:
 
   // Adds to `resistances`, over the coordinates, what a spring that pulls in a line resists when that line
   // turns: force times the second derivatives of its length, which levers and length bound.
-  void add_turning(std::size_t spring, double length, double force, double step, std::vector<double>& resistances) const {
+  void add_turning(
+      std::size_t spring, double length, double force, double step, std::vector<double>& resistances) const {
     const auto& of = levers_[spring];
     for (std::size_t c = 0; c < of.size(); ++c)
       for (std::size_t k = 0; k < of.size(); ++k) {
@@ -107,7 +108,9 @@ private:
   }
 
   template <class Forces>
-  std::pair<std::size_t, double> worst_row(const Forces& forces, const std::vector<char>& stiff, double step) const {
+  std::pair<std::size_t, double> worst_row(const Forces& forces,
+                                           const std::vector<char>& stiff,
+                                           double step) const {
     std::pair<std::size_t, double> worst{0, 0};
     for (std::size_t k = 0; k < stiff.size(); ++k) {
       if (stiff[k] || !(forces[k].resistance > 0)) continue;
@@ -133,7 +136,8 @@ private:
       inertia_.slope(s.to.link, to, along, 1, row);
       inertia_.slope(s.from.link, from, along, -1, row);
       for (std::size_t c = 0; c < levers_[i].size(); ++c)
-        levers_[i][c] = (inertia_.speed_of(s.to.link, to, c) - inertia_.speed_of(s.from.link, from, c)).norm();
+        levers_[i][c] =
+            (inertia_.speed_of(s.to.link, to, c) - inertia_.speed_of(s.from.link, from, c)).norm();
     }
     solver_.compute(inertia_.weights());
     half_ = slopes_;
@@ -163,9 +167,9 @@ private:
   Eigen::Index coordinates_;
   Eigen::LLT<Eigen::MatrixXd> solver_;
   Eigen::MatrixXd slopes_, half_, now_;
-  Eigen::VectorXd most_;                      // over the postures
-  std::vector<std::vector<double>> levers_;   // of springs: how far their points move, for each coordinate
-  std::vector<char> turns_;                   // over the coordinates
+  Eigen::VectorXd most_;                     // over the postures
+  std::vector<std::vector<double>> levers_;  // of springs: how far their points move, for each coordinate
+  std::vector<char> turns_;                  // over the coordinates
   bool is_soft_ = true;
 };
 

@@ -24,9 +24,9 @@
 namespace cca::sim {
 
 struct plausible_bounds {
-  double speed = 1000;               // m/s
-  double turn = std::numbers::pi;    // rad, in a physics step
-  double energy = 1e7;               // J
+  double speed = 1000;                // m/s
+  double turn = std::numbers::pi;     // rad, in a physics step
+  double energy = 1e7;                // J
   double stop = 0.5, stop_way = 0.1;  // rad, m
 
   static constexpr plausible_bounds none() {
@@ -67,20 +67,27 @@ inline std::string text_of(const world_trouble& t, const robot_model& m) {
     std::snprintf(digits.data(), digits.size(), "%.4g", x);
     return std::string(digits.data());
   };
-  const std::string of = detail::name_of_body(m, t.body), beyond = number(t.value) + " is beyond " + number(t.bound);
+  const std::string of = detail::name_of_body(m, t.body),
+                    beyond = number(t.value) + " is beyond " + number(t.bound);
   switch (t.what) {
-    case implausible::number: return of + ": its motion is not finite";
-    case implausible::speed: return of + ": its speed of " + beyond + " m/s";
+    case implausible::number:
+      return of + ": its motion is not finite";
+    case implausible::speed:
+      return of + ": its speed of " + beyond + " m/s";
     case implausible::turning:
       return of + ": its turning of " + beyond + " rad/s, half a turn in a physics step";
-    case implausible::energy: return of + ": with its motion, the kinetic energy of " + beyond + " J";
-    default: return of + ": its joint has passed a stop by " + beyond;
+    case implausible::energy:
+      return of + ": with its motion, the kinetic energy of " + beyond + " J";
+    default:
+      return of + ": its joint has passed a stop by " + beyond;
   }
 }
 
 // The motion of one body; adds its kinetic energy to `energy`.
-inline world_trouble look_at_body(dBodyID b, int name, const plausible_bounds& bounds, double step, double& energy) {
-  const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(b)), w = Eigen::Vector3d::Map(dBodyGetAngularVel(b)),
+inline world_trouble look_at_body(
+    dBodyID b, int name, const plausible_bounds& bounds, double step, double& energy) {
+  const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(b)),
+                        w = Eigen::Vector3d::Map(dBodyGetAngularVel(b)),
                         at = Eigen::Vector3d::Map(dBodyGetPosition(b));
   const double speed = v.norm(), turning = w.norm(), own = kinetic_energy(b);
   energy += own;

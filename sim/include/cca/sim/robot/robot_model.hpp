@@ -54,6 +54,14 @@ struct robot_names {
   std::vector<std::string> joints, ends, sensors, inertial;  // coordinates, parts, sensors of each kind
 };
 
+// How far the stops of a joint are from their middle, of its own angle; 0: it has none. The engine's stops
+// are for hinges of less than a turn.
+inline double stop_reach(const cca::detail::body_link& l, const joint_stops& s) {
+  const double reach = std::abs(l.ratio) * (s.high - s.low) / 2;
+  const bool has = std::isfinite(reach) && (l.kind == joint_kind::prismatic || reach < std::numbers::pi);
+  return has ? reach : 0;
+}
+
 struct robot_model {
   std::vector<cca::detail::body_link> links;  // each after the one to which it is attached
   link_inertia base{};
@@ -76,10 +84,13 @@ struct robot_model {
 };
 
 // Throws std::out_of_range with all names that there are.
-inline std::size_t index_of(const std::vector<std::string>& names, std::string_view name, std::string_view of) {
+inline std::size_t index_of(const std::vector<std::string>& names,
+                            std::string_view name,
+                            std::string_view of) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return i;
-  std::string text = "cca::sim: this robot has no " + std::string(of) + " `" + std::string(name) + "`; it has";
+  std::string text =
+      "cca::sim: this robot has no " + std::string(of) + " `" + std::string(name) + "`; it has";
   for (const std::string& each : names) text += (&each == &names[0] ? " `" : ", `") + each + "`";
   throw std::out_of_range(names.empty() ? text + " none with a name" : text);
 }

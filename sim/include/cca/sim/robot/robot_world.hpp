@@ -35,11 +35,11 @@
 #include <ode/ode.h>
 
 #include <cca/sim/engine.hpp>
-#include <cca/sim/robot/coupled_joints.hpp>
 #include <cca/sim/robot/drives_in_engine.hpp>
 #include <cca/sim/robot/gyroscopic.hpp>
 #include <cca/sim/robot/inertial_units.hpp>
-#include <cca/sim/robot/plausible.hpp>
+#include <cca/sim/robot/judgement.hpp>
+#include <cca/sim/robot/outer_forces.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 #include <cca/sim/robot/robot_state.hpp>
 #include <cca/sim/robot/scene.hpp>
@@ -47,7 +47,6 @@
 #include <cca/sim/robot/springs_in_engine.hpp>
 #include <cca/sim/robot/stops_in_engine.hpp>
 #include <cca/sim/robot/touching.hpp>
-#include <cca/sim/robot/tree_in_engine.hpp>
 
 namespace cca::sim {
 
@@ -81,14 +80,14 @@ public:
   }
   ~robot_world() = default;
 
-  // Puts the robot there: coordinates and speeds, and the motion of a base that floats.
+  // Puts the robot there: coordinates and speeds, and the motion of a base that floats. All are finite.
   void place(std::span<const double> q, std::span<const double> dq) {
     place(q, dq, {mount(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   }
   void place(std::span<const double> q, std::span<const double> dq, const moving_frame& base) {
     if (q.size() != state_.joints.size() || dq.size() != q.size())
       throw std::invalid_argument("cca::sim::robot_world: one angle and one speed for each coordinate");
-    double sum = base.where.at.sum() + base.where.turn.sum() + base.velocity.sum() + base.angular_velocity.sum();
+    double sum = sum_of(base);
     for (std::size_t c = 0; c < q.size(); ++c) sum += q[c] + dq[c];
     if (!std::isfinite(sum)) throw std::invalid_argument("cca::sim::robot_world: a place is not finite");
     tree_.place(q, dq, base);
@@ -177,12 +176,7 @@ public:
   }
   // In springs and cables between points and in the springs of joints, J.
   double spring_energy() const {
-    double sum = springs_in_engine::stored(*model_, tree_);
-    for (std::size_t c = 0; c < model_->drives.size(); ++c) {
-      const double stretch = state_.joints[c].angle - model_->drives[c].spring_rest;
-      sum += 0.5 * model_->drives[c].spring * stretch * stretch;
-    }
-    return sum;
+    return springs_in_engine::stored(*model_, tree_) + drives_in_engine::stored(*model_, state_);
   }
   // The force of a spring or cable (in order of declaration), N; negative: it pushes.
   double tension(std::size_t spring) const {
@@ -267,88 +261,25 @@ private:
       stops_.act(*model_, tree_, state_.joints, step_, [&](std::size_t c) { return drives_.is_stiff(c); });
     springs_in_engine::act(engine_, *model_, tree_, drives_, coupled_, step_);
     each_link([&](dBodyID b) { turn_freely(b, step_); });
-    for (std::size_t part = 0; part < state_.pulls.size(); ++part) pull_at(part);
+    pull_at_ends(*model_, tree_, state_.pulls);
     touching_.find(engine_, state_.pressing);
     if (!engine_.step(step_)) state_.trouble = {implausible::engine};
     // With coupled joints the engine's step is half of one: only its numbers must be right.
     if (!state_.trouble) look(coupled_.exist() ? plausible_bounds::none() : settings_.plausible);
     if (state_.trouble) return;
-    touching_.account(state_.pressing, [&](const touch& t) { feel(t, share); });
+    touching_.account(state_.pressing, [&](const touch& t) { feel(*model_, tree_, t, share, state_.loads); });
     dJointGroupEmpty(engine_.contacts());
-    if (!coupled_.exist()) {
-      read_joints();
-    } else {
+    if (coupled_.exist()) {
       if (!coupled_.end(tree_, state_.joints, step_)) state_.trouble = {implausible::engine};
       else look(settings_.plausible);
       if (state_.trouble) return;
     }
-    drives_.account(state_, share);
-    look_at_stops();
+    drives_.account(tree_, coupled_, state_, share);
+    state_.trouble = look_at_stops(*model_, tree_, state_.joints, settings_.plausible);
   }
 
-  void read_joints() {
-    for (std::size_t i = 0; i < model_->links.size(); ++i) {
-      if (tree_.is_held_parallel(i)) continue;
-      const auto& l = model_->links[i];
-      joint_reading& r = state_.joints[static_cast<std::size_t>(l.coordinate)];
-      const auto now = tree_.read(i);
-      const double turn = l.kind == joint_kind::revolute ? 2 * std::numbers::pi / l.ratio : 0;
-      const double about = r.angle + step_ * now.speed;
-      r.angle = turn == 0 ? now.position : now.position + turn * std::round((about - now.position) / turn);
-      r.velocity = now.speed;
-    }
-  }
-
-  // The first body that can't be right.
   void look(const plausible_bounds& bounds) {
-    double energy = 0;
-    const auto judge = [&](dBodyID b, int name) {
-      if (!state_.trouble) state_.trouble = look_at_body(b, name, bounds, step_, energy);
-    };
-    if (tree_.base()) judge(tree_.base(), world_trouble::base);
-    for (std::size_t i = 0; i < tree_.links().size(); ++i) judge(tree_.links()[i], static_cast<int>(i));
-    for (std::size_t i = 0; i < shapes_.balls().size(); ++i)
-      judge(shapes_.balls()[i], world_trouble::first_ball - static_cast<int>(i));
-  }
-
-  void look_at_stops() {
-    for (std::size_t i = 0; i < model_->links.size(); ++i) {
-      if (!tree_.leads(i)) continue;
-      const auto& l = model_->links[i];
-      const joint_stops& s = model_->stops[static_cast<std::size_t>(l.coordinate)];
-      if (!std::isfinite(s.high - s.low)) continue;
-      const double angle = state_.joints[static_cast<std::size_t>(l.coordinate)].angle;
-      const bool turns = l.kind == joint_kind::revolute;
-      const double bound = turns ? settings_.plausible.stop : settings_.plausible.stop_way;
-      const double beyond = std::abs(l.ratio) * std::max(angle - s.high, s.low - angle);
-      const bool has_stops = !turns || std::abs(l.ratio) * (s.high - s.low) / 2 < std::numbers::pi;
-      if (has_stops && beyond > bound && !state_.trouble)
-        state_.trouble = {implausible::stop, static_cast<int>(i), beyond, bound};
-    }
-  }
-
-  void pull_at(std::size_t part) const {
-    const dBodyID b = tree_.body_of(model_->ends[part].link);
-    if (!b) return;
-    const auto& [f, t] = state_.pulls[part];
-    if (f == std::array<double, 3>{} && t == f) return;
-    const Eigen::Vector3d at = end(part).where.at;
-    dBodyAddForceAtPos(b, f[0], f[1], f[2], at[0], at[1], at[2]);
-    dBodyAddTorque(b, t[0], t[1], t[2]);
-  }
-
-  // At the place where the sensor was when the contact was found, up to one physics step.
-  void feel(const touch& t, double share) {
-    const int sensor = model_->shapes[t.shape].sensor;
-    if (sensor < 0) return;
-    const rigid f = tree_.at(model_->sensors[static_cast<std::size_t>(sensor)]).where;
-    const Eigen::Vector3d torque = f.turn.transpose() * cca::detail::cross(t.at - f.at, t.force),
-                          force = f.turn.transpose() * t.force;
-    auto& load = state_.loads[static_cast<std::size_t>(sensor)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      load[k] += share * torque[static_cast<Eigen::Index>(k)];
-      load[3 + k] += share * force[static_cast<Eigen::Index>(k)];
-    }
+    state_.trouble = look_at_bodies(tree_, shapes_.balls(), bounds, step_);
   }
 
   std::shared_ptr<const robot_model> model_;

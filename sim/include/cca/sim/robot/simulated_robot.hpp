@@ -85,8 +85,8 @@ private:
       const robot_model m = model_of<R>();
       std::vector<std::string> texts;
       for (int body = world_trouble::base; body < static_cast<int>(m.links.size()); ++body)
-        texts.push_back("the simulation is not plausible any more, first at " + detail::name_of_body(m, body) +
-                        ": world().trouble_text() has the numbers");
+        texts.push_back("the simulation is not plausible any more, first at " +
+                        detail::name_of_body(m, body) + ": world().trouble_text() has the numbers");
       texts.emplace_back("the simulation is not plausible any more: world().trouble_text() says why");
       return texts;
     }();
@@ -96,7 +96,8 @@ private:
     const world_trouble& t = world_.trouble();
     if (!t) return {};
     const bool has_name = t.what != implausible::engine && t.body >= world_trouble::base;
-    return reasons_->at(has_name ? static_cast<std::size_t>(t.body - world_trouble::base) : reasons_->size() - 1)
+    return reasons_
+        ->at(has_name ? static_cast<std::size_t>(t.body - world_trouble::base) : reasons_->size() - 1)
         .c_str();
   }
 

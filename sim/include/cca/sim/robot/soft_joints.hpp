@@ -35,7 +35,12 @@ public:
   }
 
   // For the next step. Both bounds are finite, or none is.
-  void set(const tree_in_engine& tree, std::size_t link, std::size_t c, joint_force which, const soft_force& f, double step) {
+  void set(const tree_in_engine& tree,
+           std::size_t link,
+           std::size_t c,
+           joint_force which,
+           const soft_force& f,
+           double step) {
     row& r = rows_[c][static_cast<std::size_t>(which)];
     const double resistance = f.resistance(step), ratio = ratio_[c];
     // The engine's motors have one bound for both directions.

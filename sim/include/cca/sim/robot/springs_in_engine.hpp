@@ -2,8 +2,8 @@
 //
 // Those that a step can take explicitly (mobility.hpp) are forces, from the lengths and speeds of its
 // beginning. The others are constraints from those of its end: of the engine, a friction along the line whose
-// softness follows from the resistance (soft_force.hpp), or of the projection (coupled_joints.hpp). Points that lie on each other have no direction, so no
-// force.
+// softness follows from the resistance (soft_force.hpp), or of the projection (coupled_joints.hpp). Points
+// that lie on each other have no direction, so no force.
 #pragma once
 
 #include <algorithm>
@@ -74,8 +74,10 @@ private:
 
   // A constraint for one step. Its force has the same bound both ways: half of a cable's is a force, so that
   // it only pulls.
-  static void hold(const engine& e, const line& l, const soft_force& f, dBodyID from, dBodyID to, double step) {
-    const double resistance = f.resistance(step), most = 10 * (std::abs(f.pull) + resistance * std::abs(l.speed));
+  static void hold(
+      const engine& e, const line& l, const soft_force& f, dBodyID from, dBodyID to, double step) {
+    const double resistance = f.resistance(step),
+                 most = 10 * (std::abs(f.pull) + resistance * std::abs(l.speed));
     const double middle = f.high < most ? (f.high - most) / 2 : 0;
     push(from, -middle * l.along, l.from);
     push(to, middle * l.along, l.to);
@@ -88,7 +90,8 @@ private:
     c.surface.motion1 = (f.pull - middle) / resistance * (to ? 1 : -1);
     const vector across = std::abs(l.along[0]) < 0.8 ? vector::UnitX() : vector::UnitY();
     const vector normal = cca::detail::cross(l.along, across).normalized();
-    for (int k = 0; k < 3; ++k) c.geom.pos[k] = l.to[k], c.geom.normal[k] = normal[k], c.fdir1[k] = l.along[k];
+    for (int k = 0; k < 3; ++k)
+      c.geom.pos[k] = l.to[k], c.geom.normal[k] = normal[k], c.fdir1[k] = l.along[k];
     const dJointID joint = dJointCreateContact(e.id(), e.contacts(), &c);
     dJointAttach(joint, to ? to : from, to ? from : nullptr);
   }

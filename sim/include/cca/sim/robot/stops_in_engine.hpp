@@ -1,16 +1,14 @@
 // Stops that a fast joint does not run through.
 //
 // The engine notices a stop when a joint is beyond it: at 40 rad/s and a step of 10 ms, 0.4 rad too late. So
-// before a step a joint that would be more than `near` beyond a stop at its end, or whose forces are stiff and
-// could bring it there at any speed, gets the stop as a bound of its speed: the way that is left, in one step.
-// The engine's own joints have only stops that were passed; this one is a passed stop with a negative error
-// reduction. Joints that reach a stop slowly are left to the engine.
+// before a step a joint that would be more than `near` beyond a stop at its end, or whose forces are stiff
+// and could bring it there at any speed, gets the stop as a bound of its speed: the way that is left, in one
+// step. The engine's own joints have only stops that were passed; this one is a passed stop with a negative
+// error reduction. Joints that reach a stop slowly are left to the engine.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include <ode/ode.h>
@@ -24,14 +22,10 @@ class stops_in_engine {
 public:
   stops_in_engine(const robot_model& model, const tree_in_engine& tree, double erp)
       : changed_(model.links.size(), 0), reach_(model.links.size(), 0), erp_(erp) {
-    for (std::size_t i = 0; i < reach_.size(); ++i) {
-      const auto& l = model.links[i];
-      const joint_stops& s = model.stops[static_cast<std::size_t>(l.coordinate)];
-      const double reach = std::abs(l.ratio) * (s.high - s.low) / 2;
-      const bool has_stops =
-          std::isfinite(reach) && (l.kind == joint_kind::prismatic || reach < std::numbers::pi);
-      if (tree.leads(i) && has_stops) reach_[i] = reach;
-    }
+    for (std::size_t i = 0; i < reach_.size(); ++i)
+      if (tree.leads(i))
+        reach_[i] =
+            stop_reach(model.links[i], model.stops[static_cast<std::size_t>(model.links[i].coordinate)]);
   }
 
   // Before a step. `is_stiff(c)`: a force on that coordinate is.

@@ -38,6 +38,10 @@ struct moving_frame {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
 };
 
+inline double sum_of(const moving_frame& f) {
+  return f.where.at.sum() + f.where.turn.sum() + f.velocity.sum() + f.angular_velocity.sum();
+}
+
 class tree_in_engine {
 public:
   using vector = Eigen::Vector3d;
