@@ -35,9 +35,9 @@
 #include <Eigen/Cholesky>
 
 #include <cca/sim/robot/joint_law.hpp>
-#include <cca/sim/robot/soft_joints.hpp>
+#include <cca/sim/robot/forces/soft_joints.hpp>
 #include <cca/sim/robot/tree_in_engine.hpp>
-#include <cca/sim/robot/tree_inertia.hpp>
+#include <cca/sim/robot/forces/tree_inertia.hpp>
 
 namespace cca::sim {
 

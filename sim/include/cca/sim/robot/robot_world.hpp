@@ -35,17 +35,17 @@
 #include <ode/ode.h>
 
 #include <cca/sim/engine.hpp>
-#include <cca/sim/robot/drives_in_engine.hpp>
-#include <cca/sim/robot/gyroscopic.hpp>
+#include <cca/sim/robot/forces/drives_in_engine.hpp>
+#include <cca/sim/robot/forces/gyroscopic.hpp>
 #include <cca/sim/robot/inertial_units.hpp>
 #include <cca/sim/robot/judgement.hpp>
-#include <cca/sim/robot/outer_forces.hpp>
+#include <cca/sim/robot/forces/outer_forces.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 #include <cca/sim/robot/robot_state.hpp>
 #include <cca/sim/robot/scene.hpp>
 #include <cca/sim/robot/shapes_in_engine.hpp>
 #include <cca/sim/robot/springs_in_engine.hpp>
-#include <cca/sim/robot/stops_in_engine.hpp>
+#include <cca/sim/robot/forces/stops_in_engine.hpp>
 #include <cca/sim/robot/touching.hpp>
 
 namespace cca::sim {

@@ -12,7 +12,7 @@
 
 #include <cca/sim/engine.hpp>
 #include <cca/sim/robot/coupled_joints.hpp>
-#include <cca/sim/robot/drives_in_engine.hpp>
+#include <cca/sim/robot/forces/drives_in_engine.hpp>
 #include <cca/sim/robot/tree_in_engine.hpp>
 
 namespace cca::sim {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include <cca/sim/robot/coupled_joints.hpp>
-#include <cca/sim/robot/mobility.hpp>
+#include <cca/sim/robot/forces/mobility.hpp>
 #include <cca/sim/robot/robot_state.hpp>
-#include <cca/sim/robot/soft_joints.hpp>
+#include <cca/sim/robot/forces/soft_joints.hpp>
 
 namespace cca::sim {
 

@@ -23,7 +23,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <cca/sim/robot/tree_inertia.hpp>
+#include <cca/sim/robot/forces/tree_inertia.hpp>
 
 namespace cca::sim {
 
