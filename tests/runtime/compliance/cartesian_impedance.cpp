@@ -82,6 +82,23 @@ double largest_growth(std::uint64_t seed, bool cut) {
 }  // namespace
 
 TEST_SUITE("Cartesian impedance") {
+  TEST_CASE("what is too stiff for its inertia and rate is refused, or lowered with a status") {
+    model<> stiff;
+    CHECK(stiff.servo.p.check_at(0.001).empty());
+    CHECK(is(std::get<2>(stiff.all(bent, vector::Zero())), cca::input_status::usable));
+    stiff.servo.p.stiffness.setConstant(1e7);
+    CHECK(stiff.servo.p.check_at(0.001).find("`stiffness` is 1e+07, but at 1000 Hz it must be at most") == 0);
+    const vector near = bent + vector::Constant(1e-6);
+    const auto found = stiff.all(near, vector::Zero());
+    CHECK(is(std::get<2>(found), cca::input_status::clamped));
+    // It pulls to the reference, and softly enough for a beat.
+    const vector pull =
+        in_order(std::get<0>(found).vector()) - cca::gravity_torques(cca::body_pose<arm>(near));
+    const vector change = 1e-6 * cca::mass_matrix(cca::body_pose<arm>(near)).ldlt().solve(pull);
+    CHECK(pull.dot(bent - near) > 0);
+    CHECK(change.norm() < (bent - near).norm());
+  }
+
   TEST_CASE("under a load it is as stiff as commanded, about and along each axis") {
     model servo;
     servo.servo.p.stiffness << 40, 40, 40, 400, 600, 900;
@@ -154,7 +171,7 @@ TEST_SUITE("Cartesian impedance") {
     servo.p.damping_ratio = 0, servo.p.posture_damping = 0;
     vector6 stiff, damp, twist, push;
     stiff << 10, 20, 30, 100, 200, 300;
-    damp << 1, 2, 3, 10, 20, 30;
+    damp << 0.1, 0.2, 0.3, 1, 2, 3;  // slow enough for the wrist at 1 kHz
     twist << 0.1, -0.2, 0.3, 0.05, 0.1, -0.15;
     push << 0.5, -0.4, 0.3, 2, 3, -4;
     vector dq;

@@ -40,9 +40,79 @@ vector random_vector(laws::source& random, double size) {
   return v;
 }
 
+// A finger: 50 N m/rad is far too stiff for it at 1 kHz.
+struct palm : cca::frame<"palm"> {};
+struct finger_tip : cca::frame<"finger tip"> {};
+struct finger : cca::dimension<"finger"> {
+  static constexpr auto limits = cca::limits{cca::angle{-1, 1}, cca::velocity{-50, 50}, cca::torque{-5, 5}};
+};
+struct finger_chain : cca::serial_chain<palm, finger_tip, cca::axes<finger>> {
+  static constexpr std::array joints{cca::revolute(cca::along_z)};
+  static constexpr auto tip = cca::at(0.03, 0, 0);
+  static constexpr std::array links{cca::link_inertia{0.01, {0, 0, 0}, {6e-6, 6e-6, 6e-6, 0, 0, 0}}};
+};
+struct hand : cca::body<palm, cca::part<"finger", finger_chain>> {};
+struct finger_angle : cca::space<cca::joint_angles, cca::axes<finger>> {};
+struct finger_velocity : cca::space<cca::joint_velocities, cca::axes<finger>> {};
+struct finger_torque : cca::space<cca::joint_torques, cca::axes<finger>> {};
+using finger_impedance = cca::joint_impedance<hand, finger_angle, finger_velocity, finger_torque>;
+
+// The largest angle in the second half of 0.2 s at 1 kHz, pushed off by 0.01 rad; the worst status.
+std::pair<double, cca::input_status> swings(finger_impedance& servo, bool at_a_rate) {
+  double q = 0.01, dq = 0, most = 0;
+  auto worst = cca::input_status::usable;
+  for (int k = 0; k < 200; ++k) {
+    const auto given_q = given<cca::in<"angles", finger_angle>>(Eigen::Matrix<double, 1, 1>(q));
+    const auto given_dq = given<cca::in<"velocities", finger_velocity>>(Eigen::Matrix<double, 1, 1>(dq));
+    const auto [torque, status, cut] = servo.process(
+        given<cca::in<"reference", finger_angle>>(Eigen::Matrix<double, 1, 1>(0.0)), given_q, given_dq, {},
+        {}, {}, {}, {}, at_a_rate ? cca::beat{k, 1'000'000, 1} : cca::beat{k, 0, 1});
+    worst = std::max(worst, static_cast<cca::input_status>(static_cast<int>(status.vector()[0])));
+    const double a = torque.vector()[0] / 6e-6;  // the same for a beat
+    q += 1e-3 * dq + 0.5e-6 * a;
+    dq += 1e-3 * a;
+    if (k >= 100) most = std::max(most, std::abs(q));
+  }
+  return {most, worst};
+}
+
 }  // namespace
 
 TEST_SUITE("joint impedance") {
+  TEST_CASE("what is too stiff for its inertia and rate is refused, or lowered with a status") {
+    finger_impedance servo;
+    CHECK(servo.p.check_at(0.001).find("`stiffness` of `finger` is 50, but at 1000 Hz it must be at most") ==
+          0);
+    CHECK(servo.p.check_at(1e-5).empty());
+    const auto [unchecked, usable] = swings(servo, false);
+    CHECK(unchecked > 0.1);  // it swings up to its limits of torque
+    const auto [lowered, status] = swings(servo, true);
+    CHECK(lowered < 1e-4);
+    CHECK(status == cca::input_status::clamped);
+    // The damping alone, too.
+    servo.p.stiffness.setZero();
+    servo.p.damping.setConstant(0.05);
+    CHECK(servo.p.check_at(0.001).find(
+              "`damping` of `finger` is 0.05, but at 1000 Hz it must be at most 0.01199") == 0);
+    servo.p.damping.setConstant(0.005);
+    CHECK(servo.p.check_at(0.001).empty());
+    const auto [braked, slow] = swings(servo, true);
+    CHECK(braked == doctest::Approx(0.01));
+    CHECK(slow == cca::input_status::usable);
+  }
+
+  TEST_CASE("where it is slow enough, a beat changes no bit") {
+    impedance servo;
+    const vector v = vector::Constant(0.2);
+    const auto without = servo.process(given<wanted_angles>(vector(bent + v)), angles_of(bent),
+                                       velocities_of(v), {}, {}, {}, {}, {});
+    const auto with = servo.process(given<wanted_angles>(vector(bent + v)), angles_of(bent), velocities_of(v),
+                                    {}, {}, {}, {}, {}, cca::beat{0, 1'000'000, 1});
+    CHECK(std::get<0>(with).vector() == std::get<0>(without).vector());
+    CHECK(is(std::get<1>(with), cca::input_status::usable));
+    CHECK(servo.p.check_at(0.001).empty());
+  }
+
   TEST_CASE("under a load it is as stiff as commanded") {
     model servo;
     servo.servo.p.stiffness << 80, 60, 50, 40, 20, 10, 5;

@@ -34,6 +34,11 @@
 // and forces of the spring, each axis); `posture_stiffness` over axes_of<Body>, `posture_damping` in 1/s,
 // `posture_energy` in J; `compensate_gravity`, `gravity` in m/s^2.
 //
+// In a loop that runs every dt, spring, dampers and posture must be slow enough for the inertia that they
+// move (beat_stability.hpp). It is checked on load and on changes in the middle of the axes' limits, and in
+// each beat where the body is: while it does not hold, stiffnesses and dampings are lowered, by s^2 and s,
+// with the status `clamped`.
+//
 // With a constant stiffness and reference it creates no more energy than `posture_energy`; feed-forward and a
 // stiffness that changes can: put a `passivity_guard` behind it. Near a singular position the end is heavy in
 // some direction and the torques stay finite.
@@ -61,6 +66,7 @@
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/robot/body_components.hpp>
+#include <cca/robot/compliance/beat_stability.hpp>
 #include <cca/robot/compliance/cartesian_spring.hpp>
 #include <cca/robot/compliance/damping_design.hpp>
 #include <cca/robot/compliance/energy_tank.hpp>
@@ -122,7 +128,17 @@ struct cartesian_impedance {
       return std::abs(gravity) <= 1e6 ? std::string_view() : "`gravity` is above 1e6 m/s^2";
     }
     std::string check_at(double step) const {
-      return detail::above_rate_bound("posture_damping", posture_damping, 1 / step, step);
+      if (auto what = detail::above_rate_bound("posture_damping", posture_damping, 1 / step, step);
+          !what.empty())
+        return what;
+      const detail::tip_dynamics<Type, Part> at(detail::middle_of(axes_of<Type>()));
+      const matrix3 along = along_reference ? at.end.turn : matrix3(matrix3::Identity());
+      const double share = share_of(at, all_damping(at, along, stiffness, damping, damping_ratio),
+                                    spring_of(along, stiffness), posture_stiffness, step);
+      if (share == 1) return "";
+      return detail::rate_text("stiffness", stiffness.maxCoeff(), "at most",
+                               share * share * stiffness.maxCoeff(), step) +
+             "; with a lower `damping` or `posture_stiffness`, if that is what is large";
     }
   };
   parameters p{};
@@ -155,7 +171,6 @@ struct cartesian_impedance {
     if (damping) d = detail::at_least_zero(wish, damping.vector());
     if (feedforward) added = wish(feedforward.vector());
     if (posture) rest = wish(of(posture));
-    const input_status inputs = detail::worse(motion.get(), wish.get());
 
     vector torques = vector::Zero();
     vector_6 wrench = vector_6::Zero();
@@ -170,8 +185,15 @@ struct cartesian_impedance {
       const matrix3 frame = along_reference ? rotation::matrix(detail::vector4(goal.template tail<4>()))
                                             : matrix3(matrix3::Identity());
       const vector_6 away = wanted_twist - at.jacobian * dq;
-      wrench = added + detail::damping_along_frame(frame, d, away) +
-               detail::damping_for<6>(at.mobility, detail::root_along(frame, k), p.damping_ratio) * away;
+      detail::matrix6 resists = all_damping(at, frame, k, d, p.damping_ratio);
+      vector posture_k = p.posture_stiffness;
+      const double share = share_of(at, resists, spring_of(frame, k), posture_k, beat_now.dt());
+      if (share < 1) [[unlikely]] {
+        wish.note_clamped();
+        resists *= share;
+        k *= share * share, posture_k *= share * share;
+      }
+      wrench = added + resists * away;
       if (pulls) {
         const auto pull = detail::cartesian_spring(at.end, goal, frame, k, p.largest);
         spring_cut = pull.cut;
@@ -179,7 +201,7 @@ struct cartesian_impedance {
       }
       vector spring = vector::Zero();
       if (posture && posture.origin() != never && !wish.unreadable())
-        spring = at.free_torques(vector(p.posture_stiffness.cwiseProduct(rest - q)));
+        spring = at.free_torques(vector(posture_k.cwiseProduct(rest - q)));
       torques = at.jacobian.transpose() * wrench + free_joints(at, spring, q, dq, beat_now.dt());
       if (p.compensate_gravity) torques += gravity_torques(at.now, down);
     } else {
@@ -187,6 +209,7 @@ struct cartesian_impedance {
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
+    const input_status inputs = detail::worse(motion.get(), wish.get());
     const saturation cut = torque_cut   ? saturation::torque
                            : spring_cut ? saturation::spring
                                         : saturation::none;
@@ -211,6 +234,31 @@ private:
   template <class Port>
   static vector of(const Port& port) {
     return detail::reordered<order, typename Port::space>::from(port.vector());
+  }
+
+  // About and along the axes of the base.
+  static detail::matrix6 spring_of(const matrix3& frame, const vector_6& k) {
+    const detail::matrix6 root = detail::root_along(frame, k);
+    return root * root.transpose();
+  }
+  static detail::matrix6 all_damping(const detail::tip_dynamics<Type, Part>& at,
+                                     const matrix3& frame,
+                                     const vector_6& k,
+                                     const vector_6& d,
+                                     double ratio) {
+    return spring_of(frame, d) + detail::damping_for<6>(at.mobility, detail::root_along(frame, k), ratio);
+  }
+  // In the joints (beat_stability.hpp).
+  static double share_of(const detail::tip_dynamics<Type, Part>& at,
+                         const detail::matrix6& damping,
+                         const detail::matrix6& spring,
+                         const vector& posture,
+                         double dt) {
+    using matrix = Eigen::Matrix<double, body_pose<Type>::size, body_pose<Type>::size>;
+    const matrix d = at.jacobian.transpose() * damping * at.jacobian;
+    matrix k = at.jacobian.transpose() * spring * at.jacobian;
+    k += posture.asDiagonal();
+    return detail::stable_share<body_pose<Type>::size>(at.mass, d, k, dt);
   }
 
   // The torques of the posture, of which the tank pays the spring.

@@ -25,8 +25,12 @@
 // "feedforward".
 //
 // With a constant stiffness and reference it creates no energy in continuous time, also where the spring is
-// cut; feed-forward and a stiffness that changes can: put a `passivity_guard` behind it. In a loop that runs
-// every dt, the damping must be below about 2 M / dt; a damping from the ratio is that if w dt < 1 / ratio.
+// cut; feed-forward and a stiffness that changes can: put a `passivity_guard` behind it.
+//
+// In a loop that runs every dt, what acts once a beat must be slow enough for the inertia that it moves:
+// 2 M - dt (D + dt K) positive definite (beat_stability.hpp). It is checked on load and on changes in the
+// middle of the axes' limits, and in each beat where the body is: while it does not hold, stiffness and
+// damping are lowered, by s^2 and s, with the status `clamped`.
 //
 // Inputs (input_status.hpp): while "angles", "velocities" or "attitude" is NaN or infinite, the torque is 0,
 // or the nearest that the limits allow. While only another one is, spring and feed-forward are left out: the
@@ -34,18 +38,24 @@
 // no state. Until a first "reference" comes there is no spring; until angles and velocities come, the torque
 // is 0. A negative stiffness or damping counts as 0, with the status `clamped`.
 //
+// A function call without a beat, in a test, checks nothing of the loop.
+//
 // Precondition: each coordinate moves mass, if `damping_ratio` is not 0.
-// Errors: space.mismatch. Cost: mass matrix, gravity torques, and the decomposition of a matrix of n x n
+// Errors: space.mismatch. Cost: mass matrix, gravity torques, a small decomposition of n x n, and a large one
 // unless `damping_ratio` is 0. Source: Ott, Cartesian Impedance Control of Redundant and Flexible-Joint
 // Robots, 2008, chapter 3. Example: tests/runtime/compliance/joint_impedance.cpp; docs/compliance.md.
 #pragma once
 
+#include <array>
+#include <string>
 #include <string_view>
 #include <tuple>
 
+#include <cca/component/beat.hpp>
 #include <cca/component/parameters.hpp>
 #include <cca/component/port.hpp>
 #include <cca/robot/body_components.hpp>
+#include <cca/robot/compliance/beat_stability.hpp>
 #include <cca/robot/compliance/compliance_spaces.hpp>
 #include <cca/robot/compliance/damping_design.hpp>
 #include <cca/robot/dynamics/mass_matrix.hpp>
@@ -91,6 +101,19 @@ struct joint_impedance {
         return "a stiffness or damping is above 1e12";
       return std::abs(gravity) <= 1e6 ? std::string_view() : "`gravity` is above 1e6 m/s^2";
     }
+    std::string check_at(double step) const {
+      const body_pose<Type> now(detail::middle_of(axes_of<Type>()));
+      const matrix mass = mass_matrix(now);
+      const matrix all = resistance(mass, stiffness, damping, damping_ratio);
+      const double share =
+          detail::stable_share<body_pose<Type>::size>(mass, all, stiffness.asDiagonal(), step);
+      if (share == 1) return "";
+      int worst = 0;
+      const vector speed = (all.diagonal() + step * stiffness).cwiseQuotient(mass.diagonal());
+      speed.maxCoeff(&worst);
+      return detail::beyond_beat(names[static_cast<std::size_t>(worst)], stiffness[worst], all(worst, worst),
+                                 share, step);
+    }
   };
   parameters p{};
 
@@ -101,7 +124,8 @@ struct joint_impedance {
                optional_in<"stiffness", stiffness_along<Torques>> stiffness,
                optional_in<"damping", damping_along<Torques>> damping,
                optional_in<"feedforward", Torques> feedforward,
-               optional_in<"attitude", Attitude> attitude) -> std::
+               optional_in<"attitude", Attitude> attitude,
+               beat now_is = beat{0, 0, 1}) -> std::
       tuple<out<"torques", Torques>, out<"status", input_status_port>, out<"saturation", saturation_port>> {
     detail::input_check motion, wish;
     const vector q = motion(of(angles)), dq = motion(of(velocities));
@@ -115,15 +139,22 @@ struct joint_impedance {
     if (stiffness) k = detail::at_least_zero(wish, of(stiffness));
     if (damping) d = detail::at_least_zero(wish, of(damping));
     if (feedforward) added = wish(of(feedforward));
-    const input_status inputs = detail::worse(motion.get(), wish.get());
 
     vector torques = vector::Zero();
     bool spring_cut = false, torque_cut = false;
     if (!motion.unreadable() && angles.origin() != never && velocities.origin() != never) {
       if (wish.unreadable()) k = p.stiffness, d = p.damping, dq_wanted.setZero(), added.setZero();
       const body_pose<Type> now(q);
-      const matrix by_ratio = damping_by_ratio(now, k);
-      torques = added + d.cwiseProduct(dq_wanted - dq) + by_ratio * (dq_wanted - dq);
+      const matrix mass = mass_matrix(now);
+      matrix resists = resistance(mass, k, d, p.damping_ratio);
+      const double share =
+          detail::stable_share<body_pose<Type>::size>(mass, resists, k.asDiagonal(), now_is.dt());
+      if (share < 1) [[unlikely]] {
+        wish.note_clamped();
+        resists *= share;
+        k *= share * share;
+      }
+      torques = added + resists * (dq_wanted - dq);
       if (!wish.unreadable() && reference.origin() != never) {
         const vector pull =
                          k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, wanted)),
@@ -135,6 +166,7 @@ struct joint_impedance {
     }
     const typename Torques::vector_type within =
         detail::within_torque_limits<Torques>(detail::reordered<order, Torques>::to(torques), torque_cut);
+    const input_status inputs = detail::worse(motion.get(), wish.get());
     const saturation cut = torque_cut   ? saturation::torque
                            : spring_cut ? saturation::spring
                                         : saturation::none;
@@ -153,12 +185,19 @@ private:
     return detail::reordered<order, typename Port::space>::from(port.vector());
   }
 
-  matrix damping_by_ratio(const body_pose<Type>& now, const vector& k) const {
-    if (p.damping_ratio == 0) return matrix::Zero();
+  static constexpr std::array names = []<class... Axes>(axes<Axes...>) {
+    return std::array{Axes::label.view()...};
+  }(order());
+
+  // All damping: of each axis, and what gives each mode the ratio.
+  static matrix resistance(const matrix& mass, const vector& k, const vector& d, double ratio) {
+    matrix all = d.asDiagonal();
+    if (ratio == 0) return all;
     const matrix root = k.cwiseSqrt().asDiagonal();
     const matrix mobility =
-        detail::positive_matrix<body_pose<Type>::size>(mass_matrix(now)).solve(matrix(matrix::Identity()));
-    return detail::damping_for<body_pose<Type>::size>(mobility, root, p.damping_ratio);
+        detail::positive_matrix<body_pose<Type>::size>(mass).solve(matrix(matrix::Identity()));
+    all += detail::damping_for<body_pose<Type>::size>(mobility, root, ratio);
+    return all;
   }
 
   detail::compliance_counts counts{};

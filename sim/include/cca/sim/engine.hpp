@@ -3,7 +3,8 @@
 //
 // Each world has its own self-threaded implementation: with the shared default, two worlds that are stepped
 // in two threads abort in `ReleaseAJob`. The memory of a step is reserved in advance, so a beat with more
-// contacts than any before does not allocate.
+// contacts than any before does not allocate. A step in which the engine itself gives up (engine_alarm.hpp)
+// returns false, as all do after it.
 #pragma once
 
 #include <memory>
@@ -11,13 +12,14 @@
 
 #include <ode/ode.h>
 
+#include <cca/sim/engine_alarm.hpp>
 #include <cca/sim/robot/engine_settings.hpp>
 
 namespace cca::sim {
 
 // Initialises the library once per process, and its data once per thread.
 inline void prepare_engine() {
-  static const bool library = dInitODE2(0) != 0;
+  static const bool library = dInitODE2(0) != 0 && (listen_to_engine(), true);
   thread_local const bool data =
       library && dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
   if (!data) throw std::runtime_error("the Open Dynamics Engine cannot be initialised");
@@ -37,11 +39,12 @@ class engine {
 public:
   explicit engine(const engine_settings& m) {
     prepare_engine();
-    threading_.reset(dThreadingAllocateSelfThreadedImplementation());
-    world_.reset(dWorldCreate());
-    contacts_.reset(dJointGroupCreate(0));
-    dWorldSetStepThreadingImplementation(id(), dThreadingImplementationGetFunctions(threading_.get()),
-                                         threading_.get());
+    parts_.reset(new parts);
+    parts_->threading.reset(dThreadingAllocateSelfThreadedImplementation());
+    parts_->world.reset(dWorldCreate());
+    parts_->contacts.reset(dJointGroupCreate(0));
+    dWorldSetStepThreadingImplementation(id(), dThreadingImplementationGetFunctions(parts_->threading.get()),
+                                         parts_->threading.get());
     const dWorldStepReserveInfo reserve{sizeof(dWorldStepReserveInfo), 1.2F, step_memory};
     dWorldSetStepMemoryReservationPolicy(id(), &reserve);
     dWorldSetGravity(id(), 0, 0, -m.gravity);
@@ -52,17 +55,36 @@ public:
     dWorldSetContactSurfaceLayer(id(), m.surface_layer);
   }
 
-  dWorldID id() const { return world_.get(); }
-  dJointGroupID contacts() const { return contacts_.get(); }
+  dWorldID id() const { return parts_->world.get(); }
+  dJointGroupID contacts() const { return parts_->contacts.get(); }
 
-  void step(double dt) { dWorldStep(id(), dt); }
+  bool step(double dt) {
+    if (parts_->has_failed) return false;
+    detail::in_engine_step = true;
+    try {
+      dWorldStep(id(), dt);
+    } catch (const engine_alarm&) { parts_->has_failed = true; }
+    detail::in_engine_step = false;
+    return !parts_->has_failed;
+  }
 
 private:
   static constexpr unsigned step_memory = 1U << 20;
 
-  engine_handle<dxThreadingImplementation> threading_;  // must outlive the world
-  engine_handle<dxWorld> world_;
-  engine_handle<dxJointGroup> contacts_;  // is destroyed before the world
+  struct parts {
+    engine_handle<dxThreadingImplementation> threading;  // must outlive the world
+    engine_handle<dxWorld> world;
+    engine_handle<dxJointGroup> contacts;  // is destroyed before the world
+    bool has_failed = false;
+  };
+  // A world that gave up within a step has jobs that never end; to destroy it would be an error.
+  struct release_unless_failed {
+    void operator()(parts* p) const {
+      if (!p->has_failed) delete p;
+    }
+  };
+
+  std::unique_ptr<parts, release_unless_failed> parts_;
 };
 
 }  // namespace cca::sim

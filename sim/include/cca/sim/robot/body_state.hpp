@@ -1,4 +1,4 @@
-// The state of one body of the engine: position, rotation, velocity and angular velocity.
+// The state of one body of the engine: position, rotation, velocity and angular velocity; its energy.
 //
 // The engine keeps a rotation both as quaternion and as matrix; both are saved, since computing one from the
 // other would change bits.
@@ -8,6 +8,8 @@
 #include <cstring>
 
 #include <ode/ode.h>
+
+#include <cca/base/eigen.hpp>
 
 namespace cca::sim {
 
@@ -39,6 +41,22 @@ inline void restore_body(dBodyID body, const body_state& s) {
   dBodySetAngularVel(body, s.angular_velocity[0], s.angular_velocity[1], s.angular_velocity[2]);
   dBodySetForce(body, 0, 0, 0);
   dBodySetTorque(body, 0, 0, 0);
+}
+
+inline double kinetic_energy(dBodyID body) {
+  dMass m;
+  dBodyGetMass(body, &m);
+  const auto turn = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(dBodyGetRotation(body));
+  const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(body)),
+                        w = turn.leftCols<3>().transpose() * Eigen::Vector3d::Map(dBodyGetAngularVel(body));
+  const auto inertia = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.I);
+  return 0.5 * (m.mass * v.squaredNorm() + w.dot(inertia.leftCols<3>() * w));
+}
+
+inline double potential_energy(dBodyID body, double gravity) {
+  dMass m;
+  dBodyGetMass(body, &m);
+  return m.mass * gravity * dBodyGetPosition(body)[2];
 }
 
 }  // namespace cca::sim

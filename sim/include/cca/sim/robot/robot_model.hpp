@@ -9,8 +9,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,6 +49,19 @@ struct joint_stops {
   double middle() const { return std::isfinite(high - low) ? (low + high) / 2 : 0; }
 };
 
+// What a robot's description calls them, in order; a model made by hand may leave them out.
+struct robot_names {
+  std::vector<std::string> joints, ends, sensors, inertial;  // coordinates, parts, sensors of each kind
+};
+
+// How far the stops of a joint are from their middle, of its own angle; 0: it has none. The engine's stops
+// are for hinges of less than a turn.
+inline double stop_reach(const cca::detail::body_link& l, const joint_stops& s) {
+  const double reach = std::abs(l.ratio) * (s.high - s.low) / 2;
+  const bool has = std::isfinite(reach) && (l.kind == joint_kind::prismatic || reach < std::numbers::pi);
+  return has ? reach : 0;
+}
+
 struct robot_model {
   std::vector<cca::detail::body_link> links;  // each after the one to which it is attached
   link_inertia base{};
@@ -59,14 +74,68 @@ struct robot_model {
   std::vector<place_on_link> sensors;         // of forces
   std::vector<place_on_link> inertial_units;  // one for each place with inertial sensors
   std::vector<place_on_link> ends;            // of the parts, in order of declaration
-  double beat = 0.001;                        // s
+  std::vector<int> unit_of;                   // of each inertial sensor, among the inertial units
+  robot_names names{};
+  double beat = 0.001;  // s
+
+  std::string joint_name(std::size_t c) const {
+    return c < names.joints.size() ? names.joints[c] : "coordinate " + std::to_string(c);
+  }
 };
+
+// Throws std::out_of_range with all names that there are.
+inline std::size_t index_of(const std::vector<std::string>& names,
+                            std::string_view name,
+                            std::string_view of) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return i;
+  std::string text =
+      "cca::sim: this robot has no " + std::string(of) + " `" + std::string(name) + "`; it has";
+  for (const std::string& each : names) text += (&each == &names[0] ? " `" : ", `") + each + "`";
+  throw std::out_of_range(names.empty() ? text + " none with a name" : text);
+}
+
+// Throws std::invalid_argument for numbers that no joint or spring can have.
+inline robot_model checked(robot_model m) {
+  const auto need = [](double value, bool good, const std::string& what, const char* number) {
+    if (!good || !std::isfinite(value))
+      throw std::invalid_argument("cca::sim::robot: " + std::string(number) + " of " + what + " is " +
+                                  std::to_string(value) + ", but must be a number of at least 0");
+  };
+  for (std::size_t c = 0; c < m.drives.size(); ++c) {
+    const robots::joint_drive& d = m.drives[c];
+    const std::string of = "joint `" + m.joint_name(c) + "`";
+    need(d.friction, d.friction >= 0, of, "the friction");
+    need(d.spring, d.spring >= 0, of, "the spring");
+    need(d.spring_rest, true, of, "the rest of the spring");
+    need(d.stiffness, d.stiffness >= 0, of, "the stiffness of the servo");
+    need(d.damping, d.damping >= 0, of, "the damping of the servo");
+    need(d.cable.stiffness, d.cable.stiffness >= 0, of, "the stiffness of the cable");
+    need(d.cable.damping, d.cable.damping >= 0, of, "the damping of the cable");
+    need(d.motor.torque, d.motor.torque >= 0, of, "the torque of the motor");
+    need(d.motor.no_load_speed, d.motor.torque == 0 || d.motor.no_load_speed > 0, of,
+         "the no-load speed of the motor");
+  }
+  for (std::size_t i = 0; i < m.line_springs.size(); ++i) {
+    const placed_spring& s = m.line_springs[i];
+    const std::string of = "spring " + std::to_string(i);
+    need(s.stiffness, s.stiffness >= 0, of, "the stiffness");
+    need(s.damping, s.damping >= 0, of, "the damping");
+    need(s.rest, s.rest >= 0, of, "the rest length");
+  }
+  return m;
+}
 
 namespace detail {
 
 template <class... Axes>
 std::vector<joint_stops> stops_of(axes<Axes...>) {
   return {joint_stops{cca::detail::lower_limit_of<Axes, angle>, cca::detail::upper_limit_of<Axes, angle>}...};
+}
+
+template <class... Axes>
+std::vector<std::string> names_of(axes<Axes...>) {
+  return {std::string(Axes::label.view())...};
 }
 
 // Returns the parts of the force sensors.
@@ -82,6 +151,16 @@ std::vector<int> place_sensors(robot_model& m, robots::sensors<Sensors...>) {
   (keep(robots::is_inertial<Sensors>, Sensors::part.view()), ...);
   for (const int part : sensed_parts) m.sensors.push_back(end_of(part));
   const robots::detail::inertial_units<Sensors...> units;
+  [[maybe_unused]] const auto name = [&]<class Sensor>(std::type_identity<Sensor>) {
+    const std::string label(Sensor::name.view());
+    if constexpr (robots::is_inertial<Sensor>) {
+      m.names.inertial.push_back(label);
+      m.unit_of.push_back(static_cast<int>(robots::detail::unit_of<Sensor>(robots::sensors<Sensors...>())));
+    } else {
+      m.names.sensors.push_back(label);
+    }
+  };
+  (name(std::type_identity<Sensors>()), ...);
   for (std::size_t i = 0; i < units.count; ++i)
     m.inertial_units.push_back(end_of(part_index<Body>(units.parts[i])));
   return sensed_parts;
@@ -144,6 +223,8 @@ robot_model model_of() {
   m.start.assign(m.drives.size(), 0);
   if constexpr (requires { R::start.size(); }) m.start.assign(R::start.begin(), R::start.end());
   for (const auto& end : tree.ends) m.ends.push_back({end.link, end.where});
+  m.names.joints = detail::names_of(axes_of<body>());
+  m.names.ends.assign(body::attached::names.begin(), body::attached::names.end());
   const std::vector<int> sensed = detail::place_sensors<body>(m, robots::sensors_of<R>());
   if constexpr (requires { R::shapes.size(); }) {
     const auto links = detail::links_by_part<body>();

@@ -13,6 +13,7 @@
 #include <cca/sim/robot/body_state.hpp>
 #include <cca/sim/robot/cable_winch.hpp>
 #include <cca/sim/robot/joint_law.hpp>
+#include <cca/sim/robot/plausible.hpp>
 
 namespace cca::sim {
 
@@ -34,6 +35,7 @@ struct robot_state {
   std::vector<double> pressing;              // N, of each pair of shapes
   std::vector<std::array<double, 7>> boxes;  // translation, then rotation
   std::int64_t beats = 0;
+  world_trouble trouble{};  // then it stands still
 
   // FNV-1a over all numbers.
   std::uint64_t hash() const {

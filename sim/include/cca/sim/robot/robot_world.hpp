@@ -4,17 +4,20 @@
 //   cca::sim::robot_world w(cca::sim::model_of<cca::robots::arm::description>(), room);
 //   w.advance(laws);                      one law for each coordinate (joint_law.hpp)
 //   w.joints()[3].angle                   rad; torques are means over the beat
-//   w.load(0)                             of the first force sensor, in its frame
-//   w.inertial(0).orientation             of the first inertial unit
+//   w.joint("a4"), w.end("arm")           by name, or by number
+//   w.load("flange_load")                 of a force sensor, in its frame
+//   w.inertial("gyro").orientation        of the inertial unit of a sensor
 //
 // A world is a value. A copy is a snapshot: original and copy, given the same commands, stay bit-identical.
 // `save` and `restore` do the same with a plain value, for worlds of the same model and scene. `pull` and
 // `move` change what happens to the robot: a force at the end of a part, a box that moves without notice.
 //
-// A motor brakes with its full torque and drives with what its line leaves. Springs, friction and motors act
-// as explicit torques in each physics step. Coupled joints follow at its end (coupled_joints.hpp). Errors:
-// std::invalid_argument when it is made (tree_in_engine.hpp). Cost: docs/robots.md. It allocates nothing
-// after the first beats.
+// A motor brakes with its full torque and drives with what its line leaves. Springs, friction and motors are
+// stable at every stiffness, damping and step (drives_in_engine.hpp); coupled joints follow at its end
+// (coupled_joints.hpp). A world that can't be right any more (plausible.hpp) stands still: `trouble()`,
+// `trouble_text()`. Errors: std::invalid_argument when it is made (tree_in_engine.hpp, robot_model.hpp);
+// std::out_of_range, with all names, for a name that the robot doesn't have. Cost: docs/robots.md. It
+// allocates nothing after the first beats.
 #pragma once
 
 #include <algorithm>
@@ -24,22 +27,26 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <ode/ode.h>
 
 #include <cca/sim/engine.hpp>
-#include <cca/sim/robot/coupled_joints.hpp>
+#include <cca/sim/robot/forces/drives_in_engine.hpp>
+#include <cca/sim/robot/forces/gyroscopic.hpp>
 #include <cca/sim/robot/inertial_units.hpp>
-#include <cca/sim/robot/motor_torque.hpp>
+#include <cca/sim/robot/judgement.hpp>
+#include <cca/sim/robot/forces/outer_forces.hpp>
 #include <cca/sim/robot/robot_model.hpp>
 #include <cca/sim/robot/robot_state.hpp>
 #include <cca/sim/robot/scene.hpp>
 #include <cca/sim/robot/shapes_in_engine.hpp>
 #include <cca/sim/robot/springs_in_engine.hpp>
+#include <cca/sim/robot/forces/stops_in_engine.hpp>
 #include <cca/sim/robot/touching.hpp>
-#include <cca/sim/robot/tree_in_engine.hpp>
 
 namespace cca::sim {
 
@@ -47,34 +54,19 @@ struct robot_world_settings {
   engine_settings engine{};
   int steps_per_beat = 2;
   placement mount{};  // of the base, in the world; of a base that floats, at the start
+  plausible_bounds plausible{};
 };
 
 class robot_world {
 public:
   explicit robot_world(robot_model model, scene around = {}, const robot_world_settings& settings = {})
-      : model_(std::make_shared<const robot_model>(std::move(model))),
-        scene_(std::make_shared<const scene>(std::move(around))),
-        settings_(settings),
-        step_(step_of(*model_, settings)),
-        engine_(settings.engine),
-        tree_(engine_.id(), model_, mount()),
-        coupled_(model_, tree_),
-        units_(model_, settings.engine.gravity),
-        shapes_(engine_.id(), *model_, *scene_, tree_),
-        touching_(scene_->contact, step_) {
-    touching_.set_pairs(shapes_.pairs());
-    state_.pressing.assign(touching_.pair_count(), 0);
-    state_.laws.assign(model_->drives.size(), {});
-    state_.joints.assign(model_->drives.size(), {});
-    state_.loads.assign(model_->sensors.size(), {});
-    state_.winches.assign(model_->drives.size(), {});
-    state_.inertial.assign(units_.count(), {});
-    state_.pulls.assign(model_->ends.size(), {});
-    const std::vector<double> rest(model_->drives.size(), 0.0);
-    place(model_->start, rest);
-  }
+      : robot_world(std::make_shared<const robot_model>(checked(std::move(model))),
+                    std::make_shared<const scene>(std::move(around)),
+                    settings,
+                    nullptr) {}
 
-  robot_world(const robot_world& other) : robot_world(*other.model_, *other.scene_, other.settings_) {
+  robot_world(const robot_world& other)
+      : robot_world(other.model_, other.scene_, other.settings_, &other.drives_) {
     restore(other.save());
   }
   robot_world(robot_world&&) = default;
@@ -88,13 +80,16 @@ public:
   }
   ~robot_world() = default;
 
-  // Puts the robot there: coordinates and speeds, and the motion of a base that floats.
+  // Puts the robot there: coordinates and speeds, and the motion of a base that floats. All are finite.
   void place(std::span<const double> q, std::span<const double> dq) {
     place(q, dq, {mount(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   }
   void place(std::span<const double> q, std::span<const double> dq, const moving_frame& base) {
     if (q.size() != state_.joints.size() || dq.size() != q.size())
       throw std::invalid_argument("cca::sim::robot_world: one angle and one speed for each coordinate");
+    double sum = sum_of(base);
+    for (std::size_t c = 0; c < q.size(); ++c) sum += q[c] + dq[c];
+    if (!std::isfinite(sum)) throw std::invalid_argument("cca::sim::robot_world: a place is not finite");
     tree_.place(q, dq, base);
     for (std::size_t c = 0; c < q.size(); ++c) {
       state_.joints[c] = {q[c], dq[c], 0};
@@ -102,20 +97,26 @@ public:
     }
     units_.begin(tree_);
     units_.read(tree_, state_.inertial);
+    state_.trouble = {};
+    look(settings_.plausible);
   }
 
   // One beat. A law that isn't finite is ignored: the drive keeps the last one.
   void advance(std::span<const joint_law> laws) {
     prepare_engine();
+    if (state_.trouble) return;
     for (std::size_t c = 0; c < std::min(laws.size(), state_.laws.size()); ++c)
       if (laws[c].is_finite()) state_.laws[c] = laws[c];
     for (std::size_t c = 0; c < state_.winches.size(); ++c)
       state_.winches[c].aim(state_.laws[c].position, model_->beat);
+    drives_.begin(tree_, state_, [this](std::size_t i) {
+      return springs_in_engine::length_and_tension(model_->line_springs[i], tree_);
+    });
     units_.begin(tree_);
     for (joint_reading& r : state_.joints) r.torque = 0;
     for (auto& load : state_.loads) load.fill(0);
-    for (int i = 0; i < settings_.steps_per_beat; ++i) step();
-    units_.read(tree_, state_.inertial);
+    for (int i = 0; i < settings_.steps_per_beat && !state_.trouble; ++i) step();
+    if (!state_.trouble) units_.read(tree_, state_.inertial);
     ++state_.beats;
   }
 
@@ -129,18 +130,38 @@ public:
     }
   }
 
+  void pull(std::string_view part, const Eigen::Vector3d& force, const Eigen::Vector3d& torque = {0, 0, 0}) {
+    pull(index_of(model_->names.ends, part, "part"), force, torque);
+  }
+
   // Puts a box of the scene elsewhere.
   void move(std::size_t box, const placement& where) { shapes_.put_box(box, where); }
 
+  // Why it stands still.
+  const world_trouble& trouble() const { return state_.trouble; }
+  std::string trouble_text() const { return text_of(state_.trouble, *model_); }
+
   const std::vector<joint_reading>& joints() const { return state_.joints; }
+  const joint_reading& joint(std::string_view name) const {
+    return state_.joints[index_of(model_->names.joints, name, "joint")];
+  }
   // The torque about the sensor's origin, then the force of the world, along the sensor's axes.
   const std::array<double, 6>& load(std::size_t sensor) const { return state_.loads.at(sensor); }
 
+  const std::array<double, 6>& load(std::string_view sensor) const {
+    return load(index_of(model_->names.sensors, sensor, "force sensor"));
+  }
+
   const inertial_reading& inertial(std::size_t unit) const { return state_.inertial.at(unit); }
+  const inertial_reading& inertial(std::string_view sensor) const {
+    return inertial(static_cast<std::size_t>(
+        model_->unit_of[index_of(model_->names.inertial, sensor, "inertial sensor")]));
+  }
 
   // The true state, which no sensor of the robot measures; in the world.
   moving_frame frame(int link) const { return tree_.frame(link); }
   moving_frame end(std::size_t part) const { return tree_.at(model_->ends.at(part)); }
+  moving_frame end(std::string_view part) const { return end(index_of(model_->names.ends, part, "part")); }
   Eigen::Vector3d ball_position(std::size_t i) const {
     return Eigen::Vector3d::Map(dBodyGetPosition(shapes_.balls().at(i)));
   }
@@ -150,17 +171,12 @@ public:
   // Of the robot alone, J: kinetic, and potential from the height of the world's origin.
   double energy() const {
     double sum = 0;
-    for (const dBodyID b : tree_.links()) sum += energy_of(b);
-    return tree_.base() ? sum + energy_of(tree_.base()) : sum;
+    each_link([&](dBodyID b) { sum += kinetic_energy(b) + potential_energy(b, settings_.engine.gravity); });
+    return sum;
   }
   // In springs and cables between points and in the springs of joints, J.
   double spring_energy() const {
-    double sum = springs_in_engine::stored(*model_, tree_);
-    for (std::size_t c = 0; c < model_->drives.size(); ++c) {
-      const double stretch = state_.joints[c].angle - model_->drives[c].spring_rest;
-      sum += 0.5 * model_->drives[c].spring * stretch * stretch;
-    }
-    return sum;
+    return springs_in_engine::stored(*model_, tree_) + drives_in_engine::stored(*model_, state_);
   }
   // The force of a spring or cable (in order of declaration), N; negative: it pushes.
   double tension(std::size_t spring) const {
@@ -188,6 +204,34 @@ public:
   std::uint64_t hash() const { return save().hash(); }
 
 private:
+  robot_world(std::shared_ptr<const robot_model> model,
+              std::shared_ptr<const scene> around,
+              const robot_world_settings& settings,
+              const drives_in_engine* like)
+      : model_(std::move(model)),
+        scene_(std::move(around)),
+        settings_(settings),
+        step_(step_of(*model_, settings)),
+        engine_(settings.engine),
+        tree_(engine_.id(), model_, mount()),
+        coupled_(model_, tree_),
+        units_(model_, settings.engine.gravity),
+        shapes_(engine_.id(), *model_, *scene_, tree_),
+        touching_(scene_->contact, step_),
+        drives_(engine_.id(), model_, tree_, mount(), step_, like),
+        stops_(*model_, tree_, settings.engine.erp) {
+    touching_.set_pairs(shapes_.pairs());
+    state_.pressing.assign(touching_.pair_count(), 0);
+    state_.laws.assign(model_->drives.size(), {});
+    state_.joints.assign(model_->drives.size(), {});
+    state_.loads.assign(model_->sensors.size(), {});
+    state_.winches.assign(model_->drives.size(), {});
+    state_.inertial.assign(units_.count(), {});
+    state_.pulls.assign(model_->ends.size(), {});
+    const std::vector<double> rest(model_->drives.size(), 0.0);
+    place(model_->start, rest);
+  }
+
   static double step_of(const robot_model& m, const robot_world_settings& s) {
     const double step = m.beat / s.steps_per_beat;
     if (!(step > 0 && std::isfinite(step)))
@@ -196,10 +240,15 @@ private:
   }
   rigid mount() const { return rigid{} * settings_.mount; }
 
+  // The base, if it floats; the links.
   template <class F>
-  void each_body(F f) const {
+  void each_link(F f) const {
     if (tree_.base()) f(tree_.base());
     for (const dBodyID b : tree_.links()) f(b);
+  }
+  template <class F>
+  void each_body(F f) const {
+    each_link(f);
     for (const dBodyID b : shapes_.balls()) f(b);
   }
 
@@ -207,81 +256,30 @@ private:
     const double share = 1.0 / settings_.steps_per_beat;
     tree_.hold_parallel();
     if (coupled_.exist()) coupled_.begin(tree_);
-    for (std::size_t i = 0; i < model_->links.size(); ++i) {
-      if (!tree_.leads(i)) continue;
-      const auto c = static_cast<std::size_t>(model_->links[i].coordinate);
-      const robots::joint_drive& d = model_->drives[c];
-      joint_reading& r = state_.joints[c];
-      const double motor = d.cable.stiffness > 0
-                               ? pull_of_cable(c)
-                               : limit_torque(d.motor, state_.laws[c](r.angle, r.velocity), r.velocity);
-      r.torque += share * motor;
-      tree_.push(i, motor - d.friction * r.velocity - d.spring * (r.angle - d.spring_rest));
-    }
-    springs_in_engine::act(*model_, tree_);
-    for (std::size_t part = 0; part < state_.pulls.size(); ++part) pull_at(part);
+    drives_.act(tree_, coupled_, state_, share);
+    if (!coupled_.exist())
+      stops_.act(*model_, tree_, state_.joints, step_, [&](std::size_t c) { return drives_.is_stiff(c); });
+    springs_in_engine::act(engine_, *model_, tree_, drives_, coupled_, step_);
+    each_link([&](dBodyID b) { turn_freely(b, step_); });
+    pull_at_ends(*model_, tree_, state_.pulls);
     touching_.find(engine_, state_.pressing);
-    engine_.step(step_);
-    touching_.account(state_.pressing, [&](const touch& t) { feel(t, share); });
+    if (!engine_.step(step_)) state_.trouble = {implausible::engine};
+    // With coupled joints the engine's step is half of one: only its numbers must be right.
+    if (!state_.trouble) look(coupled_.exist() ? plausible_bounds::none() : settings_.plausible);
+    if (state_.trouble) return;
+    touching_.account(state_.pressing, [&](const touch& t) { feel(*model_, tree_, t, share, state_.loads); });
     dJointGroupEmpty(engine_.contacts());
-    if (coupled_.exist()) return coupled_.end(tree_, state_.joints, step_);
-    for (std::size_t i = 0; i < model_->links.size(); ++i) {
-      if (tree_.is_held_parallel(i)) continue;
-      const auto& l = model_->links[i];
-      joint_reading& r = state_.joints[static_cast<std::size_t>(l.coordinate)];
-      const auto now = tree_.read(i);
-      const double turn = l.kind == joint_kind::revolute ? 2 * std::numbers::pi / l.ratio : 0;
-      r.angle = turn == 0 ? now.position : now.position + turn * std::round((r.angle - now.position) / turn);
-      r.velocity = now.speed;
+    if (coupled_.exist()) {
+      if (!coupled_.end(tree_, state_.joints, step_)) state_.trouble = {implausible::engine};
+      else look(settings_.plausible);
+      if (state_.trouble) return;
     }
+    drives_.account(tree_, coupled_, state_, share);
+    state_.trouble = look_at_stops(*model_, tree_, state_.joints, settings_.plausible);
   }
 
-  // A law without stiffness pulls with its torque, else the pulley goes to its position.
-  double pull_of_cable(std::size_t c) {
-    const robots::joint_drive& d = model_->drives[c];
-    const joint_law& law = state_.laws[c];
-    const joint_reading& r = state_.joints[c];
-    cable_winch& winch = state_.winches[c];
-    if (law.stiffness > 0) {
-      winch.wind(d.motor, step_);
-      return winch.pull(d.motor, d.cable, r.angle, r.velocity);
-    }
-    return winch.pull_with(d.motor, law(r.angle, r.velocity), r.angle, r.velocity);
-  }
-
-  void pull_at(std::size_t part) const {
-    const dBodyID b = tree_.body_of(model_->ends[part].link);
-    if (!b) return;
-    const auto& [f, t] = state_.pulls[part];
-    if (f == std::array<double, 3>{} && t == f) return;
-    const Eigen::Vector3d at = end(part).where.at;
-    dBodyAddForceAtPos(b, f[0], f[1], f[2], at[0], at[1], at[2]);
-    dBodyAddTorque(b, t[0], t[1], t[2]);
-  }
-
-  // At the place where the sensor was when the contact was found, up to one physics step.
-  void feel(const touch& t, double share) {
-    const int sensor = model_->shapes[t.shape].sensor;
-    if (sensor < 0) return;
-    const rigid f = tree_.at(model_->sensors[static_cast<std::size_t>(sensor)]).where;
-    const Eigen::Vector3d torque = f.turn.transpose() * cca::detail::cross(t.at - f.at, t.force),
-                          force = f.turn.transpose() * t.force;
-    auto& load = state_.loads[static_cast<std::size_t>(sensor)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      load[k] += share * torque[static_cast<Eigen::Index>(k)];
-      load[3 + k] += share * force[static_cast<Eigen::Index>(k)];
-    }
-  }
-
-  double energy_of(dBodyID b) const {
-    dMass m;
-    dBodyGetMass(b, &m);
-    const auto turn = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(dBodyGetRotation(b));
-    const Eigen::Vector3d v = Eigen::Vector3d::Map(dBodyGetLinearVel(b)),
-                          w = turn.leftCols<3>().transpose() * Eigen::Vector3d::Map(dBodyGetAngularVel(b));
-    const auto inertia = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.I);
-    return 0.5 * (m.mass * v.squaredNorm() + w.dot(inertia.leftCols<3>() * w)) +
-           m.mass * settings_.engine.gravity * dBodyGetPosition(b)[2];
+  void look(const plausible_bounds& bounds) {
+    state_.trouble = look_at_bodies(tree_, shapes_.balls(), bounds, step_);
   }
 
   std::shared_ptr<const robot_model> model_;
@@ -294,6 +292,8 @@ private:
   inertial_units units_;
   shapes_in_engine shapes_;
   touching touching_;
+  drives_in_engine drives_;
+  stops_in_engine stops_;
   robot_state state_;
 };
 

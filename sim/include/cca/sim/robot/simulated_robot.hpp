@@ -5,6 +5,8 @@
 //           out one port for each sensor, under its name (cca/robots/sensors.hpp); loads and accelerations
 //               are means over the last beat
 //   act     in  one port for each joint: wanted_joint<R, Axis>
+//           a fault, once the world can't be right any more (plausible.hpp): it names the body;
+//           `world().trouble_text()` has the numbers. The world stands still from then on
 //
 //   After a fault, and while the controller is stopped, the motors only damp; each `step()` is still a beat
 //   of physics.
@@ -16,9 +18,12 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include <cca/component/fault.hpp>
 #include <cca/component/port.hpp>
 #include <cca/robots/commanded_joint.hpp>
 #include <cca/robots/joint_servo.hpp>
@@ -53,7 +58,7 @@ public:
     return {joint<Axes>()..., reading(std::type_identity<Sensors>())...};
   }
 
-  void act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) {
+  auto act(in<Axes::label, robots::wanted_joint<R, Axes>>... wanted) -> fault {
     const std::array<robots::joint_commands, count> commands{robots::commands_of(wanted.vector())...};
     std::array<joint_law, coordinates> laws{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -66,6 +71,7 @@ public:
     }
     is_driven_ = true;
     world_.advance(laws);
+    return why();
   }
 
   void on_start() { servos_ = {}, is_driven_ = true; }
@@ -81,6 +87,28 @@ public:
   }
 
 private:
+  // A fault keeps a pointer to its text, so the texts of this robot live as long as the program.
+  static const std::vector<std::string>& reasons() {
+    static const std::vector<std::string> all = [] {
+      const robot_model m = model_of<R>();
+      std::vector<std::string> texts;
+      for (int body = world_trouble::base; body < static_cast<int>(m.links.size()); ++body)
+        texts.push_back("the simulation is not plausible any more, first at " +
+                        detail::name_of_body(m, body) + ": world().trouble_text() has the numbers");
+      texts.emplace_back("the simulation is not plausible any more: world().trouble_text() says why");
+      return texts;
+    }();
+    return all;
+  }
+  fault why() const {
+    const world_trouble& t = world_.trouble();
+    if (!t) return {};
+    const bool has_name = t.what != implausible::engine && t.body >= world_trouble::base;
+    return reasons_
+        ->at(has_name ? static_cast<std::size_t>(t.body - world_trouble::base) : reasons_->size() - 1)
+        .c_str();
+  }
+
   template <class Axis>
   Eigen::Vector3d joint() const {
     const joint_reading& r =
@@ -104,6 +132,7 @@ private:
   }
 
   robot_world world_{model_of<R>()};
+  const std::vector<std::string>* reasons_ = &reasons();
   std::array<robots::joint_servo, count> servos_{};
   bool is_driven_ = false;
 };

@@ -38,6 +38,10 @@ struct moving_frame {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
 };
 
+inline double sum_of(const moving_frame& f) {
+  return f.where.at.sum() + f.where.turn.sum() + f.velocity.sum() + f.angular_velocity.sum();
+}
+
 class tree_in_engine {
 public:
   using vector = Eigen::Vector3d;
@@ -84,6 +88,7 @@ public:
   }
 
   dBodyID body_of(int link) const { return link < 0 ? base_ : links_[static_cast<std::size_t>(link)]; }
+  dJointID joint_of(std::size_t link) const { return joints_[link]; }
   const std::vector<dBodyID>& links() const { return links_; }
   dBodyID base() const { return base_; }  // null: it is fixed
 
@@ -196,6 +201,7 @@ private:
     dMassSetParameters(&mass, of.mass, 0, 0, 0, i[0], i[1], i[2], i[3], i[4], i[5]);
     const dBodyID b = dBodyCreate(world);
     dBodySetMass(b, &mass);
+    dBodySetGyroscopicMode(b, 0);  // gyroscopic.hpp
     return b;
   }
 

@@ -1,0 +1,47 @@
+// What pulls at the ends of a robot's parts, and what its force sensors feel of the contacts at them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <cca/sim/robot/robot_state.hpp>
+#include <cca/sim/robot/touching.hpp>
+#include <cca/sim/robot/tree_in_engine.hpp>
+
+namespace cca::sim {
+
+// For the next step.
+inline void pull_at_ends(const robot_model& model,
+                         const tree_in_engine& tree,
+                         const std::vector<outer_load>& pulls) {
+  for (std::size_t part = 0; part < pulls.size(); ++part) {
+    const dBodyID b = tree.body_of(model.ends[part].link);
+    const auto& [f, t] = pulls[part];
+    if (!b || (f == std::array<double, 3>{} && t == f)) continue;
+    const Eigen::Vector3d at = tree.at(model.ends[part]).where.at;
+    dBodyAddForceAtPos(b, f[0], f[1], f[2], at[0], at[1], at[2]);
+    dBodyAddTorque(b, t[0], t[1], t[2]);
+  }
+}
+
+// At the place where the sensor was when the contact was found, up to one physics step. `share`: of the step
+// in the beat.
+inline void feel(const robot_model& model,
+                 const tree_in_engine& tree,
+                 const touch& t,
+                 double share,
+                 std::vector<std::array<double, 6>>& loads) {
+  const int sensor = model.shapes[t.shape].sensor;
+  if (sensor < 0) return;
+  const rigid f = tree.at(model.sensors[static_cast<std::size_t>(sensor)]).where;
+  const Eigen::Vector3d torque = f.turn.transpose() * cca::detail::cross(t.at - f.at, t.force),
+                        force = f.turn.transpose() * t.force;
+  auto& load = loads[static_cast<std::size_t>(sensor)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    load[k] += share * torque[static_cast<Eigen::Index>(k)];
+    load[3 + k] += share * force[static_cast<Eigen::Index>(k)];
+  }
+}
+
+}  // namespace cca::sim
