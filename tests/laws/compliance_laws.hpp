@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <Eigen/Eigenvalues>
@@ -86,7 +87,7 @@ double energy_created(Arm arm, const Model& model, double seconds, double dt) {
   for (int k = 0; k * dt < seconds; ++k) {
     arm.step(model, dt);
     const double now = arm.energy() + model.stored(arm.q);
-    if (!std::isfinite(now)) return cca::infinity;  // no number, so no bound holds
+    if (!std::isfinite(now)) return std::numeric_limits<double>::infinity();  // no number, so no bound holds
     grown = std::max(grown, now - least);
     least = std::min(least, now);
   }
@@ -100,7 +101,7 @@ double energy_created_in_a_loop(Arm arm, const Model& model, double seconds, dou
   for (int k = 0; k * dt < seconds; ++k) {
     arm.hold(model(arm.q, arm.dq), dt);
     const double now = arm.energy() + model.stored(arm.q);
-    if (!std::isfinite(now)) return cca::infinity;
+    if (!std::isfinite(now)) return std::numeric_limits<double>::infinity();
     grown = std::max(grown, now - before);
   }
   return grown;
