@@ -37,6 +37,7 @@
 #include <cca/base/unrolled.hpp>
 #include <cca/component/port.hpp>
 #include <cca/space/domain.hpp>
+#include <cca/space/info.hpp>
 #include <cca/space/limits.hpp>
 
 namespace cca {
