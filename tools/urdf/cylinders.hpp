@@ -3,6 +3,7 @@
 // stands as well.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "bodies.hpp"

@@ -34,8 +34,8 @@ public:
   // Longer chains make frames on their way too dear: each of them repeats the chain up to there.
   static constexpr std::size_t most_joints_to_frame = 64;
 
-  limbs(const bodies& all, const std::vector<std::string>& ends, remarks& said) : bodies_(all) {
-    for (const std::string& name : ends) choose_end(name, said);
+  limbs(const bodies& all, const std::vector<std::string>& wanted_ends, remarks& said) : bodies_(all) {
+    for (const std::string& name : wanted_ends) choose_end(name, said);
     if (said.has_error()) return;
     divide();
     find_frames(said);

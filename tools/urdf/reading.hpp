@@ -5,6 +5,7 @@
 // <safety_controller> and the like. A file of xacro has to be expanded first.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 // out. Each has the line in the file, like a compiler's.
 #pragma once
 
-#include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,8 +28,10 @@ public:
 
   // By line; those of one line in the order in which they were said.
   std::vector<remark> sorted() const {
-    std::vector<remark> all = all_;
-    std::ranges::stable_sort(all, {}, &remark::line);
+    std::multimap<int, const remark*> by_line;
+    for (const remark& r : all_) by_line.emplace(r.line, &r);
+    std::vector<remark> all;
+    for (const auto& [line, r] : by_line) all.push_back(*r);
     return all;
   }
 

@@ -46,6 +46,7 @@
 #include <cca/robot/bounded_motion.hpp>
 #include <cca/robot/command_limits.hpp>
 #include <cca/space/domain.hpp>
+#include <cca/space/info.hpp>
 #include <cca/space/limits.hpp>
 
 namespace cca {
