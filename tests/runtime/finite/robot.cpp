@@ -25,12 +25,19 @@ struct spindle : cca::dimension<"spindle"> {
   static constexpr bool continuous = true;
   static constexpr auto limits = cca::limits{cca::velocity{-5, 4}};
 };
-struct smooth_angles : cca::space<cca::joint_angles, cca::axes<smooth_hip, spindle>, cca::rate<1000>> {};
+struct smooth_angles : cca::space<cca::joint_angles, cca::axes<smooth_hip>, cca::rate<1000>> {};
+struct spindle_angles : cca::space<cca::joint_angles, cca::axes<spindle, hip>, cca::rate<1000>> {};
+
+// NaN makes it brake. After that it follows a noisy command from another place and speed than its twin.
+struct smooth : limit<smooth_angles> {
+  static constexpr bool forgets = false;
+};
 
 }  // namespace
 
 TEST_CASE("robot/limiter.hpp") {
   laws::finite<limit<leg_angles>>();
   laws::finite<limit<leg_torques>>();
-  laws::finite<limit<smooth_angles>>();
+  laws::finite<smooth>();
+  laws::finite<limit<spindle_angles>>();
 }

@@ -152,6 +152,14 @@ TEST_SUITE("continuous axes") {
       CHECK((tip_of(there) - tip_of(q)).norm() < 1e-6);
       CHECK(std::abs(there[1] - near[1]) <= cca::pi + 1e-9);
     }
+    // Stretched, the first descent has no direction: other starts, around 0, find the answer.
+    cca::optional_in<"near", angles> stretched(vector(0, 10 * turn), 0, true);
+    stretched.set_wired();
+    for (int beat = 0; beat < 50; ++beat) {
+      const auto [found, status] = ik.process(now<"position", at_tip>(vector(0.5, 0)), stretched);
+      CHECK(std::abs(found.vector()[1] - 10 * turn) <= cca::pi + 1e-9);
+      if (beat == 49) CHECK((tip_of(found.vector()) - vector(0.5, 0)).norm() < 1e-6);
+    }
   }
 
   TEST_CASE("the servo of a joint, simulated or real, goes to the nearest target that means the same") {
