@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include <cca/base/output_file.hpp>
+#include <cca/base/system/output_file.hpp>
 
 namespace trot {
 

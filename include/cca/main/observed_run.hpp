@@ -8,7 +8,7 @@
 // Make it before the controller starts, and close it once it has stopped. A program that reads more after it
 // has made this, as parameters, takes `opening::later` and calls open() when all is accepted: before that no
 // file is opened. Until close() an older file stays, and the new one is in a part beside it
-// (base/output_file.hpp).
+// (base/system/output_file.hpp).
 //
 // Errors: cca::refused, where the graph is not recordable or traceable, cca/record.hpp is not included, or
 // two of the names are of one file; nothing is written then. cca::robot_main has one. docs/programs.md.
@@ -22,7 +22,7 @@
 #include <vector>
 
 #include <cca/main/one_file.hpp>
-#include <cca/base/output_file.hpp>
+#include <cca/base/system/output_file.hpp>
 #include <cca/base/refused.hpp>
 #include <cca/runtime/recording/program_recorder.hpp>
 #include <cca/trace/tracer.hpp>

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <cca/base/output_file.hpp>
+#include <cca/base/system/output_file.hpp>
 
 namespace cca {
 

@@ -15,7 +15,7 @@
 #include <memory>
 #include <thread>
 
-#include <cca/base/polled_thread.hpp>
+#include <cca/base/system/polled_thread.hpp>
 #include <cca/skeleton/channel.hpp>
 
 namespace cca::detail {

@@ -1,7 +1,7 @@
 // Writes events in Chrome's trace format, as one array: one event a line. A file that was cut off between two
 // events lacks only its last bracket, which readers of the format don't need.
 //
-// Until it is closed the events are in a part beside it (base/output_file.hpp).
+// Until it is closed the events are in a part beside it (base/system/output_file.hpp).
 //
 // Errors: std::system_error if it can't be opened or written, cca::refused if another program writes it.
 #pragma once
@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-#include <cca/base/output_file.hpp>
+#include <cca/base/system/output_file.hpp>
 #include <cca/trace/json_text.hpp>
 
 namespace cca::detail {

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include <cca/main/one_file.hpp>
-#include <cca/base/output_file.hpp>
+#include <cca/base/system/output_file.hpp>
 #include <cca/main/run_program.hpp>
 
 #include "child.hpp"

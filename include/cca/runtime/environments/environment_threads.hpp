@@ -17,7 +17,7 @@
 #include <cca/base/refused.hpp>
 #include <cca/runtime/environments/environment_loops.hpp>
 #include <cca/runtime/environments/meeting.hpp>
-#include <cca/base/polled_thread.hpp>
+#include <cca/base/system/polled_thread.hpp>
 #include <cca/runtime/environments/realtime.hpp>
 #include <cca/runtime/environments/waiting/idle_beats.hpp>
 

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <system_error>
 
-#include <cca/base/output_file.hpp>
+#include <cca/base/system/output_file.hpp>
 #include <cca/base/refused.hpp>
 
 namespace cca::recording {

@@ -10,7 +10,7 @@
 // To be replayed, a recording must begin before the first beat.
 //
 // Until close() it is written to trot.mcap.part, and an older trot.mcap stays. A program that crashes leaves
-// the part, which can be read and replayed up to its last second (base/output_file.hpp).
+// the part, which can be read and replayed up to its last second (base/system/output_file.hpp).
 //
 // Errors: std::system_error if the file can't be opened, cca::refused for a scope without ports and if
 // another program writes the file. If writing fails later, for example on a full disk, the loop goes on, and
