@@ -30,12 +30,13 @@ inline int holder_of_lock(const struct stat& of, long byte) {
     for (const auto& one : fs::directory_iterator(open_files, denied)) {
       std::ifstream facts(one.path());
       for (std::string line; std::getline(facts, line);) {
-        unsigned major_ = 0, minor_ = 0;
+        unsigned device[2] = {};
         unsigned long inode = 0;
         long first = 0;
-        if (std::sscanf(line.c_str(), "lock: %*d: %*s %*s %*s %*d %x:%x:%lu %ld", &major_, &minor_, &inode,
-                        &first) == 4 &&
-            major_ == major(of.st_dev) && minor_ == minor(of.st_dev) && inode == of.st_ino && first == byte)
+        if (std::sscanf(line.c_str(), "lock: %*d: %*s %*s %*s %*d %x:%x:%lu %ld", &device[0], &device[1],
+                        &inode, &first) == 4 &&
+            device[0] == major(of.st_dev) && device[1] == minor(of.st_dev) && inode == of.st_ino &&
+            first == byte)
           return true;
       }
     }
