@@ -22,34 +22,43 @@ inline std::string described_process(int id) {
   return std::to_string(id) + (name.empty() ? "" : " (" + name + ")");
 }
 
+// Is f(path) true for an entry of a folder? A process may end meanwhile, then its entries are gone.
+template <class F>
+bool is_any_entry(const std::filesystem::path& folder, F f) {
+  std::error_code failed;
+  std::filesystem::directory_iterator at(folder, failed);
+  for (; !failed && at != std::filesystem::directory_iterator{}; at.increment(failed))
+    if (f(at->path())) return true;
+  return false;
+}
+
 // 0: it is not known, as of a process with capabilities.
 inline int holder_of_lock(const struct stat& of, long byte) {
-  namespace fs = std::filesystem;
-  const auto holds_it = [&](const fs::path& open_files) {
-    std::error_code denied;
-    for (const auto& one : fs::directory_iterator(open_files, denied)) {
-      std::ifstream facts(one.path());
-      for (std::string line; std::getline(facts, line);) {
-        unsigned major_ = 0, minor_ = 0;
-        unsigned long inode = 0;
-        long first = 0;
-        if (std::sscanf(line.c_str(), "lock: %*d: %*s %*s %*s %*d %x:%x:%lu %ld", &major_, &minor_, &inode,
-                        &first) == 4 &&
-            major_ == major(of.st_dev) && minor_ == minor(of.st_dev) && inode == of.st_ino && first == byte)
-          return true;
-      }
+  const auto says_so = [&](const std::filesystem::path& open_file) {
+    std::ifstream facts(open_file);
+    for (std::string line; std::getline(facts, line);) {
+      unsigned device[2] = {};
+      unsigned long inode = 0;
+      long first = 0;
+      if (std::sscanf(line.c_str(), "lock: %*d: %*s %*s %*s %*d %x:%x:%lu %ld", &device[0], &device[1],
+                      &inode, &first) == 4 &&
+          device[0] == major(of.st_dev) && device[1] == minor(of.st_dev) && inode == of.st_ino &&
+          first == byte)
+        return true;
     }
     return false;
   };
-  std::error_code denied;
-  for (const auto& process : fs::directory_iterator("/proc", denied)) {
-    const std::string name = process.path().filename();
+  int holder = 0;
+  is_any_entry("/proc", [&](const std::filesystem::path& process) {
+    const std::string name = process.filename();
     int id = 0;
     if (std::from_chars(name.data(), name.data() + name.size(), id).ptr != name.data() + name.size())
-      continue;
-    if (holds_it(process.path() / "fdinfo")) return id;
-  }
-  return 0;
+      return false;
+    if (!is_any_entry(process / "fdinfo", says_so)) return false;
+    holder = id;
+    return true;
+  });
+  return holder;
 }
 
 }  // namespace cca::detail

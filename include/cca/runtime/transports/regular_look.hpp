@@ -24,7 +24,9 @@ public:
         std::unique_lock lock(mutex);
         while (!ends.wait_for(lock, std::chrono::milliseconds(200), [this] { return is_over; })) look();
       });
-    } catch (const std::system_error&) {}  // no thread: nobody looks
+    } catch (const std::system_error&) {
+      is_over = true;  // no thread: nobody looks
+    }
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   ~regular_look() {
