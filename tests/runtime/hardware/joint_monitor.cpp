@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include <cca/hardware/drives/joint.hpp>
 #include <cca/hardware/mit.hpp>
@@ -183,4 +185,26 @@ TEST_CASE(
     REQUIRE(std::abs(command - b.m.reports[0].position) < 1e-9);
   }
   CHECK(bench<plain>().m.turned<plain>(0) == 0);
+}
+
+namespace {
+struct endless : cca::dimension<"endless"> {
+  static constexpr bool continuous = true;
+  static constexpr auto limits = cca::limits{cca::velocity{-20, 20}, cca::torque{-12, 12}};
+};
+struct on_endless : joint<endless, drive, mounting{.sign = -1, .wraps = 25}, joint_servo{}> {};
+}  // namespace
+
+TEST_CASE("frames: a continuous joint is pulled across the end of its drive's range as hard as within it") {
+  // N m at the joint, which a drive makes of a set point 0.4 rad ahead.
+  const auto pull = [](double from) {
+    const set_point ahead{{.position = from + 0.4, .stiffness = 20, .damping = 0.5}, motion_mode::run};
+    const auto frames = frames_for<on_endless>(ahead, from, 0, true);
+    REQUIRE(frames.size() == 1);
+    const auto payload = std::span<const std::uint8_t, 8>(frames[0].data.data(), 8);
+    const drive_command c = on_endless::from_drive(drive::wire::from_wire(drive::wire::read(payload)));
+    return c.stiffness * (c.position - from) + c.torque;
+  };
+  for (const double from : {0.0, 12.0, 12.2, 12.45, -12.45})
+    CHECK(pull(from) == doctest::Approx(8).epsilon(0.01));
 }
