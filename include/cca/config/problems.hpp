@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,11 +36,13 @@ public:
   void refuse() const {
     if (found.empty()) return;
     constexpr std::size_t shown = 20;
-    auto sorted = found;  // by the position in the file
-    std::ranges::stable_sort(sorted, {}, [](const problem& p) { return std::pair(p.line, p.column); });
+    // By the position in the file; without one, in the order in which they were found.
+    std::vector<const problem*> sorted;
+    for (const problem& one : found) sorted.push_back(&one);
+    std::ranges::sort(sorted, {}, [](const problem* p) { return std::tuple(p->line, p->column, p); });
     std::string text;
     for (std::size_t i = 0; i < std::min(shown, sorted.size()); ++i) {
-      const problem& p = sorted[i];
+      const problem& p = *sorted[i];
       text.append(i ? "\n" : "").append(name).append(":");
       if (p.line) text.append(std::to_string(p.line)).append(":");
       text.append(" ").append(p.path).append(p.path.empty() ? "" : ": ").append(p.what);
