@@ -16,17 +16,16 @@
 
 #include <cca/base/file.hpp>
 #include <cca/component/parameters.hpp>
+#include <cca/config/before_parsing.hpp>
 #include <cca/config/by_path.hpp>
-#include <cca/config/nesting.hpp>
 #include <cca/config/read.hpp>
 #include <cca/config/write.hpp>
 
 namespace cca::detail {
 
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 inline toml::table parse(std::string_view text, const problems& found) {
-  if (const std::string deep = deep_nesting(text); !deep.empty()) throw refused(found.file() + deep);
+  if (const std::string wrong = complaint_before_parsing(text); !wrong.empty())
+    throw refused(found.file() + wrong);
   try {
     return toml::parse(text, found.file());
   } catch (const toml::parse_error& error) {

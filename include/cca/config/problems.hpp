@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,13 +22,8 @@ public:
 
   // `where` is null if the file does not mention the value.
   void add(const toml::source_region* where, std::string_view path, std::string what) {
-    problem next{where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path),
-                 std::move(what)};
-    // Sorted by the position in the file.
-    const auto before = [](const problem& a, const problem& b) {
-      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-    };
-    found.insert(std::ranges::upper_bound(found, next, before), std::move(next));
+    found.push_back(
+        {where ? where->begin.line : 0, where ? where->begin.column : 0, std::string(path), std::move(what)});
   }
   void add(const toml::node& where, std::string_view path, std::string what) {
     add(&where.source(), path, std::move(what));
@@ -40,11 +36,16 @@ public:
   void refuse() const {
     if (found.empty()) return;
     constexpr std::size_t shown = 20;
+    // By the position in the file; without one, in the order in which they were found.
+    std::vector<const problem*> sorted;
+    for (const problem& one : found) sorted.push_back(&one);
+    std::ranges::sort(sorted, {}, [](const problem* p) { return std::tuple(p->line, p->column, p); });
     std::string text;
-    for (std::size_t i = 0; i < std::min(shown, found.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(shown, sorted.size()); ++i) {
+      const problem& p = *sorted[i];
       text.append(i ? "\n" : "").append(name).append(":");
-      if (found[i].line) text.append(std::to_string(found[i].line)).append(":");
-      text.append(" ").append(found[i].path).append(found[i].path.empty() ? "" : ": ").append(found[i].what);
+      if (p.line) text.append(std::to_string(p.line)).append(":");
+      text.append(" ").append(p.path).append(p.path.empty() ? "" : ": ").append(p.what);
     }
     if (found.size() > shown)
       text.append("\n")

@@ -48,6 +48,22 @@ TEST_SUITE("config refusals") {
             "\"0123456789012345678901234567890123456789...\"; for example `frequency = 1.5`");
   }
 
+  TEST_CASE("characters beyond ASCII outside of quotes") {
+    const std::string_view words = "trot.toml:2: not TOML: characters beyond ASCII must stand in quotes";
+    for (const char* text : {"cpg.gain = 2 \xc2\xb5", "\xd1\xa2 = 1", "[cpg.\xd0\x8f]", "\"\"\xd0\x8f = 1"})
+      refuses(std::string("# \xd1\xa2\n") + text, words);
+    controller c;
+    CHECK_EQ(c.refusal("\xEF\xBB\xBF[pose]\nlabel = \"\xd1\xa2\"  # \xd1\xa2\n"), "");
+  }
+
+  TEST_CASE("a header without a name") {
+    const std::string_view words = "trot.toml:2: not TOML: after `[` comes the name of a table";
+    for (const char* header : {"[=]", "[\x13ose]", "[.a]", "[\n]", " [[ =", "\t[ #", "[[[", "[\xc3\xa4]"})
+      refuses(std::string("# [\n") + header, words);
+    controller c;
+    CHECK_EQ(c.refusal("[\"cpg\"]\ngain = 2\n[ 'pose' ]\noffset =[\n=\n]").substr(0, 12), "trot.toml:5:");
+  }
+
   TEST_CASE("a text that is nested too deep is refused before it is parsed") {
     const auto repeated = [](std::string_view what, int times) {
       std::string all;

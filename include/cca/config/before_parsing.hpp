@@ -1,15 +1,23 @@
-// Refuses a text of TOML that is nested deeper than any parameters are. toml++ reads, visits and destroys
-// nested tables by recursion, and `a.a.a.a = 1` nests without a bracket: a file of 100 KB overflows the
-// stack.
+// Refuses texts of TOML that toml++ itself (3.3) does not get through:
 //
-// It looks at the text before it is parsed, so it knows strings and comments, and nothing else of TOML. Where
-// the text is no TOML it may count too much, never too little.
+// - Deep nesting. It reads, visits and destroys nested tables by recursion, and `a.a.a.a = 1` nests without a
+//   bracket: a file of 100 KB overflows the stack.
+// - Characters beyond ASCII outside of strings and comments, where TOML has none. Some of them lead it to a
+//   place that it has marked as unreachable.
+// - A header without a name, `[=`. It asserts that there is one, and with NDEBUG it assumes it.
+//
+// This looks at the text before it is parsed, so it knows strings and comments, and little else of TOML.
+// Where the text is no TOML it may refuse too much, never too little.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace cca::detail {
+
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // The tables of a parsed text are nested at most this deep: parts of a header and of a key, and of a key in
 // each bracket that is open.
@@ -32,9 +40,20 @@ inline std::size_t end_of_toml_string(std::string_view text, std::size_t at) {
   return text.size();
 }
 
+// Whether a name, or what toml++ refuses by itself, follows the brackets of a header.
+inline bool is_name_of_table(std::string_view rest) {
+  const auto skip_space = [&] { rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size())); };
+  skip_space();
+  if (rest.starts_with('[')) rest.remove_prefix(1), skip_space();
+  constexpr std::string_view others = "-_\"']";
+  return rest.empty() || is_letter(rest[0]) || (rest[0] >= '0' && rest[0] <= '9') ||
+         others.find(rest[0]) != others.npos;
+}
+
 // ":3: a key of more than 64 parts", or nothing.
-inline std::string deep_nesting(std::string_view text) {
+inline std::string complaint_before_parsing(std::string_view text) {
   int dots = 0, open = 0;
+  bool begins_line = true;
   std::size_t at = 0;
   const auto complaint = [&](const std::string& what) {
     std::size_t line = 1;
@@ -43,6 +62,10 @@ inline std::string deep_nesting(std::string_view text) {
   };
   while (at < text.size()) {
     const char c = text[at];
+    const bool is_header = c == '[' && begins_line && open == 0;
+    if (c != ' ' && c != '\t') begins_line = c == '\n';
+    if (is_header && !is_name_of_table(text.substr(at + 1)))
+      return complaint("not TOML: after `[` comes the name of a table");
     if (c == '"' || c == '\'') {
       at = end_of_toml_string(text, at);
       continue;
@@ -52,6 +75,8 @@ inline std::string deep_nesting(std::string_view text) {
       if (at == text.npos) break;
       continue;
     }
+    if (static_cast<unsigned char>(c) >= 0x80 && !(at < 3 && text.starts_with("\xEF\xBB\xBF")))
+      return complaint("not TOML: characters beyond ASCII must stand in quotes");
     if (c == '.' && ++dots >= most_key_parts)
       return complaint("a key of more than " + std::to_string(most_key_parts) + " parts");
     if ((c == '[' || c == '{') && ++open > most_open_brackets)
