@@ -10,6 +10,8 @@ static_assert(has_all_commas("parameters, (double, gain), (int, count)"));
 static_assert(has_all_commas("parameters,(double,gain),(int,count)"));
 static_assert(has_all_commas("parameters, (cca::bounded<double, 0.0, 5.0>, offset), (decltype(f(1, 2)), x)"));
 
+static_assert(has_all_commas("values<T>, (T, gr\u00f6\u00dfe), (int, $x), (::other, _1)"));
+
 static_assert(!has_all_commas("parameters, (double gain)"));
 static_assert(!has_all_commas("parameters, (double, gain), (int count)"));
 static_assert(!has_all_commas("parameters, (double, gain) (int, count)"));
