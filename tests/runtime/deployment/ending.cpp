@@ -20,10 +20,10 @@ using namespace std::chrono_literals;
 
 // Idle calls of all robots; what a hanging mind waits for.
 std::atomic<int> idles{0};
-constexpr int enough = 30;
+constexpr int enough = 70;  // more than late beats are tolerated
 
 struct watched {
-  int faults = 0, idles_before_fault = 0, own_idles = 0;
+  int faults = 0, own_idles = 0;
   std::thread::id sensed_in{}, idled_in{};
   std::int64_t beats = 0;
   auto sense(cca::beat) -> cca::out<"measured", level> {
@@ -32,10 +32,7 @@ struct watched {
     return 0.0;
   }
   void act(cca::in<"command", level>) {}
-  void on_fault() {
-    ++faults;
-    idles_before_fault = own_idles;
-  }
+  void on_fault() { ++faults; }
   void on_idle() {
     ++own_idles;
     idled_in = std::this_thread::get_id();
@@ -43,13 +40,16 @@ struct watched {
   }
 };
 
-// Hangs in one beat, until the robots have idled often enough. 10 s: they do not.
+// Hangs in one beat or, where that is lost on a busy machine, the next one, until the robots have idled often
+// enough. 10 s: they do not.
 struct mind {
-  std::int64_t hangs_in = -1;
+  std::int64_t hangs_in = -1, hung_in = -1;
   std::atomic<bool>* tells = nullptr;
   bool has_given_up = false;
   auto process(cca::in<"x", level>, cca::beat now) -> cca::out<"y", level> {
-    if (now.index() != hangs_in) return 0.0;
+    if (hangs_in < 0 || now.index() < hangs_in) return 0.0;
+    hangs_in = -1;
+    hung_in = now.index();
     if (tells) *tells = true;
     const auto since = std::chrono::steady_clock::now();
     while (idles < enough && !has_given_up) {
@@ -77,6 +77,9 @@ struct mind_first : cca::deployment<one_robot,
                                     cca::tolerate<Tolerated>> {};
 constexpr int for_ever = 1'000'000;
 
+// Beats of 5 ms: on a busy machine nobody is late for 50 of them, but who hangs.
+cca::at_speed patient_clock() { return cca::at_speed(0.2); }
+
 struct two_robots : cca::graph<cca::rate<1000>,
                                cca::node<"arm", watched>,
                                cca::node<"hand", watched>,
@@ -89,7 +92,7 @@ struct apart : cca::deployment<two_robots,
                                cca::environment<"arm", cca::nodes<"arm">>,
                                cca::environment<"mind", cca::nodes<"mind">>,
                                cca::environment<"hand", cca::nodes<"hand">>,
-                               cca::tolerate<10>> {};
+                               cca::tolerate<50>> {};
 
 // Fires once in a thousand beats.
 struct sleeper : cca::graph<cca::rate<1000>,
@@ -113,21 +116,20 @@ void begin(cca::deployed<D>& d, std::int64_t hangs_in) {
 
 TEST_SUITE("ending a run") {
   TEST_CASE("after lost contact the robot idles while the mind hangs, in the thread of its beats") {
-    cca::deployed<robot_first<10>> d;
+    cca::deployed<robot_first<50>> d;
     begin(d, 20);
-    CHECK_EQ(d.run(cca::without_end{}, cca::at_wall_clock()), cca::state::faulted);
+    CHECK_EQ(d.run(cca::without_end{}, patient_clock()), cca::state::faulted);
     CHECK_EQ(std::string(d.fault().reason()), "lost contact with `mind`");
     CHECK_FALSE(d.get<"mind">().has_given_up);
     const std::string cause = d.fault_cause();
     CAPTURE(cause);
     CHECK(cause.starts_with("`mind` needed "));
-    CHECK(
-        cause.ends_with(" ms of 1 ms in beat 20: give its wires a greater delay, or the deployment more than "
-                        "`tolerate<10>`"));
+    CHECK(cause.find(" ms of 5 ms in beat " + std::to_string(d.get<"mind">().hung_in) +
+                     ": give its wires a greater delay, or the deployment more than `tolerate<50>`") !=
+          std::string::npos);
     const watched& robot = d.get<"robot">();
     CHECK_GE(robot.own_idles, enough);
     CHECK_EQ(robot.faults, 1);
-    CHECK_EQ(robot.idles_before_fault, 0);
     CHECK_EQ(robot.idled_in, robot.sensed_in);
   }
 
@@ -169,14 +171,14 @@ TEST_SUITE("ending a run") {
   }
 
   TEST_CASE("a robot that follows a mind which hangs idles, and has lost contact") {
-    cca::deployed<mind_first<10>> d;
+    cca::deployed<mind_first<50>> d;
     begin(d, 20);
-    CHECK_EQ(d.run(cca::without_end{}, cca::at_wall_clock()), cca::state::faulted);
+    CHECK_EQ(d.run(cca::without_end{}, patient_clock()), cca::state::faulted);
     CHECK_EQ(std::string(d.fault().reason()), "lost contact with `mind`");
     CHECK_FALSE(d.get<"mind">().has_given_up);
     CHECK_EQ(d.get<"robot">().faults, 1);
     CHECK_EQ(d.get<"robot">().idled_in, d.get<"robot">().sensed_in);
-    CHECK(d.fault_cause().find(" of 1 ms in beat 20: ") != std::string::npos);
+    CHECK(d.fault_cause().find(" of 5 ms in beat 20: ") != std::string::npos);
     d.resume();
     CHECK_EQ(d.fault_cause(), "");
   }
@@ -184,7 +186,7 @@ TEST_SUITE("ending a run") {
   TEST_CASE("two robots in environments of their own, each in its thread") {
     cca::deployed<apart> d;
     begin(d, 20);
-    CHECK_EQ(d.run(cca::without_end{}, cca::at_wall_clock()), cca::state::faulted);
+    CHECK_EQ(d.run(cca::without_end{}, patient_clock()), cca::state::faulted);
     CHECK_FALSE(d.get<"mind">().has_given_up);
     for (const watched* const robot : {&d.get<"arm">(), &d.get<"hand">()}) {
       CHECK_GE(robot->own_idles, 2);
@@ -216,11 +218,11 @@ TEST_SUITE("ending a run") {
   }
 
   TEST_CASE("figures after a fault count the periods of the clock, and no more") {
-    cca::deployed<robot_first<10>> d;
+    cca::deployed<robot_first<50>> d;
     begin(d, 20);
     const auto since = std::chrono::steady_clock::now();
-    d.run(cca::without_end{}, cca::at_wall_clock());
-    const auto periods = (std::chrono::steady_clock::now() - since) / 1ms;
+    d.run(cca::without_end{}, patient_clock());
+    const auto periods = (std::chrono::steady_clock::now() - since) / 5ms;
     REQUIRE_EQ(d.state(), cca::state::faulted);
     for (const cca::environment_figures& e : d.figures()) {
       CHECK_LE(e.lost_periods + e.beat.count(), periods + 1);
