@@ -125,7 +125,7 @@ struct joint_impedance {
                optional_in<"damping", damping_along<Torques>> damping,
                optional_in<"feedforward", Torques> feedforward,
                optional_in<"attitude", Attitude> attitude,
-               beat now_is = beat{0, 0, 1}) -> std::
+               beat this_beat = beat{0, 0, 1}) -> std::
       tuple<out<"torques", Torques>, out<"status", input_status_port>, out<"saturation", saturation_port>> {
     detail::input_check motion, wish;
     const vector q = motion(of(angles)), dq = motion(of(velocities));
@@ -148,7 +148,7 @@ struct joint_impedance {
       const matrix mass = mass_matrix(now);
       matrix resists = resistance(mass, k, d, p.damping_ratio);
       const double share =
-          detail::stable_share<body_pose<Type>::size>(mass, resists, k.asDiagonal(), now_is.dt());
+          detail::stable_share<body_pose<Type>::size>(mass, resists, k.asDiagonal(), this_beat.dt());
       if (share < 1) [[unlikely]] {
         wish.note_clamped();
         resists *= share;
