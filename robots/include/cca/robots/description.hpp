@@ -1,10 +1,10 @@
 // What a robot is, in one type: the simulator builds its world from it, and its ports follow from it.
 //
 //   struct description {
-//     using body = arm_body;                 // cca::body; for the simulator each link has a mass and an
-//     inertia using rate = cca::rate<1000>;          // of all ports; a beat using commands =
-//     cca::robots::commands<cca::robots::torque_command>;   // what its drives take static constexpr
-//     std::array<cca::robots::joint_drive, 7> drives{...};  // over axes_of<body>
+//     using body = arm_body;                 // cca::body; the simulator needs the masses of its links
+//     using rate = cca::rate<1000>;          // of all ports; a beat
+//     using commands = cca::robots::commands<cca::robots::torque_command>;   // what its drives take
+//     static constexpr std::array<cca::robots::joint_drive, 7> drives{...};  // over axes_of<body>
 //
 //     // optional
 //     static constexpr std::array shapes{...};                               // shape.hpp
