@@ -93,8 +93,8 @@ private:
     if constexpr (HasReplay<controller_type>) {
       const std::string part = program.settings.replay + ".part";
       if (!std::filesystem::exists(program.settings.replay) && std::filesystem::exists(part))
-        throw refused("--replay " + program.settings.replay + ": it isn't there, but a run that did not end has left " +
-                      part);
+        throw refused("--replay " + program.settings.replay +
+                      ": it isn't there, but a run that did not end has left " + part);
       const auto result = program_replay<controller_type>::of(program.settings.replay);
       std::cout << called << ": " << result << '\n';
       return result ? exit_code::done : exit_code::fault;

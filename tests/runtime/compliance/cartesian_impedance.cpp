@@ -237,7 +237,8 @@ TEST_SUITE("Cartesian impedance") {
     CHECK(std::get<1>(far).vector()[3] == doctest::Approx(10));
     servo.servo.p.largest.setConstant(1e30), servo.servo.p.stiffness.tail<3>().setConstant(1e6);
     CHECK(is(std::get<3>(servo.all(bent, vector::Zero())), cca::saturation::torque));
-    CHECK(servo.servo.summary().starts_with("1 times a torque was at the limit of its joint; 1 times the spring"));
+    CHECK(servo.servo.summary().starts_with(
+        "1 times a torque was at the limit of its joint; 1 times the spring"));
 
     model stretched;
     stretched.reference = pose_at(vector::Zero());

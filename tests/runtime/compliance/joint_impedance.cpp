@@ -163,7 +163,8 @@ TEST_SUITE("joint impedance") {
     CHECK(in_order(most.vector())[0] == 200);
     CHECK(is(s3, cca::input_status::usable));
     CHECK(servo.summary() ==
-          "1 times a torque was at the limit of its joint; 1 times the spring, or the force control, was at its "
+          "1 times a torque was at the limit of its joint; 1 times the spring, or the force control, was at "
+          "its "
           "largest force");
     torques_for(std::numeric_limits<double>::quiet_NaN(), 0);
     CHECK(servo.summary().ends_with("; 1 times an input was not finite"));

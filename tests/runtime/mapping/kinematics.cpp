@@ -238,7 +238,8 @@ TEST_SUITE("kinematics") {
     solve(ik, Eigen::Vector2d(1.0, 0));
     solve(ik, Eigen::Vector2d(not_a_number, 0));
     CHECK(ik.summary() ==
-          "1 times the target was out of reach, the farthest by 0.5 m: see its `status`; 1 times the target was "
+          "1 times the target was out of reach, the farthest by 0.5 m: see its `status`; 1 times the target "
+          "was "
           "not finite");
     of_left_leg leg;  // in closed form
     solve(leg, Eigen::Vector3d(0, 0, -9));

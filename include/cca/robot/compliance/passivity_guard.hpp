@@ -133,7 +133,8 @@ struct passivity_guard {
     limited = 0;
   }
   std::string summary() const {
-    return limited == 0 ? "" : std::to_string(limited) + " times torques were held back to keep the robot passive";
+    return limited == 0 ? ""
+                        : std::to_string(limited) + " times torques were held back to keep the robot passive";
   }
 
 private:
