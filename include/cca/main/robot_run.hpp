@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -97,6 +98,10 @@ private:
   // The same controller with what the recorded robot sensed; the program's own functions are not called.
   int replay() {
     if constexpr (HasReplay<controller_type>) {
+      const std::string part = program.settings.replay + ".part";
+      if (!std::filesystem::exists(program.settings.replay) && std::filesystem::exists(part))
+        throw refused("--replay " + program.settings.replay +
+                      ": it isn't there, but a run that did not end has left " + part);
       const auto result = program_replay<controller_type>::of(program.settings.replay);
       std::cout << called << ": " << result << '\n';
       return result ? exit_code::done : exit_code::fault;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <cca/main.hpp>
+#include <cca/record/replay_option.hpp>
 
 #include "../programs/child.hpp"
 #include "graphs.hpp"
@@ -94,6 +95,16 @@ TEST_CASE("once it has run, a refusal keeps what was recorded") {
   const temporary_file recording("half");
   CHECK(run({"--record", recording.name, "--mistake", "between"}).code() == 2);
   CHECK(cca::recording::replay<graph>(recording.name).beats == 7);
+}
+
+TEST_CASE("a replay says where the part of a missing recording is") {
+  struct replaying : program {};
+  const temporary_file recording("missing");
+  std::ofstream(recording.name + ".part") << "x";
+  child one(cca::robot_main<replaying>, {"--replay", recording.name});
+  CHECK(one.code() == 2);
+  CHECK(one.err.find("a run that did not end has left " + recording.name + ".part") != std::string::npos);
+  fs::remove(recording.name + ".part");
 }
 
 TEST_CASE("a recording has one writer") {

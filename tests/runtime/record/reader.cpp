@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -82,6 +83,7 @@ TEST_CASE("a file that is cut anywhere is read up to its last whole chunk") {
 TEST_CASE("without the end, every whole chunk is there") {
   const temporary_file file("no_end");
   write(file.name, 2000, 1000, false);
+  std::filesystem::rename(file.name + ".part", file.name);
   CHECK(read(file.name) > 1900);
 }
 

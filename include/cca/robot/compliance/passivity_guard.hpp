@@ -122,10 +122,20 @@ struct passivity_guard {
     const typename Torques::vector_type within = detail::within_torque_limits<Torques>(
         detail::reordered<order, Torques>::to(vector(guarded + held)), cut);
     if (!blind) tank.hold(cut ? vector(of_torques(within) - held) : guarded, q);
-    return {within, tank.joule(), status, status_of(share < 1 && !blind ? guard::limiting : guard::passing)};
+    const bool limits = share < 1 && !blind;
+    if (limits) [[unlikely]]
+      ++limited;
+    return {within, tank.joule(), status, status_of(limits ? guard::limiting : guard::passing)};
   }
 
-  void on_start() { begun = gap = false; }
+  void on_start() {
+    begun = gap = false;
+    limited = 0;
+  }
+  std::string summary() const {
+    return limited == 0 ? ""
+                        : std::to_string(limited) + " times torques were held back to keep the robot passive";
+  }
 
 private:
   using order = axes_of<Type>;
@@ -140,6 +150,7 @@ private:
 
   detail::energy_tank<body_pose<Type>::size> tank;
   bool begun = false, gap = false;
+  std::int64_t limited = 0;
 };
 
 }  // namespace cca

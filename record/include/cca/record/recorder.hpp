@@ -55,8 +55,8 @@ class recorder {
 
 public:
   recorder(Controller& c, const std::string& name, const settings& s = {})
-      : file_name(refuse_if_recorded(c, name)), all(s), of(&c), what(describe(c)) {
-    if (!s.opens_later) all.file.emplace(file_name, s, what);
+      : file_name(refuse_if_recorded(c, name)), all(s), of(&c), recorded_contents(describe(c)) {
+    if (!s.opens_later) all.file.emplace(file_name, s, recorded_contents);
     for (int n = 0; n < cca::detail::counts_of<whole>.node_count; ++n)
       all.nodes.push_back(cca::detail::path_of_node<whole>(n));
     all.environments = recorded::names_of_environments();
@@ -78,7 +78,7 @@ public:
   // With settings::opens_later, before the first beat: until then what happens is kept in memory.
   void open() {
     if (all.file || is_closed) return;
-    all.file.emplace(file_name, all.how, what);
+    all.file.emplace(file_name, all.how, recorded_contents);
     begin();
   }
 
@@ -227,7 +227,7 @@ private:
   typename recorded::loops loops;
   std::vector<detail::loop_source*> sources;
   Controller* of;
-  typename detail::recording_file<whole>::contents what;
+  typename detail::recording_file<whole>::contents recorded_contents;
   std::int64_t end = -1;
   bool is_closed = false, is_discarded = false;
   std::atomic<bool> is_closing{false};
