@@ -105,8 +105,8 @@ private:
     std::atomic<activity> now{activity::rest};
     polled_thread runs{};
 
-    bool is_now(activity before, activity after) noexcept {
-      return now.compare_exchange_strong(before, after, std::memory_order_acq_rel);
+    bool is_now(activity was, activity will) noexcept {
+      return now.compare_exchange_strong(was, will, std::memory_order_acq_rel);
     }
   };
 
