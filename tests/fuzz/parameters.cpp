@@ -1,6 +1,5 @@
 // A file of parameters: it is refused with its name and changes nothing, or it is loaded, and what is saved
 // then gives the same values.
-#define TOML_HEADER_ONLY 1  // watched and checked, unlike the library that is installed
 #include <cstdint>
 #include <string>
 

@@ -54,7 +54,7 @@ inline bool is_name_of_table(std::string_view rest) {
 inline std::string complaint_before_parsing(std::string_view text) {
   int dots = 0, open = 0;
   bool begins_line = true;
-  std::size_t at = 0;
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the byte order mark
   const auto complaint = [&](const std::string& what) {
     std::size_t line = 1;
     for (const char c : text.substr(0, at)) line += c == '\n';
@@ -75,7 +75,7 @@ inline std::string complaint_before_parsing(std::string_view text) {
       if (at == text.npos) break;
       continue;
     }
-    if (static_cast<unsigned char>(c) >= 0x80 && !(at < 3 && text.starts_with("\xEF\xBB\xBF")))
+    if (static_cast<unsigned char>(c) >= 0x80)
       return complaint("not TOML: characters beyond ASCII must stand in quotes");
     if (c == '.' && ++dots >= most_key_parts)
       return complaint("a key of more than " + std::to_string(most_key_parts) + " parts");

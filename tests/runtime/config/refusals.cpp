@@ -60,6 +60,7 @@ TEST_SUITE("config refusals") {
     const std::string_view words = "trot.toml:2: not TOML: after `[` comes the name of a table";
     for (const char* header : {"[=]", "[\x13ose]", "[.a]", "[\n]", " [[ =", "\t[ #", "[[[", "[\xc3\xa4]"})
       refuses(std::string("# [\n") + header, words);
+    refuses("\xEF\xBB\xBF[{}", "trot.toml:1: not TOML: after `[` comes the name of a table");
     controller c;
     CHECK_EQ(c.refusal("[\"cpg\"]\ngain = 2\n[ 'pose' ]\noffset =[\n=\n]").substr(0, 12), "trot.toml:5:");
   }
