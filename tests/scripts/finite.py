@@ -53,6 +53,7 @@ WITHOUT = {
     "robot/body_dynamics.hpp": FUNCTION,
     "robot/body_pose.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,
+    "robot/compliance/beat_stability.hpp": FUNCTION,
     "robot/compliance/compliance_spaces.hpp": FUNCTION,
     "robot/compliance/damping_design.hpp": FUNCTION,
     "robot/compliance/energy_tank.hpp": "tested within passivity_guard",
