@@ -56,6 +56,7 @@ WITHOUT = {
     "robot/bounded_motion.hpp": "tested within limiter",
     "robot/command_limits.hpp": FUNCTION,
     "robot/compliance/cartesian_spring.hpp": FUNCTION,
+    "robot/compliance/beat_stability.hpp": FUNCTION,
     "robot/compliance/compliance_spaces.hpp": FUNCTION,
     "robot/compliance/damping_design.hpp": FUNCTION,
     "robot/compliance/energy_tank.hpp": "tested within passivity_guard",

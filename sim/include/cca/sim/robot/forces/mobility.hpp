@@ -61,14 +61,17 @@ public:
 
   // Adds to `resistances`, over the coordinates, what a spring that pulls in a line resists when that line
   // turns: force times the second derivatives of its length, which levers and length bound.
-  void add_turning(
-      std::size_t spring, double length, double force, double step, std::vector<double>& resistances) const {
+  void add_turning(std::size_t spring,
+                   double length,
+                   double tension,
+                   double step,
+                   std::vector<double>& resistances) const {
     const auto& of = levers_[spring];
     for (std::size_t c = 0; c < of.size(); ++c)
       for (std::size_t k = 0; k < of.size(); ++k) {
         if (of[c] == 0 || of[k] == 0) continue;
         const double bend = turns_[c] && turns_[k] ? std::min(of[c], of[k]) : turns_[c] || turns_[k] ? 1 : 0;
-        resistances[c] += step * std::abs(force) * (bend + of[c] * of[k] / length);
+        resistances[c] += step * std::abs(tension) * (bend + of[c] * of[k] / length);
       }
   }
 
