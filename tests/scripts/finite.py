@@ -16,7 +16,6 @@ FUNCTION = "functions and data, no component"
 PART = "a graph of components that are tested by themselves"
 WITHOUT = {
     "adaptive/adaptive_component.hpp": PART,
-    "robot/compliance/beat_stability.hpp": FUNCTION,
     "adaptive/criterion.hpp": "the base of the criteria, which are tested",
     "adaptive/extreme_learning_machine.hpp": "a learner: tested within adaptive_mapping",
     "adaptive/learned_file.hpp": FUNCTION,
@@ -84,7 +83,6 @@ SILENT = {
     "motor/gait.hpp": CONSTANTS,
     "motor/spaces.hpp": CONSTANTS,
     "robot/body.hpp": CONSTANTS,
-    "robot/compliance/beat_stability.hpp": "its callers give it finite matrices only",
     "robot/command_limits.hpp": CONSTANTS,
     "robot/watchdog.hpp": "looks at times only",
 }
