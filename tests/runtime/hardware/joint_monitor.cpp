@@ -93,13 +93,13 @@ struct without_torques : joint<turning,
 // Beats with estimates each 2 ms, and torques each 5 ms until `end` of them have been sent.
 template <class J>
 safety_rule reports(bench<J>& b, int beats, int torques) {
-  using drive = typename J::drive;
+  using sender = typename J::drive;
   safety_rule first = safety_rule::none;
   for (int k = 0, sent = 0; k < beats; ++k) {
     const bool sends = k % 5 == 0 && sent < torques;
     sent += sends;
-    const can_frame heartbeat = drive::heartbeat(8), estimates = drive::estimates(0.5, 0);
-    first = sends        ? b.beat(heartbeat, estimates, drive::torques(0.25))
+    const can_frame heartbeat = sender::heartbeat(8), estimates = sender::estimates(0.5, 0);
+    first = sends        ? b.beat(heartbeat, estimates, sender::torques(0.25))
             : k % 2 == 0 ? b.beat(heartbeat, estimates)
                          : b.beat(heartbeat);
   }
