@@ -6,8 +6,9 @@
 //   file.flush();                              // ends the chunk: what is in the file survives a SIGKILL
 //   file.close();
 //
-// Until it is closed the bytes are in leg.mcap.part, and an older leg.mcap stays (base/system/output_file.hpp).
-// Without close() the part stays, readable up to its last chunk, or goes if it has none.
+// Until it is closed the bytes are in leg.mcap.part, and an older leg.mcap stays
+// (base/system/output_file.hpp). Without close() the part stays, readable up to its last chunk, or goes if it
+// has none.
 //
 // Errors: std::system_error of open and of write, cca::refused if another program writes this file.
 #pragma once
