@@ -57,7 +57,7 @@ TEST_SUITE("live access") {
       wait_until([&] { return live.set<"other">({3.0, false, 3.0}); });
       wait_until([&] { return live.stop("source"); });
       wait_until([&] { return live.is_taken(); });
-      const auto first = live.newest("source.y")->values[0];
+      const auto first = newest_in(live, "source.y");
       const auto beat = live.beat_index();
       wait_until([&] { return live.beat_index() > beat + 10; });
       CHECK_EQ(live.newest("source.y")->values[0], first);

@@ -59,6 +59,18 @@ inline void wait_until(auto holds) {
   }
   CHECK(has_come);
 }
+
+// The first number of the newest sample. `newest` is empty where the writer was faster than each attempt to read.
+template <class Live>
+double newest_in(const Live& live, const char* path) {
+  double number = 0;
+  wait_until([&] {
+    const auto seen = live.newest(path);
+    if (seen) number = seen->values[0];
+    return seen.has_value();
+  });
+  return number;
+}
 // A request, until it has been taken.
 inline void insist(auto& live, auto request) {
   wait_until(request);
