@@ -60,7 +60,8 @@ inline void wait_until(auto holds) {
   CHECK(has_come);
 }
 
-// The first number of the newest sample. `newest` is empty where the writer was faster than each attempt to read.
+// The first number of the newest sample. `newest` is empty where the writer was faster than each attempt to
+// read.
 template <class Live>
 double newest_in(const Live& live, const char* path) {
   double number = 0;

@@ -153,7 +153,7 @@ TEST_SUITE("stopping") {
     for (int k = 0; k < 200; ++k) {
       l.synchronizer().on_idle();
       l.rest_of_beat();
-      if (k < 2) continue;  // frames of the last beat are on their way
+      if (k < 5) continue;  // the last set points stay for three beats
       REQUIRE(l.stiffest() == 0);
       REQUIRE(l.least_damping() > 0.3);
       REQUIRE(l.enabled() == 8);

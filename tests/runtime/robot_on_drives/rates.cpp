@@ -104,7 +104,8 @@ struct rim : cca::frame<"rim"> {};
 struct axle : cca::serial_chain<mount, rim, cca::axes<wheel>> {
   static constexpr std::array joints{cca::revolute(cca::along_y)};
   static constexpr auto tip = cca::at(0, 0, 0.1);
-  static constexpr std::array links{cca::link_inertia{0.5, {0, 0, 0}, {0.001, 0.001, 0.001, 0, 0, 0}}};
+  [[maybe_unused]] static constexpr std::array links{
+      cca::link_inertia{0.5, {0, 0, 0}, {0.001, 0.001, 0.001, 0, 0, 0}}};
 };
 struct cart_body : cca::body<mount, cca::part<"axle", axle, cca::driven_by<"wheel">>> {};
 struct cart {
@@ -162,9 +163,46 @@ void starts_moves_and_stops() {
   CHECK_FALSE(l.synchronizer().unconfirmed(0));
 }
 
+// A drive with gains of its own, which can only hold or let go.
+struct by_position : hw::joint<swing,
+                               hw::cia402<pendulum_test::geared_motor, 1, hw::cia402_mode::position>,
+                               hw::mounting{.gear = 40, .sign = -1, .offset = 0.2},
+                               hw::joint_servo{.stiffness = 20, .damping = 0.6, .safe_damping = 0.5}> {};
+
+// Idle beats, as where another environment is late, under a load; then beats again.
+template <class Joint>
+void goes_on_after_idle_beats(int idle, double most_moved) {
+  lab<robot<1000, Joint>> l;
+  l.controller.start();
+  l.until(1.5, [&] { return l.synchronizer().phase() == hw::motion_phase::running; });
+  REQUIRE(l.synchronizer().phase() == hw::motion_phase::running);
+  l.run(2);
+  l.far.plant.load[0] = -1;
+  l.run(0.5);
+  const double before = l.angle();
+  for (int k = 0; k < idle; ++k) l.synchronizer().on_idle(), l.far.step();
+  double moved = std::abs(l.angle() - before), fastest = 0;
+  for (int k = 0; k < 500; ++k) {
+    l.run(0.001);
+    moved = std::max(moved, std::abs(l.angle() - before));
+    fastest = std::max(fastest, std::abs(l.far.plant.motors[0].now.velocity));
+  }
+  CAPTURE(idle);
+  CHECK(l.far.enabled_count() == 1);
+  CHECK(l.stop().first_cause().rule == hw::safety_rule::none);
+  CHECK(moved < most_moved);
+  CHECK(fastest < 4);  // it does not snap back
+}
+
 }  // namespace
 
 TEST_SUITE("robots on drives at other rates") {
+  TEST_CASE("idle beats switch no drive off, and a robot that sagged goes on from where it is") {
+    for (const int idle : {1, 3, 30, 1000}) goes_on_after_idle_beats<by_position>(idle, 0.01);
+    for (const int idle : {1, 3}) goes_on_after_idle_beats<on_moteus>(idle, 0.02);
+    goes_on_after_idle_beats<on_moteus>(3000, 1);
+  }
+
   TEST_CASE("200 Hz to 4 kHz: started, moved, and each time limit is the same time") {
     starts_moves_and_stops<robot<200, on_moteus>>();
     starts_moves_and_stops<robot<500, on_moteus>>();

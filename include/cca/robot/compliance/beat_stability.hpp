@@ -8,7 +8,11 @@
 //
 //   2 M - dt (D + dt K)   positive definite
 //
-// which is the first, and a stiffness that a beat does not overshoot.
+// which is the first, and a stiffness that a beat does not overshoot. `IsDamped` asks for the second too, but
+// for a growth of a hundredth a beat, so that slow springs need no damping:
+//
+//   0.02 M + dt D - dt^2 K / 2   positive definite
+//
 // `share` is 1 where that holds, else the largest s, to 1e-6, with which s^2 K and s D do: the same damping
 // ratio, and softer. Where a coordinate moves no mass there is nothing to compare with, and it is 1. Source:
 // Colgate and Schenkel, Passivity of a Class of Sampled-Data Systems, J. Robotic Systems 14(1), 1997 (dampers
@@ -43,14 +47,16 @@ bool positive_definite(Eigen::Matrix<double, Size, Size> a) {
   return true;
 }
 
-template <int Size>
+template <int Size, bool IsDamped = true>
 double stable_share(const Eigen::Matrix<double, Size, Size>& mass,
                     const Eigen::Matrix<double, Size, Size>& damping,
                     const Eigen::Matrix<double, Size, Size>& stiffness,
                     double dt) {
   using matrix = Eigen::Matrix<double, Size, Size>;
   const auto holds = [&](double s) {
-    return positive_definite<Size>(matrix(2 * mass - (s * dt) * damping - (s * s * dt * dt) * stiffness));
+    return positive_definite<Size>(matrix(2 * mass - (s * dt) * damping - (s * s * dt * dt) * stiffness)) &&
+           (!IsDamped || positive_definite<Size>(
+                             matrix(0.02 * mass + (s * dt) * damping - (0.5 * s * s * dt * dt) * stiffness)));
   };
   if (holds(1)) [[likely]]
     return 1;

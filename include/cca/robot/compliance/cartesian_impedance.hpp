@@ -71,6 +71,7 @@
 #include <cca/robot/compliance/damping_design.hpp>
 #include <cca/robot/compliance/energy_tank.hpp>
 #include <cca/robot/compliance/tip_dynamics.hpp>
+#include <cca/space/methods/circle.hpp>
 
 namespace cca {
 
@@ -201,7 +202,8 @@ struct cartesian_impedance {
       }
       vector spring = vector::Zero();
       if (posture && posture.origin() != never && !wish.unreadable())
-        spring = at.free_torques(vector(posture_k.cwiseProduct(rest - q)));
+        spring = at.free_torques(vector(
+            posture_k.cwiseProduct(detail::shortest_way<detail::limits_along<order, angle>>(q, rest))));
       torques = at.jacobian.transpose() * wrench + free_joints(at, spring, q, dq, beat_now.dt());
       if (p.compensate_gravity) torques += gravity_torques(at.now, down);
     } else {
@@ -258,7 +260,7 @@ private:
     const matrix d = at.jacobian.transpose() * damping * at.jacobian;
     matrix k = at.jacobian.transpose() * spring * at.jacobian;
     k += posture.asDiagonal();
-    return detail::stable_share<body_pose<Type>::size>(at.mass, d, k, dt);
+    return detail::stable_share<body_pose<Type>::size, false>(at.mass, d, k, dt);
   }
 
   // The torques of the posture, of which the tank pays the spring.

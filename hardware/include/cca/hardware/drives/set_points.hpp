@@ -58,8 +58,8 @@ struct safety_event {
 };
 
 // How far the drives are. `begins`: they are enabled from this beat on, and motion starts where the joints
-// are.
-enum class motion_phase : std::uint8_t { stopped, enabling, begins, running };
+// are. `resumes`: after beats without set points they go on, from where the joints are.
+enum class motion_phase : std::uint8_t { stopped, enabling, begins, resumes, running };
 // What the drives may do. `soft`: hold the measured position, softer in each beat. `damped`: only damp.
 // `barred`: the emergency stop is pressed, so they only damp and none may be enabled.
 enum class motion_mode : std::uint8_t { run, soft, damped, barred };

@@ -106,10 +106,11 @@ public:
       this->note_fault_in_start(checks.missing(drives, enabling, has_reported()));
     stop();
   }
-  // Instead of a beat. Drives that move are damped until the next one.
+  // Instead of a beat. As after a late sample, the last set points stay for some beats; then joints are
+  // damped until the next one, or held where a drive can't be damped.
   void on_idle() {
     if (stopping()) listen(), send_stop();
-    else if (moving()) listen(), send_to_all(true);
+    else if (moving()) listen(), send_idle();
   }
 
   motion_phase phase() const { return phase_now; }
@@ -143,15 +144,21 @@ protected:
     return {drives.angle_now(i), drives.speed_now(i), drives.torque_now(i)};
   }
   typename joint_states<joints>::vector_type states() const {
+    // After a longer pause the guards begin again where the joints are.
+    const motion_phase phase = idled >= beats<Rate>::in(20'000'000) && phase_now == motion_phase::running
+                                   ? motion_phase::resumes
+                                   : phase_now;
     typename joint_states<joints>::vector_type all;
     for (std::size_t i = 0; i < count; ++i)
-      joint_state{drives.angle[i], drives.speed[i], drives.torque_now(i), trip_of(i), phase_now}.put(all, i);
+      joint_state{drives.angle[i], drives.speed[i], drives.torque_now(i), trip_of(i), phase}.put(all, i);
     return all;
   }
 
   template <class More>
   void send(const typename set_points<joints>::vector_type& wanted, More more) {
     const motion_mode mode = set_point::of(wanted, 0).mode();
+    idled = 0, followed = mode == motion_mode::run;
+    last = wanted;
     if (mode == motion_mode::barred &&
         (phase_now == motion_phase::enabling || phase_now == motion_phase::begins))
       refuse({.why = safety_rule::pressed});
@@ -172,6 +179,7 @@ protected:
   board_reading reading = board_reading::untold();
 
 private:
+  static constexpr int kept_beats = 3;  // as cca::tolerate<3>, the default
   static constexpr bool has_board = !std::is_same_v<Board, no_board>;
 
   bool has_reported() const { return !has_board || reading.frames != 0; }
@@ -280,6 +288,28 @@ private:
     });
     outbox.send();
   }
+  // A drive with gains of its own can't damp, and must not be switched off because others are late: it holds.
+  void send_idle() {
+    const bool is_sound =
+        followed && std::ranges::all_of(drives.trips, [](safety_rule r) { return r == safety_rule::none; });
+    if (idled == kept_beats) held_at = drives.angle;
+    outbox.clear();
+    each([&]<std::size_t... I>(std::index_sequence<I...>) {
+      if (is_sound && idled < kept_beats) (command_joint<J, I>(set_point::of(last, I)), ...);
+      else (outbox.add(J::bus, is_sound ? held<J, I>() : damped<J, I>()), ...);
+    });
+    ++idled;
+    outbox.send();
+  }
+  template <class One, std::size_t I>
+  drive_frames held() const {
+    using D = typename One::drive;
+    if constexpr ((D::uses & of_stiffness) != 0 || (D::uses & (of_position | of_velocity)) == 0)
+      return damped<One, I>();
+    else
+      return frames_for<One>({{held_at[I] - latched[I] - drives.template turned<One>(I)}, motion_mode::run},
+                             drives.angle[I], drives.speed[I], false);
+  }
   void send_stop() {
     const stop_stage stage = stops.stage();
     send_to_all(stage == stop_stage::damping);
@@ -296,7 +326,10 @@ private:
   // Whether frames that disable were sent in this stop, and have gone over the bus.
   std::array<bool, buses> sent_disable{}, disabled_on{};
   offsets latched{};
-  int quiet_board = 0, damped_for = 0;
+  int quiet_board = 0, damped_for = 0, idled = 0;  // idled: beats since the last set points
+  bool followed = false;                           // the last set points were to be followed
+  std::array<double, count> held_at{};  // rad, where the joints were when the last set points ended
+  typename set_points<joints>::vector_type last = set_points<joints>::vector_type::Zero();
   std::int64_t last_arrival = 0;
   motion_phase phase_now = motion_phase::stopped;
   std::array<received_frame, 64> inbox{};

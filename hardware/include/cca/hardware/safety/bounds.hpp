@@ -56,7 +56,7 @@ public:
         j = {Joints::angle[i].nearest(q.known() ? q.angle : s.position), 0, true};
         continue;
       }
-      if (q.phase == motion_phase::begins)
+      if (q.phase == motion_phase::begins || q.phase == motion_phase::resumes)
         j = {q.known() ? q.angle : j.position, s.stiffness == 0 ? first_torque(i, q) : 0, true};
       const joint_bounds speed = Joints::speed[i], range = Joints::angle[i];
       if (j.approaching) s.position = range.nearest(s.position);
@@ -120,7 +120,8 @@ public:
         number = kept;
       };
       const joint_bounds range = Joints::angle[i];
-      if (q.phase == motion_phase::begins && q.known()) entered[i] = q.angle;
+      if ((q.phase == motion_phase::begins || q.phase == motion_phase::resumes) && q.known())
+        entered[i] = q.angle;
       // A soft stop holds the joint where it is, outside too: the end of the range would be a jump.
       if (q.phase < motion_phase::begins || s.mode() != motion_mode::run)
         entered[i] = s.mode() == motion_mode::soft && q.known() ? q.angle : range.lower;

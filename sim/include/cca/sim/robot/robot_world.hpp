@@ -218,7 +218,7 @@ private:
         units_(model_, settings.engine.gravity),
         shapes_(engine_.id(), *model_, *scene_, tree_),
         touching_(scene_->contact, step_),
-        drives_(engine_.id(), model_, tree_, mount(), step_, like),
+        drives_(engine_.id(), model_, tree_, step_, like),
         stops_(*model_, tree_, settings.engine.erp) {
     touching_.set_pairs(shapes_.pairs());
     state_.pressing.assign(touching_.pair_count(), 0);

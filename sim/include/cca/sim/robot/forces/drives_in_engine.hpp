@@ -22,16 +22,15 @@ namespace cca::sim {
 
 class drives_in_engine {
 public:
-  // `moves` are of this model; leaves the tree in some posture if there are none.
+  // `like`: of this model.
   drives_in_engine(dWorldID world,
                    std::shared_ptr<const robot_model> model,
                    tree_in_engine& tree,
-                   const rigid& mount,
                    double step,
                    const drives_in_engine* like)
       : model_(std::move(model)),
-        moves_(like ? like->moves_ : mobility(model_, tree, mount)),
         soft_(world, *model_, tree),
+        moves_(like ? like->moves_ : mobility(model_)),
         motors_(model_->drives.size()),
         held_(model_->drives.size(), 0),
         resistances_(moves_.count()),
@@ -186,8 +185,8 @@ private:
   }
 
   std::shared_ptr<const robot_model> model_;
-  mobility moves_;
   soft_joints soft_;
+  mobility moves_;
   std::vector<soft_force> motors_;       // over the coordinates: those that are held
   std::vector<char> held_;               // over the coordinates
   std::vector<double> resistances_;      // over coordinates and springs

@@ -7,10 +7,9 @@
 // largest share in it is taken at the end of the step. What remains is explicit, and costs and does what it
 // always did; so every robot is stable, and a soft one is not slowed down.
 //
-// W is looked up in each beat, but not where the forces are soft enough for every posture: then the largest
-// mobility over many postures, which the copies of a world share, is enough.
-// Sources: the bounds are Gershgorin's. Cost: nothing for soft robots; else an inversion of the inertia in
-// each beat. Nothing allocates after it was made.
+// W is looked up in each beat, but not where the forces are soft enough for every posture: then a bound of it
+// is enough. Sources: the bounds are Gershgorin's. Cost: nothing for soft robots; else an inversion of the
+// inertia in each beat. Nothing allocates after it was made.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +28,8 @@ namespace cca::sim {
 
 class mobility {
 public:
-  // Of coordinates, then of springs. Leaves the tree in some posture.
-  mobility(const std::shared_ptr<const robot_model>& model, tree_in_engine& tree, const rigid& mount)
+  // Of coordinates, then of springs.
+  explicit mobility(const std::shared_ptr<const robot_model>& model)
       : model_(model),
         inertia_(model),
         coordinates_(static_cast<Eigen::Index>(model->drives.size())),
@@ -44,7 +43,7 @@ public:
     turns_.assign(model_->drives.size(), 0);
     for (const auto& l : model_->links)
       if (l.kind == joint_kind::revolute) turns_[static_cast<std::size_t>(l.coordinate)] = 1;
-    look_around(tree, mount);
+    bound();
   }
 
   std::size_t count() const { return static_cast<std::size_t>(now_.rows()); }
@@ -100,8 +99,6 @@ public:
   };
 
 private:
-  static constexpr int postures = 24;
-
   static Eigen::Index place(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
   double share_of(const force& f, std::size_t row, double step) const {
@@ -148,20 +145,30 @@ private:
     now_.noalias() = half_.transpose() * half_;
   }
 
-  void look_around(tree_in_engine& tree, const rigid& mount) {
-    const std::vector<double> still(model_->drives.size(), 0.0);
-    std::vector<double> q = model_->start;
-    std::uint64_t random = 1;
-    for (int round = 0; round < postures; ++round) {
-      tree.place(q, still, {mount, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
-      find(tree);
-      most_ = most_.cwiseMax(now_.diagonal());
-      for (std::size_t c = 0; c < q.size(); ++c) {
-        random = random * 6364136223846793005U + 1442695040888963407U;
-        const double where = static_cast<double>(random >> 11) * 0x1p-53;  // from [0, 1)
-        const joint_stops& s = model_->stops[c];
-        q[c] = std::isfinite(s.high - s.low) ? s.low + where * (s.high - s.low) : 6 * where - 3;
+  // A bound for every posture: of the energy of all bodies only that of the two at a joint, and these free
+  // otherwise. A slider moves the centre of its link along its axis, which changes no term here.
+  void bound() {
+    using cca::detail::as_vector, cca::detail::cross, cca::detail::matrix_of;
+    for (const auto& l : model_->links) {
+      const bool has_parent = l.parent >= 0 || model_->floats;
+      const link_inertia& below =
+          l.parent >= 0 ? model_->links[static_cast<std::size_t>(l.parent)].inertia : model_->base;
+      const Eigen::Matrix3d turn = Eigen::Map<const Eigen::Matrix3d>(l.turn.data()),
+                            own = turn * matrix_of(l.inertia.about_centre) * turn.transpose();
+      const Eigen::Vector3d axis = turn * as_vector(l.axis);
+      const auto eased = [](const Eigen::Matrix3d& inertia, const Eigen::Vector3d& a) {
+        return a.dot(inertia.llt().solve(a));
+      };
+      double all = l.kind == joint_kind::revolute ? eased(own, axis) : 1 / l.inertia.mass;
+      if (has_parent && l.kind == joint_kind::revolute) all += eased(matrix_of(below.about_centre), axis);
+      if (has_parent && l.kind == joint_kind::prismatic) {
+        const Eigen::Vector3d apart =
+            as_vector(l.at) + turn * as_vector(l.inertia.centre) - as_vector(below.centre);
+        all += 1 / below.mass + eased(own + matrix_of(below.about_centre), cross(apart, axis));
       }
+      double& most = most_[l.coordinate];  // of several joints of a coordinate, each alone is a bound
+      all /= l.ratio * l.ratio;
+      most = most > 0 ? std::min(most, all) : all;
     }
   }
 
@@ -170,7 +177,7 @@ private:
   Eigen::Index coordinates_;
   Eigen::LLT<Eigen::MatrixXd> solver_;
   Eigen::MatrixXd slopes_, half_, now_;
-  Eigen::VectorXd most_;                     // over the postures
+  Eigen::VectorXd most_;                     // in any posture
   std::vector<std::vector<double>> levers_;  // of springs: how far their points move, for each coordinate
   std::vector<char> turns_;                  // over the coordinates
   bool is_soft_ = true;
