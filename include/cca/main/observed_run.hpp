@@ -117,7 +117,9 @@ public:
     };
     if constexpr (can_record) {
       if (recorder_) keep(recorder_->close());
-      if (page_) keep(page_->write());
+      if (page_)
+        keep(recorder_->is_complete() ? page_->write()
+                                      : "the page is not written: its recording is incomplete");
     }
     if constexpr (can_trace)
       if (tracer_) {
@@ -130,7 +132,7 @@ public:
   // Instead of close(), where nothing has run: older files stay.
   void discard() {
     if constexpr (can_record)
-      if (recorder_) recorder_->discard();
+      if (recorder_) page_.reset(), recorder_->discard();
     if constexpr (can_trace)
       if (tracer_) tracer_->discard();
   }

@@ -48,11 +48,17 @@ public:
 
   // Each worker finishes its current task; the tasks after it are lost. Does not wait.
   void stop() noexcept {
-    for (auto& one : lanes)
-      while (one && one->now != activity::over && one->now != activity::last_task) {
-        if (one->is_now(activity::rest, activity::over)) break;
-        one->is_now(activity::task, activity::last_task);
-      }
+    for (std::size_t i = 0; i < Count; ++i)
+      if (lanes[i]) stop(i);
+  }
+  // True: this has ended it, at rest. False: it was over, or its thread ends it, and calls `stopped`.
+  bool stop(std::size_t i) noexcept {
+    lane& one = *lanes[i];
+    while (one.now != activity::over && one.now != activity::last_task) {
+      if (one.is_now(activity::rest, activity::over)) return true;
+      one.is_now(activity::task, activity::last_task);
+    }
+    return false;
   }
   // Since `stop`: its thread does not touch this worker any more.
   bool is_back(std::size_t i) const noexcept { return lanes[i]->now == activity::over; }

@@ -131,9 +131,9 @@ public:
     }
   }
   void on_stop() {
-    at_work->stop();
+    if (!at_work) return;  // on_start was refused
+    for (std::size_t i = 0; i < count; ++i) is_out[i] = !at_work->stop(i);
     for (std::size_t i = 0; i < count; ++i) {
-      is_out[i] = !at_work->is_back(i);
       if (is_out[i]) continue;
       workers[i] = at_work->at(i);
       work::stopped(workers[i]);

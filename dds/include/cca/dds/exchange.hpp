@@ -101,7 +101,7 @@ private:
     to[status::finished] = from.finished.load(std::memory_order_acquire);
     to[status::position] = from.position.load(std::memory_order_acquire);
     to[status::begun] = from.begun.load(std::memory_order_acquire);
-    const std::int64_t begun_at = from.begun_at;
+    const std::int64_t begun_at = from.begun_at[from.slot_of(to[status::begun])];
     to[status::begun_age] =
         std::max<std::int64_t>(begun_at ? cca::detail::monotonic_clock::now() - begun_at : 0, 0);
     to[status::interval] = from.interval;
@@ -144,7 +144,8 @@ private:
     to.is_stopped.store((from[status::flags] & status::is_stopped) != 0, std::memory_order_release);
     to.stop_at.store(from[status::stop_at], std::memory_order_release);
     to.interval = from[status::interval];
-    if (to.begun != from[status::begun]) to.begun_at = at - from[status::begun_age];
+    if (const std::int64_t beat = from[status::begun]; to.begun != beat)
+      to.begun_at[to.slot_of(beat)] = at - from[status::begun_age];
     to.begun.store(from[status::begun], std::memory_order_release);
     to.position.store(from[status::position], std::memory_order_release);
     to.finished.store(from[status::finished], std::memory_order_release);

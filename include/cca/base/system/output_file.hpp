@@ -97,8 +97,15 @@ public:
       file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
       part = target + ".part";
-      set_aside_part(called);
-      file = detail::open_locked(part, O_CREAT);
+      // What another writer left since the look is set aside too.
+      struct stat found{};
+      for (int tries = 0; tries < 3; ++tries) {
+        set_aside_part(called);
+        file = detail::open_locked(part, O_CREAT);
+        if (file < 0 || ::fstat(file, &found) != 0 || found.st_size == 0) break;
+        ::close(std::exchange(file, -1));
+        errno = EEXIST;
+      }
       if (file < 0 && errno == EWOULDBLOCK)
         throw refused(called +
                       ": it is being written by another program, or twice by this one: choose another "

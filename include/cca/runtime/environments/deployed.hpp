@@ -178,9 +178,12 @@ private:
     detail::meeting<D> together(*shared, here, others.get());
     auto idle_beats = detail::idle_beats_at(pace, period());
     const auto meanwhile = [this] { idle(); };
-    const auto terms =
-        together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats, meanwhile);
+    const auto terms = together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats,
+                                      meanwhile, [&] { return detail::goes_on_after(between, *this); });
     if (terms.is_stopped) return false;
+    if (terms.is_off) return true;
+    if (terms.is_exact && !wants_exact) idle_beats = detail::idle_beats_at(as_fast_as_possible(), period());
+    if (!terms.is_exact && wants_exact) idle_beats = detail::idle_beats_at(at_wall_clock(), period());
     std::int64_t last_seen = terms.beat;
     {
       const finished_run all_at_one_beat{*this, together, terms, idle_beats};

@@ -46,7 +46,7 @@ public:
     has_handled_fault = false;
     skip_to(beat);
     own().begun = beat - 1;
-    own().begun_at = own().interval = 0;
+    own().begun_at[0] = own().begun_at[1] = own().interval = 0;
     own().slowest.forget();
     own().fault.position = no_position;
     own().stop_at = no_position;
@@ -91,7 +91,7 @@ public:
       own().lost_periods.store(runs.lost_periods, std::memory_order_relaxed);
       if (late) state_fault(state.observers(), 0, late.reason(), -1);
       if (!goes_on()) return;
-      own().begun_at.store(pace.last_begun(), std::memory_order_relaxed);
+      own().begun_at[own().slot_of(k)].store(pace.last_begun(), std::memory_order_relaxed);
       own().interval.store(pace.duration_of(period), std::memory_order_relaxed);
       own().begun.store(k, std::memory_order_release);
       state.ring();
@@ -221,7 +221,8 @@ private:
     const std::int64_t begins = active_at = monotonic_clock::now();
     const std::int64_t beat = k;
     own().slowest.begin(beat, begins);
-    own().wake_up.add(begins - shared().environments[0].begun_at.load(std::memory_order_relaxed));
+    const auto& first = shared().environments[0];
+    own().wake_up.add(begins - first.begun_at[first.slot_of(beat)].load(std::memory_order_relaxed));
     run_beat();
     const std::int64_t needed = monotonic_clock::now() - begins;
     own().duration.add(needed);

@@ -65,7 +65,6 @@ public:
     try {
       loops.for_each([&]<int E>(auto& loop) {
         if (!runs(E)) return;
-        not_over.fetch_add(1, std::memory_order_relaxed);
         threads[E].start(
             [this, &loop, terms, after_beat, own = idle]() mutable {
               const thread_setup setup(wish_of_environment<D, E>);
@@ -78,11 +77,11 @@ public:
               end(loop, own, [this] { return not_over.load(std::memory_order_acquire) == 0; });
             },
             &scheduling);
+        not_over.fetch_add(1, std::memory_order_relaxed);  // it waits for `begins`, so it has not ended yet
       });
       idle.until([this](patience&) { return not_ready.load(std::memory_order_acquire) == 0; }, meanwhile);
       loops.for_each([&]<int E>(auto&) { report.template operator()<E>(refusals[E]); });
     } catch (const std::system_error& no_thread) {
-      not_over.fetch_sub(1, std::memory_order_relaxed);  // that of the thread that is missing
       release();
       throw refused(std::string("cca::deployed: no thread for an environment: ") + no_thread.what());
     } catch (...) {

@@ -78,8 +78,10 @@ struct alignas(64) environment_record {
   std::atomic<std::int64_t> position{0};
 
   // The clock of the first environment at wall-clock speed: the newest beat begun, when, and the time to the
-  // next (ns).
-  std::atomic<std::int64_t> begun{-1}, begun_at{0}, interval{0};
+  // next (ns). `begun_at` is of the even and of the odd beats: who reads `begun` finds the time of that beat.
+  std::atomic<std::int64_t> begun{-1}, interval{0};
+  std::array<std::atomic<std::int64_t>, 2> begun_at{};
+  static std::size_t slot_of(std::int64_t beat) { return static_cast<std::size_t>(beat & 1); }
 
   // On a cache line of its own: all poll it while they wait, and it is not written meanwhile.
   alignas(64) fault_record fault{};

@@ -19,6 +19,7 @@ struct terms_of_run {
   bool is_exact = true;     // the first environment's
   bool all_meet = false;    // after each beat, because somebody wants to
   bool is_stopped = false;  // there is no run: another process has called stop()
+  bool is_off = false;      // there is no run: this process does not want it any more
 };
 
 template <class D>
@@ -32,9 +33,13 @@ public:
 
   // Waits for all environments, at most so long. While anything here waits, `meanwhile()` is called once a
   // period.
-  template <class F>
-  terms_of_run agree(
-      const terms_of_run& wanted, std::int64_t beats, std::int64_t longest, idle_beats& idle, F meanwhile) {
+  template <class F, class GoesOn>
+  terms_of_run agree(const terms_of_run& wanted,
+                     std::int64_t beats,
+                     std::int64_t longest,
+                     idle_beats& idle,
+                     F meanwhile,
+                     GoesOn goes_on) {
     terms_of_run agreed;
     for (bool is_newest = false; !is_newest;) {
       for_each_here([&](auto& own) {
@@ -46,17 +51,18 @@ public:
       });
       check();
       wait(&record::arrived, idle, meanwhile, [&](std::size_t missing, std::int64_t waited) {
-        if (agreed.is_stopped) return false;
+        if (agreed.is_stopped || agreed.is_off) return false;
         check();
+        agreed.is_off = !goes_on();
         agreed.is_stopped = shared.environments[missing].is_stopped.load(std::memory_order_acquire);
-        if (!agreed.is_stopped && waited < longest) return true;
+        if (!agreed.is_stopped && !agreed.is_off && waited < longest) return true;
         withdraw();
-        if (agreed.is_stopped) return false;
+        if (agreed.is_stopped || agreed.is_off) return false;
         throw refused("cca::deployed: environment `" + std::string(environments_of<D>::all[missing].name) +
                       "` has not begun to run within " + std::to_string(longest / 1'000'000'000) +
                       " s: start the process that runs it");
       });
-      if (agreed.is_stopped) return agreed;
+      if (agreed.is_stopped || agreed.is_off) return agreed;
       const std::int64_t before = away ? away->newest_run_before() : 0;
       is_newest = before < run;
       run = std::max(run, before + 1);

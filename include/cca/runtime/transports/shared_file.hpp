@@ -128,7 +128,7 @@ private:
     try {
       check();
     } catch (...) {
-      ::close(file);
+      ::close(std::exchange(file, -1));
       throw;
     }
   }

@@ -91,7 +91,7 @@ private:
     char magic[8];
     std::uint64_t manifest_size;
   };
-  static constexpr char magic[8] = {'c', 'c', 'a', ' ', 's', 'h', 'm', '1'};
+  static constexpr char magic[8] = {'c', 'c', 'a', ' ', 's', 'h', 'm', '2'};
   static constexpr long setup_byte = 0;
   static constexpr long byte_of(std::integral auto environment) { return 1 + static_cast<long>(environment); }
   static constexpr std::int64_t longest_setup = 5'000'000'000;  // ns; it takes milliseconds

@@ -29,6 +29,8 @@ struct program_recorder<Host<Graph>> {
   void note(const std::map<std::string, std::string>& entries) {
     if (!entries.empty()) recorder.note("cca.program", entries);
   }
+  // After close(): the file is there.
+  bool is_complete() const { return recorder.problem().empty(); }
   // Ends the recording. What went wrong, as a sentence; empty: nothing.
   std::string close() {
     recorder.close();
@@ -53,9 +55,6 @@ public:
         is_temporary(record.empty()) {}
   program_page(const program_page&) = delete;
   program_page& operator=(const program_page&) = delete;
-  ~program_page() {
-    if (is_temporary) std::remove(recorded.c_str());
-  }
 
   const std::string& recording_file() const { return recorded; }
 
@@ -63,9 +62,9 @@ public:
   std::string write() {
     try {
       recording::write_page(page, recorded, empty);
+      if (is_temporary) std::remove(recorded.c_str());
       return {};
     } catch (const std::exception& e) {
-      is_temporary = false;
       return std::string("the page can't be written: ") + e.what() + "; the recording is in " + recorded;
     }
   }

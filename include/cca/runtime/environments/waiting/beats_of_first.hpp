@@ -30,7 +30,7 @@ protected:
       if (!loop().goes_on()) return false;
       const std::int64_t newest = loop().begun();
       if (newest >= beat) return true;
-      const std::int64_t begun_at = first.begun_at.load(std::memory_order_relaxed);
+      const std::int64_t begun_at = first.begun_at[first.slot_of(newest)].load(std::memory_order_relaxed);
       const bool has_begun = begun_at != 0;
       const std::int64_t interval =
           has_begun ? first.interval.load(std::memory_order_relaxed) : counts_of<D>.period;
