@@ -5,6 +5,7 @@
 
 #include <cca/base/file.hpp>
 #include <cca/main/run_program.hpp>
+#include <cca/main/one_file.hpp>
 
 #include "conversion.hpp"
 
@@ -23,6 +24,8 @@ int convert(settings& s) {
   if (!s.options.header.name_space.empty() && !cca_urdf::is_namespace(s.options.header.name_space))
     throw cca::command_line_error("--namespace " + s.options.header.name_space +
                                   ": expected names of C++ with :: between them, which C does not declare");
+  if (!s.out.empty() && cca::is_one_file(s.out, file))
+    throw cca::refused("FILE " + file + " and --out " + s.out + " name one file: give the header its own");
   const auto made = cca_urdf::convert(cca::detail::read_file(file), s.options);
   std::cerr << cca_urdf::text_of(made.said, file);
   if (made.header.empty())

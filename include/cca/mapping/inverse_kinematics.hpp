@@ -85,8 +85,8 @@ public:
     const auto found = search.solve(target, last);
     for (int i = 0; i < vector::RowsAtCompileTime; ++i)
       last[i] = limits::is_continuous(i) ? detail::same_turn(found.q[i], last[i]) : found.q[i];
-    if (found.status == reaching::nearest) [[unlikely]]
-      missed.add_nearest(distance_of(found));
+    if (found.status != reaching::reached) [[unlikely]]
+      missed.add(found.status, distance_of(found));
     return {order::to(last), status_of(found.status)};
   }
 

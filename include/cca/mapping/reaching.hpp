@@ -31,18 +31,22 @@ namespace detail {
 
 // What was not reached, counted: also where nobody reads the status.
 struct reaching_counts {
-  std::int64_t nearest = 0, unreadable = 0;
+  std::int64_t nearest = 0, unfinished = 0, unreadable = 0;
   double farthest = 0;  // m
 
-  void add_nearest(double distance) {
-    ++nearest;
+  // A target that moves is never given up: one that is always out of reach stays `unfinished`.
+  void add(reaching status, double distance) {
+    ++(status == reaching::nearest ? nearest : unfinished);
     if (distance > farthest) farthest = distance;
   }
   std::string summary() const {
     std::string text;
     if (nearest > 0)
-      text = formatted("%lld times the target was out of reach, the farthest by %.4g m: see its `status`",
-                       static_cast<long long>(nearest), farthest);
+      text = formatted("%lld times the target was out of reach", static_cast<long long>(nearest));
+    if (unfinished > 0)
+      text += formatted("%s%lld times it was not reached yet", text.empty() ? "" : ", ",
+                        static_cast<long long>(unfinished));
+    if (!text.empty()) text += formatted(", the farthest by %.4g m: see its `status`", farthest);
     if (unreadable > 0)
       text += formatted("%s%lld times the target was not finite", text.empty() ? "" : "; ",
                         static_cast<long long>(unreadable));

@@ -151,10 +151,11 @@ export class Plots {
   fill(plot) {
     const [from, to] = this.shown();
     const data = plot.series.map((s) => this.source.series(s.output, s.i, from, to, points));
-    // Curves of a recording have times of their own: each is put onto the times of the longest.
-    const longest = data.reduce((a, b) => (b[0].length > a[0].length ? b : a));
-    const columns = data.map(([times, values]) => (times.length === longest[0].length ? values : onto(longest[0], times, values)));
-    plot.chart.setData([longest[0], ...columns]);
+    // Curves of a recording have times of their own, and may end at different ones: each is put onto those of all.
+    const [first, ...others] = data.map(([times]) => times);
+    const isSame = others.every((times) => times.length === first.length && times.every((t, k) => t === first[k]));
+    const all = isSame ? first : [...new Set(data.flatMap(([times]) => times))].sort((a, b) => a - b);
+    plot.chart.setData([all, ...data.map(([times, values]) => (isSame ? values : onto(all, times, values)))]);
     this.label(plot, data.map(([, values]) => values.at(-1)));
   }
   // The newest value of each curve; of a recording the one at the time that is played.
@@ -185,11 +186,11 @@ export class Plots {
   }
 }
 
-// Values at other times: each is the last one that was published.
+// Values at other times: each is the last one that was published; none after the last.
 function onto(wanted, times, values) {
   let at = -1;
   return wanted.map((t) => {
     while (at + 1 < times.length && times[at + 1] <= t + 1e-9) ++at;
-    return at < 0 ? null : values[at];
+    return at < 0 || t > times.at(-1) + 1e-9 ? null : values[at];
   });
 }

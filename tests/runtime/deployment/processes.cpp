@@ -110,12 +110,12 @@ TEST_SUITE("deployed in processes") {
     const std::string own = cca::detail::manifest_of<two>();
     const std::string version = own.substr(0, own.find('\n'));
     const std::string other = "cca 9.8.7" + own.substr(version.size());
-    CHECK_EQ(refusal_beside(memory_of("cca shm1", other.size(), other)),
+    CHECK_EQ(refusal_beside(memory_of("cca shm2", other.size(), other)),
              ": the other process runs another deployment; here `" + version + "`, there `cca 9.8.7`");
     CHECK_EQ(refusal_beside(memory_of("cca shm9", own.size(), own)), " is no memory of this version of cca");
-    CHECK_EQ(refusal_beside(memory_of("cca shm1", std::uint64_t{1} << 40, own)),
+    CHECK_EQ(refusal_beside(memory_of("cca shm2", std::uint64_t{1} << 40, own)),
              " is no memory of this version of cca");
-    CHECK_EQ(refusal_beside(memory_of("cca shm1", own.size(), own)), " has another size");
+    CHECK_EQ(refusal_beside(memory_of("cca shm2", own.size(), own)), " has another size");
     CHECK_EQ(refusal_beside("cca shm1"), " is no memory of cca");
   }
 
