@@ -91,10 +91,11 @@ inline std::string learned_number_text(const schema& type, const void* at) {
 
 // What is wrong with the text of a number; empty: it is set.
 inline std::string read_learned_number(const schema& type, void* into, std::string_view text) {
-  const char* const end = text.data() + text.size();
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
   const auto got = [&] { return ", got `" + std::string(text.substr(0, 40)) + "`"; };
   double value = 0;
-  if (const auto read = std::from_chars(text.data(), end, value);
+  if (const auto read = std::from_chars(begin, end, value);
       read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
     return "expected a finite number" + got();
   if (type.number) {
@@ -103,7 +104,7 @@ inline std::string read_learned_number(const schema& type, void* into, std::stri
     return wrong;
   }
   std::int64_t whole = 0;
-  if (const auto read = std::from_chars(text.data(), end, whole); read.ec != std::errc() || read.ptr != end) {
+  if (const auto read = std::from_chars(begin, end, whole); read.ec != std::errc() || read.ptr != end) {
     // Older files have an integer as a double, 1e+05, which is exact up to here.
     if (std::abs(value) > 0x1p53 || std::trunc(value) != value) return "expected an integer" + got();
     whole = static_cast<std::int64_t>(value);

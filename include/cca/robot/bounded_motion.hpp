@@ -114,8 +114,8 @@ private:
     double good = second_ + next_slope();
     double bad = up ? std::min(most.second.upper, second_ + most.third.upper)
                     : std::max(most.second.lower, second_ + most.third.lower);
-    bool any = false;
-    if (aim != stop && !(any = takes(bad)))
+    bool any = aim != stop && takes(bad);
+    if (aim != stop && !any)
       for (int i = 0; i < 24; ++i) {
         const double middle = 0.5 * (good + bad);
         const bool yes = takes(middle);

@@ -83,8 +83,9 @@ public:
       joint_reading& r = state.joints[c];
       const soft_force motor = force_of_motor(d, state, c);
       double push = 0;
-      held_[c] = motor.low < motor.high && (stiff_[parts * c + by_motor] || runs_out(motor, c));
-      if (held_[c]) {
+      const bool is_held = motor.low < motor.high && (stiff_[parts * c + by_motor] || runs_out(motor, c));
+      held_[c] = is_held ? 1 : 0;
+      if (is_held) {
         motors_[c] = motor;
         hold(tree, coupled, i, joint_force::motor, motor);
       } else {
