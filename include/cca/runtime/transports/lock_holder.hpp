@@ -34,8 +34,8 @@ bool is_any_entry(const std::filesystem::path& folder, F f) {
 
 // 0: it is not known, as of a process with capabilities.
 inline int holder_of_lock(const struct stat& of, long byte) {
-  const auto says_so = [&](const std::filesystem::path& open_file) {
-    std::ifstream facts(open_file);
+  const auto says_so = [&](const std::filesystem::path& facts_of_file) {
+    std::ifstream facts(facts_of_file);
     for (std::string line; std::getline(facts, line);) {
       unsigned device[2] = {};
       unsigned long inode = 0;
