@@ -1,4 +1,6 @@
 // Forward and inverse kinematics of chains and of Oncilla's leg.
+#include <string>
+
 #include <doctest/doctest.h>
 
 #include "chains.hpp"
@@ -237,10 +239,11 @@ TEST_SUITE("kinematics") {
     CHECK(ik.summary() == "");
     solve(ik, Eigen::Vector2d(1.0, 0));
     solve(ik, Eigen::Vector2d(not_a_number, 0));
-    CHECK(ik.summary() ==
-          "1 times the target was out of reach, the farthest by 0.5 m: see its `status`; 1 times the target "
-          "was "
-          "not finite");
+    const std::string said = ik.summary();
+    CAPTURE(said);
+    CHECK(said.starts_with("1 times the target was out of reach, "));  // and in each beat of the search
+    CHECK(said.find(" times it was not reached yet, the farthest by 0.5 m: see its `status`; ") != said.npos);
+    CHECK(said.ends_with("1 times the target was not finite"));
     of_left_leg leg;  // in closed form
     solve(leg, Eigen::Vector3d(0, 0, -9));
     CHECK(leg.summary().starts_with("1 times the target was out of reach, the farthest by 8."));
