@@ -213,8 +213,12 @@ private:
     }
   }
 
-  // A leg of the sunken robot is outside of its range. The operator then sets it on its feet by hand.
-  bool refused() { return synchronizer(r).refusal() == hw::safety_rule::range; }
+  // A leg of the sunken robot is outside of its range, or still swings. The operator then sets it on its feet
+  // by hand.
+  bool refused() {
+    const hw::safety_rule why = synchronizer(r).refusal();
+    return why == hw::safety_rule::range || why == hw::safety_rule::rate;
+  }
 
   static constexpr std::int64_t begin = timing::begin;
   const scenario<Architecture>& s;

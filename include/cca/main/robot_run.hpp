@@ -123,6 +123,15 @@ private:
     return {s.record, s.page, s.trace, s.record_scopes};
   }
 
+  // A signal also ends a run that waits for other processes to begin.
+  template <class AfterBeat>
+  struct until_signal {
+    const AfterBeat& after_beat;
+    const interruption& signals;
+    bool operator()(controller_type& c) const { return after_beat(c); }
+    bool is_over() const { return signals.is_over(); }
+  };
+
   void run(controller_type& c, const interruption& interrupted) {
     const run_settings& s = program.settings;
     const for_some_beats length{
@@ -131,11 +140,12 @@ private:
                   : std::numeric_limits<std::int64_t>::max()};
     const std::int64_t first = c.beat_index();
     bool goes_on = true;
-    const auto between = [&](controller_type& running) {
+    const auto after_beat = [&](controller_type& running) {
       if constexpr (!is_deployed)
         if (s.speed) beats.end();
       return goes_on = program.between(running) && !interrupted;
     };
+    const until_signal<decltype(after_beat)> between{after_beat, interrupted};
     if constexpr (!is_deployed) c.run(length, counted_pace(s.speed, beats), between);
     else if (s.speed) c.run(length, at_speed(*s.speed), between);
     else c.run(length, as_fast_as_possible(), between);

@@ -106,6 +106,9 @@ public:
     return detail::noted.count.load(std::memory_order_acquire) != before;
   }
 
+  // The same. A deployment asks it also while it waits for other processes.
+  bool is_over() const noexcept { return static_cast<bool>(*this); }
+
   // For `run`, as its `between`: goes on until a signal comes.
   template <class Controller>
   bool operator()(const Controller&) const noexcept {

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -161,6 +162,17 @@ private:
       if (here[e]) shared->environments[e].is_stopped.store(is_stopped, std::memory_order_release);
   }
 
+  // While it waits for others there is no beat after which `between` could be asked; what ends a run at any
+  // time has `is_over()` (cca::interruption).
+  template <class Between>
+  static bool is_over([[maybe_unused]] const Between& between) {
+    if constexpr (requires {
+                    { between.is_over() } -> std::same_as<bool>;
+                  })
+      return between.is_over();
+    else return false;
+  }
+
   // False: another process has stopped, and there is no run.
   template <class Pace, class Between>
   bool run_all(std::int64_t beats, Pace& pace, Between& between) {
@@ -179,7 +191,7 @@ private:
     auto idle_beats = detail::idle_beats_at(pace, period());
     const auto meanwhile = [this] { idle(); };
     const auto terms = together.agree({k, 0, wants_exact, wants_to_meet}, beats, longest_wait, idle_beats,
-                                      meanwhile, [&] { return detail::goes_on_after(between, *this); });
+                                      meanwhile, [&] { return !is_over(between); });
     if (terms.is_stopped) return false;
     if (terms.is_off) return true;
     if (terms.is_exact && !wants_exact) idle_beats = detail::idle_beats_at(as_fast_as_possible(), period());
