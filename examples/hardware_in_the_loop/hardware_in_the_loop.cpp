@@ -91,7 +91,7 @@ private:
   }
 };
 
-// How the run has ended, noted before the robot is shut down: a robot never waits for a terminal.
+// How the run has ended, noted before the robot is shut down.
 struct run_end {
   bool runs = false;
   hw::safety_event cause{};
@@ -101,13 +101,11 @@ struct run_end {
     const auto& stop = c.template get<"robot.emergency_stop">();
     return {stop.mode() == hw::motion_mode::run, stop.first_cause()};
   }
-  void print() const {
-    if (runs) return static_cast<void>(std::printf("robot: runs, nothing tripped\n"));
-    std::printf(
-        "robot: stopped; first cause: %s%s%s, beat %lld\n", std::string(hw::name_of(cause.rule)).c_str(),
-        cause.joint < 0 ? "" : " of ",
-        cause.joint < 0 ? "" : std::string(joints::names[static_cast<std::size_t>(cause.joint)]).c_str(),
-        static_cast<long long>(cause.beat));
+  std::string text() const {
+    if (runs) return "robot: runs, nothing tripped\n";
+    std::string all = "robot: stopped; first cause: " + std::string(hw::name_of(cause.rule));
+    if (cause.joint >= 0) all += " of " + std::string(joints::names[static_cast<std::size_t>(cause.joint)]);
+    return all + ", beat " + std::to_string(cause.beat) + '\n';
   }
 };
 
@@ -139,7 +137,7 @@ struct in_one_process : cca::robot_program<observed<memory_end>> {
     const bool has_fallen = far.world().fallen();
     const auto off = far.shut_down(c);
     if (has_fallen) std::printf("the robot fell\n");
-    end.print();
+    std::fputs(end.text().c_str(), stdout);
     std::printf("robot: %s\n", off.text().c_str());
     std::printf("drives: %s\n", far.are_free() ? "switched off" : "still driven");
     result = (end.runs ? 0 : 1) + (has_fallen ? 1 : 0);
@@ -188,11 +186,12 @@ struct on_buses : cca::robot_program<observed<paced_can>> {
   }
   void stop(controller_type& c) override {
     const run_end end = run_end::of(c);
+    cca::write_if_possible(STDOUT_FILENO,
+                           end.text());  // at once: the buses may be gone before the drives are off
     // [shut down]
     const hw::shut_down_report off = hw::shut_down(c, robots_pace{bus, lock_step});  // then it may be told
     std::printf("robot: %s\n", off.text().c_str());
     // [shut down end]
-    end.print();
     if (c.overruns() > 0)
       std::printf("robot: %lld beats took too long, %lld periods without a beat\n",
                   static_cast<long long>(c.overruns()), static_cast<long long>(c.lost_periods()));
