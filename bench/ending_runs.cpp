@@ -63,13 +63,18 @@ struct drive_side {
     far.connect(far_end);
   }
   void catch_up() {
-    for (const std::int64_t now = clock_ns::now() - began; at + ms <= now;) {
-      bus.advance(at + ms / 2);
-      far.listen(at + ms / 2, [](std::size_t, const hw::can_frame&) {});
+    const std::int64_t now = clock_ns::now() - began;
+    for (; at + ms <= now; bus.advance((at += ms) - 1)) {
+      listen(at + ms / 2);
       motor.advance(far.laws(at + ms / 2)[0], 0, 1e-3);
       far.tell({motor.now}, {});
-      bus.advance((at += ms) - 1);
     }
+    listen(now);  // no frame waits for the next whole millisecond: the robot would not send before it is on
+                  // the bus
+  }
+  void listen(std::int64_t now) {
+    bus.advance(now);
+    far.listen(now, [](std::size_t, const hw::can_frame&) {});
   }
 };
 
