@@ -2,8 +2,11 @@
 //
 //   cca::deployed<split> d(cca::only{"robot"}, cca::dds::domain(7));
 //
-// Target cca::dds. CYCLONEDDS_URI configures the network; without it all stays on this machine. Page:
-// docs/transports.md.
+// And nodes that exchange samples with programs that share no code with cca: `cca::dds::publisher`,
+// `command_publisher`, `subscriber`, for any space, and `cca::idl`, which gives its type.
+//
+// Target cca::dds. CYCLONEDDS_URI configures the network; without it all stays on this machine. Pages:
+// docs/transports.md, docs/dds.md.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +17,9 @@
 
 #include <cca/deployment.hpp>
 #include <cca/dds/exchange.hpp>
+#include <cca/dds/idl.hpp>
+#include <cca/dds/publisher.hpp>
+#include <cca/dds/subscriber.hpp>
 
 namespace cca::dds {
 

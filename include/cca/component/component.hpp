@@ -60,6 +60,7 @@ struct component_info {
   std::string_view wrong_arity{};  // of a skeleton whose parts don't fit together: the rest of the message
   bool limits_commands = false;    // a limiter: its output may reach an actuator
   bool preserves_limits = false;   // a splitter, a collector: outputs keep the limits of the inputs
+  bool moves_nothing = false;      // a publisher: its `act` tells others, and is no actuator
   constexpr std::string_view name() const { return without_namespaces(spelled_type); }
   constexpr bool resource() const { return sense || act; }
 };
@@ -93,6 +94,7 @@ inline constexpr component_info component_of = [] {
   if constexpr (requires { Type::wrong_arity; }) info.wrong_arity = Type::wrong_arity;
   if constexpr (requires { Type::limits_commands; }) info.limits_commands = Type::limits_commands;
   if constexpr (requires { Type::preserves_limits; }) info.preserves_limits = Type::preserves_limits;
+  if constexpr (requires { Type::moves_nothing; }) info.moves_nothing = Type::moves_nothing;
   return info;
 }();
 

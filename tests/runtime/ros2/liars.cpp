@@ -63,7 +63,7 @@ class liar {
 public:
   explicit liar(const message_type& type = joints::type)
       : in(static_cast<std::uint32_t>(std::stoul(domain())), ""),
-        on(in, "cca/lies", type),
+        on(in, "rt/cca/lies", type_name_in_dds(type.name), type),
         writer(dds_create_writer(in.writes(), on.get(), qos_of(true, 10, type.hash).get(), nullptr), "liar") {
   }
 
@@ -71,7 +71,7 @@ public:
 
 private:
   cca::dds::detail::participant in;
-  topic on;
+  message_topic on;
   cca::dds::detail::entity writer;
 };
 

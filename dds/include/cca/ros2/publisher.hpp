@@ -19,60 +19,38 @@
 // the message. Example: examples/ros2/leg.cpp. Page: docs/ros2.md.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-
 #include <cca/component/beat.hpp>
 #include <cca/component/port.hpp>
+#include <cca/dds/nodes/publishing.hpp>
+#include <cca/ros2/address.hpp>
 #include <cca/ros2/messages/ports.hpp>
-#include <cca/ros2/outgoing.hpp>
+#include <cca/ros2/quality.hpp>
 
 namespace cca::ros2 {
 
 namespace detail {
 
-template <fixed_string Topic, class Message, class Quality>
-class publishes {
-public:
-  void on_load() { to.open(Topic.view()); }
-
-  std::int64_t sent() const { return to ? to->sent() : 0; }
-  std::int64_t dropped() const { return to ? to->dropped() : 0; }
-
-protected:
-  template <class... Inputs>
-  void publish(const beat& now, const Inputs&... inputs) {
-    const std::int64_t oldest = std::min({inputs.origin()...});
-    if (!to || oldest == never) return;
-    Eigen::Matrix<double, Message::size, 1> all;
-    int next = 0;
-    ((all.template segment<Inputs::space::size>(next) = inputs.vector(), next += Inputs::space::size), ...);
-    to->put(all, std::max<std::int64_t>(now.time() - oldest, 0));
-  }
-
-private:
-  connected<outgoing<Message, Quality>> to;
-};
-
 template <fixed_string Topic, class Message, class Quality, class Ports>
 class publisher_of;
 template <fixed_string Topic, class Message, class Quality, class... Ports>
-class publisher_of<Topic, Message, Quality, port_list<Ports...>> : public publishes<Topic, Message, Quality> {
+class publisher_of<Topic, Message, Quality, port_list<Ports...>> : public publishes<Message, Quality> {
 public:
   void process(const in<Ports::name, typename Ports::space>&... inputs, beat now) {
     this->publish(now, inputs...);
   }
+  void on_load() { this->open(address_of(Topic.view(), Message::type)); }
 };
 
 template <fixed_string Topic, class Message, class Quality, class Ports>
 class command_publisher_of;
 template <fixed_string Topic, class Message, class Quality, class... Ports>
 class command_publisher_of<Topic, Message, Quality, port_list<Ports...>>
-    : public publishes<Topic, Message, Quality> {
+    : public publishes<Message, Quality> {
 public:
   void act(const in<Ports::name, typename Ports::space>&... inputs, beat now) {
     if ((inputs.fresh() || ...)) this->publish(now, inputs...);
   }
+  void on_load() { this->open(address_of(Topic.view(), Message::type)); }
 };
 
 }  // namespace detail

@@ -20,12 +20,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 #include <tuple>
 
 #include <cca/component/port.hpp>
-#include <cca/ros2/incoming.hpp>
+#include <cca/dds/nodes/subscribing.hpp>
+#include <cca/ros2/address.hpp>
 #include <cca/ros2/messages/ports.hpp>
+#include <cca/ros2/quality.hpp>
 
 namespace cca::ros2 {
 
@@ -34,12 +35,13 @@ namespace detail {
 template <fixed_string Topic, class Message, class Quality, class Ports>
 class subscriber_of;
 template <fixed_string Topic, class Message, class Quality, class... Ports>
-class subscriber_of<Topic, Message, Quality, port_list<Ports...>> {
+class subscriber_of<Topic, Message, Quality, port_list<Ports...>> : public subscribes<Message, Quality> {
 public:
   auto sense() -> std::tuple<maybe<Ports::name, typename Ports::space>...> {
     std::tuple<maybe<Ports::name, typename Ports::space>...> found;
-    typename incoming<Message, Quality>::vector_type all;
-    if (!from || !from->take(all)) return found;
+    typename subscriber_of::vector_type all;
+    std::int64_t age = 0;
+    if (!this->take(all, age)) return found;
     std::apply(
         [&](auto&... one) {
           int next = 0;
@@ -48,19 +50,7 @@ public:
         found);
     return found;
   }
-
-  void on_load() { from.open(Topic.view()); }
-  void on_start() {
-    if (from) from->forget();
-  }
-
-  std::int64_t received() const { return from ? from->received() : 0; }
-  std::int64_t refused() const { return from ? from->refused() : 0; }
-  std::int64_t too_late() const { return from ? from->too_late() : 0; }
-  std::string_view why_refused() const { return from ? from->why_refused() : std::string_view(); }
-
-private:
-  connected<incoming<Message, Quality>> from;
+  void on_load() { this->open(address_of(Topic.view(), Message::type)); }
 };
 
 }  // namespace detail

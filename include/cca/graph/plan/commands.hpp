@@ -7,12 +7,15 @@ namespace cca::detail {
 
 // Does an input move something?
 constexpr bool is_actuated(const flat_view& g, const input& in) {
-  return g.calls[in.call].phase == phase_of_beat::act && port_of(g, in).space->actuated;
+  const auto& t = g.calls[in.call];
+  return t.phase == phase_of_beat::act && !item_of_call(g, t).component->moves_nothing &&
+         port_of(g, in).space->actuated;
 }
 
 // Commands that leave this function are limited: it is a limiter, or a resource node that is checked itself.
 constexpr bool ends_limit_search(const flat_view& g, const call& t) {
-  return item_of_call(g, t).component->limits_commands || t.phase == phase_of_beat::act;
+  const auto& component = *item_of_call(g, t).component;
+  return component.limits_commands || (t.phase == phase_of_beat::act && !component.moves_nothing);
 }
 
 // Do all ways to this output lead through a limiter, or through components that keep their outputs within the

@@ -75,7 +75,7 @@ struct float64_multi_array {
     maker(const maker&) = delete;
     maker& operator=(const maker&) = delete;
 
-    const message* make(const double* from, detail::time_stamp) {  // this message has no stamp
+    const message* make(const double* from, std::int64_t) {  // this message has no stamp
       std::copy_n(from, size, values.begin());
       return &made;
     }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <cca/ros2/message_type.hpp>
+#include <cca/ros2/address.hpp>
 
 namespace cca::ros2::detail {
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
-#include <cca/ros2/message_type.hpp>
+#include <cca/ros2/address.hpp>
 
 namespace cca::ros2::detail {
 
@@ -19,6 +20,13 @@ inline constexpr std::array time_fields{
 };
 inline constexpr message_type time_type{"builtin_interfaces/msg/Time", time_fields, sizeof(time_stamp),
                                         alignof(time_stamp)};
+
+// ROS time is the wall clock. A beat has none, so the thread that sends asks for it, and counts the age back.
+inline time_stamp stamp_of(std::int64_t age) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const std::int64_t at = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count() - age;
+  return {static_cast<std::int32_t>(at / 1'000'000'000), static_cast<std::uint32_t>(at % 1'000'000'000)};
+}
 
 struct header {
   time_stamp stamp;

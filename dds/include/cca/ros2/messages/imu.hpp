@@ -130,8 +130,8 @@ struct imu {
     maker(const maker&) = delete;
     maker& operator=(const maker&) = delete;
 
-    const message* make(const double* from, detail::time_stamp stamp) {
-      made.head.stamp = stamp;
+    const message* make(const double* from, std::int64_t age) {
+      made.head.stamp = detail::stamp_of(age);
       ((detail::imu_field_of<Spaces>::set(made, from), from += Spaces::size), ...);
       return &made;
     }

@@ -102,8 +102,8 @@ struct joint_state {
     maker(const maker&) = delete;
     maker& operator=(const maker&) = delete;
 
-    const message* make(const double* from, detail::time_stamp stamp) {
-      made.head.stamp = stamp;
+    const message* make(const double* from, std::int64_t age) {
+      made.head.stamp = detail::stamp_of(age);
       std::copy_n(from, size, values.begin());
       double* next = values.data();
       for (const auto field : fields) {

@@ -57,8 +57,8 @@ struct stamped {
     maker(const maker&) = delete;
     maker& operator=(const maker&) = delete;
 
-    const message* make(const double* from, time_stamp stamp) {
-      made.head.stamp = stamp;
+    const message* make(const double* from, std::int64_t age) {
+      made.head.stamp = stamp_of(age);
       made.first().set(from);
       made.second().set(from + 3);
       return &made;

@@ -3,35 +3,31 @@
 
 #include <dds/dds.h>
 
-#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <string_view>
 #include <utility>
 
-#include <cca/ros2/connection.hpp>
-#include <cca/ros2/messages/header.hpp>
-#include <cca/ros2/quality.hpp>
-#include <cca/ros2/topic.hpp>
+#include <cca/dds/nodes/connection.hpp>
+#include <cca/dds/nodes/message_topic.hpp>
+#include <cca/dds/nodes/quality.hpp>
 #include <cca/runtime/environments/sample_ring.hpp>
 
-namespace cca::ros2::detail {
+namespace cca::dds::detail {
 
-// `Message` is one of ros2/messages: it says how a message is made of numbers.
+// `Message` says how a message is made of numbers: ros2/messages, dds/space_message.hpp.
 template <class Message, class Quality>
 class outgoing final : public endpoint {
 public:
-  outgoing(std::shared_ptr<connection> over, std::string_view topic_name)
+  outgoing(std::shared_ptr<connection> over, const address& at)
       : net(std::move(over)),
-        on(net->in(), topic_name, Message::type),
+        on(net->in(), at.topic, at.type, Message::type),
         writer(dds_create_writer(net->in().writes(),
                                  on.get(),
                                  qos_of(Quality::is_reliable, Quality::depth, Message::type.hash).get(),
                                  nullptr),
-               "publisher of `" + std::string(topic_name) + "`") {
+               "publisher of `" + at.topic + "`") {
     net->add(*this);
   }
   ~outgoing() override { net->remove(*this); }
@@ -46,11 +42,10 @@ public:
   std::int64_t dropped() const { return dropped_count.load(std::memory_order_relaxed); }
 
   void work() override {
-    typename decltype(ring)::sample one;
     std::uint64_t expected = next;
     for (; ring.take(next, std::numeric_limits<std::int64_t>::max(), one); expected = next) {
       const auto lost = static_cast<std::int64_t>(next - 1 - expected);
-      const bool went = dds_write(writer.get(), message.make(one.vector.data(), stamp_of(one.origin))) >= 0;
+      const bool went = dds_write(writer.get(), message.make(one.vector.data(), one.origin)) >= 0;
       sent_count.fetch_add(went, std::memory_order_relaxed);
       dropped_count.fetch_add(lost + !went, std::memory_order_relaxed);
     }
@@ -58,20 +53,17 @@ public:
   }
 
 private:
-  // ROS time is the wall clock. The beat has none, so it is asked here, and the age counted back.
-  static time_stamp stamp_of(std::int64_t age) {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    const std::int64_t at = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count() - age;
-    return {static_cast<std::int32_t>(at / 1'000'000'000), static_cast<std::uint32_t>(at % 1'000'000'000)};
-  }
+  static constexpr int capacity = Message::size > 4096 ? 8 : 64;  // a picture takes room
+  using ring_type = cca::detail::sample_ring<Message::size, capacity>;
 
   std::shared_ptr<connection> net;
-  topic on;
-  cca::dds::detail::entity writer;
-  cca::detail::sample_ring<Message::size, 64> ring;
+  message_topic on;
+  entity writer;
+  ring_type ring;
   std::uint64_t next = 0;
+  typename ring_type::sample one;
   typename Message::maker message;
   std::atomic<std::int64_t> sent_count{0}, dropped_count{0};
 };
 
-}  // namespace cca::ros2::detail
+}  // namespace cca::dds::detail

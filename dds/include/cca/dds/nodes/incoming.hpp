@@ -10,33 +10,35 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <utility>
 
-#include <cca/ros2/connection.hpp>
-#include <cca/ros2/quality.hpp>
-#include <cca/ros2/topic.hpp>
+#include <cca/dds/nodes/connection.hpp>
+#include <cca/dds/nodes/message_topic.hpp>
+#include <cca/dds/nodes/quality.hpp>
 #include <cca/runtime/environments/sample_ring.hpp>
 #include <cca/runtime/pace.hpp>
 
-namespace cca::ros2::detail {
+namespace cca::dds::detail {
 
+// What `Message::read` says of a message that is meant for others: it is neither used nor refused.
+inline constexpr char is_for_others[] = "";
+
+// `Message` says how numbers are read from a message: ros2/messages, dds/space_message.hpp.
 template <class Message, class Quality>
 class incoming final : public endpoint {
 public:
-  incoming(std::shared_ptr<connection> over, std::string_view topic_name)
+  incoming(std::shared_ptr<connection> over, const address& at)
       : net(std::move(over)),
-        on(net->in(), topic_name, Message::type),
+        on(net->in(), at.topic, at.type, Message::type),
         reader(dds_create_reader(net->in().reads(),
                                  on.get(),
                                  qos_of(Quality::is_reliable, Quality::depth, Message::type.hash).get(),
                                  nullptr),
-               "subscriber of `" + std::string(topic_name) + "`") {
+               "subscriber of `" + at.topic + "`") {
     net->listen_to(reader.get());
     net->add(*this);
   }
@@ -44,13 +46,14 @@ public:
 
   using vector_type = Eigen::Matrix<double, Message::size, 1>;
 
-  // The beat's: the newest message since it last asked. False: there is none.
-  bool take(vector_type& to) noexcept {
+  // The beat's: the newest message since it last asked, and its age in ns as its sender says. False: there is
+  // none, and `to` may hold anything.
+  bool take(vector_type& to, std::int64_t& age) noexcept {
     bool has = false;
-    typename decltype(ring)::sample one;
+    taken_sample one{0, 0, to};
     for (int i = 0; i < 2 * capacity && ring.take(next, everything, one); ++i) {
-      has = one.origin == is_message;
-      to = one.vector;
+      has = one.published_in == is_message;
+      age = one.origin;
     }
     taken.store(next, std::memory_order_relaxed);
     return has;
@@ -58,7 +61,8 @@ public:
   // At a start: what came before is too old.
   void forget() noexcept {
     vector_type unused;
-    take(unused);
+    std::int64_t age = 0;
+    take(unused, age);
   }
 
   std::int64_t received() const { return received_count.load(std::memory_order_relaxed); }
@@ -86,36 +90,50 @@ private:
   static constexpr std::int64_t everything = std::numeric_limits<std::int64_t>::max();
   static constexpr std::int64_t is_message = 0, is_nothing = 1;
   static constexpr std::int64_t longest_wait = 100'000'000;
-  static constexpr std::uint32_t most_bytes = 65'536, head = 4, most_padding = 3;
+  static constexpr std::uint32_t head = 4, most_padding = 3;
+  // A message whose size is known, as a picture, may be longer than the others.
+  static constexpr std::uint32_t most_bytes = [] {
+    if constexpr (requires { Message::most_bytes; })
+      return std::max<std::uint32_t>(65'536, static_cast<std::uint32_t>(Message::most_bytes));
+    else return std::uint32_t{65'536};
+  }();
+
+  struct taken_sample {
+    std::int64_t published_in, origin;
+    vector_type& vector;
+  };
 
   // A reason is a literal, so other threads may read it.
   void hear(const ddsi_serdata& one) {
-    vector_type values;
-    if (const char* const why = read(one, values)) {
+    std::int64_t age = 0;
+    if (const char* const why = read(one, age)) {
+      if (why == is_for_others) return;
       reason.store(why, std::memory_order_release);
       refused_count.fetch_add(1, std::memory_order_relaxed);
       return;
     }
-    put(values, is_message);
+    put(age, is_message);
     received_count.fetch_add(1, std::memory_order_relaxed);
   }
   // Null, or why it is refused.
-  const char* read(const ddsi_serdata& one, vector_type& values) {
+  const char* read(const ddsi_serdata& one, std::int64_t& age) {
     const std::uint32_t size = ddsi_serdata_size(&one);
-    if (size > most_bytes) return "longer than 65536 bytes";
-    typename Message::message m{};
+    if (size > most_bytes)
+      return most_bytes == 65'536 ? "longer than 65536 bytes" : "longer than a message of this type can be";
+    message = {};
     const char* why = "no message of this type";
-    if (ddsi_serdata_to_sample(&one, &m, nullptr, nullptr)) {
-      const std::size_t whole = head + cdr_length(Message::type, &m).bytes();
+    if (ddsi_serdata_to_sample(&one, &message, nullptr, nullptr)) {
+      const std::size_t whole = head + cdr_length(Message::type, &message).bytes();
       why = size < whole || size > whole + most_padding ? "longer than a message of this type"
-                                                        : Message::read(m, values.data());
+                                                        : Message::read(message, values.data());
+      if constexpr (requires { Message::age_of(message); }) age = Message::age_of(message);
     }
-    on.free_contents(&m);
+    on.free_contents(&message);
     if (!why && !values.allFinite()) why = "a number that is not finite";
     return why;
   }
-  void put(const vector_type& values, std::int64_t what) {
-    ring.put(values, what, 0);
+  void put(std::int64_t age, std::int64_t what) {
+    ring.put(values, age, what);
     ++count_put;
     put_at = cca::detail::monotonic_clock::now();
     is_waiting = what == is_message;
@@ -125,22 +143,24 @@ private:
     if (taken.load(std::memory_order_relaxed) >= count_put) {
       is_waiting = false;
     } else if (cca::detail::monotonic_clock::now() - put_at > longest_wait) {
-      put(vector_type::Zero(), is_nothing);
+      put(0, is_nothing);
       late_count.fetch_add(1, std::memory_order_relaxed);
     }
   }
 
   std::shared_ptr<connection> net;
-  topic on;
-  cca::dds::detail::entity reader;
+  message_topic on;
+  entity reader;
   cca::detail::sample_ring<Message::size, capacity> ring;
   std::uint64_t next = 0;               // the beat's
   std::atomic<std::uint64_t> taken{0};  // the same, for the thread
-  std::uint64_t count_put = 0;          // the thread's
+  typename Message::message message{};  // the thread's
+  vector_type values = vector_type::Zero();
+  std::uint64_t count_put = 0;
   std::int64_t put_at = 0;
   bool is_waiting = false;
   std::atomic<std::int64_t> received_count{0}, refused_count{0}, late_count{0};
   std::atomic<const char*> reason{nullptr};
 };
 
-}  // namespace cca::ros2::detail
+}  // namespace cca::dds::detail

@@ -1,6 +1,7 @@
-// A type of ROS 2 as data: its name, its published hash, and where its fields lie in the struct that holds a
-// message. From this the descriptor for DDS is made (topic.hpp), and the length of a message that has come is
-// checked. Tests compute the hash from it, as REP 2011 demands: sha256 of the type's description.
+// A type of messages as data: its name, and where its fields lie in the struct that holds a message. From
+// this the descriptor for DDS is made (message_topic.hpp), and the length of a message that has come is
+// checked. Of a type of ROS 2 it also has the published hash; tests compute it from the fields, as REP 2011
+// demands: sha256 of the type's description.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +10,23 @@
 #include <span>
 #include <string_view>
 
-namespace cca::ros2::detail {
+namespace cca::dds::detail {
 
 // The numbers that REP 2011 gives them.
-enum class kind : std::uint8_t { message = 1, int32 = 6, uint32 = 7, float64 = 11, string = 17 };
+enum class kind : std::uint8_t {
+  message = 1,
+  uint8 = 3,
+  int32 = 6,
+  uint32 = 7,
+  int64 = 8,
+  float64 = 11,
+  string = 17
+};
+
+constexpr std::size_t bytes_of(kind k) {
+  if (k == kind::uint8) return 1;
+  return k == kind::int64 || k == kind::float64 ? 8 : 4;
+}
 
 struct message_type;
 
@@ -30,7 +44,7 @@ struct message_type {
   std::string_view name;  // "sensor_msgs/msg/JointState"
   std::span<const message_field> fields;
   std::size_t size, alignment;
-  std::string_view hash{};  // of those that have a topic
+  std::string_view hash{};  // of those of ROS 2 that have a topic
 };
 
 // As Cyclone and its generated code lay out a sequence.
@@ -66,28 +80,28 @@ private:
       } else {
         sequence<std::byte> all;
         std::memcpy(&all, here, sizeof all);
-        put(4);
+        put(4, 1);
         add_all(f, all.buffer, all.length);
       }
     }
   }
   void add_all(const message_field& f, const std::byte* first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (f.of == kind::message) {
-        add(*f.nested, first + i * f.nested->size);
-      } else if (f.of == kind::string) {
+    if (f.of == kind::message) {
+      for (std::size_t i = 0; i < count; ++i) add(*f.nested, first + i * f.nested->size);
+    } else if (f.of == kind::string) {
+      for (std::size_t i = 0; i < count; ++i) {
         const char* text = nullptr;
         std::memcpy(static_cast<void*>(&text), first + i * sizeof text, sizeof text);
-        put(4);
+        put(4, 1);
         at += std::strlen(text) + 1;
-      } else {
-        put(f.of == kind::float64 ? 8 : 4);
       }
+    } else if (count > 0) {
+      put(bytes_of(f.of), count);
     }
   }
-  void put(std::size_t size) { at = (at + size - 1) / size * size + size; }
+  void put(std::size_t size, std::size_t count) { at = (at + size - 1) / size * size + size * count; }
 
   std::size_t at = 0;
 };
 
-}  // namespace cca::ros2::detail
+}  // namespace cca::dds::detail

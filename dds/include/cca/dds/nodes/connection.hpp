@@ -1,5 +1,5 @@
-// This process in ROS 2's domain ROS_DOMAIN_ID (0 if that is not set), with one thread that sends and
-// receives for all publishers and subscribers. A beat only writes into or reads from their rings.
+// This process in a domain, with one thread that sends and receives for all its publishers and subscribers
+// there. A beat only writes into or reads from their rings.
 //
 // The thread wakes when a message comes, and every 0.5 ms to look for what beats have left. Its mutex is
 // never taken in a beat: only while nodes are loaded or end.
@@ -8,21 +8,18 @@
 #include <dds/dds.h>
 #include <sys/prctl.h>
 
-#include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cstdint>
-#include <cstdlib>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
 #include <cca/dds/participant.hpp>
 
-namespace cca::ros2::detail {
+namespace cca::dds::detail {
 
 // A publisher or subscriber, for the thread.
 class endpoint {
@@ -33,13 +30,13 @@ public:
 
 class connection {
 public:
-  // The same for all that ask, as long as one of them lives.
-  static std::shared_ptr<connection> open() {
+  // The same for all that ask for this domain, as long as one of them lives.
+  static std::shared_ptr<connection> open(std::uint32_t domain) {
     static std::mutex one_at_a_time;
-    static std::weak_ptr<connection> known;
+    static std::map<std::uint32_t, std::weak_ptr<connection>> known;
     const std::lock_guard lock(one_at_a_time);
-    auto own = known.lock();
-    if (!own) known = own = std::make_shared<connection>(number());
+    auto own = known[domain].lock();
+    if (!own) known[domain] = own = std::make_shared<connection>(domain);
     return own;
   }
 
@@ -54,7 +51,7 @@ public:
   connection(const connection&) = delete;
   connection& operator=(const connection&) = delete;
 
-  const cca::dds::detail::participant& in() const { return self; }
+  const participant& in() const { return self; }
 
   void add(endpoint& one) {
     const std::lock_guard lock(busy);
@@ -66,21 +63,12 @@ public:
   }
   // Messages for this reader wake the thread.
   void listen_to(dds_entity_t reader) {
-    const auto arrival = cca::dds::detail::checked(dds_create_readcondition(reader, DDS_ANY_STATE),
-                                                   "no condition");  // it ends with its reader
-    cca::dds::detail::checked(dds_waitset_attach(wakes.get(), arrival, 0), "no waitset");
+    const auto arrival = checked(dds_create_readcondition(reader, DDS_ANY_STATE),
+                                 "no condition");  // it ends with its reader
+    checked(dds_waitset_attach(wakes.get(), arrival, 0), "no waitset");
   }
 
 private:
-  static std::uint32_t number() {
-    const char* const given = std::getenv("ROS_DOMAIN_ID");
-    const std::string_view text = given ? given : "";
-    std::uint32_t n = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-    if (!text.empty() && (error != std::errc() || end != text.data() + text.size()))
-      throw refused("cca::ros2: ROS_DOMAIN_ID is `" + std::string(text) + "`: it must be a number, 0 to 230");
-    return n;
-  }
   void run() {
     ::prctl(PR_SET_TIMERSLACK, 1UL);
     while (!is_over) {
@@ -91,12 +79,18 @@ private:
     }
   }
 
-  cca::dds::detail::participant self;
-  cca::dds::detail::entity wakes;
+  participant self;
+  entity wakes;
   std::mutex busy;
   std::vector<endpoint*> all;
   std::atomic<bool> is_over{false};
   std::thread worker;
+};
+
+// Where the messages of a node are: `topic` and `type` as they are named in DDS.
+struct address {
+  std::uint32_t domain = 0;
+  std::string topic, type;
 };
 
 // A node's own endpoint. A copied controller is a snapshot: its copy of the node is not connected, neither
@@ -111,8 +105,8 @@ public:
   connected& operator=(connected&&) = default;
   ~connected() = default;
 
-  void open(std::string_view topic) {
-    if (!own) own = std::make_unique<Endpoint>(connection::open(), topic);
+  void open(const address& at) {
+    if (!own) own = std::make_unique<Endpoint>(connection::open(at.domain), at);
   }
   explicit operator bool() const { return own != nullptr; }
   Endpoint* operator->() const { return own.get(); }
@@ -121,4 +115,4 @@ private:
   std::unique_ptr<Endpoint> own;
 };
 
-}  // namespace cca::ros2::detail
+}  // namespace cca::dds::detail

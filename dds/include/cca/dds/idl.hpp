@@ -1,0 +1,138 @@
+// The types of spaces as IDL, for programs that share no code with cca.
+//
+//   std::ofstream("leg.idl") << cca::idl<leg_angles, trunk_pose>();
+//
+// From this text a code generator, such as Cyclone's `idlc`, makes the types of a program in C, C++, Python
+// or another language. The program exchanges samples with `cca::dds::publisher` and `cca::dds::subscriber` of
+// these spaces. Page: docs/dds.md.
+//
+// A space `robot::leg_angles` becomes the struct `cca::robot_leg_angles_sample`, and its number the constant
+// `cca::robot_leg_angles_space`. A coordinate `hip` becomes the field `hip_`, so that none can be a word of a
+// language. Where coordinates have no names, or more than 64, or two that differ only in case, there is one
+// field `values` instead. Units and limits stand in comments.
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include <cca/base/type_name.hpp>
+#include <cca/dds/space_message.hpp>
+#include <cca/version.hpp>
+
+namespace cca {
+
+namespace dds::detail {
+
+// Letters, digits and single underscores between them.
+inline std::string identifier(std::string_view text) {
+  std::string word;
+  for (const char c : text) {
+    const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_letter) word += c;
+    else if (!word.empty() && word.back() != '_') word += '_';
+  }
+  while (word.ends_with('_')) word.pop_back();
+  return word;
+}
+
+// A space's name with its namespaces, with `between` between them. A namespace without a name is left out.
+inline std::string joined_name(std::string_view spelled, std::string_view last, const char* between) {
+  std::string all;
+  std::string_view rest = spelled.substr(0, spelled.size() - cca::detail::without_namespaces(spelled).size());
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find("::"), rest.size());
+    const std::string_view part = rest.substr(0, end);
+    if (part.find("anonymous") == part.npos && !identifier(part).empty()) all += identifier(part) + between;
+    rest.remove_prefix(std::min(end + 2, rest.size()));
+  }
+  return all + identifier(last);
+}
+template <class Space>
+std::string name_in_idl() {
+  return joined_name(cca::detail::spelled<Space>(), cca::detail::type_name<Space>(), "_");
+}
+template <class Space>
+std::string type_in_dds() {
+  return "cca::" + name_in_idl<Space>() + "_sample";
+}
+// Where a space has its samples, if nobody names another topic.
+template <class Space>
+std::string topic_of_space() {
+  return joined_name(cca::detail::spelled<Space>(), cca::detail::type_name<Space>(), "/");
+}
+
+inline std::string field_in_idl(std::string_view name) {
+  const bool begins_well = std::isalpha(static_cast<unsigned char>(name.front())) != 0;
+  return (begins_well ? "" : "c") + std::string(name) + "_";
+}
+
+// Whether each coordinate gets a field of its own.
+inline bool has_fields(const space_schema& of, bool has_names) {
+  constexpr int most_fields = 64;
+  if (!has_names || of.field_count() > most_fields) return false;
+  std::set<std::string> known;
+  for (int i = 0; i < of.field_count(); ++i) {
+    std::string name = field_in_idl(of.field(i).name());
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (!known.insert(name).second) return false;
+  }
+  return true;
+}
+
+// ", rad, -0.9 to 0.9"
+inline std::string about_field(const schema_field& f) {
+  std::ostringstream text;
+  if (!f.unit.empty()) text << ", " << f.unit;
+  if (f.lower > -std::numeric_limits<double>::infinity() || f.upper < std::numeric_limits<double>::infinity())
+    text << ", " << f.lower << " to " << f.upper;
+  return text.str();
+}
+
+template <class Space>
+std::string idl_of_space() {
+  const space_schema schema(cca::detail::space_of<Space>);  // of a picture, too long for constexpr
+  constexpr bool has_names =
+      Space::size == Space::axes::count || requires { Space::domain::coordinates.data(); };
+  const std::string name = name_in_idl<Space>();
+  std::ostringstream all;
+  all << "// " << cca::detail::type_name<Space>() << ": " << schema.domain();
+  if (schema.hz() > 0) all << ", " << schema.hz() << " Hz";
+  all << "; topic \"" << topic_of_space<Space>() << "\"\nmodule cca {\n  const long long " << name
+      << "_space = " << space_number<Space>()
+      << ";  // domain type, names, units, limits and rate\n  @final struct " << name
+      << "_sample {\n    long long space;  // " << name
+      << "_space, else it is refused\n    long long age;  // ns from its origin until it is sent\n";
+  const bool each = has_fields(schema, has_names);
+  constexpr int most_lines = 256;
+  for (int i = 0; has_names && i < schema.field_count() && schema.field_count() <= most_lines; ++i) {
+    const schema_field f = schema.field(i);
+    const std::string about = about_field(f);
+    if (!each) all << "    // " << i << ": " << f.name() << about << "\n";
+    else if (about.empty()) all << "    double " << field_in_idl(f.name()) << ";\n";
+    else all << "    double " << field_in_idl(f.name()) << ";  // " << about.substr(2) << "\n";
+  }
+  if (!each) all << "    double values[" << schema.field_count() << "];\n";
+  all << "  };\n};\n";
+  return all.str();
+}
+
+}  // namespace dds::detail
+
+// Spaces of one name are different types in two files only.
+template <class... Spaces>
+std::string idl() {
+  static_assert(sizeof...(Spaces) > 0,
+                "cca::idl: name the spaces, as in `cca::idl<leg_angles, trunk_pose>()`");
+  std::string all = "// Written by cca::idl of cca " + std::to_string(version_major) + "." +
+                    std::to_string(version_minor) + "." + std::to_string(version_patch) +
+                    ". The messages are XCDR1, the publishers reliable and volatile.\n";
+  ((all += "\n" + dds::detail::idl_of_space<Spaces>()), ...);
+  return all;
+}
+
+}  // namespace cca
