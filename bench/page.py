@@ -306,7 +306,7 @@ def latency(part):
         blocks.append(f"### {title}\n\nRaw is {raw_is}.\n{forms}{note}\n{table(head, lines)}")
     return f"""## Round trips
 
-A driver publishes a message, each reflector publishes what it read, and the driver reads what comes back (`bench/latency`; section 5.1.3 of AMARSi deliverable D7.3).
+A driver publishes a message, each reflector publishes what it read, and the driver reads what comes back (`bench/latency`; section 5.1.3 of the source document).
 `cmake --build --preset bench --target latency` measures this part and writes `build/bench/out/latency.json`.
 
 How to read the figures:

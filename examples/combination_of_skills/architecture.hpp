@@ -1,6 +1,6 @@
 #pragma once
-// The Combination of Skills (seed, section 6.3, figure 6.2) for any robot with the Oncilla's ports and a
-// camera.
+// The Combination of Skills (the source document, section 6.3, figure 6.2) for any robot with the Oncilla's
+// ports and a camera.
 //
 // Read first: spaces.hpp, then plan.hpp (the sequence of skills), orders.hpp (what each step asks for), and
 // the components: eyes.hpp, inverse_kinematics.hpp, joints.hpp, steady.hpp, trunk.hpp. rollout.hpp runs it in

@@ -1,5 +1,6 @@
 #pragma once
-// Inverse Kinematics (seed, section 6.3): the joint angles that bring the four feet to four points.
+// Inverse Kinematics (the source document, section 6.3): the joint angles that bring the four feet to four
+// points.
 //
 //   in  "left_front" ... "right_hind"   point_in_trunk
 //   out "hips"                          hip_angles: abduction and swing

@@ -1,6 +1,6 @@
 #pragma once
-// The Combination of Skills, cut into four environments (seed, figure 4.7): the robot, its reflexes, its
-// mind, and the simulation on a workstation of its own. docs/deployed.md
+// The Combination of Skills, cut into four environments (the source document, figure 4.7): the robot, its
+// reflexes, its mind, and the simulation on a workstation of its own. docs/deployed.md
 //
 // Read first: stage.hpp (the simulation), remote_oncilla.hpp, recorder.hpp; forms.hpp runs it. Components and
 // graphs are those of examples/combination_of_skills. Only the wires from one environment to another are

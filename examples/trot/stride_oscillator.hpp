@@ -1,7 +1,7 @@
 #pragma once
 // The oscillator of the trot: a point that runs around the origin, on a circle of the wanted radius. For a
-// negative amplitude the circle shrinks to a point (a Hopf bifurcation; seed, section 6.3): the legs come to
-// rest where they stand.
+// negative amplitude the circle shrinks to a point (a Hopf bifurcation; the source document, section 6.3):
+// the legs come to rest where they stand.
 //
 //   in  "amplitude"   wanted_amplitude, the radius of the circle
 //   out "phase"       gait_phase

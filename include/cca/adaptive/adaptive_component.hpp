@@ -1,5 +1,5 @@
-// An Adaptive Component: an adaptive module, a criterion and the wires between them, as a graph (seed,
-// section 4.4.4, figure 4.6).
+// An Adaptive Component: an adaptive module, a criterion and the wires between them, as a graph (the source
+// document, section 4.4.4, figure 4.6).
 //
 //   struct dmp : cca::adaptive_component<module, cca::tracking<leg_angles>> {};
 //   cca::node<"dmp", dmp>
@@ -46,7 +46,8 @@ template <class Module, Criterion Measure, class... Options>
 struct adaptive_component
     : detail::graph_from<typename detail::adaptive_items<Module, Measure, Options...>::type> {};
 
-// A Tracker: its reference moves and the command follows. The name is the seed's; the skeleton is the same.
+// A Tracker: its reference moves and the command follows. The name is the source document's; the skeleton is
+// the same.
 template <class Module, Criterion Measure, class... Options>
 struct tracker : adaptive_component<Module, Measure, Options...> {};
 

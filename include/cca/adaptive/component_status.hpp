@@ -1,5 +1,5 @@
 // Component Status: the state of an adaptive component, from ODE Status, Module Status and the state of its
-// criterion (seed, chapter 3 and section 4.4.4).
+// criterion (the source document, chapter 3 and section 4.4.4).
 //
 //   diverged                 the criterion is lost
 //   reached                  the criterion is fulfilled (if it requires rest: and the ode has converged)

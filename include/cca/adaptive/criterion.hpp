@@ -1,5 +1,5 @@
-// A criterion measures how far the feedback is from the target, and judges it with hysteresis (seed, chapter
-// 3, *Criterion*). It is a component with
+// A criterion measures how far the feedback is from the target, and judges it with hysteresis (the source
+// document, chapter 3, *Criterion*). It is a component with
 //
 //   in  "target", "feedback"     of matching spaces
 //   out "error"                  criterion_error, in the unit of the space; at most 1e12

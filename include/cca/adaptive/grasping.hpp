@@ -1,4 +1,4 @@
-// The Grasping Criterion: does the gripper hold something? (seed, chapter 3, *Criterion*)
+// The Grasping Criterion: does the gripper hold something? (the source document, chapter 3, *Criterion*)
 //
 //   cca::grasping<aperture, grip_torque>
 //

@@ -1,6 +1,6 @@
-// A learner finds the parameters of a function from examples (seed, chapter 3, *Learner*). A learning rule
-// fits the form of the function, so a learner names the model that it adapts. A module refuses a learner of
-// another model.
+// A learner finds the parameters of a function from examples (the source document, chapter 3, *Learner*). A
+// learning rule fits the form of the function, so a learner names the model that it adapts. A module refuses
+// a learner of another model.
 //
 //   AdaptableModel    what is adapted: `input`, `output` (vectors of fixed size), `parameters` (a struct with
 //                     named fields), `answer(parameters, input)`, `title()`, which identifies it in a file

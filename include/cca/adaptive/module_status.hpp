@@ -1,5 +1,5 @@
 // Module Status: what the learner of a module is doing, and whether the input of the module lies in its
-// trained region (seed, section 4.4.4).
+// trained region (the source document, section 4.4.4).
 //
 //   out<"module", module_status_port>     over learning_axis (a cca::learning) and region_axis (a
 //                                         cca::trained_region)

@@ -1,5 +1,5 @@
-// An ordinary differential equation x' = f(x, u, p) with state x, input u and parameters p (seed, chapter 3,
-// *ODE*).
+// An ordinary differential equation x' = f(x, u, p) with state x, input u and parameters p (the source
+// document, chapter 3, *ODE*).
 //
 //   struct decay {
 //     using state = Eigen::Matrix<double, 1, 1>;      // fixed-size vector, or a space

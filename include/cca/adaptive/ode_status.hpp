@@ -1,5 +1,5 @@
-// ODE Status: `converged` if the rate of change is close to zero, else `transient`, with hysteresis (seed,
-// chapter 3). Two more states follow the policy of input_status.hpp:
+// ODE Status: `converged` if the rate of change is close to zero, else `transient`, with hysteresis (the
+// source document, chapter 3). Two more states follow the policy of input_status.hpp:
 //
 //   clamped      an input or a parameter was beyond what the component can do at this rate, and was cut
 //   unreadable   an input is NaN or infinite: the state stands still

@@ -1,5 +1,5 @@
-// The Reaching Criterion: is the measured value at the reference, and at rest there? (seed, chapter 3,
-// *Criterion*)
+// The Reaching Criterion: is the measured value at the reference, and at rest there? (the source document,
+// chapter 3, *Criterion*)
 //
 //   cca::reaching_goal<paw_in_trunk>
 //

@@ -1,5 +1,5 @@
-// A learner that makes its own examples: it asks for the output at points spread evenly over a box (seed,
-// chapter 3, *Learner*: it possibly generates its training data by sampling).
+// A learner that makes its own examples: it asks for the output at points spread evenly over a box (the
+// source document, chapter 3, *Learner*: it possibly generates its training data by sampling).
 //
 //   m.learning.collect();
 //   cca::sample_examples(m.learning, lowest, highest, 2000, m.p.settings, [&](const Eigen::Vector2d& q) {

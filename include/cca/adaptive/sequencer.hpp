@@ -1,5 +1,5 @@
-// A Sequencer: runs the steps of a plan, driven by the statuses of the skills (seed, section 6.3 and chapter
-// 3).
+// A Sequencer: runs the steps of a plan, driven by the statuses of the skills (the source document,
+// section 6.3 and chapter 3).
 //
 //   cca::node<"sequencer", cca::sequencer<"*.status.*", plan>, cca::timed<10>>
 //

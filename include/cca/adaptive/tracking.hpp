@@ -1,4 +1,4 @@
-// The Tracking Criterion: does the robot follow the command of the module? (seed, section 6.3)
+// The Tracking Criterion: does the robot follow the command of the module? (the source document, section 6.3)
 //
 //   cca::tracking<leg_angles>
 //

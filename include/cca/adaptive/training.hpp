@@ -1,5 +1,5 @@
-// The learning side of a module: its learned value, its examples, and the extended life-cycle of the seed's
-// section 4.4.4.
+// The learning side of a module: its learned value, its examples, and the extended life-cycle of the source
+// document's section 4.4.4.
 //
 //   cca::training<learner, 2000> learning;               in the module
 //   learning.teach(x, y, p.settings);                    in process: collects, learns or ignores

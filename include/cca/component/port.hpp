@@ -124,18 +124,6 @@ private:
   bool wired = false;
 };
 
-namespace detail {
-
-// The space's zero is a vector of zeros; of an orientation it is not.
-template <class Space>
-inline constexpr bool has_zeros = [] {
-  for (const double coordinate : zero_of<Space>)
-    if (coordinate != 0) return false;
-  return true;
-}();
-
-}  // namespace detail
-
 // An output, made from a vector, from a number where the space has one axis, or filled by axis. It originates
 // at the oldest origin among the inputs, unless `with_origin` says otherwise (nanoseconds since beat 0).
 template <fixed_string Name, class Space>

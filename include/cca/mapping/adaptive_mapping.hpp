@@ -1,5 +1,5 @@
-// An Adaptive Mapping: a mapping whose function is learned (seed, chapter 3). An Adaptive Transformation: the
-// same within one space.
+// An Adaptive Mapping: a mapping whose function is learned (the source document, chapter 3). An Adaptive
+// Transformation: the same within one space.
 //
 //   using ik = cca::extreme_learning_machine<cca::elm_function<paw, leg_angles, 100>>;
 //   cca::node<"ik", cca::adaptive_mapping<paw, leg_angles, ik>>

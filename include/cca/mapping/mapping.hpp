@@ -1,5 +1,5 @@
-// Mappings take samples of one space to another, transformations stay within one space (seed, section 4.4.2).
-// Both are components made from a function object:
+// Mappings take samples of one space to another, transformations stay within one space (the source document,
+// section 4.4.2). Both are components made from a function object:
 //
 //   struct polar { Eigen::Vector2d operator()(const cca::sample<foot>& p) const; };
 //   cca::node<"polar", cca::mapping<foot, foot_polar, polar>>

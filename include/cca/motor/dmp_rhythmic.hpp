@@ -1,5 +1,6 @@
-// A rhythmic movement primitive as a component (the "DMP Transformation System" of the seed, section 6.3): it
-// turns the phase and amplitude of an oscillator into a learned periodic movement around a goal.
+// A rhythmic movement primitive as a component (the "DMP Transformation System" of the source document,
+// section 6.3): it turns the phase and amplitude of an oscillator into a learned periodic movement around a
+// goal.
 //
 //   cca::node<"dmp", cca::dmp_rhythmic<leg_angles, stride, 25>, cca::timed<1>>       25 basis functions
 //

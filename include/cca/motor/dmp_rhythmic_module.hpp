@@ -1,5 +1,5 @@
 // A rhythmic movement primitive as an adaptive module: it learns its shape and keeps it in a file (the "DMP
-// Transformation System" of the seed, section 6.3).
+// Transformation System" of the source document, section 6.3).
 //
 //   cca::tracker<cca::dmp_rhythmic_module<leg_angles, stride, 25>, cca::tracking<leg_angles>>
 //

@@ -1,5 +1,5 @@
-// A Generator: an adaptive component that oscillates (seed, chapter 3). It consists of an oscillator, a
-// learned periodic shape that follows its phase, and a criterion.
+// A Generator: an adaptive component that oscillates (the source document, chapter 3). It consists of an
+// oscillator, a learned periodic shape that follows its phase, and a criterion.
 //
 //   struct swing : cca::generator<stride, cca::dmp_rhythmic_module<leg_angles, stride, 25>,
 //                                 cca::tracking<leg_angles>> {};

@@ -1,5 +1,5 @@
 // A body: body parts as types. Each part is a serial chain that is attached to another part or to the base of
-// the body (seed, figure 4.5).
+// the body (the source document, figure 4.5).
 //
 //   struct oncilla_body : cca::body<trunk,
 //       cca::part<"left_front_leg", left_front_leg, cca::driven_by<"left_front_hip", "left_front_knee">>,

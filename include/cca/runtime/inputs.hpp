@@ -9,15 +9,27 @@
 
 namespace cca::detail {
 
-// What an input shows before a first sample has arrived.
+// One number for all coordinates of an initial value. A plain array: its loop takes the fewest steps
+// (docs/compilers.md).
 template <class Graph, int Input>
-inline constexpr auto initial_of_input = [] {
-  std::array<double, static_cast<std::size_t>(size_of_input<Graph, Input>)> initial{};
-  int c = 0;
-  for (double& coordinate : initial)
-    coordinate = initial_coordinate(input_of<Graph, Input>.wire, *input_port_of<Graph, Input>.space, c++);
-  return initial;
-}();
+struct equal_coordinates {
+  double all[static_cast<std::size_t>(size_of_input<Graph, Input>)]{};
+  constexpr equal_coordinates() {
+    const double one = input_of<Graph, Input>.wire->initial[0];
+    for (double& coordinate : all) coordinate = one;
+  }
+};
+template <class Graph, int Input>
+inline constexpr equal_coordinates<Graph, Input> repeated_initial{};
+
+// What an input shows before a first sample has arrived: what its wire says, or the space's zero.
+template <class Graph, int Input>
+constexpr const double* initial_of_input() {
+  constexpr const auto& wire = input_of<Graph, Input>.wire;
+  if constexpr (!wire || !wire->initial) return input_port_of<Graph, Input>.space->zero;
+  else if constexpr (wire->initial_count == size_of_input<Graph, Input>) return wire->initial;
+  else return repeated_initial<Graph, Input>.all;
+}
 
 template <class Graph, int Input>
 struct input_reader {
@@ -93,14 +105,14 @@ struct input_reader {
   CCA_INLINE static Port get(const beat_context<Graph>& b, int index, beat, std::int64_t last) {
     Port port{to_be_filled{}};
     if constexpr (kind == storage_kind::none) {
-      port.show_initial(initial_of_input<Graph, Input>.data());
+      port.show_initial(initial_of_input<Graph, Input>());
     } else {
       const auto* sample = shown(b, index);
       if constexpr (is_never_null) {
         port.show(sample->vector(), sample->origin(), is_fresh(b, index, last));
       } else {
         if (sample) port.show(sample->vector(), sample->origin(), is_fresh(b, index, last));
-        else port.show_initial(initial_of_input<Graph, Input>.data());
+        else port.show_initial(initial_of_input<Graph, Input>());
       }
       if constexpr (requires { port.set_wired(); }) port.set_wired();
     }

@@ -1,5 +1,5 @@
-// The collector: combines samples of single axes into one sample of all axes (seed, section 4.4.3). Use it
-// with `moderate`, so that it publishes once every axis has a new sample.
+// The collector: combines samples of single axes into one sample of all axes (the source document,
+// section 4.4.3). Use it with `moderate`, so that it publishes once every axis has a new sample.
 //
 //   cca::node<"angles", cca::collector<"angles", leg_angles>, cca::moderate>
 //   in  "hip", "knee"   one port per axis, with the axis's name: a sub-space of Space

@@ -1,4 +1,4 @@
-// A farm: equal workers, each on its part of an array-valued sample (seed, section 4.4.3).
+// A farm: equal workers, each on its part of an array-valued sample (the source document, section 4.4.3).
 //
 //   cca::node<"ik", cca::farm<leg_ik, cca::array_of<paw_position, 4>, cca::array_of<leg_angles, 4>>>
 //   cca::node<"ik", cca::farm<leg_ik, all_paws, all_angles>>      axes in order, leg by leg

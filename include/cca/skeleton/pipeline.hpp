@@ -1,5 +1,5 @@
-// A pipeline: stages one after another, each fired by the output of the one before (seed, section 4.4.3:
-// port-triggered).
+// A pipeline: stages one after another, each fired by the output of the one before (the source document,
+// section 4.4.3: port-triggered).
 //
 //   cca::node<"ball", cca::pipeline<undistort, find_ball, smooth>>
 //   with a policy on the wires between stages:

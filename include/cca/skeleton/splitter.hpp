@@ -1,4 +1,4 @@
-// The splitter: divides one sample of many axes into a sample per axis (seed, section 4.4.3).
+// The splitter: divides one sample of many axes into a sample per axis (the source document, section 4.4.3).
 //
 //   cca::splitter<"angles", leg_angles>
 //   in  "angles"        Space

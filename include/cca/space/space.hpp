@@ -10,6 +10,7 @@
 #include <array>
 #include <concepts>
 #include <type_traits>
+#include <utility>
 
 #include <cca/space/dimension.hpp>
 #include <cca/base/eigen.hpp>
@@ -124,13 +125,31 @@ struct with_domain : space<Domain, typename Whole::axes, typename Whole::rate> {
 
 namespace detail {
 
+// Some coordinates of the space's zero. In blocks: the steps of a constant are limited (docs/compilers.md),
+// and an image has many coordinates.
+template <class Space, int First, int End>
+inline constexpr bool has_zeros_in = [] {
+  for (int i = First; i < End; ++i)
+    if (Space::domain::zero(i, Space::axes::count) != 0) return false;
+  return true;
+}();
+// The space's zero is a vector of zeros; of an orientation it is not.
+template <class Space>
+inline constexpr bool has_zeros = [] {
+  constexpr int block = 16'384;
+  return []<int... B>(std::integer_sequence<int, B...>) {
+    return (has_zeros_in < Space, B * block, B + 1 == sizeof...(B) ? Space::size : (B + 1) * block > &&...);
+  }(std::make_integer_sequence<int, (Space::size + block - 1) / block>{});
+}();
+
 // The coordinates of the space's zero: an input holds it until its first sample arrives. Inline, because
 // inline data points to it (docs/compilers.md).
 template <class Space>
 inline constexpr auto zero_of = [] {
   std::array<double, static_cast<std::size_t>(Space::size)> zero{};
-  for (int i = 0; i < Space::size; ++i)
-    zero[static_cast<std::size_t>(i)] = Space::domain::zero(i, Space::axes::count);
+  if constexpr (!has_zeros<Space>)
+    for (int i = 0; i < Space::size; ++i)
+      zero[static_cast<std::size_t>(i)] = Space::domain::zero(i, Space::axes::count);
   return zero;
 }();
 

@@ -1,5 +1,5 @@
 // One template makes an Adaptive Module: a motion (an ode with its ports), a learner that is bound to the
-// motion's model, the statuses of both, and a file (seed, chapter 3, *Adaptive Module*).
+// motion's model, the statuses of both, and a file (the source document, chapter 3, *Adaptive Module*).
 //
 //   struct my_module : cca::adaptive_module<my_motion> {};
 //

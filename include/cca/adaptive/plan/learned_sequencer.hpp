@@ -1,5 +1,5 @@
-// A Sequencer that learns which skill comes next, from the judgement of a criterion (seed, chapter 3: an
-// adaptive module and a criterion that generate a sequence).
+// A Sequencer that learns which skill comes next, from the judgement of a criterion (the source document,
+// chapter 3: an adaptive module and a criterion that generate a sequence).
 //
 //   struct plan : cca::steps<
 //       cca::step<"decide", cca::then_one_of<"trot", "pace">>,

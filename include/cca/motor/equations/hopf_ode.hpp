@@ -7,9 +7,9 @@
 // c (m - r^2) r (Bernoulli): r(t)^2 = m / (1 + (m / r0^2 - 1) e^(-2 c m t)); the angle advances at w. `flow`
 // is this form, written so that no term overflows: it holds for every step and every amplitude.
 // Source: Righetti and Ijspeert, Pattern generators with sensory feedback for the control of quadruped
-// locomotion, ICRA 2008: their oscillator with alpha = beta = c; the negative amplitude: seed, section 6.3.
-// Checked against the closed form: inwards, outwards, negative amplitude; `flow` against steps of rk4
-// (tests/runtime/motor/hopf.cpp).
+// locomotion, ICRA 2008: their oscillator with alpha = beta = c; the negative amplitude: the source document,
+// section 6.3. Checked against the closed form: inwards, outwards, negative amplitude; `flow` against steps
+// of rk4 (tests/runtime/motor/hopf.cpp).
 #pragma once
 
 #include <algorithm>

@@ -17,10 +17,10 @@
 // with a little noise, which makes the readout robust against its own errors; after `washout` firings the
 // activity of the units and the pattern make one example per firing. Otherwise the network hears itself.
 //
-// Parameters: the network (seed, spectral_radius, leak, feedback, bias), which a file states too; noise (in
-// the unit of S), washout, settling, settings (of the learner), files. The network is made on load, or in
-// the first firing. The learner is recursive least squares: in a batch ridge regression; online it holds for
-// N of up to 127.
+// Parameters: the network (the source document, spectral_radius, leak, feedback, bias), which a file states
+// too; noise (in the unit of S), washout, settling, settings (of the learner), files. The network is made on
+// load, or in the first firing. The learner is recursive least squares: in a batch ridge regression; online
+// it holds for N of up to 127.
 //
 // Inputs (input_status.hpp): while "reference" is NaN or infinite, the network stands still, only the
 // statuses are published, and "ode" is `unreadable`; beyond 1e12 it is cut, with `clamped`. A demonstration

@@ -24,8 +24,8 @@ constexpr mode_set modes_with(int node) {
 // May a component of a graph ask for a mode?
 template <class Graph>
 inline constexpr bool may_request = [] {
-  for (const call& one : plan_of<Graph>.calls)
-    if (one.function && one.function->requested_count > 0) return true;
+  for (std::size_t c = 0; c < array_size(counts_of<Graph>.call_count); ++c)
+    if (plan_of<Graph>.calls[c].function->requested_count > 0) return true;
   return false;
 }();
 

@@ -12,8 +12,8 @@
 //   sense   in "measured", what the synchronizer read; out "angle", "velocity", "torque"
 //   act     in "command"; out "target"
 //
-// Source: seed, section 6.1 and figure 6.1. Cost: none after inlining; the same compile time as the wires
-// written by hand. Example: robots/oncilla; tests/runtime/sim/wiring.cpp.
+// Source: the source document, section 6.1 and figure 6.1. Cost: none after inlining; the same compile time
+// as the wires written by hand. Example: robots/oncilla; tests/runtime/sim/wiring.cpp.
 #pragma once
 
 #include <cca/base/joined_names.hpp>

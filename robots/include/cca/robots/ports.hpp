@@ -17,7 +17,7 @@
 //   More     further lists of items (items.hpp)
 //
 // Prismatic joints have the units m, m/s and N. The spaces match any others of the same axes and rate.
-// Source: seed, section 6.1 and figure 6.1. Cost: nothing of it is left in the loop.
+// Source: the source document, section 6.1 and figure 6.1. Cost: nothing of it is left in the loop.
 #pragma once
 
 #include <tuple>

@@ -18,9 +18,9 @@
 //   Joint, Trunk           the resource nodes (joints.hpp); Trunk publishes the fields of trunk_record
 //   More                   further lists of items (items.hpp)
 //
-// Source: seed, section 6.1 and figure 6.1: hip and knee nodes, four of each, a splitter and collectors.
-// Errors: robot.unlimited_command, where a command reaches "command" without a limiter. Cost: nothing of it
-// is left in the loop.
+// Source: the source document, section 6.1 and figure 6.1: hip and knee nodes, four of each, a splitter and
+// collectors. Errors: robot.unlimited_command, where a command reaches "command" without a limiter. Cost:
+// nothing of it is left in the loop.
 #pragma once
 
 #include <cca/robots/items.hpp>
